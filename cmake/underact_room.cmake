@@ -1,0 +1,48 @@
+# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [PROGRAM name])
+# Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it. A LINKS
+# that is no target yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp
+# is left out of the room and becomes the program of that name.
+include_guard()
+
+set(UNDERACT_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Werror)
+
+add_library(underact_flags INTERFACE)
+# -ffp-contract=off: the same bits on CPUs with and without fused multiply-add (replay, design.md).
+target_compile_options(underact_flags INTERFACE -ffp-contract=off)
+target_include_directories(underact_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+if(UNDERACT_SANITIZE)
+  target_compile_options(underact_flags INTERFACE -fsanitize=${UNDERACT_SANITIZE} -fno-omit-frame-pointer
+                                                  -fno-sanitize-recover=all)
+  # GCC 12 finds std::function's own members "maybe uninitialized" once the checks stand between its stores and loads.
+  target_compile_options(underact_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  target_link_options(underact_flags INTERFACE -fsanitize=${UNDERACT_SANITIZE})
+endif()
+
+configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/underact/version.h @ONLY)
+
+function(underact_room folder)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM" "LINKS;USES;SHOWS")
+  if(room_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
+  endif()
+  get_filename_component(name ${folder} NAME)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h
+                                              ${PROJECT_SOURCE_DIR}/${folder}/*.qrc)
+  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
+  add_library(underact_${name} STATIC ${sources})
+  set_target_properties(underact_${name} PROPERTIES LINKER_LANGUAGE CXX)
+  target_compile_options(underact_${name} PRIVATE ${UNDERACT_WARNINGS})
+  target_link_libraries(underact_${name} PUBLIC underact_flags ${room_SHOWS} PRIVATE ${room_USES})
+  foreach(link IN LISTS room_LINKS)
+    if(NOT TARGET underact_${link})
+      message(FATAL_ERROR "${folder} links ${link}, which stands below it or nowhere: links point upwards.")
+    endif()
+    target_link_libraries(underact_${name} PUBLIC underact_${link})
+  endforeach()
+  if(room_PROGRAM)
+    add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
+    target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
+    target_link_libraries(${room_PROGRAM} PRIVATE underact_${name})
+    install(TARGETS ${room_PROGRAM} RUNTIME)
+  endif()
+endfunction()

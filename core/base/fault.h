@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace underact {
+
+/// Why a tick gave zero force.
+enum class FaultKind : std::uint8_t {
+  None,
+  NoSample,     // the arm gave no sample in time; seen: ticks in a row without one
+  StaleSample,  // the sample is not newer than the last one; seen: seconds since the last sample
+  NotFinite,    // a joint angle, or the force that came of it, is not a number
+};
+
+/// Numbers only, so that the tick can make one; describe() turns it into words, outside the tick.
+struct Fault {
+  FaultKind kind = FaultKind::None;
+  double seen = 0.0;
+  double allowed = 0.0;
+};
+
+/// What happened, what it means for the hand, what to do. Empty for FaultKind::None.
+std::string describe(const Fault& fault);
+
+/// A word for logs: "none", "no_sample", "stale_sample", "not_finite".
+const char* name(FaultKind kind);
+
+}  // namespace underact

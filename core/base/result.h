@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace underact {
+
+/// Where a problem is: a file (or what stands for one), a line and a column from 1 (0: none), the key's path.
+struct Place {
+  std::string file = {};
+  int line = 0;
+  int column = 0;
+  std::string key = {};
+};
+
+/// What is wrong, in a sentence its reader can act on, and where.
+struct Problem {
+  std::string sentence;
+  Place place = {};
+};
+
+/// All problems there are, not the first.
+using Problems = std::vector<Problem>;
+
+/// A value, or the problems that kept it from being made. For set-up; a tick yields a Fault instead.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}
+  Result(Problems problems) : content_(std::move(problems)) {}
+  explicit operator bool() const { return std::holds_alternative<T>(content_); }
+  const T& value() const& { return std::get<T>(content_); }
+  T&& value() && { return std::get<T>(std::move(content_)); }
+  const Problems& problems() const { return std::get<Problems>(content_); }
+
+ private:
+  std::variant<T, Problems> content_;
+};
+
+/// "FILE:LINE:COLUMN: error: KEY: sentence", the line that compilers print and editors jump to.
+std::string describe(const Problem& problem);
+
+}  // namespace underact

@@ -1,0 +1,40 @@
+#include "core/base/trig.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+#include <sleef.h>
+
+namespace underact {
+
+// Clang cannot see into the library: it neither locks nor allocates (checked in its source, which is straight-line
+// code).
+#if defined(__clang__) && __clang_major__ >= 20
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wfunction-effects"
+#endif
+
+SinCos sinCos(double angle_rad) noexcept {
+  const Sleef_double_2 both = Sleef_cinz_sincosd1_u10purec(angle_rad);
+  return {both.x, both.y};
+}
+
+SinCosPair sinCosOfTwo(double first_rad, double second_rad) noexcept {
+#if defined(__SSE2__)
+  const Sleef___m128d_2 both = Sleef_cinz_sincosd2_u10sse2(_mm_set_pd(second_rad, first_rad));
+  return {{_mm_cvtsd_f64(both.x), _mm_cvtsd_f64(both.y)},
+          {_mm_cvtsd_f64(_mm_unpackhi_pd(both.x, both.x)), _mm_cvtsd_f64(_mm_unpackhi_pd(both.y, both.y))}};
+#else
+  return {sinCos(first_rad), sinCos(second_rad)};
+#endif
+}
+
+double atan2Of(double y, double x) noexcept {
+  return Sleef_cinz_atan2d1_u10purec(y, x);
+}
+
+#if defined(__clang__) && __clang_major__ >= 20
+#pragma clang diagnostic pop
+#endif
+
+}  // namespace underact

@@ -1,0 +1,25 @@
+#pragma once
+#include "core/base/real_time.h"
+
+namespace underact {
+
+struct SinCos {
+  double sin = 0.0;
+  double cos = 1.0;
+};
+
+/// sin and cos of angle_rad, within 1 ulp, the same bits on every machine: SLEEF's non-FMA forms, since glibc's differ
+/// in the last bit between CPUs with and without FMA. Not finite in, NaN out. Cost: constant.
+SinCos sinCos(double angle_rad) noexcept UNDERACT_REAL_TIME;
+
+/// sinCos() of two angles in one pass where the processor has one (SSE2): the same bits, 0.6 of the time.
+struct SinCosPair {
+  SinCos first;
+  SinCos second;
+};
+SinCosPair sinCosOfTwo(double first_rad, double second_rad) noexcept UNDERACT_REAL_TIME;
+
+/// The angle of (x, y) in (-pi, pi], rad, within 1 ulp, the same bits on every machine.
+double atan2Of(double y, double x) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact

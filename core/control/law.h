@@ -1,0 +1,68 @@
+#pragma once
+#include <variant>
+
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+
+namespace underact::control {
+
+/// Proportional: f = kp e, axis by axis of W. Source: Beckman 2007, eq. B.13 with eq. 4.1.
+struct P {
+  Vec3 kp_N_per_m = Vec3::Zero();
+};
+
+/// Proportional and derivative: f = kp e + kd de/dt, the rate filtered (see kRateFilter_s). The error's own rate, not
+/// the tip's: along the constraint the stylus stays free of drag. Source: eq. 4.1 with the K_e term that its left side
+/// omits.
+struct PD {
+  Vec3 kp_N_per_m = Vec3::Zero();
+  Vec3 kd_N_s_per_m = Vec3::Zero();
+};
+
+/// And integral: + the integral of ki e, kept as a force so that a change of ki makes no jump. It is held within
+/// integral_limit_N, does not grow while the gate cuts the force it would add to, and is emptied while the servo is
+/// idle. Source: eq. B.15 (with its missing d tau).
+struct PID {
+  Vec3 kp_N_per_m = Vec3::Zero();
+  Vec3 kd_N_s_per_m = Vec3::Zero();
+  Vec3 ki_N_per_m_s = Vec3::Zero();
+  double integral_limit_N = 0.0;
+};
+
+using Law = std::variant<P, PD, PID>;
+
+/// All memory that a law has. P has none.
+struct LawState {
+  Vec3 e_last_W = Vec3::Zero();
+  Vec3 rate_W = Vec3::Zero();        // of the error, m/s, filtered
+  Vec3 integral_T_W = Vec3::Zero();  // N
+  bool has_last = false;
+};
+
+/// What a law is told of the moment besides the error.
+struct Moment {
+  double dt_s = 0.0;     // since the last tick; 0: the first
+  bool limited = false;  // the gate cut or ramped the last force: do not wind up
+  bool idle = false;     // no force is sent at all
+};
+
+// Time constant of the rate's first-order filter. One encoder step (0.055 mm) at 1 kHz is 55 mm/s unfiltered; 1.6 ms
+// (100 Hz) leaves 21 mm/s of it and costs 1.6 ms of delay.
+inline constexpr double kRateFilter_s = 1.6e-3;
+
+/// The force on the tip for the error e_W = p_WP - p_WT, m. Finite in, finite out (up to overflow, which the gate
+/// refuses). state is not touched by P. Cost: constant.
+Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& moment) noexcept UNDERACT_REAL_TIME;
+
+/// To be called instead of force() when there is no error to follow. lost: not even its rate is known (a degenerate
+/// target); otherwise the error is zero (an untouched wall), which is where a contact starts from.
+void rest(LawState& state, bool lost) noexcept UNDERACT_REAL_TIME;
+
+/// The quantities a law needs beyond the error itself.
+bool needsRate(const Law& law);
+bool needsIntegral(const Law& law);
+
+/// The proportional gains of any law.
+const Vec3& stiffness(const Law& law);
+
+}  // namespace underact::control

@@ -1,0 +1,181 @@
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <string>
+#include <type_traits>
+
+#include "core/arm/preset.h"
+#include "core/base/units.h"
+#include "core/scene/fields.h"
+#include "core/scene/json.h"
+#include "core/scene/read.h"
+#include "core/scene/text.h"
+
+namespace underact::scene {
+namespace {
+
+constexpr double kFarthest_mm = 1e6;
+constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above where a square is lost
+constexpr double kHighestGain = 1e12;    // far beyond any arm; keeps newtons finite wherever the tip is
+constexpr double kRotationError = 1e-6;  // as shape::makeBox
+// Half axes of the shape in the gains' own metric go with the root of the ratio.
+constexpr double kSmallestGainRatio = 1e-12;
+
+using json::numberText;
+
+std::string judge(Meaning meaning, double number) {
+  if (!std::isfinite(number)) return "This is no finite number; a double holds at most about 1.8e308.";
+  if (meaning == Meaning::Length && number <= 0.0)
+    return "This must be above 0 mm; here it is " + numberText(number) + ".";
+  if (meaning == Meaning::Length && number < kSmallest_mm) return "This is too close to 0 mm; the least is 1e-100 mm.";
+  if ((meaning == Meaning::Length || meaning == Meaning::Position) && std::abs(number) > kFarthest_mm) {
+    return "This must lie within 1e6 mm (1 km); here it is " + numberText(number) + ".";
+  }
+  return {};
+}
+
+std::string judgeGain(double gain) {
+  if (!std::isfinite(gain)) return "This is no finite number; a double holds at most about 1.8e308.";
+  if (gain < 0.0) return "A gain must be 0 or above, or the arm pushes away; here it is " + numberText(gain) + ".";
+  if (gain > kHighestGain) return "A gain must be at most 1e12; here it is " + numberText(gain) + ".";
+  return {};
+}
+
+bool isRotation(const Mat3& R) {
+  return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
+}
+
+bool allSame(const Vec3& v) {
+  return v.x() == v.y() && v.y() == v.z();
+}
+
+/// Walks over a scene with the place and the key of what it looks at.
+class Checker {
+ public:
+  explicit Checker(const Description& scene) : scene_(scene) {}
+  Problems run();
+
+ private:
+  void add(const std::string& key, std::string sentence) {
+    if (!sentence.empty()) problems_.push_back({std::move(sentence), {scene_.file, line_, column_, key}});
+  }
+  void checkField(const std::string& key, Meaning meaning, double number) { add(key, judge(meaning, number)); }
+  void checkField(const std::string& key, Meaning meaning, const Vec3& numbers);
+  void checkField(const std::string& key, Meaning meaning, const Mat3& numbers);
+  void checkControl(const std::string& key, const Control& control);
+  void checkConstraint(std::size_t index);
+  void checkMetric(const std::string& key, const Control& control, const Shape& shape);
+  void checkName(const std::string& key, const std::string& name);
+
+  const Description& scene_;
+  Problems problems_;
+  int line_ = 0;
+  int column_ = 0;
+  std::string path_;                          // of the constraint
+  std::map<std::string, std::string> names_;  // and the path of the first constraint of that name
+};
+
+void Checker::checkField(const std::string& key, Meaning meaning, const Vec3& numbers) {
+  for (Eigen::Index index = 0; index < 3; ++index) {
+    add(key + "[" + std::to_string(index) + "]", judge(meaning, numbers[index]));
+  }
+  if (meaning == Meaning::Direction && numbers == Vec3::Zero()) {
+    add(key, "A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.");
+  }
+}
+
+void Checker::checkField(const std::string& key, Meaning meaning, const Mat3& numbers) {
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    checkField(key + "[" + std::to_string(row) + "]", meaning, Vec3(numbers.row(row).transpose()));
+  }
+  if (numbers.allFinite() && !isRotation(numbers)) {
+    add(key, "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.");
+  }
+}
+
+void Checker::checkControl(const std::string& key, const Control& control) {
+  for (const GainField& field : kGainFields) {
+    const Vec3& gains = control.gains.*field.member;
+    const std::string gain_key = key + "." + field.key;
+    const bool one = std::memcmp(&gains.x(), &gains.y(), sizeof(double)) == 0 &&
+                     std::memcmp(&gains.x(), &gains.z(), sizeof(double)) == 0;  // equal even where they are no numbers
+    for (Eigen::Index axis = 0; axis < (one ? 1 : 3); ++axis) {
+      add(one ? gain_key : gain_key + "[" + std::to_string(axis) + "]", judgeGain(gains[axis]));
+    }
+    if (field.from > control.law && gains != Vec3::Zero()) {
+      add(gain_key, std::string("The law ") + wordOf(kLawWords, control.law) + " does not use this gain; the law " +
+                        (field.from == LawType::PD ? "PD (or PID)" : "PID") + " does. Change the law or take it away.");
+    }
+  }
+}
+
+/// The metric that unequal gains make: zero gains flatten the shape to nothing. Source: target/target.h,
+/// makeConstraint().
+void Checker::checkMetric(const std::string& key, const Control& control, const Shape& shape) {
+  const Vec3& kp = control.gains.kp_N_per_mm;
+  if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape)) return;
+  if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
+  Eigen::Index axis = 0;
+  const double least = kp.minCoeff(&axis);
+  add(key, std::string("The gain along ") + "xyz"[axis] + " is " + numberText(least) +
+               (least == 0.0 ? "" : ", next to nothing,") + " beside gains above it, so no point of the " +
+               typeName(shape) +
+               " is nearest in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give "
+               "every axis a gain.");
+}
+
+void Checker::checkName(const std::string& key, const std::string& name) {
+  if (name.empty()) {
+    add(key, "The constraint has no name.");
+    return;
+  }
+  const auto [first, is_new] = names_.emplace(name, path_);
+  if (!is_new) add(key, "The name " + shown(name) + " is taken by " + first->second + "; names must differ.");
+}
+
+void Checker::checkConstraint(std::size_t index) {
+  const Constraint& constraint = scene_.constraints[index];
+  line_ = constraint.place.line;
+  column_ = constraint.place.column;
+  path_ = "constraints[" + std::to_string(index) + "]";
+  checkName(path_ + ".name", constraint.name);
+  std::visit(
+      [&](const auto& shape) {
+        eachField(shape, [&](const auto& field, const auto& number) {
+          checkField(path_ + "." + field.key, field.meaning, number);
+        });
+      },
+      constraint.shape);
+  if (constraint.side != target::Side::Both && !hasSides(constraint.shape)) {
+    add(path_ + ".side", std::string("A ") + typeName(constraint.shape) + " has no inside and no outside.");
+  }
+  if (constraint.control) checkControl(path_ + ".control", *constraint.control);
+  checkMetric(path_, controlOf(scene_, index), constraint.shape);
+}
+
+Problems Checker::run() {
+  if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
+    add("title", "The title is empty; a few words tell people what they will feel.");
+  }
+  if (arm::findPreset(scene_.arm) == nullptr) {
+    std::vector<std::string> known;
+    for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
+    add("arm", "The arm " + shown(scene_.arm) + " is not known. There are " + listed(known, "and") + ".");
+  }
+  checkControl("control", scene_.control);
+  const std::size_t count = scene_.constraints.size();
+  if (count < 1 || count > tick::kMaxConstraints) {
+    add("constraints", "A scene has 1 to " + std::to_string(tick::kMaxConstraints) + " constraints; here are " +
+                           std::to_string(count) + ".");
+  }
+  for (std::size_t index = 0; index < count; ++index) checkConstraint(index);
+  return std::move(problems_);
+}
+
+}  // namespace
+
+Problems check(const Description& scene) {
+  return Checker(scene).run();
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,13 @@
+#pragma once
+#include "core/arm/preset.h"
+#include "core/base/result.h"
+#include "core/scene/description.h"
+#include "core/tick/program.h"
+
+namespace underact::scene {
+
+/// The tick program of a scene: SI, immutable, with the quantities it needs and no others.
+/// Problems: those of check(); none for what readScene() gave. The arm must be a known preset.
+Result<tick::TickProgram> compile(const Description& scene);
+
+}  // namespace underact::scene

@@ -1,0 +1,26 @@
+#include "core/scene/description.h"
+
+#include <type_traits>
+
+#include "core/scene/fields.h"
+
+namespace underact::scene {
+
+const char* typeName(const Shape& shape) {
+  return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kType; }, shape);
+}
+
+const Control& controlOf(const Description& scene, std::size_t index) {
+  const std::optional<Control>& own = scene.constraints[index].control;
+  return own ? *own : scene.control;
+}
+
+bool hasSides(const Shape& shape) {
+  return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kHasSides; }, shape);
+}
+
+std::string madeUpName(const Constraint& constraint, std::size_t index) {
+  return std::string(typeName(constraint.shape)) + " " + std::to_string(index + 1);
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,92 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/types.h"
+#include "core/target/target.h"
+#include "core/tick/program.h"
+
+namespace underact::scene {
+
+// A scene as people write it: the numbers of the file, in the file's units (mm, N/mm), so that saving writes back what
+// was read. contracts: the scene reference in resources/guide. compile() turns it into SI and into a tick program.
+
+struct Point {
+  Vec3 position_mm = Vec3::Zero();
+};
+struct Sphere {
+  Vec3 center_mm = Vec3::Zero();
+  double radius_mm = 0.0;
+};
+struct Line {
+  Vec3 point_mm = Vec3::Zero();
+  Vec3 direction = Vec3::UnitX();
+};
+struct Plane {
+  Vec3 point_mm = Vec3::Zero();
+  Vec3 normal = Vec3::UnitY();
+};
+struct Circle {
+  Vec3 center_mm = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+  double radius_mm = 0.0;
+};
+struct Cylinder {
+  Vec3 point_mm = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double radius_mm = 0.0;
+};
+struct Box {
+  Vec3 center_mm = Vec3::Zero();
+  Vec3 size_mm = Vec3::Zero();
+  Mat3 R_WB = Mat3::Identity();
+};
+using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box>;
+
+/// The word of a scene file for the shape's type: "point", "sphere", ...
+const char* typeName(const Shape& shape);
+
+enum class LawType : std::uint8_t { P, PD, PID };
+/// Which nearest point unequal gains mean.
+enum class Anisotropy : std::uint8_t { Weighted, Euclidean };
+
+/// Per axis of W: x, y, z.
+struct Gains {
+  Vec3 kp_N_per_mm = Vec3::Constant(0.5);
+  Vec3 kd_N_s_per_mm = Vec3::Zero();
+  Vec3 ki_N_per_mm_s = Vec3::Zero();
+  bool operator==(const Gains&) const = default;
+};
+
+struct Control {
+  LawType law = LawType::P;
+  Gains gains;
+  Anisotropy anisotropy = Anisotropy::Weighted;
+  bool operator==(const Control&) const = default;
+};
+
+struct Constraint {
+  std::string name;  // unique in the scene; made up from type and number where the file gives none
+  Shape shape;
+  target::Side side = target::Side::Both;
+  std::optional<Control> control;  // its own; else the scene's
+  Place place = {};                // of the constraint in its file
+};
+
+struct Description {
+  std::string title;
+  std::string about;
+  std::string arm = "omni-thesis";
+  Control control;
+  tick::Combine combine = tick::Combine::Sum;
+  std::vector<Constraint> constraints;
+  std::string file;  // where it was read from; empty: nowhere
+};
+
+/// The control that holds for the constraint at index: its own or the scene's.
+const Control& controlOf(const Description& scene, std::size_t index);
+
+}  // namespace underact::scene

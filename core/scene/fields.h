@@ -1,0 +1,131 @@
+#pragma once
+#include <tuple>
+
+#include "core/scene/description.h"
+
+namespace underact::scene {
+
+// What a scene file says of each type: one list that the reader, the checks and the writer all go by. A new type
+// without its Fields does not compile.
+
+/// What a number of a shape means, and so which numbers are allowed.
+enum class Meaning : std::uint8_t { Position, Direction, Length, Rotation };
+
+template <class Shape, class Number>
+struct Field {
+  constexpr Field(const char* its_key, Number Shape::*its_member, Meaning its_meaning, bool is_required = true)
+      : key(its_key), member(its_member), meaning(its_meaning), required(is_required) {}
+  const char* key;
+  Number Shape::*member;
+  Meaning meaning;
+  bool required;
+};
+
+template <class Shape>
+struct Fields;
+
+template <>
+struct Fields<Point> {
+  static constexpr const char* kType = "point";
+  static constexpr bool kHasSides = false;
+  static constexpr std::tuple kAll{Field{"position_mm", &Point::position_mm, Meaning::Position}};
+};
+
+template <>
+struct Fields<Sphere> {
+  static constexpr const char* kType = "sphere";
+  static constexpr bool kHasSides = true;
+  static constexpr std::tuple kAll{Field{"center_mm", &Sphere::center_mm, Meaning::Position},
+                                   Field{"radius_mm", &Sphere::radius_mm, Meaning::Length}};
+};
+
+template <>
+struct Fields<Line> {
+  static constexpr const char* kType = "line";
+  static constexpr bool kHasSides = false;
+  static constexpr std::tuple kAll{Field{"point_mm", &Line::point_mm, Meaning::Position},
+                                   Field{"direction", &Line::direction, Meaning::Direction}};
+};
+
+template <>
+struct Fields<Plane> {
+  static constexpr const char* kType = "plane";
+  static constexpr bool kHasSides = true;
+  static constexpr std::tuple kAll{Field{"point_mm", &Plane::point_mm, Meaning::Position},
+                                   Field{"normal", &Plane::normal, Meaning::Direction}};
+};
+
+template <>
+struct Fields<Circle> {
+  static constexpr const char* kType = "circle";
+  static constexpr bool kHasSides = false;
+  static constexpr std::tuple kAll{Field{"center_mm", &Circle::center_mm, Meaning::Position},
+                                   Field{"normal", &Circle::normal, Meaning::Direction},
+                                   Field{"radius_mm", &Circle::radius_mm, Meaning::Length}};
+};
+
+template <>
+struct Fields<Cylinder> {
+  static constexpr const char* kType = "cylinder";
+  static constexpr bool kHasSides = true;
+  static constexpr std::tuple kAll{Field{"point_mm", &Cylinder::point_mm, Meaning::Position},
+                                   Field{"axis", &Cylinder::axis, Meaning::Direction},
+                                   Field{"radius_mm", &Cylinder::radius_mm, Meaning::Length}};
+};
+
+template <>
+struct Fields<Box> {
+  static constexpr const char* kType = "box";
+  static constexpr bool kHasSides = true;
+  static constexpr std::tuple kAll{Field{"center_mm", &Box::center_mm, Meaning::Position},
+                                   Field{"size_mm", &Box::size_mm, Meaning::Length},
+                                   Field{"R_WB", &Box::R_WB, Meaning::Rotation, false}};
+};
+
+/// Calls visit(field, number) for each field of the shape, in the order of the file.
+template <class Shape, class Visit>
+void eachField(Shape& shape, Visit&& visit) {
+  std::apply([&](const auto&... field) { (visit(field, shape.*field.member), ...); },
+             Fields<std::remove_const_t<Shape>>::kAll);
+}
+
+struct GainField {
+  const char* key;
+  Vec3 Gains::*member;
+  LawType from;  // the first law that uses it; those after it do, too
+};
+
+inline constexpr GainField kGainFields[] = {{"kp_N_per_mm", &Gains::kp_N_per_mm, LawType::P},
+                                            {"kd_N_s_per_mm", &Gains::kd_N_s_per_mm, LawType::PD},
+                                            {"ki_N_per_mm_s", &Gains::ki_N_per_mm_s, LawType::PID}};
+
+/// The words of a file for the values of an enumeration; the first is the default.
+template <class Enum>
+struct Word {
+  const char* word;
+  Enum value;
+};
+
+inline constexpr Word<LawType> kLawWords[] = {{"P", LawType::P}, {"PD", LawType::PD}, {"PID", LawType::PID}};
+inline constexpr Word<Anisotropy> kAnisotropyWords[] = {{"weighted", Anisotropy::Weighted},
+                                                        {"euclidean", Anisotropy::Euclidean}};
+inline constexpr Word<target::Side> kSideWords[] = {
+    {"both", target::Side::Both}, {"outside", target::Side::Outside}, {"inside", target::Side::Inside}};
+inline constexpr Word<tick::Combine> kCombineWords[] = {{"sum", tick::Combine::Sum},
+                                                        {"nearest", tick::Combine::Nearest}};
+
+template <class Enum, std::size_t kCount>
+const char* wordOf(const Word<Enum> (&words)[kCount], Enum value) {
+  for (const Word<Enum>& word : words) {
+    if (word.value == value) return word.word;
+  }
+  return words[0].word;
+}
+
+/// Whether the type parts the workspace into an inside and an outside.
+bool hasSides(const Shape& shape);
+
+/// The name of the constraint at index where the file gives none: type and number, "sphere 2".
+std::string madeUpName(const Constraint& constraint, std::size_t index);
+
+}  // namespace underact::scene

@@ -1,0 +1,40 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace underact::scene::json {
+
+enum class Kind { Null, Bool, Number, String, Array, Object };
+
+/// A JSON value with the place it was read from. Small and plain: files here are small, and every problem names its
+/// place.
+struct Value {
+  Kind kind = Kind::Null;
+  bool boolean = false;
+  double number = 0.0;                          // not finite where the text is too large for a double
+  std::string text;                             // of a string
+  std::vector<Value> items;                     // of an array; of an object, in the order of its keys
+  std::vector<std::string> keys;                // of an object, in the order of the file
+  std::vector<std::pair<int, int>> key_places;  // line and column of each key
+  int line = 0;                                 // of its first character, from 1
+  int column = 0;                               // in characters (code points), from 1
+
+  /// The member of an object, or null. Where a key stands twice, the first.
+  const Value* find(std::string_view key) const;
+};
+
+/// Problems: one, where the text stops being JSON (RFC 8259, UTF-8, at most 64 levels deep), in plain words.
+Result<Value> parse(std::string_view text, const std::string& file_name);
+
+/// A number as the shortest text that reads back to the same double. Not finite: "null".
+std::string numberText(double value);
+
+/// A string with quotes, escaped.
+std::string quoted(std::string_view text);
+
+}  // namespace underact::scene::json

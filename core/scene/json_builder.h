@@ -1,0 +1,57 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/json.h"
+#include "core/scene/json_source.h"
+
+namespace underact::scene::json {
+
+/// Where reading had to stop, and why, in plain words.
+struct Stop {
+  std::size_t offset = 0;
+  std::string sentence;
+};
+
+/// Builds the values as RapidJSON tells of them (its names, its order); false stops it.
+class Builder {
+ public:
+  Builder(const Source& source, std::string_view text) : source_(source), places_(text) {}
+  Value takeRoot() { return std::move(root_); }
+  const Stop& refusal() const { return refusal_; }
+
+  bool Null() { return add(start(Kind::Null, source_.Tell() - 4)); }
+  bool Bool(bool value);
+  bool Uint(unsigned);  // the lone 0 that Source shows for every number
+  bool Int(int) { return false; }
+  bool Int64(std::int64_t) { return false; }
+  bool Uint64(std::uint64_t) { return false; }
+  bool Double(double) { return false; }
+  bool RawNumber(const char*, unsigned, bool) { return false; }
+  bool String(const char* text, unsigned length, bool);
+  bool Key(const char* text, unsigned length, bool);
+  bool StartObject() { return open(Kind::Object); }
+  bool StartArray() { return open(Kind::Array); }
+  bool EndObject(unsigned) { return close(); }
+  bool EndArray(unsigned) { return close(); }
+
+ private:
+  Value start(Kind kind, std::size_t offset);
+  bool add(Value value);
+  bool open(Kind kind);
+  bool close();
+  bool isWhole(std::string_view text);
+  bool refuse(std::size_t offset, const char* sentence);
+
+  const Source& source_;
+  Places places_;
+  std::vector<Value> open_;  // innermost last
+  Value root_;
+  std::size_t count_ = 0;
+  Stop refusal_;
+};
+
+}  // namespace underact::scene::json

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/scene/json.h"
+#include "core/scene/text.h"
+
+namespace underact::scene::json {
+namespace {
+
+std::string escaped(unsigned char c) {
+  switch (c) {
+    case '"':
+      return "\\\"";
+    case '\\':
+      return "\\\\";
+    case '\n':
+      return "\\n";
+    case '\t':
+      return "\\t";
+    case '\r':
+      return "\\r";
+    default:
+      break;
+  }
+  constexpr const char* kDigits = "0123456789abcdef";
+  return std::string("\\u00") + kDigits[c >> 4U] + kDigits[c & 15U];
+}
+
+}  // namespace
+
+std::string numberText(double value) {
+  if (!std::isfinite(value)) return "null";
+  std::array<char, 32> buffer{};
+  const std::to_chars_result written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), written.ptr};
+}
+
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (std::size_t at = 0; at < text.size();) {
+    const auto c = static_cast<unsigned char>(text[at]);
+    const std::size_t length = codePointLength(text, at);
+    if (length == 0) {
+      result += "\xEF\xBF\xBD";  // U+FFFD for what is not UTF-8: what is written can always be read
+    } else if (c < 0x20 || c == '"' || c == '\\' || c == 0x7F) {
+      result += escaped(c);
+    } else {
+      result += text.substr(at, length);
+    }
+    at += std::max<std::size_t>(1, length);
+  }
+  return result + "\"";
+}
+
+}  // namespace underact::scene::json

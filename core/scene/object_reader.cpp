@@ -1,0 +1,184 @@
+#include "core/scene/object_reader.h"
+
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+
+namespace underact::scene {
+namespace {
+
+constexpr std::size_t kMostProblems = 1000;
+
+}  // namespace
+
+void Findings::add(const json::Value& value, const std::string& key, std::string sentence) {
+  add(std::pair{value.line, value.column}, key, std::move(sentence));
+}
+
+void Findings::add(std::pair<int, int> line_column, const std::string& key, std::string sentence) {
+  if (full()) {
+    ++more_;
+  } else {
+    problems_.push_back({std::move(sentence), {file_, line_column.first, line_column.second, key}});
+  }
+}
+
+void Findings::add(const Problems& problems) {
+  for (const Problem& problem : problems) {
+    const auto found = places_.find(problem.place.key);
+    const std::pair<int, int> whole{problem.place.line, problem.place.column};
+    add(found == places_.end() ? whole : found->second, problem.place.key, problem.sentence);
+  }
+}
+
+bool Findings::full() const {
+  return problems_.size() >= kMostProblems;
+}
+
+Problems Findings::take() {
+  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  if (more_ > 0) {
+    problems_.push_back({"The file holds " + std::to_string(more_) + " more problems.", problems_.back().place});
+  }
+  return std::move(problems_);
+}
+
+const json::Value* ObjectReader::find(const char* key, bool required) {
+  known_.emplace_back(key);
+  const json::Value* value = object_.find(key);
+  if (value != nullptr) findings_.remember(pathOf(key), *value);
+  if (value == nullptr && required) {
+    findings_.add(object_, pathOf(key), "The key \"" + std::string(key) + "\" is missing; " + what_ + " needs it.");
+  }
+  return value;
+}
+
+void ObjectReader::finish(bool all_known) {
+  std::unordered_map<std::string_view, std::size_t> seen;
+  for (std::size_t index = 0; index < object_.keys.size(); ++index) {
+    const std::string& key = object_.keys[index];
+    const auto [first, is_new] = seen.emplace(key, index);
+    if (!is_new) {
+      findings_.add(object_.key_places[index], pathOf(plainKey(key)),
+                    "The key " + shown(key) + " stands here a second time; the first is on line " +
+                        std::to_string(object_.key_places[first->second].first) + ". Take one away.");
+    } else {
+      judge(index, all_known);
+    }
+  }
+}
+
+void ObjectReader::judge(std::size_t index, bool all_known) {
+  const std::string& key = object_.keys[index];
+  const std::pair<int, int>& place = object_.key_places[index];
+  if (std::find(known_.begin(), known_.end(), key) != known_.end()) return;
+  if (const auto refused = refused_.find(key); refused != refused_.end()) {
+    findings_.add(place, pathOf(plainKey(key)), refused->second);
+  }
+  if (!all_known || refused_.count(key) > 0) return;
+  const std::string nearest = findings_.full() ? "" : nearestWord(key, known_);
+  findings_.add(
+      place, pathOf(plainKey(key)),
+      "The key " + shown(key) + " is not known in " + what_ + ". " +
+          (nearest.empty() ? "Known are " + listed(known_, "and") + "." : "Did you mean \"" + nearest + "\"?"));
+}
+
+void ObjectReader::refuseLater(const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) refuse(key, notYet("\"" + key + "\""));
+}
+
+const char* kindName(json::Kind kind) {
+  switch (kind) {
+    case json::Kind::Null:
+      return "null";
+    case json::Kind::Bool:
+      return "true or false";
+    case json::Kind::Number:
+      return "a number";
+    case json::Kind::String:
+      return "text";
+    case json::Kind::Array:
+      return "a list";
+    case json::Kind::Object:
+      return "an object in { }";
+  }
+  return "null";
+}
+
+std::string notYet(const std::string& what) {
+  return what + " is not in this version of Underact.";
+}
+
+bool isKind(const json::Value& value, json::Kind kind, const std::string& path, const std::string& expected,
+            Findings& findings) {
+  if (value.kind == kind) return true;
+  findings.add(value, path, "This must be " + expected + "; here it is " + kindName(value.kind) + ".");
+  return false;
+}
+
+namespace {
+
+/// A list of three; the path of the element at index is path[index].
+bool isTriple(const json::Value& value, const std::string& path, const std::string& expected, Findings& findings) {
+  if (!isKind(value, json::Kind::Array, path, expected, findings)) return false;
+  if (value.items.size() == 3) return true;
+  findings.add(value, path, "This must be " + expected + "; here it has " + std::to_string(value.items.size()) + ".");
+  return false;
+}
+
+std::string elementOf(const std::string& path, Eigen::Index index) {
+  return path + "[" + std::to_string(index) + "]";
+}
+
+bool readThree(const json::Value& list, const std::string& path, Vec3& into, Findings& findings) {
+  into.setOnes();
+  bool all = true;
+  for (Eigen::Index index = 0; index < 3; ++index) {
+    const json::Value& item = list.items[static_cast<std::size_t>(index)];
+    const std::string item_path = elementOf(path, index);
+    findings.remember(item_path, item);
+    if (isKind(item, json::Kind::Number, item_path, "a number", findings)) {
+      into[index] = item.number;
+    } else {
+      all = false;
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+void readNumber(const json::Value& value, const std::string& path, double& into, Findings& findings) {
+  if (isKind(value, json::Kind::Number, path, "a number", findings)) into = value.number;
+}
+
+void readNumber(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
+  if (isTriple(value, path, "a list of 3 numbers, as in [0, 30, 0]", findings)) {
+    readThree(value, path, into, findings);
+  }
+}
+
+void readNumber(const json::Value& value, const std::string& path, Mat3& into, Findings& findings) {
+  const char* expected = "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+  if (!isTriple(value, path, expected, findings)) return;
+  Mat3 read = Mat3::Identity();
+  bool all = true;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    const json::Value& item = value.items[static_cast<std::size_t>(row)];
+    const std::string row_path = elementOf(path, row);
+    Vec3 numbers = Vec3::Zero();
+    findings.remember(row_path, item);
+    all &= isTriple(item, row_path, "a row of 3 numbers", findings) && readThree(item, row_path, numbers, findings);
+    read.row(row) = numbers.transpose();
+  }
+  if (all) into = read;
+}
+
+void readText(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
+  if (isKind(value, json::Kind::String, path, "text in double quotes", findings)) into = value.text;
+}
+
+}  // namespace underact::scene

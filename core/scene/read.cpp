@@ -1,0 +1,98 @@
+#include "core/scene/read.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "core/scene/object_reader.h"
+
+namespace underact::scene {
+namespace {
+
+constexpr double kVersion = 1.0;
+const std::vector<std::string> kLaterKeys{"influence", "velocity", "friction", "search", "damping"};
+
+void readVersion(ObjectReader& object) {
+  const json::Value* value = object.find("underact_scene", true);
+  if (value == nullptr) return;
+  Findings& findings = object.findings();
+  if (!isKind(*value, json::Kind::Number, "underact_scene", "the number 1", findings)) return;
+  const std::string number = json::numberText(value->number);
+  if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
+    findings.add(*value, "underact_scene",
+                 "The scene is of version " + number + ", and this program, older than the scene, reads version 1. " +
+                     "Use a newer Underact.");
+  } else if (value->number != kVersion) {
+    findings.add(*value, "underact_scene", "This must be the number 1, the version of scene files.");
+  }
+}
+
+/// Gives a name to each constraint that has none, and none twice.
+void makeUpNames(std::vector<Constraint>& constraints) {
+  std::set<std::string> taken;
+  for (const Constraint& constraint : constraints) taken.insert(constraint.name);
+  for (std::size_t index = 0; index < constraints.size(); ++index) {
+    std::string& name = constraints[index].name;
+    if (!name.empty()) continue;
+    name = madeUpName(constraints[index], index);
+    while (!taken.insert(name).second) name += "'";
+  }
+}
+
+void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
+  const json::Value* list = object.find("constraints", true);
+  Findings& findings = object.findings();
+  if (list == nullptr || !isKind(*list, json::Kind::Array, "constraints", "a list of constraints", findings)) {
+    into.emplace_back();  // a harmless one
+  } else {
+    into.resize(list->items.size());
+    for (std::size_t index = 0; index < into.size(); ++index) {
+      readConstraint(list->items[index], "constraints[" + std::to_string(index) + "]", into[index], findings);
+    }
+  }
+  makeUpNames(into);
+}
+
+void readTexts(ObjectReader& object, Description& into) {
+  Findings& findings = object.findings();
+  into.title = "untitled";  // harmless
+  if (const json::Value* title = object.find("title", true)) readText(*title, "title", into.title, findings);
+  if (const json::Value* about = object.find("about")) readText(*about, "about", into.about, findings);
+  if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
+}
+
+Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
+  Description scene;
+  scene.file = file_name;
+  ObjectReader object(root, "", "a scene", findings);
+  readVersion(object);
+  readTexts(object, scene);
+  if (const json::Value* control = object.find("control")) scene.control = readControl(*control, "control", findings);
+  if (const json::Value* combine = object.find("combine")) {
+    readWord(*combine, "combine", kCombineWords, scene.combine, findings);
+  }
+  readConstraints(object, scene.constraints);
+  if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
+    isKind(*schema, json::Kind::String, "$schema", "text in double quotes", findings);
+  }
+  object.refuseLater(kLaterKeys);
+  object.finish();
+  return scene;
+}
+
+}  // namespace
+
+Result<Description> readScene(std::string_view text, const std::string& file_name) {
+  const Result<json::Value> root = json::parse(text, file_name);
+  if (!root) return root.problems();
+  Findings findings(file_name);
+  if (!isKind(root.value(), json::Kind::Object, "", "an object in { }", findings)) return findings.take();
+  const Description scene = readWhole(root.value(), file_name, findings);
+  findings.add(check(scene));
+  Problems problems = findings.take();
+  if (!problems.empty()) return problems;
+  return scene;
+}
+
+}  // namespace underact::scene

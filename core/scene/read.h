@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/scene/description.h"
+
+namespace underact::scene {
+
+/// A scene from JSON text, checked whole: every problem at once, each with line, column and key, or a scene that
+/// compile() takes. file_name: for the places. Unknown keys are problems (with the nearest known key suggested).
+Result<Description> readScene(std::string_view text, const std::string& file_name);
+
+/// The same from a file of at most kLargestScene bytes; a file that cannot be read is a problem with line 0.
+Result<Description> readSceneFile(const std::string& path);
+
+inline constexpr std::size_t kLargestScene = std::size_t{16} << 20;
+
+/// What the file itself does not say of: problems that lie between keys (a zero gain beside others with the weighted
+/// metric, say). readScene() has called it; an editor calls it before compile(). Empty: compile() takes the scene.
+Problems check(const Description& scene);
+
+}  // namespace underact::scene

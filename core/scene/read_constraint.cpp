@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/scene/object_reader.h"
+
+namespace underact::scene {
+namespace {
+
+// In the contract, but not in this version.
+const std::vector<std::string> kLaterTypes{"mesh", "virtual_manipulator", "curve"};
+const std::vector<std::string> kLaterKeys{"influence", "velocity", "friction", "search", "damping"};
+
+template <std::size_t... kIndex>
+std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
+  return {Fields<std::variant_alternative_t<kIndex, Shape>>::kType...};
+}
+
+template <std::size_t... kIndex>
+std::optional<Shape> shapeOf(const std::string& type, std::index_sequence<kIndex...>) {
+  std::optional<Shape> shape;
+  const auto attempt = [&](auto made) {
+    if (type == Fields<decltype(made)>::kType) shape = made;
+  };
+  (attempt(std::variant_alternative_t<kIndex, Shape>{}), ...);
+  return shape;
+}
+
+constexpr auto kEach = std::make_index_sequence<std::variant_size_v<Shape>>{};
+
+std::optional<Shape> shapeOfType(const json::Value& value, const std::string& path, Findings& findings) {
+  const std::vector<std::string> types = typesOf(kEach);
+  if (!isKind(value, json::Kind::String, path, listed(types), findings)) return std::nullopt;
+  std::optional<Shape> shape = shapeOf(value.text, kEach);
+  if (shape) return shape;
+  const std::string nearest = nearestWord(value.text, types);
+  if (std::find(kLaterTypes.begin(), kLaterTypes.end(), value.text) != kLaterTypes.end()) {
+    findings.add(value, path, notYet("The type \"" + value.text + "\""));
+  } else {
+    findings.add(value, path,
+                 "The type " + shown(value.text) + " is not known. " +
+                     (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "There are " +
+                     listed(types, "and") + ".");
+  }
+  return std::nullopt;
+}
+
+/// What no rule objects to: it stands in for what could not be read, so that check() speaks only of what was.
+void setHarmless(double& number) {
+  number = 1.0;
+}
+void setHarmless(Vec3& number) {
+  number.setOnes();
+}
+void setHarmless(Mat3& number) {
+  number.setIdentity();
+}
+
+void readFields(ObjectReader& object, Shape& shape) {
+  const auto read = [&](const auto& field, auto& number) {
+    const json::Value* value = object.find(field.key, field.required);
+    if (value == nullptr && !field.required) return;
+    setHarmless(number);
+    if (value != nullptr) readNumber(*value, object.pathOf(field.key), number, object.findings());
+  };
+  std::visit([&](auto& chosen) { eachField(chosen, read); }, shape);
+}
+
+/// Empty where it cannot be read.
+void readName(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
+  if (value.kind == json::Kind::String && value.text.empty()) {
+    findings.add(value, path, "The name is empty; write one, or take the key away and one is made up.");
+  }
+  readText(value, path, into, findings);
+}
+
+void readSide(ObjectReader& object, Constraint& into) {
+  if (!hasSides(into.shape)) {
+    object.refuse("side",
+                  std::string("A ") + typeName(into.shape) + " has no inside and no outside; take \"side\" away.");
+  } else if (const json::Value* value = object.find("side")) {
+    readWord(*value, object.pathOf("side"), kSideWords, into.side, object.findings());
+  }
+}
+
+}  // namespace
+
+void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
+  into.place = {findings.file(), value.line, value.column, path};
+  findings.remember(path, value);
+  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"type\": \"point\", \"position_mm\": [0, 0, 0]}",
+              findings)) {
+    return;
+  }
+  ObjectReader object(value, path, "a constraint", findings);
+  if (const json::Value* name = object.find("name")) readName(*name, object.pathOf("name"), into.name, findings);
+  std::optional<Shape> shape;
+  if (const json::Value* type = object.find("type", true)) shape = shapeOfType(*type, object.pathOf("type"), findings);
+  if (shape) {
+    into.shape = *shape;
+    object.setWhat(std::string("a ") + typeName(into.shape));
+    readFields(object, into.shape);
+    readSide(object, into);
+  }
+  if (const json::Value* control = object.find("control")) {
+    into.control = readControl(*control, object.pathOf("control"), findings);
+  }
+  object.refuseLater(kLaterKeys);
+  object.finish(shape.has_value());
+}
+
+}  // namespace underact::scene

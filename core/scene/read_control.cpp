@@ -1,0 +1,51 @@
+#include "core/scene/object_reader.h"
+
+namespace underact::scene {
+namespace {
+
+const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
+
+/// A number for all axes, or one for each.
+void readGain(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
+  if (value.kind == json::Kind::Number) {
+    into.setConstant(value.number);
+  } else if (value.kind == json::Kind::Array) {
+    readNumber(value, path, into, findings);
+  } else {
+    isKind(value, json::Kind::Number, path, "a number, or a list of 3 numbers for x, y and z", findings);
+  }
+}
+
+void readSpace(const json::Value& value, const std::string& path, Findings& findings) {
+  if (!isKind(value, json::Kind::String, path, "\"cartesian\"", findings) || value.text == "cartesian") return;
+  findings.add(value, path,
+               value.text == "joint" ? notYet("The space \"joint\"")
+                                     : "This must be \"cartesian\"; here it is " + shown(value.text) + ".");
+}
+
+}  // namespace
+
+Control readControl(const json::Value& value, const std::string& path, Findings& findings) {
+  Control control;
+  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"law\": \"P\", \"kp_N_per_mm\": 0.5}", findings)) {
+    return control;
+  }
+  ObjectReader object(value, path, "a control", findings);
+  if (const json::Value* law = object.find("law")) {
+    // PID uses every gain: where the law cannot be read, nothing is said of gains that it would not use.
+    if (!readWord(*law, object.pathOf("law"), kLawWords, control.law, findings)) control.law = LawType::PID;
+  }
+  for (const GainField& field : kGainFields) {
+    const json::Value* gain = object.find(field.key);
+    if (gain != nullptr) readGain(*gain, object.pathOf(field.key), control.gains.*field.member, findings);
+  }
+  if (const json::Value* anisotropy = object.find("anisotropy")) {
+    readWord(*anisotropy, object.pathOf("anisotropy"), kAnisotropyWords, control.anisotropy, findings);
+  }
+  if (const json::Value* space = object.find("space")) readSpace(*space, object.pathOf("space"), findings);
+  object.refuseLater(kLaterKeys);
+  object.finish();
+  return control;
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,136 @@
+#include "core/scene/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+#include "core/base/types.h"
+#include "core/scene/json.h"
+
+namespace underact::scene {
+namespace {
+
+constexpr std::size_t kLongestShown = 40;  // code points
+constexpr std::size_t kLongestWord = 64;   // bytes; longer ones are no slip of the pen
+
+std::size_t tailLength(unsigned char lead) {
+  if (lead >= 0xC2 && lead <= 0xDF) return 1;
+  if (lead >= 0xE0 && lead <= 0xEF) return 2;
+  if (lead >= 0xF0 && lead <= 0xF4) return 3;
+  return 0;
+}
+
+/// The second byte is what tells overlong forms, surrogates and code points beyond U+10FFFF. Source: RFC 3629,
+/// section 4.
+bool secondFits(unsigned char lead, unsigned char second) {
+  const unsigned char low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
+  const unsigned char high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
+  return second >= low && second <= high;
+}
+
+/// Whether a number that no double holds is too large rather than too small: where its first digit stands.
+bool isLarge(std::string_view number) {
+  const std::size_t exponent_at = std::min(number.find_first_of("eE"), number.size());
+  const std::string_view digits = number.substr(0, exponent_at);
+  const std::size_t first = digits.find_first_of("123456789");
+  if (first == std::string_view::npos) return false;
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  const auto before = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  std::string_view exponent = number.substr(std::min(exponent_at + 1, number.size()));
+  if (!exponent.empty() && exponent.front() == '+') exponent.remove_prefix(1);
+  std::int64_t power = 0;
+  const std::from_chars_result read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+  if (read.ec == std::errc::result_out_of_range) return exponent.front() != '-';
+  return power > -before;
+}
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Levenshtein's distance, small and capital letters being equal.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string_view stem(std::string_view word) {
+  return word.substr(0, word.find('_'));
+}
+
+}  // namespace
+
+std::size_t codePointLength(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t index) { return static_cast<unsigned char>(text[index]); };
+  if (at >= text.size()) return 0;
+  if (byte(at) < 0x80) return 1;
+  const std::size_t tail = tailLength(byte(at));
+  if (tail == 0 || at + tail >= text.size() || !secondFits(byte(at), byte(at + 1))) return 0;
+  for (std::size_t index = at + 2; index <= at + tail; ++index) {
+    if (byte(index) < 0x80 || byte(index) > 0xBF) return 0;
+  }
+  return tail + 1;
+}
+
+double numberOf(std::string_view text) {
+  double number = 0.0;
+  const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc::result_out_of_range) return number;
+  return std::copysign(isLarge(text) ? kInfinity : 0.0, text.front() == '-' ? -1.0 : 1.0);
+}
+
+std::string shown(std::string_view text) {
+  std::size_t end = 0;
+  for (std::size_t count = 0; count < kLongestShown && end < text.size(); ++count) {
+    end += std::max<std::size_t>(1, codePointLength(text, end));
+  }
+  return json::quoted(end < text.size() ? std::string(text.substr(0, end)) + "..." : std::string(text));
+}
+
+std::string plainKey(std::string_view key) {
+  const bool plain = key.size() <= kLongestWord && std::all_of(key.begin(), key.end(), [](char c) {
+                       return (c >= '0' && c <= '9') || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_' || c == '$';
+                     });
+  return plain ? std::string(key) : shown(key);
+}
+
+std::string nearestWord(std::string_view word, const std::vector<std::string>& known) {
+  std::string nearest;
+  std::size_t best = std::numeric_limits<std::size_t>::max();
+  if (word.empty() || word.size() > kLongestWord) return nearest;
+  for (const std::string& candidate : known) {
+    const bool same_stem = stem(word) == stem(candidate);
+    const bool shorter = word == stem(candidate);  // radius for radius_mm, kp for kp_N_per_mm
+    const std::size_t distance = shorter ? 0 : editDistance(word, candidate);
+    if (distance > (word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3))) continue;
+    const std::size_t cost = distance + (same_stem ? 0 : 2);  // kd_N_per_mm is a slip for kd_..., not for kp_...
+    if (cost >= best) continue;
+    best = cost;
+    nearest = candidate;
+  }
+  return nearest;
+}
+
+std::string listed(const std::vector<std::string>& words, const char* last) {
+  std::string text;
+  for (std::size_t index = 0; index < words.size(); ++index) {
+    if (index > 0) text += index + 1 == words.size() ? " " + std::string(last) + " " : ", ";
+    text += json::quoted(words[index]);
+  }
+  return text;
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,117 @@
+#include "core/servo/host.h"
+
+#include <deque>
+#include <utility>
+
+#include "core/scene/compile.h"
+#include "core/servo/loop.h"
+#include "core/servo/thread.h"
+
+namespace underact::servo {
+
+struct Host::Impl {
+  Impl(std::unique_ptr<DevicePort> port, const HostOptions& wanted)
+      : options(wanted), device(std::move(port)), loop(*device) {
+    if (options.clock == Clock::Thread) thread.emplace(loop, options.rate_hz);
+  }
+  ~Impl() {
+    thread.reset();
+    for (const Command& command : backlog) delete command.instance;
+  }
+
+  /// In order, and never lost: what finds no room now goes out with the next call.
+  void send(const Command& command) {
+    backlog.push_back(command);
+    flush();
+  }
+  void flush() {
+    loop.reap();
+    while (!backlog.empty() && loop.send(backlog.front())) backlog.pop_front();
+  }
+
+  Problems put(const scene::Description& wanted, Order order) {
+    Result<tick::TickProgram> program = scene::compile(wanted);
+    if (!program) return program.problems();
+    tick::TickState state = tick::makeState(program.value());
+    scene = wanted;
+    ++revision;
+    send({order, new Instance{std::move(program).value(), std::move(state), revision}});
+    return {};
+  }
+
+  HostOptions options;
+  std::unique_ptr<DevicePort> device;
+  Loop loop;
+  std::optional<Thread> thread;
+  std::deque<Command> backlog;
+  scene::Description scene;
+  std::uint64_t revision = 0;
+  bool started = false;
+};
+
+Host::Host(std::unique_ptr<DevicePort> device, const HostOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(device), options)) {}
+
+Host::~Host() = default;
+
+Problems Host::load(const scene::Description& scene) {
+  return impl_->put(scene, Order::Load);
+}
+
+Problems Host::setControl(std::size_t index, const scene::Control& control) {
+  scene::Description edited = impl_->scene;
+  if (index >= edited.constraints.size()) return {{"The scene has no such constraint.", {}}};
+  const bool only_one = edited.constraints.size() == 1 && !edited.constraints[index].control;
+  (only_one ? edited.control : edited.constraints[index].control.emplace()) = control;
+  return impl_->put(edited, Order::Retune);
+}
+
+const scene::Description& Host::scene() const {
+  return impl_->scene;
+}
+
+std::uint64_t Host::revision() const {
+  return impl_->revision;
+}
+
+void Host::start() {
+  impl_->started = true;
+  impl_->send({Order::Start});
+}
+
+void Host::stop() {
+  impl_->started = false;
+  impl_->send({Order::Stop});
+}
+
+bool Host::running() const {
+  return impl_->started && impl_->loop.snapshot().mode != Mode::Faulted;
+}
+
+const Snapshot& Host::snapshot() {
+  impl_->flush();
+  return impl_->loop.snapshot();
+}
+
+void Host::drain(const std::function<void(const TickRecord&)>& row) {
+  impl_->loop.drain(row);
+}
+
+void Host::run(std::int64_t ticks) {
+  impl_->flush();
+  for (std::int64_t tick = 0; tick < ticks; ++tick) impl_->loop.tick(0);
+}
+
+int Host::rateHz() const {
+  return impl_->options.rate_hz;
+}
+
+Scheduling Host::scheduling() const {
+  return impl_->thread ? impl_->thread->scheduling() : Scheduling{"manual", ""};
+}
+
+DeviceInfo Host::device() const {
+  return impl_->device->info();
+}
+
+}  // namespace underact::servo

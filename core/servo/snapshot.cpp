@@ -1,0 +1,31 @@
+#include "core/servo/snapshot.h"
+
+namespace underact::servo {
+
+TickRecord recordOf(const Snapshot& snapshot) noexcept {
+  const tick::TickReport& report = snapshot.report;
+  TickRecord record;
+  record.tick = snapshot.ticks;
+  record.time_ns = report.sample.time_ns;
+  record.q_rad = report.sample.q_rad;
+  record.buttons = report.sample.buttons;
+  record.p_WT = report.p_WT;
+  record.p_WP.setConstant(kNotANumber);
+  for (const tick::Held& held : report.held) {
+    if (!held.acts || held.status != target::Status::Unique) continue;
+    record.p_WP = held.p_WP;
+    break;
+  }
+  record.error_m = tick::errorOf(report);
+  record.f_asked_T_W = report.f_T_W;
+  record.f_sent_T_W = report.force.f_T_W();
+  record.level = report.level;
+  record.cut_N = report.cut_N;
+  record.fault = report.fault.kind;
+  record.revision = snapshot.revision;
+  record.lateness_ns = snapshot.lateness_ns;
+  record.tick_ns = snapshot.tick_ns;
+  return record;
+}
+
+}  // namespace underact::servo

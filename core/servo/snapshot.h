@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+
+#include "core/tick/report.h"
+
+namespace underact::servo {
+
+/// Idle: no force is asked for. Running: the servo pushes. Stopping: the force is on its way to zero. Faulted: it
+/// stopped by itself; report.fault says why.
+enum class Mode : std::uint8_t { Idle, Running, Stopping, Faulted };
+
+/// What anyone outside the servo thread knows of the servo: the last tick, and the loop's own state.
+struct Snapshot {
+  tick::TickReport report;
+  std::int64_t ticks = 0;      // since the loop was made
+  std::uint64_t revision = 0;  // of the program in effect; counts the loads and edits of the Host
+  Mode mode = Mode::Idle;
+  std::int64_t lateness_ns = 0;  // of this tick's start
+  std::int64_t tick_ns = 0;      // that the last tick took
+  std::int64_t dropped = 0;      // records that found no room, because nobody fetched them
+};
+
+/// One tick as a row: what plots and recorders keep. Lengths m, forces N.
+struct TickRecord {
+  std::int64_t tick = 0;
+  std::int64_t time_ns = 0;
+  arm::JointAngles q_rad{};
+  std::uint32_t buttons = 0;
+  Vec3 p_WT = Vec3::Zero();
+  Vec3 p_WP = Vec3::Zero();  // of the first constraint that acts; NaN where none does
+  double error_m = 0.0;      // over all that act
+  Vec3 f_asked_T_W = Vec3::Zero();
+  Vec3 f_sent_T_W = Vec3::Zero();
+  double level = 0.0;
+  double cut_N = 0.0;
+  FaultKind fault = FaultKind::None;
+  std::uint64_t revision = 0;
+  std::int64_t lateness_ns = 0;
+  std::int64_t tick_ns = 0;
+};
+
+/// The row of a tick.
+TickRecord recordOf(const Snapshot& snapshot) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::servo

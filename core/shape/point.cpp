@@ -1,0 +1,14 @@
+#include "core/shape/point.h"
+
+namespace underact::shape {
+
+Result<Point> makePoint(const Vec3& p_WC, const Place& place) {
+  if (!p_WC.allFinite()) return Problems{{"The position is not a finite point.", place}};
+  return Point{p_WC};
+}
+
+Nearest closestPoint(const Point& point, const Vec3& p_WT) noexcept {
+  return {point.p_WC, Status::Unique, (p_WT - point.p_WC).norm()};
+}
+
+}  // namespace underact::shape

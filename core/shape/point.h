@@ -1,0 +1,17 @@
+#pragma once
+#include "core/base/real_time.h"
+#include "core/base/result.h"
+#include "core/shape/nearest.h"
+
+namespace underact::shape {
+
+/// A point in the workspace.
+struct Point {
+  Vec3 p_WC;
+};
+/// Problems: a coordinate that is not finite.
+Result<Point> makePoint(const Vec3& p_WC, const Place& place);
+/// The point itself, always Unique. Source: Beckman 2007, eq. 4.1.
+Nearest closestPoint(const Point& point, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::shape

@@ -1,0 +1,30 @@
+#include "core/sim/arm_model.h"
+
+#include <algorithm>
+#include <array>
+
+namespace underact::sim {
+namespace {
+
+constexpr std::array<ArmModel, 2> kModels{
+    ArmModel{"vendor-nominal", "Vendor's figures",
+             "Apparent mass 45 g and back-drive friction below 0.26 N from the vendor's sheets, not traced to a test; "
+             "gravity "
+             "taken as balanced, friction as Coulomb's and equal in all directions, which nobody measured.",
+             0.045, 0.26, true},
+    ArmModel{"ideal", "Ideal arm",
+             "Made up for teaching: no mass, no friction, exact angles. No real arm is like this.", 0.0, 0.0, false}};
+
+}  // namespace
+
+std::span<const ArmModel> armModels() {
+  return kModels;
+}
+
+const ArmModel* findArmModel(std::string_view name) {
+  const auto* const found =
+      std::find_if(kModels.begin(), kModels.end(), [&](const ArmModel& model) { return name == model.name; });
+  return found == kModels.end() ? nullptr : found;
+}
+
+}  // namespace underact::sim

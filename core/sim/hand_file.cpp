@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/scene/json.h"
+#include "core/scene/object_reader.h"
+#include "core/scene/read.h"
+#include "core/sim/hand_script.h"
+
+namespace underact::sim {
+namespace {
+
+using scene::Findings;
+using scene::ObjectReader;
+using scene::json::Value;
+
+constexpr double kFurthest_mm = 1e6;
+constexpr double kRotationError = 1e-6;  // as in a scene
+
+bool isRotation(const Mat3& R) {
+  return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
+}
+
+/// False, and a problem, for a number that no double holds.
+bool isFinite(const Value& value, const std::string& path, double number, Findings& findings) {
+  if (std::isfinite(number)) return true;
+  findings.add(value, path, "This is no finite number; a double holds at most about 1.8e308.");
+  return false;
+}
+
+void readAmount(ObjectReader& object, const char* key, bool may_be_zero, double& amount) {
+  const Value* const value = object.find(key);
+  if (value == nullptr) return;
+  const std::string path = object.pathOf(key);
+  readNumber(*value, path, amount, object.findings());
+  if (!isFinite(*value, path, amount, object.findings())) return;
+  if (amount > 0.0 || (amount == 0.0 && may_be_zero)) return;
+  object.findings().add(*value, path,
+                        (may_be_zero ? "This must not be below 0; here it is " : "This must be above 0; here it is ") +
+                            scene::json::numberText(amount) + ".");
+}
+
+HandModel readModel(const Value& value, Findings& findings) {
+  HandModel hand;
+  if (!isKind(value, scene::json::Kind::Object, "hand", "an object, as in {\"mass_kg\": 0.1}", findings)) return hand;
+  ObjectReader object(value, "hand", "a hand", findings);
+  readAmount(object, "mass_kg", false, hand.mass_kg);
+  readAmount(object, "damping_N_s_per_m", true, hand.damping_N_s_per_m);
+  readAmount(object, "stiffness_N_per_m", true, hand.stiffness_N_per_m);
+  object.finish();
+  return hand;
+}
+
+void readTime(const Value& value, const std::string& path, double before_s, double& t_s, Findings& findings) {
+  readNumber(value, path, t_s, findings);
+  if (std::isnan(t_s) || !isFinite(value, path, t_s, findings)) return;
+  if (t_s <= before_s) findings.add(value, path, "Each time must be later than those before it.");
+}
+
+void readPlace(const Value& value, const std::string& path, Vec3& p_WT, Findings& findings) {
+  Vec3 p_mm = Vec3::Zero();
+  readNumber(value, path, p_mm, findings);
+  if (p_mm.cwiseAbs().maxCoeff() > kFurthest_mm) {
+    findings.add(value, path, "Each coordinate must lie within 1e6 mm (1 km).");
+  }
+  p_WT = kMetrePerMillimetre * p_mm;
+}
+
+void readTurn(const Value& value, const std::string& path, Mat3& R_WT, Findings& findings) {
+  readNumber(value, path, R_WT, findings);
+  if (!isRotation(R_WT)) {
+    findings.add(
+        value, path,
+        "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.");
+  }
+  R_WT = Eigen::Quaterniond(R_WT).normalized().toRotationMatrix();
+}
+
+/// before_s: the latest time before it.
+HandPoint readPoint(const Value& value, const std::string& path, double before_s, Findings& findings) {
+  HandPoint point;
+  point.t_s = kNotANumber;  // stays where the file says none
+  const char* const expected = "an object, as in {\"t_s\": 0, \"p_mm\": [0, 0, 60]}";
+  if (!isKind(value, scene::json::Kind::Object, path, expected, findings)) return point;
+  ObjectReader object(value, path, "a point of a hand's path", findings);
+  if (const Value* const t = object.find("t_s", true)) {
+    readTime(*t, object.pathOf("t_s"), before_s, point.t_s, findings);
+  }
+  if (const Value* const p = object.find("p_mm", true)) {
+    readPlace(*p, object.pathOf("p_mm"), point.p_WT, findings);
+  }
+  if (const Value* const R = object.find("R_WT")) {
+    point.turns = true;
+    readTurn(*R, object.pathOf("R_WT"), point.R_WT, findings);
+  }
+  object.finish();
+  return point;
+}
+
+/// A point that says nothing of its turn keeps that of the one before it, the first ones that of the first that does.
+void carryTurns(std::vector<HandPoint>& path) {
+  const auto first = std::find_if(path.begin(), path.end(), [](const HandPoint& point) { return point.turns; });
+  if (first == path.end()) return;
+  Mat3 R_WT = first->R_WT;
+  for (HandPoint& point : path) {
+    if (point.turns) R_WT = point.R_WT;
+    point.R_WT = R_WT;
+    point.turns = true;
+  }
+}
+
+std::vector<HandPoint> readPath(const Value& value, Findings& findings) {
+  std::vector<HandPoint> path;
+  if (!isKind(value, scene::json::Kind::Array, "path", "a list of points", findings)) return path;
+  if (value.items.empty()) findings.add(value, "path", "A path needs at least one point.");
+  double latest_s = -kInfinity;
+  for (std::size_t index = 0; index < value.items.size(); ++index) {
+    path.push_back(readPoint(value.items[index], "path[" + std::to_string(index) + "]", latest_s, findings));
+    if (path.back().t_s > latest_s) latest_s = path.back().t_s;
+  }
+  carryTurns(path);
+  return path;
+}
+
+}  // namespace
+
+Result<HandScript> readHand(std::string_view text, const std::string& file_name) {
+  const Result<Value> root = scene::json::parse(text, file_name);
+  if (!root) return root.problems();
+  Findings findings(file_name);
+  HandScript script;
+  if (isKind(root.value(), scene::json::Kind::Object, "", "an object, as in {\"underact_hand\": 1, ...}", findings)) {
+    ObjectReader object(root.value(), "", "a hand file", findings);
+    if (const Value* const version = object.find("underact_hand", true)) {
+      double number = 1.0;
+      readNumber(*version, "underact_hand", number, findings);
+      if (number != 1.0) findings.add(*version, "underact_hand", "This program reads version 1 only.");
+    }
+    if (const Value* const hand = object.find("hand")) script.hand = readModel(*hand, findings);
+    if (const Value* const path = object.find("path", true)) script.path = readPath(*path, findings);
+    object.finish();
+  }
+  Problems problems = findings.take();
+  if (!problems.empty()) return problems;
+  return script;
+}
+
+Result<HandScript> readHandFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  for (char block[1 << 16]; file && text.size() <= scene::kLargestScene;) {
+    file.read(block, sizeof block);
+    text.append(block, static_cast<std::size_t>(file.gcount()));
+  }
+  if (text.size() > scene::kLargestScene)
+    return Problems{{"The file is larger than 16 MiB, too large for a hand.", {path}}};
+  if (!file.eof()) {
+    return Problems{{"The file cannot be read. Is the name right, and are you allowed to read it?", {path}}};
+  }
+  return readHand(text, path);
+}
+
+}  // namespace underact::sim

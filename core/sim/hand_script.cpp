@@ -1,0 +1,101 @@
+#include "core/sim/hand_script.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/trig.h"
+#include "core/base/units.h"
+
+namespace underact::sim {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+/// Share of the way and its rate, for a share s of the time. Source: Flash and Hogan 1985.
+struct Profile {
+  double share;
+  double rate;
+};
+Profile minimumJerk(double s) noexcept UNDERACT_REAL_TIME {
+  return {s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * (1.0 - s) * (1.0 - s)};
+}
+
+/// R_WA turned by a share of the shortest turn to R_WB. Not Eigen's slerp: the last bit of libm's acos and sin is
+/// another on other machines. Half a turn has two shortest ways; which one it takes is fixed, but nothing else says
+/// which.
+Mat3 turned(const Mat3& R_WA, const Mat3& R_WB, double share) noexcept UNDERACT_REAL_TIME {
+  Eigen::Quaterniond q_AB(R_WA.transpose() * R_WB);
+  if (q_AB.w() < 0.0) q_AB.coeffs() = -q_AB.coeffs();
+  const double half_sin = q_AB.vec().norm();
+  if (!(half_sin > 0.0)) return R_WA;
+  const SinCos half = sinCos(share * atan2Of(half_sin, q_AB.w()));
+  const Vec3 vec = q_AB.vec() * (half.sin / half_sin);
+  return R_WA * Eigen::Quaterniond(half.cos, vec.x(), vec.y(), vec.z()).toRotationMatrix();
+}
+
+HandWish standAt(const HandPoint& point) noexcept UNDERACT_REAL_TIME {
+  return {point.p_WT, Vec3::Zero(), point.R_WT, point.turns};
+}
+
+HandWish onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERACT_REAL_TIME {
+  if (path.empty()) return {};
+  std::size_t next = 0;
+  for (std::size_t count = path.size(); count > 0;) {  // the first point later than t_s, by halving
+    const std::size_t half = count / 2;
+    if (path[next + half].t_s <= t_s) {
+      next += half + 1;
+      count -= half + 1;
+    } else {
+      count = half;
+    }
+  }
+  if (next == 0) return standAt(path.front());
+  if (next == path.size()) return standAt(path.back());
+  const HandPoint& from = path[next - 1];
+  const HandPoint& to = path[next];
+  const double leg_s = to.t_s - from.t_s;
+  const Profile profile = minimumJerk((t_s - from.t_s) / leg_s);
+  const Vec3 way_W = to.p_WT - from.p_WT;
+  HandWish wish{from.p_WT + profile.share * way_W, (profile.rate / leg_s) * way_W, from.R_WT, from.turns && to.turns};
+  if (wish.turns) wish.R_WT = turned(from.R_WT, to.R_WT, profile.share);
+  return wish;
+}
+
+/// SplitMix64 (Steele, Lea, Flood 2014), the number after state; in [0, 1).
+double nextShare(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
+  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+}
+
+/// Three sinusoids an axis, where a hand's tremor lies (8 to 12 Hz). All their periods fit in 2 s, so time is taken
+/// modulo that, and a long run is as exact as a short one.
+void addTremor(const HandScript& script, std::int64_t time_ns, HandWish& wish) noexcept UNDERACT_REAL_TIME {
+  constexpr std::array<double, 3> kFrequencies_Hz{8.0, 9.5, 11.0};
+  const double t_s = static_cast<double>(time_ns % (2 * kSecond_ns)) / static_cast<double>(kSecond_ns);
+  const double part_m = script.tremor_m / static_cast<double>(kFrequencies_Hz.size());
+  std::uint64_t state = script.seed;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double frequency_Hz : kFrequencies_Hz) {
+      const double omega_rad_per_s = 2.0 * kPi * frequency_Hz;
+      const SinCos wave = sinCos(omega_rad_per_s * t_s + 2.0 * kPi * nextShare(state));
+      wish.p_WT[axis] += part_m * wave.sin;
+      wish.v_WT[axis] += part_m * omega_rad_per_s * wave.cos;
+    }
+  }
+}
+
+}  // namespace
+
+HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept {
+  std::int64_t path_ns = time_ns;
+  const auto repeat_ns = static_cast<std::int64_t>(script.repeat_s * static_cast<double>(kSecond_ns));
+  if (repeat_ns > 0) path_ns %= repeat_ns;
+  // Divided, not multiplied by 1e-9: so a point's own time, written in decimals, is met exactly.
+  HandWish wish = onPath(script.path, static_cast<double>(path_ns) / static_cast<double>(kSecond_ns));
+  if (script.tremor_m != 0.0) addTremor(script, time_ns, wish);
+  return wish;
+}
+
+}  // namespace underact::sim

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/real_time.h"
+#include "core/base/result.h"
+#include "core/sim/hand.h"
+
+namespace underact::sim {
+
+/// A point of a hand's path.
+struct HandPoint {
+  double t_s = 0.0;
+  Vec3 p_WT = Vec3::Zero();  // m
+  Mat3 R_WT = Mat3::Identity();
+  bool turns = false;  // R_WT is meant; between two points the stylus is turned where both turn
+};
+
+/// What a scripted hand does: minimum-jerk motion from point to point (the last one held), plus a tremor.
+struct HandScript {
+  HandModel hand;
+  std::vector<HandPoint> path;  // at least one; t_s strictly rising
+  double repeat_s = 0.0;        // > 0: the path starts again after so long
+  double tremor_m = 0.0;        // amplitude, per axis: never further off than this
+  std::uint64_t seed = 0;       // of the tremor's phases
+};
+
+/// Where the script wants the hand at time_ns since its start; a pure function, the same bits on every machine.
+/// Before the first point it waits there. Source of the profile: Flash and Hogan 1985, 10 s^3 - 15 s^4 + 6 s^5; the
+/// stylus turns about one axis by the same profile.
+HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept UNDERACT_REAL_TIME;
+
+struct BuiltInHand {
+  const char* name;
+  const char* what;  // one sentence
+};
+std::span<const BuiltInHand> builtInHands();  // still, sweep, probe, tremor, stab
+
+/// A built-in script by name. Problems: no such name (the names are in the sentence).
+Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed);
+
+/// {"underact_hand": 1, "hand": {...}, "path": [{"t_s", "p_mm", "R_WT"}, ...]}; every problem at once, with places. A
+/// point without R_WT keeps the turn of the one before it (before the first that has one: that one's).
+Result<HandScript> readHand(std::string_view text, const std::string& file_name);
+Result<HandScript> readHandFile(const std::string& path);
+
+}  // namespace underact::sim

@@ -1,0 +1,113 @@
+#include "core/sim/plant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/arm/conventions.h"
+#include "core/arm/forward.h"
+#include "core/arm/inverse.h"
+#include "core/base/units.h"
+
+namespace underact::sim {
+namespace {
+
+bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+bool isFinite(const Mat3& m) noexcept UNDERACT_REAL_TIME {
+  return isFinite(Vec3(m.col(0))) && isFinite(Vec3(m.col(1))) && isFinite(Vec3(m.col(2)));
+}
+
+/// A force that a spring or a mass can take over a substep: everything known but the velocity at its end.
+struct Pull {
+  double mass_kg;
+  double damping_N_s_per_m;
+  double stiffness_N_per_m;
+  double friction_N;
+};
+
+/// One substep. The momentum equation is solved for the velocity at its end, at which damper, spring and friction act:
+///   (M + b dt + k dt^2) v' = M v + dt (f + k (x_w - x) + b v_w) - r, |r| <= mu dt, and r against v'.
+/// Its solution is exact: a pull below the friction leaves v' = 0, no direction is ever reversed by it.
+void substep(const Pull& pull, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& v_WH, double dt_s,
+             PlantState& state) noexcept UNDERACT_REAL_TIME {
+  const double inertia_kg = pull.mass_kg + dt_s * (pull.damping_N_s_per_m + dt_s * pull.stiffness_N_per_m);
+  const Vec3 spring_N = pull.stiffness_N_per_m * (p_WH - state.p_WT) + pull.damping_N_s_per_m * v_WH;
+  const Vec3 impulse_N_s = pull.mass_kg * state.v_WT + dt_s * (f_T_W + spring_N);
+  const double size_N_s = impulse_N_s.norm(), friction_N_s = pull.friction_N * dt_s;
+  if (size_N_s > friction_N_s && inertia_kg > 0.0) {
+    state.v_WT = impulse_N_s * ((1.0 - friction_N_s / size_N_s) / inertia_kg);
+  } else {
+    state.v_WT.setZero();
+  }
+  state.p_WT += dt_s * state.v_WT;
+}
+
+/// Brings tip and joints 1 to 3 together, inside reach and limits; the wrist stays.
+void holdInLimits(const arm::Preset& arm, PlantState& state) noexcept UNDERACT_REAL_TIME {
+  const arm::Reach reach = arm::reach(arm.geometry, state.p_WT);
+  const arm::JointAngles held_rad = arm::withinLimits(arm.limits, reach.q_rad);
+  bool cut = !reach.reachable;
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    cut = cut || held_rad[joint] != reach.q_rad[joint];
+    state.q_rad[joint] = held_rad[joint];
+  }
+  if (!cut) return;
+  const Vec3 p_WL = arm::tipPosition(arm.geometry, state.q_rad);
+  const Vec3 beyond_W = state.p_WT - p_WL;
+  const double beyond_m = beyond_W.norm();
+  if (beyond_m > 0.0) {
+    const Vec3 out_W = beyond_W / beyond_m;
+    state.v_WT -= std::max(0.0, state.v_WT.dot(out_W)) * out_W;
+  }
+  state.p_WT = p_WL;
+}
+
+}  // namespace
+
+PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept {
+  PlantState state;
+  state.p_WT = p_WT;
+  state.q_rad = arm::withinLimits(plant.arm.limits, arm::dhFromDevice({}));
+  holdInLimits(plant.arm, state);
+  return state;
+}
+
+PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
+                   std::int64_t period_ns) noexcept {
+  const PlantState before = state;
+  const bool knows_where = isFinite(wish.p_WT) && isFinite(wish.v_WT);
+  const Vec3 p_WEnd = knows_where ? wish.p_WT : state.p_WT;
+  const Vec3 v_WH = knows_where ? wish.v_WT : Vec3::Zero();
+  const Vec3 force_N = isFinite(f_T_W) ? f_T_W : Vec3::Zero();
+  const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.hand.damping_N_s_per_m, plant.hand.stiffness_N_per_m,
+                  plant.model.friction_N};
+  for (std::int64_t left_ns = period_ns; left_ns > 0;) {
+    const std::int64_t step_ns = std::min(left_ns, kSubstep_ns);
+    left_ns -= step_ns;
+    const Vec3 p_WH = p_WEnd - (kSecondPerNanosecond * static_cast<double>(left_ns)) * v_WH;
+    substep(pull, force_N, p_WH, v_WH, kSecondPerNanosecond * static_cast<double>(step_ns), state);
+  }
+  if (!isFinite(state.p_WT) || !isFinite(state.v_WT)) {  // beyond what a double holds
+    state = before;
+    state.v_WT.setZero();
+    return state;
+  }
+  holdInLimits(plant.arm, state);
+  if (wish.turns && isFinite(wish.R_WT)) {
+    state.q_rad = arm::withinLimits(plant.arm.limits, arm::withWrist(state.q_rad, wish.R_WT));
+  }
+  return state;
+}
+
+arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn, const arm::JointAngles& q_rad) noexcept {
+  arm::JointAngles device_rad = arm::deviceFromDh(q_rad);
+  for (std::size_t joint = 0; joint < device_rad.size(); ++joint) {
+    const double step_rad = 2.0 * kPi / counts_per_turn[joint];
+    device_rad[joint] = step_rad * std::round(device_rad[joint] / step_rad);
+  }
+  return arm::dhFromDevice(device_rad);
+}
+
+}  // namespace underact::sim

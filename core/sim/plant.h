@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+
+#include "core/arm/preset.h"
+#include "core/arm/sample.h"
+#include "core/base/real_time.h"
+#include "core/sim/arm_model.h"
+#include "core/sim/hand.h"
+
+namespace underact::sim {
+
+/// The simulated arm and the hand that holds it: parameters.
+struct Plant {
+  arm::Preset arm;
+  ArmModel model;
+  HandModel hand;
+};
+
+/// All memory of it.
+struct PlantState {
+  Vec3 p_WT = Vec3::Zero();  // m
+  Vec3 v_WT = Vec3::Zero();  // m/s
+  arm::JointAngles q_rad{};  // exact joints for p_WT, and the wrist
+};
+
+/// At rest at p_WT, finite (brought inside reach and joint limits), the wrist in the middle of its gimbal.
+PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept;
+
+// The finer step at which the plant is integrated. The wall's own time constant, sqrt(m / k) = 17 ms at 0.5 N/mm, is
+// 340 of them.
+inline constexpr std::int64_t kSubstep_ns = 50'000;
+
+/// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish: symplectic Euler
+/// with the hand's damper and spring and the Coulomb friction taken implicitly, so that it sticks without chatter at
+/// any step. wish: at the end of the period; on the way there it moves evenly at its v_WT. Where reach or a joint limit
+/// cuts the motion, the tip stands at the limit and keeps only the velocity along it. A force that is not finite counts
+/// as none, a wish that is not finite as one to stay here. Finite in, finite out; the same bits every time. Cost:
+/// linear in period_ns.
+PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
+                   std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
+
+/// The joints as the encoders show them: steps of turret, thigh and shin, and of the gimbal.
+arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn,
+                                 const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::sim

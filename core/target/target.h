@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+
+#include "core/base/real_time.h"
+#include "core/shape/shape.h"
+
+namespace underact::target {
+
+/// Both: the stylus is held to the surface. Outside, Inside: where it is free to be; a wall that pushes it back there.
+enum class Side : std::uint8_t { Both, Outside, Inside };
+
+/// What the stylus is held to. Made by makeConstraint().
+struct Constraint {
+  shape::Shape shape;  // in W, or, weighted, with each coordinate of W multiplied by scale
+  Side side = Side::Both;
+  bool weighted = false;  // nearest in the metric of scale^2, not of lengths
+  Vec3 scale = Vec3::Ones();
+};
+
+/// Free: an untouched wall. Degenerate: several points are equally near, so nothing says where to pull.
+enum class Status : std::uint8_t { Unique, Degenerate, Free };
+
+/// Where the constraint draws the tip this tick.
+struct Target {
+  Vec3 p_WP = Vec3::Zero();  // m; the tip itself unless Unique, so that the error is zero
+  Status status = Status::Degenerate;
+  double distance_m = 0.0;  // from the shape, in W (Degenerate and weighted: in the metric); 0 for a free wall
+};
+
+/// stiffness: the gains, any unit, whose metric decides what is nearest; all equal means the Euclidean metric. Each
+/// must be above 0 unless all are equal or the shape is a point; the scene's check sees to that.
+Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stiffness);
+
+/// p_WT: m, finite. Cost: constant for each shape.
+/// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
+Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
+
+/// "unique", "degenerate", "free": the words of the command line.
+const char* name(Status status);
+
+}  // namespace underact::target

@@ -1,0 +1,51 @@
+#include "core/tick/cost.h"
+
+namespace underact::tick {
+namespace {
+
+// ns, measured by underact-bench (resources/guide/figures.md).
+constexpr double kKinematics_ns = 75.0;
+constexpr double kGateAndReport_ns = 73.0;
+constexpr double kPoint_ns = 6.0;
+constexpr double kSphere_ns = 17.0;
+constexpr double kLine_ns = 12.0;
+constexpr double kPlane_ns = 7.0;
+constexpr double kCircle_ns = 34.0;
+constexpr double kCylinder_ns = 33.0;
+constexpr double kBox_ns = 36.0;
+constexpr double kByIteration_ns = 190.0;  // what unequal gains make of sphere, circle, cylinder and box
+constexpr double kP_ns = 3.0;
+constexpr double kPD_ns = 14.0;
+constexpr double kPID_ns = 19.0;
+
+struct ShapeCost {
+  double operator()(const shape::Point&) const { return kPoint_ns; }
+  double operator()(const shape::Sphere&) const { return kSphere_ns; }
+  double operator()(const shape::Line&) const { return kLine_ns; }
+  double operator()(const shape::Plane&) const { return kPlane_ns; }
+  double operator()(const shape::Circle&) const { return kCircle_ns; }
+  double operator()(const shape::Cylinder&) const { return kCylinder_ns; }
+  double operator()(const shape::Box&) const { return kBox_ns; }
+  double operator()(const shape::Ellipsoid&) const { return kByIteration_ns; }
+  double operator()(const shape::Ellipse&) const { return kByIteration_ns; }
+  double operator()(const shape::EllipticCylinder&) const { return kByIteration_ns; }
+  double operator()(const shape::Parallelepiped&) const { return kByIteration_ns; }
+};
+
+struct LawCost {
+  double operator()(const control::P&) const { return kP_ns; }
+  double operator()(const control::PD&) const { return kPD_ns; }
+  double operator()(const control::PID&) const { return kPID_ns; }
+};
+
+}  // namespace
+
+double predictedCost_ns(const TickProgram& program) {
+  double cost_ns = kKinematics_ns + kGateAndReport_ns;
+  for (const Entry& entry : program.entries) {
+    cost_ns += std::visit(ShapeCost{}, entry.constraint.shape) + std::visit(LawCost{}, entry.law);
+  }
+  return cost_ns;
+}
+
+}  // namespace underact::tick

@@ -1,0 +1,39 @@
+#include "core/tick/program.h"
+
+#include <utility>
+
+namespace underact::tick {
+
+TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entries, Combine combine,
+                        const safety::Limits& limits) {
+  TickProgram program{Needs{}, geometry, std::move(entries), combine, limits};
+  for (const Entry& entry : program.entries) {
+    program.needs.rate |= control::needsRate(entry.law);
+    program.needs.integral |= control::needsIntegral(entry.law);
+    program.needs.metric |= entry.constraint.weighted;
+  }
+  program.needs.choice = combine == Combine::Nearest && program.entries.size() > 1;
+  return program;
+}
+
+TickState makeState(const TickProgram& program) {
+  TickState state;
+  if (program.needs.rate) state.laws.resize(program.entries.size());
+  return state;
+}
+
+std::size_t bytesOf(const TickState& state) {
+  return sizeof(TickState) + state.laws.size() * sizeof(control::LawState);
+}
+
+void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
+  next.time_ns = last.time_ns;
+  next.has_time = last.has_time;
+  next.p_WT = last.p_WT;
+  next.limited = last.limited;
+  next.gate = last.gate;
+  if (what == Carry::Arm || last.laws.size() != next.laws.size()) return;
+  for (std::size_t index = 0; index < next.laws.size(); ++index) next.laws[index] = last.laws[index];
+}
+
+}  // namespace underact::tick

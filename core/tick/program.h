@@ -1,0 +1,64 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/arm/preset.h"
+#include "core/control/law.h"
+#include "core/safety/gate.h"
+#include "core/target/target.h"
+
+namespace underact::tick {
+
+inline constexpr std::size_t kMaxConstraints = 64;
+
+/// How several constraints become one force.
+enum class Combine : std::uint8_t { Sum, Nearest };
+
+/// What a tick computes: these quantities and no others. The tip's position is always there; the wrist never yet.
+struct Needs {
+  bool rate = false;      // of the error (PD, PID)
+  bool integral = false;  // of the error (PID)
+  bool metric = false;    // nearest in the gains' own metric (unequal gains)
+  bool choice = false;    // which constraint is nearest (combine: nearest)
+};
+
+struct Entry {
+  target::Constraint constraint;
+  control::Law law;
+};
+
+/// What a scene compiles to; const from then on, so that any thread may read it. Made by makeProgram().
+struct TickProgram {
+  Needs needs;
+  arm::Geometry geometry;
+  std::vector<Entry> entries;  // 1 to kMaxConstraints
+  Combine combine = Combine::Sum;
+  safety::Limits limits;
+};
+
+/// entries: 1 to kMaxConstraints. The needs follow from the entries.
+TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entries, Combine combine,
+                        const safety::Limits& limits);
+
+/// All memory there is between two ticks. Made by makeState(), outside the tick.
+struct TickState {
+  std::int64_t time_ns = 0;
+  bool has_time = false;
+  Vec3 p_WT = Vec3::Zero();  // the last tip that was known
+  bool limited = false;      // the gate cut or ramped the last force
+  safety::GateState gate;
+  std::vector<control::LawState> laws;  // one for each entry; none where no law remembers anything
+};
+
+TickState makeState(const TickProgram& program);
+
+/// Of the state, all of it.
+std::size_t bytesOf(const TickState& state);
+
+/// What another program takes over from the one before it. Arm: time, tip and gate. Laws: also what each law remembers,
+/// entry by entry where both have as many, for a change of gains between two ticks.
+enum class Carry : std::uint8_t { Arm, ArmAndLaws };
+void carryOver(const TickState& last, TickState& next, Carry what = Carry::ArmAndLaws) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::tick

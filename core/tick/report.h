@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "core/arm/sample.h"
+#include "core/safety/gate.h"
+#include "core/target/target.h"
+#include "core/tick/program.h"
+
+namespace underact::tick {
+
+/// What one constraint did in a tick.
+struct Held {
+  Vec3 p_WP = Vec3::Zero();   // the target; the tip itself unless status is Unique
+  Vec3 f_T_W = Vec3::Zero();  // its own force, before the gate
+  target::Status status = target::Status::Free;
+  double distance_m = 0.0;
+  bool acts = false;  // it has a part in the force (not where it is free or another is nearer)
+};
+
+/// Up to kMaxConstraints of them, in place; a copy copies only those in use.
+class HeldList {
+ public:
+  HeldList() = default;
+  HeldList(const HeldList& other) noexcept UNDERACT_REAL_TIME { *this = other; }
+  HeldList& operator=(const HeldList& other) noexcept UNDERACT_REAL_TIME {
+    resize(other.size_);
+    for (std::size_t index = 0; index < size_; ++index) held_[index] = other.held_[index];
+    return *this;
+  }
+  ~HeldList() = default;
+  std::size_t size() const noexcept UNDERACT_REAL_TIME { return size_; }
+  void resize(std::size_t size) noexcept UNDERACT_REAL_TIME { size_ = size < kMaxConstraints ? size : kMaxConstraints; }
+  Held& operator[](std::size_t index) noexcept UNDERACT_REAL_TIME { return held_[index]; }
+  const Held& operator[](std::size_t index) const noexcept UNDERACT_REAL_TIME { return held_[index]; }
+  const Held* begin() const noexcept UNDERACT_REAL_TIME { return held_.data(); }
+  const Held* end() const noexcept UNDERACT_REAL_TIME { return held_.data() + size_; }
+
+ private:
+  std::size_t size_ = 0;
+  std::array<Held, kMaxConstraints> held_{};
+};
+
+/// All results of a tick: what view, plots and recorder know of it is in here.
+struct TickReport {
+  arm::Sample sample;
+  Vec3 p_WT = Vec3::Zero();   // the tip
+  HeldList held;              // in the order of the scene
+  Vec3 f_T_W = Vec3::Zero();  // asked, before the gate
+  safety::GatedForce force;   // sent
+  double level = 0.0;         // share that the ramps let through
+  double cut_N = 0.0;         // what the clamp took away
+  Fault fault;                // why the force is zero, if a fault is why
+};
+
+/// The distance between tip and target over the constraints that act: root of the sum of squares, m. 0 where none does.
+double errorOf(const TickReport& report) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::tick

@@ -1,0 +1,12 @@
+#pragma once
+#include "core/tick/program.h"
+#include "core/tick/report.h"
+
+namespace underact::tick {
+
+/// What a tick finds for a stylus that rests at p_WT (m, finite) and has no past: no rate, no integral. held and f_T_W
+/// (asked, before the gate) are what is meant; force is zero, since the ramp has not begun. It is step() that answers,
+/// so nothing here can differ from what the servo does. Allocates; not for the servo thread.
+TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT);
+
+}  // namespace underact::tick

@@ -1,0 +1,129 @@
+#include "core/tick/step.h"
+
+#include <cmath>
+
+#include "core/arm/forward.h"
+#include "core/base/units.h"
+
+namespace underact::tick {
+namespace {
+
+/// A law is not let loose on a longer pause than this: after one, rate and integral start as on a first tick.
+constexpr double kLongestTick_s = 0.1;
+
+void forget(std::vector<control::LawState>& laws) noexcept UNDERACT_REAL_TIME {
+  for (control::LawState& law : laws) law = control::LawState{};
+}
+
+/// 0 at the first tick. The difference wraps instead of overflowing; what wraps is stale.
+double secondsSince(const TickState& state, std::int64_t time_ns) noexcept UNDERACT_REAL_TIME {
+  if (!state.has_time) return 0.0;
+  const std::uint64_t passed_ns = static_cast<std::uint64_t>(time_ns) - static_cast<std::uint64_t>(state.time_ns);
+  return kSecondPerNanosecond * static_cast<double>(static_cast<std::int64_t>(passed_ns));
+}
+
+Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcept UNDERACT_REAL_TIME {
+  if (!input.has_sample) return {FaultKind::NoSample, 0.0, 0.0};
+  for (const double angle_rad : input.sample.q_rad) {
+    if (!std::isfinite(angle_rad)) return {FaultKind::NotFinite, angle_rad, 0.0};
+  }
+  const double shin_rad = input.sample.q_rad[1] + input.sample.q_rad[2];  // two finite ones may overflow
+  if (!std::isfinite(shin_rad)) return {FaultKind::NotFinite, shin_rad, 0.0};
+  if (state.has_time && dt_s <= 0.0) return {FaultKind::StaleSample, dt_s, 0.0};
+  return {};
+}
+
+void findTargets(const TickProgram& program, TickReport& report) noexcept UNDERACT_REAL_TIME {
+  for (std::size_t index = 0; index < report.held.size(); ++index) {
+    const target::Target target = nearestTarget(program.entries[index].constraint, report.p_WT);
+    const bool acts = target.status != target::Status::Free;
+    report.held[index] = {target.p_WP, Vec3::Zero(), target.status, target.distance_m, acts};
+  }
+}
+
+/// Leaves `acts` only at the nearest of the constraints that are touched; the first of equals.
+void keepNearest(HeldList& held) noexcept UNDERACT_REAL_TIME {
+  std::size_t nearest = held.size();
+  for (std::size_t index = 0; index < held.size(); ++index) {
+    held[index].acts = false;
+    if (held[index].status == target::Status::Free) continue;
+    if (nearest == held.size() || held[index].distance_m < held[nearest].distance_m) nearest = index;
+  }
+  if (nearest < held.size()) held[nearest].acts = true;
+}
+
+/// What the law asks for; a wall never pulls.
+Vec3 pushOf(const Entry& entry, const Held& held, control::LawState& law, const Vec3& p_WT,
+            const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
+  const Vec3 e_W = held.p_WP - p_WT;
+  const Vec3 f_T_W = control::force(entry.law, law, e_W, moment);
+  if (entry.constraint.side != target::Side::Both && f_T_W.dot(e_W) < 0.0) return Vec3::Zero();
+  return f_T_W;
+}
+
+/// The force of one constraint; zero where it is free, degenerate or not chosen.
+Vec3 forceOf(const Entry& entry, const Held& held, control::LawState& law, const Vec3& p_WT,
+             const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
+  if (held.status == target::Status::Unique && held.acts) return pushOf(entry, held, law, p_WT, moment);
+  if (held.status == target::Status::Free || held.acts) {
+    control::rest(law, held.status == target::Status::Degenerate);
+    if (moment.idle) law.integral_T_W.setZero();
+  } else {
+    law = control::LawState{};  // another is nearer: an old integral would come back as a jump
+  }
+  return Vec3::Zero();
+}
+
+Vec3 sumForces(const TickProgram& program, TickState& state, TickReport& report,
+               const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
+  Vec3 sum_T_W = Vec3::Zero();
+  for (std::size_t index = 0; index < report.held.size(); ++index) {
+    control::LawState none;
+    control::LawState& law = index < state.laws.size() ? state.laws[index] : none;
+    Held& held = report.held[index];
+    held.f_T_W = forceOf(program.entries[index], held, law, report.p_WT, moment);
+    sum_T_W += held.f_T_W;
+  }
+  return sum_T_W;
+}
+
+}  // namespace
+
+void step(const TickProgram& program, const TickInput& input, TickState& state, TickReport& report) noexcept {
+  if (input.restart) {  // begins anew in all: an arm that was unplugged counts its time from 0 again
+    state.has_time = false;
+    forget(state.laws);
+  }
+  const double dt_s = secondsSince(state, input.sample.time_ns);
+  const Fault fault = judge(input, state, dt_s);
+  report.sample = input.sample;
+  report.held.resize(0);
+  report.f_T_W.setZero();
+  double gate_dt_s = 0.0;
+  if (fault.kind == FaultKind::None) {
+    const double law_dt_s = dt_s <= kLongestTick_s ? dt_s : 0.0;
+    if (dt_s > kLongestTick_s) forget(state.laws);
+    gate_dt_s = law_dt_s;
+    state.p_WT = arm::tipPosition(program.geometry, input.sample.q_rad);
+    report.p_WT = state.p_WT;  // the targets are found from it
+    report.held.resize(program.entries.size());
+    findTargets(program, report);
+    if (program.needs.choice) keepNearest(report.held);
+    const bool stopped = state.gate.fault.kind != FaultKind::None && !input.restart;
+    const bool idle = stopped || (!input.engage && state.gate.level == 0.0);
+    report.f_T_W = sumForces(program, state, report, {law_dt_s, state.limited, idle});
+    state.time_ns = input.sample.time_ns;
+    state.has_time = true;
+  }
+  report.p_WT = state.p_WT;
+  const safety::Gated gated =
+      safety::gate(program.limits, state.gate, {report.f_T_W, input.engage, input.restart, fault}, gate_dt_s);
+  state.gate = gated.next;
+  state.limited = gated.cut_N > 0.0 || gated.next.level < 1.0;
+  report.force = gated.force;
+  report.level = gated.next.level;
+  report.cut_N = gated.cut_N;
+  report.fault = gated.fault;
+}
+
+}  // namespace underact::tick

@@ -1,0 +1,125 @@
+#include "core/scene/compile.h"
+
+#include "core/base/units.h"
+#include "tests/core/scene/random_scene.h"
+
+namespace underact::scene {
+namespace {
+
+tick::TickProgram programOf(const std::string& text) {
+  const Result<Description> read = readScene(text, "f");
+  EXPECT_TRUE(read) << test::joined(test::linesOf(read.problems()));
+  return compile(read.value()).value();
+}
+
+tick::TickProgram programOf(const std::string& keys, const std::string& constraints) {
+  return programOf("{\"underact_scene\": 1, \"title\": \"t\", " + keys + "\"constraints\": [" + constraints + "]}");
+}
+
+const std::string kPoint = R"({"type": "point", "position_mm": [10, -20, 30]})";
+const std::string kSphere = R"({"type": "sphere", "center_mm": [10, 20, 30], "radius_mm": 40})";
+
+TEST(CompileScene, MillimetresBecomeMetresByOneMultiplication) {
+  const tick::TickProgram program = programOf("", kSphere);
+  const shape::Sphere& sphere = std::get<shape::Sphere>(program.entries[0].constraint.shape);
+  EXPECT_EQ(sphere.p_WC, Vec3(10 * 1e-3, 20 * 1e-3, 30 * 1e-3));
+  EXPECT_EQ(sphere.radius_m, 40 * 1e-3);
+}
+
+TEST(CompileScene, EveryTypeBecomesItsOwnShape) {
+  const tick::TickProgram program =
+      programOf("", kPoint + "," + kSphere +
+                        R"(, {"type": "line", "point_mm": [1, 2, 3], "direction": [0, 0, 4]},
+                   {"type": "plane", "point_mm": [1, 2, 3], "normal": [0, 4, 0], "side": "outside"},
+                   {"type": "circle", "center_mm": [1, 2, 3], "normal": [4, 0, 0], "radius_mm": 5},
+                   {"type": "cylinder", "point_mm": [1, 2, 3], "axis": [4, 0, 0], "radius_mm": 5, "side": "inside"},
+                   {"type": "box", "center_mm": [1, 2, 3], "size_mm": [4, 5, 6], "R_WB": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]})");
+  const Vec3 p_WC(1 * 1e-3, 2 * 1e-3, 3 * 1e-3);
+  const auto shapeAt = [&](std::size_t index) -> const shape::Shape& {
+    return program.entries[index].constraint.shape;
+  };
+  EXPECT_EQ(std::get<shape::Point>(shapeAt(0)).p_WC, Vec3(10 * 1e-3, -20 * 1e-3, 30 * 1e-3));
+  EXPECT_EQ(std::get<shape::Line>(shapeAt(2)).p_WC, p_WC);
+  EXPECT_EQ(std::get<shape::Line>(shapeAt(2)).axis_W, Vec3::UnitZ());
+  EXPECT_EQ(std::get<shape::Plane>(shapeAt(3)).normal_W, Vec3::UnitY());
+  EXPECT_EQ(program.entries[3].constraint.side, target::Side::Outside);
+  EXPECT_EQ(std::get<shape::Circle>(shapeAt(4)).axis_W, Vec3::UnitX());
+  EXPECT_EQ(std::get<shape::Circle>(shapeAt(4)).radius_m, 5 * 1e-3);
+  EXPECT_EQ(std::get<shape::Cylinder>(shapeAt(5)).axis_W, Vec3::UnitX());
+  EXPECT_EQ(std::get<shape::Cylinder>(shapeAt(5)).radius_m, 5 * 1e-3);
+  EXPECT_EQ(program.entries[5].constraint.side, target::Side::Inside);
+  const shape::Box& box = std::get<shape::Box>(shapeAt(6));
+  EXPECT_EQ(box.p_WC, p_WC);
+  EXPECT_EQ(box.half_m, Vec3(4 * 1e-3 / 2, 5 * 1e-3 / 2, 6 * 1e-3 / 2));
+  EXPECT_TRUE((box.R_WB * Vec3::UnitX()).isApprox(Vec3::UnitY()));
+}
+
+TEST(CompileScene, GainsBecomeSiAndTheIntegralIsHeldWithinTheArmsContinuousForce) {
+  const tick::TickProgram program = programOf(
+      R"("control": {"law": "PID", "kp_N_per_mm": [1, 2, 3], "kd_N_s_per_mm": 0.25, "ki_N_per_mm_s": [4, 5, 6]}, )",
+      kPoint);
+  const control::PID& law = std::get<control::PID>(program.entries[0].law);
+  EXPECT_EQ(law.kp_N_per_m, Vec3(1000, 2000, 3000));
+  EXPECT_EQ(law.kd_N_s_per_m, Vec3::Constant(250));
+  EXPECT_EQ(law.ki_N_per_m_s, Vec3(4000, 5000, 6000));
+  EXPECT_EQ(law.integral_limit_N, 0.88);
+  EXPECT_EQ(program.limits.max_force_N, 0.88);
+  const tick::TickProgram usual = programOf("", kPoint);
+  EXPECT_EQ(std::get<control::P>(usual.entries[0].law).kp_N_per_m, Vec3::Constant(500));
+  const tick::TickProgram damped = programOf(R"("control": {"law": "PD", "kd_N_s_per_mm": 0.002}, )", kPoint);
+  EXPECT_EQ(std::get<control::PD>(damped.entries[0].law).kd_N_s_per_m, Vec3::Constant(0.002 * 1e3));
+  EXPECT_EQ(std::get<control::PD>(damped.entries[0].law).kp_N_per_m, Vec3::Constant(500));
+}
+
+TEST(CompileScene, TheArmIsTheOneThatTheSceneNames) {
+  EXPECT_EQ(programOf("", kPoint).geometry.upper_m, 0.127508);
+  EXPECT_EQ(programOf(R"("arm": "touch-measured", )", kPoint).geometry.upper_m, 0.13335);
+}
+
+TEST(CompileScene, OnlyWhatTheSceneNeedsIsNeeded) {
+  const auto needs = [](const std::string& keys, const std::string& constraints) {
+    const tick::Needs found = programOf(keys, constraints).needs;
+    return std::string(found.rate ? "rate " : "") + (found.integral ? "integral " : "") +
+           (found.metric ? "metric " : "") + (found.choice ? "choice " : "");
+  };
+  EXPECT_EQ(needs("", kPoint), "");
+  EXPECT_EQ(needs("", kSphere), "");
+  EXPECT_EQ(needs(R"("control": {"law": "PD"}, )", kPoint), "rate ");
+  EXPECT_EQ(needs(R"("control": {"law": "PID"}, )", kPoint), "rate integral ");
+  EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3]}, )", kSphere), "metric ");
+  EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [2, 2, 2]}, )", kSphere), "");
+  EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3], "anisotropy": "euclidean"}, )", kSphere), "");
+  EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3]}, )", kPoint), "");  // a point is nearest in every metric
+  EXPECT_EQ(needs(R"("combine": "nearest", )", kPoint), "");                   // nothing to choose from
+  EXPECT_EQ(needs(R"("combine": "nearest", )", kPoint + "," + kSphere), "choice ");
+  EXPECT_EQ(needs(R"("control": {"law": "PID"}, )", R"({"type": "point", "position_mm": [0, 0, 0], "control": {}})"),
+            "");
+}
+
+TEST(CompileScene, ALawWithoutMemoryCostsNoState) {
+  const tick::TickState none = makeState(programOf("", kPoint));
+  const tick::TickState one = makeState(programOf(R"("control": {"law": "PD"}, )", kPoint));
+  EXPECT_EQ(tick::bytesOf(none), sizeof(tick::TickState));
+  EXPECT_EQ(tick::bytesOf(one), sizeof(tick::TickState) + sizeof(control::LawState));
+}
+
+TEST(CompileScene, UnequalGainsMakeTheirOwnMetricUnlessTheSceneSaysEuclidean) {
+  const tick::TickProgram weighted = programOf(R"("control": {"kp_N_per_mm": [1, 4, 0.25]}, )", kSphere);
+  EXPECT_TRUE(weighted.entries[0].constraint.weighted);
+  EXPECT_EQ(weighted.entries[0].constraint.scale, Vec3(0.5, 1.0, 0.25));
+  const tick::TickProgram euclidean =
+      programOf(R"("control": {"kp_N_per_mm": [1, 4, 0.25], "anisotropy": "euclidean"}, )", kSphere);
+  EXPECT_FALSE(euclidean.entries[0].constraint.weighted);
+  EXPECT_EQ(control::stiffness(euclidean.entries[0].law), Vec3(1000, 4000, 250));
+}
+
+TEST(CompileScene, AConstraintsOwnControlHoldsForItAlone) {
+  const tick::TickProgram program =
+      programOf(R"("control": {"law": "PD", "kp_N_per_mm": 2, "kd_N_s_per_mm": 1}, )",
+                kPoint + R"(, {"type": "point", "position_mm": [0, 0, 0], "control": {"kp_N_per_mm": 0.1}})");
+  EXPECT_TRUE(std::holds_alternative<control::PD>(program.entries[0].law));
+  EXPECT_EQ(std::get<control::P>(program.entries[1].law).kp_N_per_m, Vec3::Constant(100));
+}
+
+}  // namespace
+}  // namespace underact::scene

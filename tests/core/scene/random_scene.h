@@ -1,0 +1,106 @@
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "tests/core/scene/scene_support.h"
+
+namespace underact::test {
+
+/// Scenes that keep every rule, with numbers of all sizes that the rules allow.
+class RandomScene {
+ public:
+  explicit RandomScene(Seed seed) : random_(seed) {}
+
+  scene::Description next() {
+    scene::Description made;
+    made.title = words();
+    if (chance(2)) made.about = words();
+    if (chance(3)) made.arm = "touch-measured";
+    if (chance(2)) made.control = control();
+    if (chance(2)) made.combine = tick::Combine::Nearest;
+    made.constraints.resize(1 + random_.below(chance(20) ? 64 : 4));
+    for (std::size_t i = 0; i < made.constraints.size(); ++i) {
+      scene::Constraint& constraint = made.constraints[i];
+      constraint.shape = shape();
+      constraint.name = std::string(scene::typeName(constraint.shape)) + " " + std::to_string(i + 1);
+      if (chance(2)) constraint.name = words() + " " + std::to_string(i);  // no two alike: the number is its last word
+      const std::size_t type = constraint.shape.index();
+      if (type != 0 && type != 2 && type != 4) constraint.side = static_cast<target::Side>(random_.below(3));
+      if (chance(3)) constraint.control = control();
+    }
+    return made;
+  }
+
+ private:
+  bool chance(std::size_t one_in) { return random_.below(one_in) == 0; }
+
+  std::string words() {
+    static const std::array<const char*, 12> kWords{
+        "wall",         "a \"quote\"",      "back\\slash", "tab\t", "line\nend", "\x01", "\xC3\xA9t\xC3\xA9",
+        "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "/",           "\x7F",  "{}[],:"};
+    std::string text = "w";
+    for (std::size_t i = random_.below(4); i > 0; --i) text += std::string(" ") + kWords[random_.below(kWords.size())];
+    return text;
+  }
+
+  double size() { return std::ldexp(random_.between(0.5, 1.0), static_cast<int>(random_.between(-60, 19))); }
+  double coordinate() {
+    switch (random_.below(5)) {
+      case 0:
+        return 0.0;
+      case 1:
+        return -0.0;
+      case 2:
+        return std::floor(random_.between(-100.0, 100.0));
+      case 3:
+        return random_.between(-1e6, 1e6);
+      default:
+        return std::ldexp(random_.between(-1.0, 1.0), static_cast<int>(random_.between(-1070, 19)));
+    }
+  }
+  Vec3 position() { return {coordinate(), coordinate(), coordinate()}; }
+  Vec3 direction() {
+    const Vec3 d = std::ldexp(1.0, static_cast<int>(random_.between(-900, 900))) * random_.direction();
+    return chance(3) ? Vec3(0.0, -0.0, d.z() == 0.0 ? 1.0 : d.z()) : d;
+  }
+  Mat3 rotation() {
+    if (chance(2)) return Mat3::Identity();
+    return Eigen::AngleAxisd(random_.between(-3.0, 3.0), random_.direction()).toRotationMatrix();
+  }
+  scene::Shape shape() {
+    switch (random_.below(7)) {
+      case 0:
+        return scene::Point{position()};
+      case 1:
+        return scene::Sphere{position(), size()};
+      case 2:
+        return scene::Line{position(), direction()};
+      case 3:
+        return scene::Plane{position(), direction()};
+      case 4:
+        return scene::Circle{position(), direction(), size()};
+      case 5:
+        return scene::Cylinder{position(), direction(), size()};
+      default:
+        return scene::Box{position(), {size(), size(), size()}, rotation()};
+    }
+  }
+  Vec3 gain() {
+    if (chance(4)) return Vec3::Constant(chance(2) ? -0.0 : 0.0);
+    if (chance(2)) return Vec3::Constant(random_.between(0.0, 2.0));
+    return {random_.between(0.01, 2.0), random_.between(0.01, 2.0), random_.between(0.01, 2.0)};
+  }
+  scene::Control control() {
+    scene::Control made;
+    made.law = static_cast<scene::LawType>(random_.below(3));
+    if (chance(3)) made.anisotropy = scene::Anisotropy::Euclidean;
+    if (!chance(4)) made.gains.kp_N_per_mm = gain();
+    if (made.law != scene::LawType::P) made.gains.kd_N_s_per_mm = gain();
+    if (made.law == scene::LawType::PID) made.gains.ki_N_per_mm_s = gain();
+    return made;
+  }
+
+  Random random_;
+};
+
+}  // namespace underact::test

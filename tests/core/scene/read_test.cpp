@@ -1,0 +1,313 @@
+#include "core/scene/read.h"
+
+#include <sys/stat.h>
+
+#include "tests/core/scene/scene_support.h"
+
+namespace underact::scene {
+namespace {
+
+using test::joined;
+using test::problemsIn;
+using test::sceneWith;
+
+const std::string kAt = "2:1: ";
+const std::string kPoint = R"({"type": "point", "position_mm": [0, 0, 0]})";
+
+/// The only problem of a scene whose only constraint this is.
+std::string problemOf(const std::string& constraint) {
+  return joined(problemsIn(sceneWith(constraint)));
+}
+
+/// The only problem of a scene with these keys beside those it must have.
+std::string problemWith(const std::string& keys) {
+  return joined(
+      problemsIn("{" + keys + "\n\"underact_scene\": 1, \"title\": \"t\", \"constraints\": [" + kPoint + "]}"));
+}
+
+TEST(ReadScene, TheExampleOfTheSceneReferenceIsRead) {
+  const Result<Description> read = readScene(R"({
+  "underact_scene": 1,
+  "title": "Circle in a tilted plane",
+  "about": "Thesis figure 4.12.",
+  "arm": "omni-thesis",
+  "control": {"law": "P", "kp_N_per_mm": 0.5},
+  "constraints": [
+    {"name": "rim", "type": "circle", "center_mm": [10, 20, 30], "normal": [-1, 1, -1], "radius_mm": 40}
+  ]
+})",
+                                             "05_circle.json");
+  ASSERT_TRUE(read) << joined(test::linesOf(read.problems()));
+  const Description& scene = read.value();
+  EXPECT_EQ(scene.title, "Circle in a tilted plane");
+  EXPECT_EQ(scene.about, "Thesis figure 4.12.");
+  EXPECT_EQ(scene.file, "05_circle.json");
+  ASSERT_EQ(scene.constraints.size(), 1u);
+  const Constraint& rim = scene.constraints[0];
+  EXPECT_EQ(rim.name, "rim");
+  EXPECT_EQ(rim.place.file, "05_circle.json");
+  EXPECT_EQ(rim.place.line, 8);
+  EXPECT_EQ(rim.place.column, 5);
+  EXPECT_EQ(rim.place.key, "constraints[0]");
+  EXPECT_EQ(std::get<Circle>(rim.shape).center_mm, Vec3(10, 20, 30));
+  EXPECT_EQ(std::get<Circle>(rim.shape).normal, Vec3(-1, 1, -1));
+  EXPECT_EQ(std::get<Circle>(rim.shape).radius_mm, 40.0);
+}
+
+TEST(ReadScene, WhatIsAbsentHasTheDefaultsOfTheSceneReference) {
+  const Description scene = readScene(sceneWith(kPoint), "").value();
+  EXPECT_EQ(scene.arm, "omni-thesis");
+  EXPECT_EQ(scene.about, "");
+  EXPECT_EQ(scene.control.law, LawType::P);
+  EXPECT_EQ(scene.control.gains.kp_N_per_mm, Vec3::Constant(0.5));
+  EXPECT_EQ(scene.control.gains.kd_N_s_per_mm, Vec3::Zero());
+  EXPECT_EQ(scene.control.anisotropy, Anisotropy::Weighted);
+  EXPECT_EQ(scene.combine, tick::Combine::Sum);
+  EXPECT_FALSE(scene.constraints[0].control);
+  EXPECT_EQ(scene.constraints[0].side, target::Side::Both);
+  EXPECT_EQ(scene.constraints[0].name, "point 1");
+}
+
+TEST(ReadScene, EveryTypeAndEveryKeyIsRead) {
+  const Result<Description> read = readScene(R"({"$schema": "scene.schema.json", "underact_scene": 1.0, "title": "t",
+  "arm": "touch-measured", "combine": "nearest",
+  "control": {"law": "PID", "kp_N_per_mm": [1, 2, 3], "kd_N_s_per_mm": 0.25, "ki_N_per_mm_s": [4, 5, 6],
+              "anisotropy": "euclidean", "space": "cartesian"},
+  "constraints": [
+    {"type": "point", "position_mm": [1, 2, 3]},
+    {"type": "sphere", "center_mm": [1, 2, 3], "radius_mm": 4, "side": "inside"},
+    {"type": "line", "point_mm": [1, 2, 3], "direction": [0, 0, 4]},
+    {"type": "plane", "point_mm": [1, 2, 3], "normal": [0, 4, 0], "side": "outside"},
+    {"type": "cylinder", "point_mm": [1, 2, 3], "axis": [4, 0, 0], "radius_mm": 5, "side": "both"},
+    {"type": "box", "center_mm": [1, 2, 3], "size_mm": [4, 5, 6], "R_WB": [[0, -1, 0], [1, 0, 0], [0, 0, 1]],
+     "control": {}}
+  ]})",
+                                             "f");
+  ASSERT_TRUE(read) << joined(test::linesOf(read.problems()));
+  const Description& scene = read.value();
+  EXPECT_EQ(scene.arm, "touch-measured");
+  EXPECT_EQ(scene.combine, tick::Combine::Nearest);
+  EXPECT_EQ(scene.control.law, LawType::PID);
+  EXPECT_EQ(scene.control.gains.kp_N_per_mm, Vec3(1, 2, 3));
+  EXPECT_EQ(scene.control.gains.kd_N_s_per_mm, Vec3::Constant(0.25));
+  EXPECT_EQ(scene.control.gains.ki_N_per_mm_s, Vec3(4, 5, 6));
+  EXPECT_EQ(scene.control.anisotropy, Anisotropy::Euclidean);
+  EXPECT_EQ(std::get<Point>(scene.constraints[0].shape).position_mm, Vec3(1, 2, 3));
+  EXPECT_EQ(std::get<Sphere>(scene.constraints[1].shape).radius_mm, 4.0);
+  EXPECT_EQ(scene.constraints[1].side, target::Side::Inside);
+  EXPECT_EQ(std::get<Line>(scene.constraints[2].shape).direction, Vec3(0, 0, 4));
+  EXPECT_EQ(std::get<Plane>(scene.constraints[3].shape).normal, Vec3(0, 4, 0));
+  EXPECT_EQ(scene.constraints[3].side, target::Side::Outside);
+  EXPECT_EQ(std::get<Cylinder>(scene.constraints[4].shape).axis, Vec3(4, 0, 0));
+  const Box& box = std::get<Box>(scene.constraints[5].shape);
+  EXPECT_EQ(box.size_mm, Vec3(4, 5, 6));
+  EXPECT_EQ(box.R_WB * Vec3::UnitX(), Vec3::UnitY());  // rows in the file, not columns
+  ASSERT_TRUE(scene.constraints[5].control);           // its own: the defaults, not the scene's
+  EXPECT_EQ(controlOf(scene, 5).law, LawType::P);
+  EXPECT_EQ(controlOf(scene, 4).law, LawType::PID);
+}
+
+TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
+  EXPECT_EQ(
+      joined(problemsIn(R"({
+  "underact_scene": 2,
+  "title": "",
+  "arm": "omnni",
+  "control": {"law": "PI", "kp_N_per_mm": -1, "gain": 3},
+  "combine": "add",
+  "constraints": [
+    {"type": "sphere", "centre_mm": [0, 0], "radius_mm": -5},
+    {"type": "line", "point_mm": [0, "a", 2e6], "direction": [0, 0, 0], "side": "inside"},
+    7,
+    {"name": "x", "type": "spere"},
+    {"name": "x", "type": "point", "position_mm": [1e400, 0, 0]}
+  ],
+  "constraints": []
+})")),
+      R"(2:21: underact_scene: The scene is of version 2, and this program, older than the scene, reads version 1. Use a newer Underact.
+3:12: title: The title is empty; a few words tell people what they will feel.
+4:10: arm: The arm "omnni" is not known. There are "omni-thesis" and "touch-measured".
+5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
+5:43: control.kp_N_per_mm: A gain must be 0 or above, or the arm pushes away; here it is -1.
+5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy" and "space".
+6:14: combine: This must be "sum" or "nearest"; here it is "add".
+8:5: constraints[0].center_mm: The key "center_mm" is missing; a sphere needs it.
+8:24: constraints[0].centre_mm: The key "centre_mm" is not known in a sphere. Did you mean "center_mm"?
+8:58: constraints[0].radius_mm: This must be above 0 mm; here it is -5.
+9:38: constraints[1].point_mm[1]: This must be a number; here it is text.
+9:43: constraints[1].point_mm[2]: This must lie within 1e6 mm (1 km); here it is 2e+06.
+9:62: constraints[1].direction: A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.
+9:73: constraints[1].side: A line has no inside and no outside; take "side" away.
+10:5: constraints[2]: This must be an object, as in {"type": "point", "position_mm": [0, 0, 0]}; here it is a number.
+11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? There are "point", "sphere", "line", "plane", "circle", "cylinder" and "box".
+12:14: constraints[4].name: The name "x" is taken by constraints[3]; names must differ.
+12:52: constraints[4].position_mm[0]: This is no finite number; a double holds at most about 1.8e308.
+14:3: constraints: The key "constraints" stands here a second time; the first is on line 7. Take one away.
+)");
+}
+
+TEST(ReadScene, WhatASceneNeedsIsMissedAtItsStart) {
+  EXPECT_EQ(joined(problemsIn("\n {}")),
+            "2:2: underact_scene: The key \"underact_scene\" is missing; a scene needs it.\n"
+            "2:2: title: The key \"title\" is missing; a scene needs it.\n"
+            "2:2: constraints: The key \"constraints\" is missing; a scene needs it.\n");
+  EXPECT_EQ(problemOf("{}"), kAt + "constraints[0].type: The key \"type\" is missing; a constraint needs it.\n");
+  EXPECT_EQ(problemOf(R"({"type": "box"})"),
+            kAt + "constraints[0].center_mm: The key \"center_mm\" is missing; a box needs it.\n" + kAt +
+                "constraints[0].size_mm: The key \"size_mm\" is missing; a box needs it.\n");
+}
+
+TEST(ReadScene, WhatIsNoObjectIsNoScene) {
+  EXPECT_EQ(joined(problemsIn("[]")), "1:1: : This must be an object in { }; here it is a list.\n");
+  EXPECT_EQ(joined(problemsIn(" null")), "1:2: : This must be an object in { }; here it is null.\n");
+}
+
+TEST(ReadScene, AnotherVersionIsRefused) {
+  const auto version = [](const std::string& number) {
+    return joined(
+        problemsIn(R"({"underact_scene": )" + number + R"(, "title": "t", "constraints": [)" + kPoint + "]}"));
+  };
+  EXPECT_EQ(version("1"), "");
+  EXPECT_EQ(
+      version("12"),
+      "1:20: underact_scene: The scene is of version 12, and this program, older than the scene, reads version 1. "
+      "Use a newer Underact.\n");
+  for (const char* number : {"0", "-1", "1.5", "1e400"}) {
+    EXPECT_EQ(version(number), "1:20: underact_scene: This must be the number 1, the version of scene files.\n");
+  }
+  EXPECT_EQ(version("\"1\""), "1:20: underact_scene: This must be the number 1; here it is text.\n");
+}
+
+TEST(ReadScene, ThereAreOneTo64Constraints) {
+  const auto many = [](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += (i == 0 ? "" : ",") + kPoint;
+    return joined(problemsIn(sceneWith(text)));
+  };
+  EXPECT_EQ(many(64), "");
+  EXPECT_EQ(many(0), "1:52: constraints: A scene has 1 to 64 constraints; here are 0.\n");
+  EXPECT_EQ(many(65), "1:52: constraints: A scene has 1 to 64 constraints; here are 65.\n");
+}
+
+TEST(ReadScene, AnUnknownKeyIsTakenForTheNearestKnownOne) {
+  const auto meant = [](const std::string& key) {
+    return problemOf(R"({"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 1, ")" + key + R"(": 1})");
+  };
+  const std::string at = "2:60: constraints[0].";
+  for (const char* slip : {"radius", "Radius_mm", "radus_mm", "raduis_mm", "radius_m"}) {
+    EXPECT_EQ(meant(slip),
+              at + slip + ": The key \"" + slip + "\" is not known in a sphere. Did you mean \"radius_mm\"?\n");
+  }
+  EXPECT_NE(meant("position_of_it")
+                .find("Known are \"name\", \"type\", \"center_mm\", \"radius_mm\", \"side\" and \"control\"."),
+            std::string::npos);
+  EXPECT_NE(problemWith(R"("control": {"kp": 1},)").find("Did you mean \"kp_N_per_mm\"?"), std::string::npos);
+  EXPECT_NE(problemWith(R"("control": {"kd_N_per_mm": 1},)").find("Did you mean \"kd_N_s_per_mm\"?"),
+            std::string::npos);
+  EXPECT_NE(problemWith(R"("controll": {},)").find("Did you mean \"control\"?"), std::string::npos);
+}
+
+TEST(ReadScene, AKeyThatIsNoNameIsQuotedAndCutShort) {
+  EXPECT_EQ(problemWith("\"\\n\\u0001\": 1,").substr(0, 53),
+            "1:2: \"\\n\\u0001\": The key \"\\n\\u0001\" is not known in a");
+  EXPECT_EQ(problemWith("\"" + std::string(5000, 'k') + "\": 1,").substr(0, 108),
+            "1:2: \"" + std::string(40, 'k') + "...\": The key \"" + std::string(40, 'k') + "...\" is");
+}
+
+TEST(ReadScene, OfAnUnknownTypeTheOtherKeysAreNotJudged) {
+  EXPECT_EQ(problemOf(R"({"type": "torus", "radius_mm": 1, "tube_mm": 2})"),
+            "2:10: constraints[0].type: The type \"torus\" is not known. There are \"point\", \"sphere\", \"line\", "
+            "\"plane\", \"circle\", \"cylinder\" and \"box\".\n");
+}
+
+TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
+  for (const char* type : {"mesh", "virtual_manipulator", "curve"}) {
+    EXPECT_EQ(
+        problemOf(std::string(R"({"type": ")") + type + R"(", "file": "a.stl", "joints": []})"),
+        std::string("2:10: constraints[0].type: The type \"") + type + "\" is not in this version of Underact.\n");
+  }
+  EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "influence": {"t": 0.5}})"),
+            "2:45: constraints[0].influence: \"influence\" is not in this version of Underact.\n");
+  for (const char* key : {"velocity", "friction", "search", "damping"}) {
+    const std::string sentence = std::string(": \"") + key + "\" is not in this version of Underact.\n";
+    EXPECT_EQ(problemWith("\"" + std::string(key) + "\": {},"), "1:2: " + std::string(key) + sentence);
+    EXPECT_EQ(problemWith("\"control\": {\"" + std::string(key) + "\": 1},"),
+              "1:14: control." + std::string(key) + sentence);
+  }
+  EXPECT_EQ(problemWith(R"("control": {"space": "joint"},)"),
+            "1:23: control.space: The space \"joint\" is not in this version of Underact.\n");
+  EXPECT_EQ(problemWith(R"("control": {"space": "tool"},)"),
+            "1:23: control.space: This must be \"cartesian\"; here it is \"tool\".\n");
+}
+
+TEST(ReadScene, WrongKindsSayWhatIsAllowed) {
+  EXPECT_EQ(problemWith("\"about\": 3,"), "1:11: about: This must be text in double quotes; here it is a number.\n");
+  EXPECT_EQ(problemWith("\"control\": \"P\","),
+            "1:13: control: This must be an object, as in {\"law\": \"P\", \"kp_N_per_mm\": 0.5}; here it is text.\n");
+  EXPECT_EQ(problemWith("\"control\": {\"law\": 1},"),
+            "1:21: control.law: This must be \"P\", \"PD\" or \"PID\"; here it is a number.\n");
+  EXPECT_EQ(
+      problemWith("\"control\": {\"kp_N_per_mm\": \"1\"},"),
+      "1:29: control.kp_N_per_mm: This must be a number, or a list of 3 numbers for x, y and z; here it is text.\n");
+  EXPECT_EQ(problemWith("\"control\": {\"kp_N_per_mm\": [1, 2]},"),
+            "1:29: control.kp_N_per_mm: This must be a list of 3 numbers, as in [0, 30, 0]; here it has 2.\n");
+  EXPECT_EQ(problemWith("\"$schema\": 1,"),
+            "1:13: $schema: This must be text in double quotes; here it is a number.\n");
+  EXPECT_EQ(
+      problemOf(R"({"type": "point", "position_mm": 5})"),
+      "2:34: constraints[0].position_mm: This must be a list of 3 numbers, as in [0, 30, 0]; here it is a number.\n");
+  EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [true, null, {}]})"),
+            "2:35: constraints[0].position_mm[0]: This must be a number; here it is true or false.\n"
+            "2:41: constraints[0].position_mm[1]: This must be a number; here it is null.\n"
+            "2:47: constraints[0].position_mm[2]: This must be a number; here it is an object in { }.\n");
+  EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "name": ""})"),
+            "2:53: constraints[0].name: The name is empty; write one, or take the key away and one is made up.\n");
+  EXPECT_EQ(
+      problemOf(R"({"type": 3})"),
+      "2:10: constraints[0].type: This must be \"point\", \"sphere\", \"line\", \"plane\", \"circle\", \"cylinder\" or "
+      "\"box\"; here it is a number.\n");
+}
+
+TEST(ReadScene, MadeUpNamesNeverMeetOthers) {
+  const Description scene =
+      readScene(
+          sceneWith(kPoint + ", " + R"({"name": "point 1", "type": "point", "position_mm": [0, 0, 0]})" + "," + kPoint),
+          "")
+          .value();
+  EXPECT_EQ(scene.constraints[0].name, "point 1'");
+  EXPECT_EQ(scene.constraints[1].name, "point 1");
+  EXPECT_EQ(scene.constraints[2].name, "point 3");
+}
+
+TEST(ReadScene, ALongListOfProblemsIsCutAndSaysSo) {
+  std::string keys;
+  for (int i = 0; i < 100'000; ++i) keys += "\"zz" + std::to_string(i) + "\": 1, ";
+  const std::vector<std::string> lines = problemsIn("{" + keys + "\"underact_scene\": 1}");
+  ASSERT_EQ(lines.size(), 1001u);
+  EXPECT_NE(lines.back().find("The file holds 99002 more problems."), std::string::npos) << lines.back();
+}
+
+TEST(ReadSceneFile, SaysWhyAFileCannotBeRead) {
+  const std::string missing = ::testing::TempDir() + "/no_such_scene.json";
+  const Result<Description> none = readSceneFile(missing);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(describe(none.problems()[0]), missing + ": error: The file cannot be opened: No such file or directory.");
+  const Result<Description> folder = readSceneFile(::testing::TempDir());
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.problems()[0].sentence, "This is a folder, not a scene file.");
+  EXPECT_EQ(folder.problems()[0].place.line, 0);
+}
+
+TEST(ReadSceneFile, RefusesWhatIsTooLargeToBeAScene) {
+  const std::string path = ::testing::TempDir() + "/large_scene.json";
+  std::ofstream(path) << sceneWith(kPoint) << std::string(kLargestScene, ' ');
+  const Result<Description> large = readSceneFile(path);
+  std::filesystem::remove(path);
+  ASSERT_FALSE(large);
+  EXPECT_EQ(large.problems()[0].sentence, "The file is larger than 16 MiB; a scene is far smaller.");
+  const Result<Description> endless = readSceneFile("/dev/zero");
+  ASSERT_FALSE(endless);
+}
+
+}  // namespace
+}  // namespace underact::scene

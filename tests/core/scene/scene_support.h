@@ -1,0 +1,110 @@
+#pragma once
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/scene/description.h"
+#include "core/scene/read.h"
+#include "tests/support/property.h"
+
+namespace underact::test {
+
+/// "LINE:COLUMN: KEY: sentence" of each problem, or none.
+inline std::vector<std::string> linesOf(const Problems& problems) {
+  std::vector<std::string> lines;
+  for (const Problem& problem : problems) {
+    lines.push_back(std::to_string(problem.place.line) + ":" + std::to_string(problem.place.column) + ": " +
+                    problem.place.key + ": " + problem.sentence);
+  }
+  return lines;
+}
+
+inline std::vector<std::string> problemsIn(const std::string& text) {
+  const Result<scene::Description> read = scene::readScene(text, "test.json");
+  return read ? std::vector<std::string>{} : linesOf(read.problems());
+}
+
+inline std::string joined(const std::vector<std::string>& lines) {
+  std::string all;
+  for (const std::string& line : lines) all += line + "\n";
+  return all;
+}
+
+/// A scene of one constraint (or several, with commas), which begins in line 2, column 1.
+inline std::string sceneWith(const std::string& constraint) {
+  return "{\"underact_scene\": 1, \"title\": \"t\", \"constraints\": [\n" + constraint + "\n]}";
+}
+
+inline std::string fileText(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline std::vector<std::filesystem::path> sceneFiles() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(UNDERACT_SOURCE) + "/scenes")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() == ".json" && name != "scene.schema.json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// To the last bit, so that -0 is not 0.
+inline bool same(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+inline bool same(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
+inline bool same(const Mat3& a, const Mat3& b) {
+  return std::memcmp(a.data(), b.data(), 9 * sizeof(double)) == 0;
+}
+inline bool same(const scene::Point& a, const scene::Point& b) {
+  return same(a.position_mm, b.position_mm);
+}
+inline bool same(const scene::Sphere& a, const scene::Sphere& b) {
+  return same(a.center_mm, b.center_mm) && same(a.radius_mm, b.radius_mm);
+}
+inline bool same(const scene::Line& a, const scene::Line& b) {
+  return same(a.point_mm, b.point_mm) && same(a.direction, b.direction);
+}
+inline bool same(const scene::Plane& a, const scene::Plane& b) {
+  return same(a.point_mm, b.point_mm) && same(a.normal, b.normal);
+}
+inline bool same(const scene::Circle& a, const scene::Circle& b) {
+  return same(a.center_mm, b.center_mm) && same(a.normal, b.normal) && same(a.radius_mm, b.radius_mm);
+}
+inline bool same(const scene::Cylinder& a, const scene::Cylinder& b) {
+  return same(a.point_mm, b.point_mm) && same(a.axis, b.axis) && same(a.radius_mm, b.radius_mm);
+}
+inline bool same(const scene::Box& a, const scene::Box& b) {
+  return same(a.center_mm, b.center_mm) && same(a.size_mm, b.size_mm) && same(a.R_WB, b.R_WB);
+}
+inline bool same(const scene::Shape& a, const scene::Shape& b) {
+  return a.index() == b.index() &&
+         std::visit([&](const auto& shape) { return same(shape, std::get<std::decay_t<decltype(shape)>>(b)); }, a);
+}
+inline bool same(const scene::Control& a, const scene::Control& b) {
+  return a.law == b.law && a.anisotropy == b.anisotropy && same(a.gains.kp_N_per_mm, b.gains.kp_N_per_mm) &&
+         same(a.gains.kd_N_s_per_mm, b.gains.kd_N_s_per_mm) && same(a.gains.ki_N_per_mm_s, b.gains.ki_N_per_mm_s);
+}
+inline bool same(const scene::Constraint& a, const scene::Constraint& b) {
+  return a.name == b.name && same(a.shape, b.shape) && a.side == b.side &&
+         a.control.has_value() == b.control.has_value() && (!a.control || same(*a.control, *b.control));
+}
+/// All but where it was read from.
+inline bool same(const scene::Description& a, const scene::Description& b) {
+  bool all = a.title == b.title && a.about == b.about && a.arm == b.arm && same(a.control, b.control) &&
+             a.combine == b.combine && a.constraints.size() == b.constraints.size();
+  for (std::size_t i = 0; all && i < a.constraints.size(); ++i) all = same(a.constraints[i], b.constraints[i]);
+  return all;
+}
+
+}  // namespace underact::test

@@ -1,0 +1,210 @@
+#include "core/servo/host.h"
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "tests/core/servo/scripted_port.h"
+#include "tests/support/property.h"
+
+namespace underact::servo {
+namespace {
+
+using test::ScriptedPort;
+
+scene::Description sphereScene(double radius_mm, double kp_N_per_mm = 0.05) {
+  scene::Description scene;
+  scene.title = "Sphere";
+  scene.control.gains.kp_N_per_mm.setConstant(kp_N_per_mm);
+  scene.constraints.push_back({"ball", scene::Sphere{Vec3::Zero(), radius_mm}, target::Side::Both, {}, {}});
+  return scene;
+}
+
+struct Rig {
+  explicit Rig(std::size_t keep = 100'000, const std::function<void(ScriptedPort&)>& prepare = {}) {
+    auto port = std::make_unique<ScriptedPort>(seen, keep);
+    if (prepare) prepare(*port);
+    host = std::make_unique<Host>(std::move(port), HostOptions{1000, Clock::Manual});
+  }
+  ScriptedPort::Seen seen;
+  std::unique_ptr<Host> host;
+};
+
+double largestStep(const std::vector<Vec3>& forces) {
+  double largest_N = 0.0;
+  for (std::size_t i = 1; i < forces.size(); ++i) largest_N = std::max(largest_N, (forces[i] - forces[i - 1]).norm());
+  return largest_N;
+}
+
+}  // namespace
+
+TEST(Host, PushesOnlyBetweenStartAndStop) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->run(100);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Idle);
+  rig.host->start();
+  rig.host->run(500);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Running);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5, 1e-9);  // 10 mm outside, 0.05 N/mm; the joints cost 1e-13 m
+  rig.host->stop();
+  rig.host->run(10);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Stopping);
+  rig.host->run(90);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Idle);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+}
+
+TEST(Host, AGainReachesTheNextTickAndJumpsNoMoreThanItImplies) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->start();
+  rig.host->run(1000);
+  scene::Control control = rig.host->scene().control;
+  control.gains.kp_N_per_mm.setConstant(0.06);
+  ASSERT_TRUE(rig.host->setControl(0, control).empty());
+  rig.host->run(1);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.6, 1e-9);
+  EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision());
+  EXPECT_NEAR(largestStep(rig.seen.forces), 0.1, 1e-9);  // 10 mm times 0.01 N/mm; the ramp's steps are 0.5 N / 300
+}
+
+TEST(Host, AGainChangeKeepsTheIntegral) {
+  Rig rig;
+  scene::Description scene = sphereScene(50);
+  scene.control.law = scene::LawType::PID;
+  scene.control.gains.ki_N_per_mm_s.setConstant(0.01);
+  ASSERT_TRUE(rig.host->load(scene).empty());
+  rig.host->start();
+  rig.host->run(2000);
+  const double before_N = rig.seen.last_size_N;
+  ASSERT_GT(before_N, 0.55);
+  scene.control.gains.ki_N_per_mm_s.setConstant(0.02);
+  ASSERT_TRUE(rig.host->setControl(0, scene.control).empty());
+  rig.host->run(1);
+  EXPECT_NEAR(rig.seen.last_size_N, before_N, 0.02 * 10 * 1e-3 * 1.01);  // one tick of the new integral, no more
+}
+
+TEST(Host, ASceneSwapGoesThroughZeroForceWithoutAJump) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->start();
+  rig.host->run(1000);
+  ASSERT_TRUE(rig.host->load(sphereScene(70)).empty());  // pulls the other way
+  rig.host->run(1000);
+  EXPECT_EQ(rig.host->snapshot().revision, 2U);
+  EXPECT_NEAR(rig.seen.forces.back().z(), 0.5, 1e-9);
+  bool was_zero = false;
+  for (std::size_t i = 1000; i < rig.seen.forces.size(); ++i) was_zero |= rig.seen.forces[i].isZero();
+  EXPECT_TRUE(was_zero);
+  EXPECT_LE(largestStep(rig.seen.forces), 0.5 * 0.001 / 0.05 + 1e-9);  // the release: the whole force in fall_s
+}
+
+TEST(Host, TheLastOfManySwapsWinsAndNoneIsLost) {
+  Rig rig;
+  rig.host->start();
+  for (int i = 0; i < 500; ++i) ASSERT_TRUE(rig.host->load(sphereScene(30 + i % 40)).empty());
+  for (int i = 0; i < 300; ++i) {
+    rig.host->snapshot();  // what found no room goes out now
+    rig.host->run(5);
+  }
+  EXPECT_EQ(rig.host->snapshot().revision, 500U);
+}
+
+TEST(Host, ABrokenEditIsRefusedAndTheOldOneStays) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  scene::Control control = rig.host->scene().control;
+  control.gains.kp_N_per_mm = Vec3(0.0, 0.5, 0.5);  // a zero gain has no metric on a sphere
+  EXPECT_FALSE(rig.host->setControl(0, control).empty());
+  EXPECT_FALSE(rig.host->setControl(7, rig.host->scene().control).empty());
+  rig.host->run(1);
+  EXPECT_EQ(rig.host->snapshot().revision, 1U);
+  EXPECT_EQ(rig.host->scene().control.gains.kp_N_per_mm, Vec3::Constant(0.05));
+}
+
+TEST(Host, ANotANumberStopsTheServoUntilItIsStartedAgain) {
+  Rig rig(10'000, [](ScriptedPort& port) {
+    port.spoil = [](std::int64_t read, arm::Sample& sample) {
+      if (read == 700) sample.q_rad[1] = kNotANumber;
+      return true;
+    };
+  });
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->start();
+  rig.host->run(699);
+  ASSERT_GT(rig.seen.last_size_N, 0.4);
+  rig.host->run(1);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+  rig.host->run(500);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Faulted);
+  EXPECT_EQ(rig.host->snapshot().report.fault.kind, FaultKind::NotFinite);
+  EXPECT_FALSE(rig.host->running());
+  rig.host->start();
+  rig.host->run(500);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Running);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5, 1e-9);
+}
+
+TEST(Host, AnArmThatStopsAnsweringGetsZeroAtOnceAndAFaultAfterTwentyTicks) {
+  Rig rig(10'000, [](ScriptedPort& port) {
+    port.spoil = [](std::int64_t read, arm::Sample&) { return read < 700 || read >= 800; };
+  });
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->start();
+  rig.host->run(700);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+  EXPECT_NE(rig.host->snapshot().mode, Mode::Faulted);
+  rig.host->run(20);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Faulted);
+  EXPECT_EQ(rig.host->snapshot().report.fault.kind, FaultKind::NoSample);
+  rig.host->run(200);  // answering again: it still takes a Start
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+}
+
+TEST(Host, DrainGivesEveryTickOnceAndInOrderAndCountsWhatFoundNoRoom) {
+  Rig rig(0);
+  rig.host->run(1000);
+  std::int64_t next = 1;
+  rig.host->drain([&](const TickRecord& record) { EXPECT_EQ(record.tick, next++); });
+  EXPECT_EQ(next, 1001);
+  rig.host->run(40'000);
+  EXPECT_GT(rig.host->snapshot().dropped, 0);
+  std::int64_t rows = 0;
+  rig.host->drain([&](const TickRecord&) { ++rows; });
+  EXPECT_EQ(rows + rig.host->snapshot().dropped, 40'000);
+}
+
+TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the thread sanitizer: a storm of commands
+  ScriptedPort::Seen seen;
+  {
+    Host host(std::make_unique<ScriptedPort>(seen), HostOptions{2000, Clock::Thread});
+    EXPECT_FALSE(host.scheduling().name.empty());
+    ASSERT_TRUE(host.load(sphereScene(50)).empty());
+    host.start();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
+    std::int64_t rows = 0;
+    for (int i = 0; std::chrono::steady_clock::now() < end; ++i) {
+      if (i % 3 == 0) {
+        ASSERT_TRUE(host.load(sphereScene(40 + i % 30)).empty());
+      } else {
+        scene::Control control = host.scene().control;
+        control.gains.kp_N_per_mm.setConstant(0.01 + 0.001 * (i % 7));
+        ASSERT_TRUE(host.setControl(0, control).empty());
+      }
+      host.drain([&](const TickRecord& record) {
+        ASSERT_EQ(record.tick, ++rows);
+        ASSERT_LE(record.f_sent_T_W.norm(), 0.88 * (1 + 1e-15));
+      });
+      host.snapshot();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_GT(rows, 100);
+    EXPECT_EQ(host.snapshot().dropped, 0);
+  }
+  EXPECT_EQ(seen.last_size_N, 0.0);
+}
+
+}  // namespace underact::servo
