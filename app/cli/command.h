@@ -1,0 +1,34 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace underact::cli {
+
+/// Exit status of underact-cli.
+enum class Exit : int { Well = 0, BadInput = 1, Usage = 2, Fault = 3, File = 4 };
+
+/// Results go to out, messages and progress to err.
+struct Streams {
+  std::istream& in;
+  std::ostream& out;
+  std::ostream& err;
+  bool progress = false;  // err is a terminal that a line of progress may move on
+};
+
+/// Adds a command to the grammar of the command line; when it is chosen, it does its work and leaves its exit status.
+using AddCommand = void (*)(CLI::App& program, const Streams& streams, Exit& exit);
+
+void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
+void addRun(CLI::App& program, const Streams& streams, Exit& exit);
+void addScene(CLI::App& program, const Streams& streams, Exit& exit);
+
+/// All commands, in the order of --help.
+std::span<const AddCommand> commands();
+
+/// The whole program. arguments: without the program's name.
+Exit execute(std::vector<std::string> arguments, const Streams& streams);
+
+}  // namespace underact::cli

@@ -1,0 +1,36 @@
+#include <underact/version.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+
+#include "app/cli/command.h"
+
+namespace underact::cli {
+
+std::span<const AddCommand> commands() {
+  static constexpr std::array<AddCommand, 3> kCommands{addTarget, addRun, addScene};
+  return kCommands;
+}
+
+Exit execute(std::vector<std::string> arguments, const Streams& streams) {
+  CLI::App program("Underact without a window: what a scene does to the stylus.", "underact-cli");
+  program.set_version_flag("--version", std::string("underact-cli ") + kVersion, "Print the version and exit");
+  program.require_subcommand(1);
+  program.failure_message(CLI::FailureMessage::simple);
+  Exit exit = Exit::Well;
+  for (const AddCommand add : commands()) add(program, streams, exit);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    program.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    // Help and version come this way, too, with 0.
+    exit = program.exit(error, streams.out, streams.err) == 0 ? Exit::Well : Exit::Usage;
+  }
+  streams.out.flush();
+  if (streams.out) return exit;
+  streams.err << "underact-cli: the results could not be written.\n";
+  return Exit::File;
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,10 @@
+#include <unistd.h>
+
+#include <iostream>
+
+#include "app/cli/command.h"
+
+int main(int argc, char** argv) {
+  const underact::cli::Streams streams{std::cin, std::cout, std::cerr, isatty(STDERR_FILENO) != 0};
+  return static_cast<int>(underact::cli::execute({argv + (argc > 0 ? 1 : 0), argv + argc}, streams));
+}

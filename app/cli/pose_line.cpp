@@ -1,0 +1,85 @@
+#include "app/cli/pose_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/scene/json.h"
+
+namespace underact::cli {
+namespace {
+
+using scene::json::Kind;
+using scene::json::Value;
+
+// Beyond it the squares of the coordinates, in m, could leave the range of a double.
+constexpr double kFarthest_mm = 1e100;
+constexpr double kRotationTolerance = 1e-6;  // of each entry of R R^T; six decimals are what people copy
+
+bool readVector(const Value& value, Vec3& vector) {
+  if (value.kind != Kind::Array || value.items.size() != 3) return false;
+  for (std::size_t index = 0; index < 3; ++index) {
+    const Value& item = value.items[index];
+    if (item.kind != Kind::Number || !std::isfinite(item.number)) return false;
+    vector[static_cast<Eigen::Index>(index)] = item.number;
+  }
+  return true;
+}
+
+bool readMatrix(const Value& value, Mat3& matrix) {
+  if (value.kind != Kind::Array || value.items.size() != 3) return false;
+  for (std::size_t row = 0; row < 3; ++row) {
+    Vec3 entries;
+    if (!readVector(value.items[row], entries)) return false;
+    matrix.row(static_cast<Eigen::Index>(row)) = entries;
+  }
+  return true;
+}
+
+bool isRotation(const Mat3& R) {
+  const bool orthonormal = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationTolerance;
+  return orthonormal && R.determinant() > 0.0;
+}
+
+void checkKeys(const Value& object, Problems& problems) {
+  for (std::size_t index = 0; index < object.keys.size(); ++index) {
+    const std::string& key = object.keys[index];
+    if (key != "p_mm" && key != "R_WT") {
+      problems.push_back({"Unknown key \"" + key + "\"; the keys of a line are \"p_mm\" and \"R_WT\"."});
+    } else if (std::find(object.keys.begin(), object.keys.begin() + static_cast<std::ptrdiff_t>(index), key) !=
+               object.keys.begin() + static_cast<std::ptrdiff_t>(index)) {
+      problems.push_back({"The key \"" + key + "\" stands there twice."});
+    }
+  }
+}
+
+}  // namespace
+
+Result<PoseLine> readPoseLine(std::string_view text) {
+  const Result<Value> parsed = scene::json::parse(text, "");
+  if (!parsed) return parsed.problems();
+  const Value& object = parsed.value();
+  if (object.kind != Kind::Object) return Problems{{"A line is an object: {\"p_mm\": [x, y, z]}."}};
+  Problems problems;
+  checkKeys(object, problems);
+  Vec3 p_WT_mm = Vec3::Zero();
+  PoseLine line;
+  const Value* p_mm = object.find("p_mm");
+  if (p_mm == nullptr) {
+    problems.push_back({"\"p_mm\" is missing: the stylus's place, three numbers."});
+  } else if (!readVector(*p_mm, p_WT_mm)) {
+    problems.push_back({"\"p_mm\" must be three finite numbers."});
+  } else if (p_WT_mm.cwiseAbs().maxCoeff() > kFarthest_mm) {
+    problems.push_back({"\"p_mm\" lies beyond 1e100 mm."});
+  }
+  const Value* R_WT = object.find("R_WT");
+  if (R_WT != nullptr && !(readMatrix(*R_WT, line.R_WT) && isRotation(line.R_WT))) {
+    problems.push_back({"\"R_WT\" must be a rotation: three rows of three numbers, orthonormal, determinant +1."});
+  }
+  if (!problems.empty()) return problems;
+  line.p_WT = kMetrePerMillimetre * p_WT_mm;
+  return line;
+}
+
+}  // namespace underact::cli

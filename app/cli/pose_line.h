@@ -1,0 +1,18 @@
+#pragma once
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/base/types.h"
+
+namespace underact::cli {
+
+/// A stylus as a line of a stream tells it, in SI.
+struct PoseLine {
+  Vec3 p_WT = Vec3::Zero();
+  Mat3 R_WT = Mat3::Identity();
+};
+
+/// {"p_mm": [3], "R_WT": 3x3 (optional)}. Problems: all there are.
+Result<PoseLine> readPoseLine(std::string_view text);
+
+}  // namespace underact::cli

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <thread>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/held_port.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/run_summary.h"
+#include "app/cli/scene_file.h"
+#include "core/arm/preset.h"
+#include "core/record/csv.h"
+#include "core/servo/host.h"
+#include "core/sim/arm_model.h"
+#include "core/sim/hand_script.h"
+#include "device/simulated_arm.h"
+
+namespace underact::cli {
+namespace {
+
+constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
+constexpr std::chrono::milliseconds kPause{20};
+constexpr double kLongest_s = 1e6;
+
+struct RunOptions {
+  std::string scene;
+  std::string hand;
+  double seconds = 0.0;
+  int rate_hz = 1000;
+  bool fast = false;
+  std::uint64_t seed = 1;
+  std::string record;
+  std::string arm_model{sim::kDefaultArmModel};
+};
+
+/// "name: sentence" a line, for --help.
+template <class Named>
+std::string listOf(const char* title, std::span<const Named> named, const char* Named::*what) {
+  std::string list = title;
+  for (const Named& one : named) list += std::string("\n  ") + one.name + ": " + one.*what;
+  return list;
+}
+
+bool isBuiltIn(const std::string& hand) {
+  const std::span<const sim::BuiltInHand> hands = sim::builtInHands();
+  return std::any_of(hands.begin(), hands.end(), [&](const sim::BuiltInHand& one) { return hand == one.name; });
+}
+
+/// What looks like no file is meant as a name, so that the answer to a typo lists the names.
+bool looksLikeFile(const std::string& hand) {
+  return hand.find_first_of("./\\") != std::string::npos || std::filesystem::exists(hand);
+}
+
+Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed) {
+  if (isBuiltIn(hand) || !looksLikeFile(hand)) return sim::builtInHand(hand, seed);
+  return sim::readHandFile(hand);
+}
+
+Exit exitOfHand(const std::string& hand, const Problems& problems) {
+  return looksLikeFile(hand) ? exitOf(problems) : Exit::Usage;
+}
+
+/// A run in progress: takes the ticks as they come, up to the number asked for.
+class Run {
+ public:
+  Run(std::int64_t wanted, std::optional<record::CsvWriter> csv, const Streams& streams)
+      : wanted_(wanted), csv_(std::move(csv)), streams_(streams) {}
+
+  void take(servo::Host& host) {
+    host.drain([this](const servo::TickRecord& record) {
+      const bool begun = summary_.ticks() > 0 || record.fault != FaultKind::NoSample;  // HeldPort
+      if (!begun || isDone()) return;
+      summary_.add(record);
+      if (csv_) csv_->add(record);
+    });
+    showProgress();
+  }
+  bool isDone() const { return summary_.ticks() >= wanted_; }
+  std::int64_t left() const { return wanted_ - summary_.ticks(); }
+  const RunSummary& summary() const { return summary_; }
+  Problems closeRecording() { return csv_ ? csv_->close() : Problems{}; }
+
+ private:
+  void showProgress() {
+    const std::int64_t percent = 100 * summary_.ticks() / wanted_;
+    if (!streams_.progress || percent == shown_percent_) return;
+    shown_percent_ = percent;
+    streams_.err << '\r' << percent << " %" << (isDone() ? "\n" : "") << std::flush;
+  }
+
+  std::int64_t wanted_;
+  std::optional<record::CsvWriter> csv_;
+  const Streams& streams_;
+  RunSummary summary_;
+  std::int64_t shown_percent_ = -1;
+};
+
+void runFast(servo::Host& host, Run& run, const Interrupt& interrupt) {
+  while (!run.isDone() && !interrupt.came()) {
+    host.run(std::min(kTicksAtOnce, run.left()));
+    run.take(host);
+  }
+}
+
+void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt) {
+  while (!run.isDone() && !interrupt.came()) {
+    std::this_thread::sleep_for(kPause);
+    run.take(host);
+  }
+}
+
+struct Prepared {
+  LoadedScene scene;
+  sim::HandScript hand;
+  std::optional<record::CsvWriter> csv;
+};
+
+/// Empty: something was wrong, has been told, and exit says what.
+std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
+  if (!options.record.empty() && !options.record.ends_with(".csv")) {
+    streams.err << "--record: this version records CSV only; the file's name must end in .csv.\n";
+    exit = Exit::Usage;
+    return {};
+  }
+  Result<LoadedScene> scene = loadScene(options.scene);
+  if (!scene) {
+    print(scene.problems(), streams.err);
+    exit = exitOf(scene.problems());
+    return {};
+  }
+  Result<sim::HandScript> hand = findHand(options.hand, options.seed);
+  if (!hand) {
+    print(hand.problems(), streams.err);
+    exit = exitOfHand(options.hand, hand.problems());
+    return {};
+  }
+  Prepared prepared{std::move(scene).value(), std::move(hand).value(), {}};
+  if (options.record.empty()) return prepared;
+  Result<record::CsvWriter> csv = record::CsvWriter::open(options.record);
+  if (!csv) {
+    print(csv.problems(), streams.err);
+    exit = Exit::File;
+    return {};
+  }
+  prepared.csv = std::move(csv).value();
+  return prepared;
+}
+
+std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const Prepared& prepared) {
+  device::SimulatedArm::Options arm;
+  arm.arm = *arm::findPreset(prepared.scene.description.arm);
+  arm.model = *sim::findArmModel(options.arm_model);
+  arm.hand = prepared.hand.hand;
+  arm.rate_hz = options.rate_hz;
+  auto simulated = std::make_unique<device::SimulatedArm>(arm);
+  simulated->follow(prepared.hand);
+  return simulated;
+}
+
+Exit runScene(const RunOptions& options, const Streams& streams) {
+  Exit exit = Exit::Well;
+  std::optional<Prepared> prepared = prepare(options, streams, exit);
+  if (!prepared) return exit;
+  const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
+  auto port = std::make_unique<HeldPort>(makeArm(options, *prepared));
+  HeldPort& arm = *port;
+  const Interrupt interrupt;
+  servo::Host host(std::move(port), {options.rate_hz, options.fast ? servo::Clock::Manual : servo::Clock::Thread});
+  const Problems problems = host.load(prepared->scene.description);
+  host.start();
+  arm.letGo();
+  if (!problems.empty()) {
+    print(problems, streams.err);
+    return Exit::BadInput;
+  }
+  Run run(ticks, std::move(prepared->csv), streams);
+  options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt);
+  if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
+    streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
+  }
+  const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
+  streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling}).text() << '\n';
+  const Problems unwritten = run.closeRecording();
+  print(unwritten, streams.err);
+  if (run.summary().faulted()) return Exit::Fault;
+  return unwritten.empty() ? Exit::Well : Exit::File;
+}
+
+std::string checkSeconds(const std::string& text) {
+  double seconds = 0.0;
+  if (CLI::detail::lexical_cast(text, seconds) && seconds > 0.0 && seconds <= kLongest_s) return {};
+  return "must be a number of seconds above 0, at most 1e6";
+}
+
+std::vector<std::string> armModelNames() {
+  std::vector<std::string> names;
+  for (const sim::ArmModel& model : sim::armModels()) names.emplace_back(model.name);
+  return names;
+}
+
+}  // namespace
+
+void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand("run", "Run a scene on the simulated arm, held by a scripted hand");
+  const auto options = std::make_shared<RunOptions>();
+  command->add_option("scene", options->scene, "Scene file")->required();
+  command->add_option("--hand", options->hand, "A built-in hand, or a hand file")->required();
+  command->add_option("--seconds", options->seconds, "How long, by the arm's clock")
+      ->required()
+      ->check(CLI::Validator(checkSeconds, "", "seconds"));
+  command->add_option("--rate", options->rate_hz, "Ticks a second")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 4000));
+  command->add_flag("--fast", options->fast, "As fast as the machine allows; the same numbers as in real time");
+  command->add_option("--seed", options->seed, "Of all that is random")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--record", options->record, "Write every tick to this file; its name must end in .csv");
+  command->add_option("--arm-model", options->arm_model, "What the simulated arm is made of")
+      ->capture_default_str()
+      ->check(CLI::IsMember(armModelNames()));
+  command->footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
+                  listOf("Arm models:", sim::armModels(), &sim::ArmModel::title));
+  command->callback([options, &streams, &exit] { exit = runScene(*options, streams); });
+}
+
+}  // namespace underact::cli

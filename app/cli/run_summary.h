@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/cli/json_object.h"
+#include "core/servo/histogram.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::cli {
+
+/// What a run was like: figures over its ticks.
+class RunSummary {
+ public:
+  void add(const servo::TickRecord& record);
+  std::int64_t ticks() const { return ticks_; }
+  bool faulted() const { return !faults_.empty(); }
+
+  struct Setting {
+    int rate_hz = 1000;
+    std::uint64_t seed = 0;
+    bool fast = false;  // then no tick can be late
+    std::string scheduling;
+  };
+  JsonObject json(const Setting& setting) const;
+
+ private:
+  std::int64_t ticks_ = 0;
+  std::int64_t clamped_ = 0;
+  double peak_force_N_ = 0.0;
+  double sum_force_N_ = 0.0;
+  double sum_square_error_m2_ = 0.0;
+  Vec3 p_WT_ = Vec3::Constant(kNotANumber);
+  FaultKind fault_ = FaultKind::None;  // of the last tick
+  std::vector<JsonObject> faults_;
+  servo::Histogram lateness_;
+  servo::Histogram tick_time_;
+};
+
+}  // namespace underact::cli

@@ -1,0 +1,122 @@
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/json_object.h"
+#include "app/cli/scene_file.h"
+#include "core/tick/cost.h"
+
+namespace underact::cli {
+namespace {
+
+Exit check(const std::vector<std::string>& paths, const Streams& streams) {
+  Exit exit = Exit::Well;
+  for (const std::string& path : paths) {
+    const Result<LoadedScene> loaded = loadScene(path);
+    if (loaded) continue;
+    const Exit now = exitOf(loaded.problems());
+    print(loaded.problems(), now == Exit::File ? streams.err : streams.out);
+    if (exit != Exit::File) exit = now;
+  }
+  return exit;
+}
+
+/// The quantities that a tick may need, in the words of scene show.
+std::array<std::pair<const char*, bool>, 5> needsOf(const tick::Needs& needs) {
+  return {{{"position", true},
+           {"error_rate", needs.rate},
+           {"error_integral", needs.integral},
+           {"gain_metric", needs.metric},
+           {"nearest_choice", needs.choice}}};
+}
+
+const char* lawName(const scene::Control& control) {
+  switch (control.law) {
+    case scene::LawType::P:
+      return "P";
+    case scene::LawType::PD:
+      return "PD";
+    case scene::LawType::PID:
+      return "PID";
+  }
+  return "P";
+}
+
+JsonObject describedAsJson(const LoadedScene& loaded) {
+  JsonObject object;
+  object.addText("title", loaded.description.title);
+  object.addText("arm", loaded.description.arm);
+  std::vector<JsonObject> constraints;
+  for (std::size_t index = 0; index < loaded.description.constraints.size(); ++index) {
+    const scene::Constraint& constraint = loaded.description.constraints[index];
+    JsonObject& one = constraints.emplace_back();
+    one.addText("name", constraint.name);
+    one.addText("type", scene::typeName(constraint.shape));
+    one.addText("law", lawName(scene::controlOf(loaded.description, index)));
+  }
+  object.addList("constraints", constraints);
+  JsonObject needs;
+  for (const auto& [word, needed] : needsOf(loaded.program.needs)) needs.addBool(word, needed);
+  object.addObject("needs", needs);
+  object.addInteger("state_bytes", tick::bytesOf(tick::makeState(loaded.program)));
+  object.addNumber("predicted_ns", std::round(tick::predictedCost_ns(loaded.program)));
+  return object;
+}
+
+void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
+  const auto row = [&out](const std::string& what) -> std::ostream& {
+    return out << std::left << std::setw(24) << what;
+  };
+  row("title") << loaded.description.title << '\n';
+  row("arm") << loaded.description.arm << '\n';
+  for (std::size_t index = 0; index < loaded.description.constraints.size(); ++index) {
+    const scene::Constraint& constraint = loaded.description.constraints[index];
+    row("constraint") << constraint.name << ": " << scene::typeName(constraint.shape) << ", "
+                      << lawName(scene::controlOf(loaded.description, index)) << '\n';
+  }
+  for (const auto& [word, needed] : needsOf(loaded.program.needs)) {
+    row(std::string("needs ") + word) << (needed ? "yes" : "no") << '\n';
+  }
+  row("state") << tick::bytesOf(tick::makeState(loaded.program)) << " bytes\n";
+  row("predicted") << std::llround(tick::predictedCost_ns(loaded.program)) << " ns a tick\n";
+}
+
+Exit show(const std::string& path, bool json, const Streams& streams) {
+  const Result<LoadedScene> loaded = loadScene(path);
+  if (!loaded) {
+    print(loaded.problems(), streams.err);
+    return exitOf(loaded.problems());
+  }
+  if (json) {
+    streams.out << describedAsJson(loaded.value()).text() << '\n';
+  } else {
+    describeAsTable(loaded.value(), streams.out);
+  }
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addScene(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand("scene", "Check scene files, or show what one compiles to");
+  command->require_subcommand(1);
+
+  CLI::App* checking = command->add_subcommand("check", "Print every problem of scene files; nothing when all is well");
+  const auto paths = std::make_shared<std::vector<std::string>>();
+  checking->add_option("files", *paths, "Scene files")->required();
+  checking->callback([paths, &streams, &exit] { exit = check(*paths, streams); });
+
+  CLI::App* showing = command->add_subcommand(
+      "show", "What a scene compiles to: the quantities its tick needs, bytes of state, predicted ns");
+  const auto path = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  showing->add_option("file", *path, "Scene file")->required();
+  showing->add_flag("--json", *json, "One JSON object in place of a table");
+  showing->callback([path, json, &streams, &exit] { exit = show(*path, *json, streams); });
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,26 @@
+#pragma once
+#include <iosfwd>
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/base/result.h"
+#include "core/scene/description.h"
+#include "core/tick/program.h"
+
+namespace underact::cli {
+
+/// A scene as its file says it and as the tick runs it.
+struct LoadedScene {
+  scene::Description description;
+  tick::TickProgram program;
+};
+
+Result<LoadedScene> loadScene(const std::string& path);
+
+/// One line a problem.
+void print(const Problems& problems, std::ostream& stream);
+
+/// File where something could not be read at all; else BadInput.
+Exit exitOf(const Problems& problems);
+
+}  // namespace underact::cli

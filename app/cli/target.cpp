@@ -1,0 +1,101 @@
+#include <istream>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/json_object.h"
+#include "app/cli/pose_line.h"
+#include "app/cli/scene_file.h"
+#include "core/base/units.h"
+#include "core/safety/gate.h"
+#include "core/tick/rest.h"
+
+namespace underact::cli {
+namespace {
+
+using target::Status;
+
+/// Where and how strongly, with the ramps of the gate complete.
+void addAnswer(JsonObject& object, Status status, const Vec3* p_WP, const Vec3& f_T_W, double max_force_N) {
+  if (p_WP != nullptr && status == Status::Unique) {
+    object.addVector("q_mm", kMillimetrePerMetre * *p_WP);
+  } else {
+    object.addNull("q_mm");
+  }
+  object.addVector("force_N", f_T_W);
+  object.addVector("safe_force_N", safety::clampForce(f_T_W, max_force_N));
+  object.addText("status", name(status));
+}
+
+/// Of all constraints together: unique where one acts and draws the stylus somewhere, free where none is touched.
+Status statusOf(const tick::HeldList& held) {
+  Status status = Status::Free;
+  for (const tick::Held& one : held) {
+    if (one.acts && one.status == Status::Unique) return Status::Unique;
+    if (one.status == Status::Degenerate) status = Status::Degenerate;
+  }
+  return status;
+}
+
+JsonObject answer(const LoadedScene& loaded, const Vec3& p_WT) {
+  const tick::TickReport report = tick::answerAtRest(loaded.program, p_WT);
+  const double max_force_N = loaded.program.limits.max_force_N;
+  std::vector<JsonObject> constraints;
+  for (std::size_t index = 0; index < report.held.size(); ++index) {
+    const tick::Held& held = report.held[index];
+    JsonObject& one = constraints.emplace_back();
+    one.addText("name", loaded.description.constraints[index].name);
+    addAnswer(one, held.status, &held.p_WP, held.f_T_W, max_force_N);
+    one.addBool("acts", held.acts && held.status == Status::Unique);
+  }
+  JsonObject all;
+  const Vec3* p_WP = report.held.size() == 1 ? &report.held[0].p_WP : nullptr;
+  addAnswer(all, statusOf(report.held), p_WP, report.f_T_W, max_force_N);
+  all.addList("constraints", constraints);
+  return all;
+}
+
+JsonObject refusal(const Problems& problems, std::int64_t line) {
+  std::string sentences;
+  for (const Problem& problem : problems) sentences += (sentences.empty() ? "" : " ") + problem.sentence;
+  JsonObject object;
+  object.addText("error", sentences);
+  object.addInteger("line", line);
+  return object;
+}
+
+Exit answerLines(const std::string& path, const Streams& streams) {
+  const Result<LoadedScene> loaded = loadScene(path);
+  if (!loaded) {
+    print(loaded.problems(), streams.err);
+    return exitOf(loaded.problems());
+  }
+  Exit exit = Exit::Well;
+  std::int64_t number = 0;
+  for (std::string line; streams.out && std::getline(streams.in, line);) {
+    const Result<PoseLine> pose = readPoseLine(line);
+    ++number;
+    if (!pose) exit = Exit::BadInput;
+    streams.out << (pose ? answer(loaded.value(), pose.value().p_WT) : refusal(pose.problems(), number)).text() << '\n'
+                << std::flush;
+  }
+  return exit;
+}
+
+}  // namespace
+
+void addTarget(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "target", "Where a scene draws the stylus, and how strongly, for poses read from standard input");
+  command->footer(
+      "Each line in is {\"p_mm\": [x, y, z], \"R_WT\": 3x3 (optional)}; each line out is {\"q_mm\", \"force_N\", "
+      "\"safe_force_N\",\n\"status\", \"constraints\"}, or {\"error\", \"line\"}. The stylus rests; nothing is "
+      "remembered "
+      "between lines.");
+  const auto path = std::make_shared<std::string>();
+  command->add_option("scene", *path, "Scene file")->required();
+  command->callback([path, &streams, &exit] { exit = answerLines(*path, streams); });
+}
+
+}  // namespace underact::cli

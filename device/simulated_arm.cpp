@@ -1,0 +1,74 @@
+#include "device/simulated_arm.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace underact::device {
+namespace {
+
+// A mouse says where it is some 60 to 125 times a second: 15 ms carry the hand over from one word to the next.
+constexpr double kMouseFilter_s = 0.015;
+
+/// One period on the way to a wish that jumps: a first-order filter (backward Euler), with the velocity that belongs to
+/// it.
+sim::HandWish approach(const sim::HandWish& heeded, const sim::HandWish& goal,
+                       double dt_s) noexcept UNDERACT_REAL_TIME {
+  const Vec3 way_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
+  return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns};
+}
+
+}  // namespace
+
+SimulatedArm::SimulatedArm(const Options& options)
+    : plant_{options.arm, options.model, options.hand},
+      state_(sim::restAt(plant_, options.start_p_WT)),
+      period_ns_(1'000'000'000 / std::max(options.rate_hz, 1)) {
+  heeded_.p_WT = state_.p_WT;
+  wished_.p_WT = state_.p_WT;
+}
+
+bool SimulatedArm::read(arm::Sample& sample) noexcept {
+  ++reads_;
+  const std::int64_t time_ns = reads_ * period_ns_;
+  if (has_wish_.load(std::memory_order_acquire)) {
+    heeded_ = approach(heeded_, wishes_.latest(), kSecondPerNanosecond * static_cast<double>(period_ns_));
+  } else if (scripted_) {
+    heeded_ = sim::wishAt(script_, time_ns - script_start_ns_);
+  }
+  state_ = sim::advance(plant_, state_, f_T_W_, heeded_, period_ns_);
+  sample.time_ns = time_ns;
+  sample.q_rad = plant_.model.encoders ? sim::throughEncoders(plant_.arm.counts_per_turn, state_.q_rad) : state_.q_rad;
+  sample.buttons = 0;
+  return true;
+}
+
+void SimulatedArm::write(const safety::GatedForce& force) noexcept {
+  f_T_W_ = force.f_T_W();
+}
+
+servo::DeviceInfo SimulatedArm::info() const {
+  return {"Simulated arm", true, false};
+}
+
+void SimulatedArm::follow(sim::HandScript script) {
+  plant_.hand = script.hand;
+  script_ = std::move(script);
+  scripted_ = true;
+  script_start_ns_ = reads_ * period_ns_;
+  if (reads_ > 0) return;
+  state_ = sim::restAt(plant_, sim::wishAt(script_, 0).p_WT);
+  heeded_.p_WT = state_.p_WT;
+  wished_.p_WT = state_.p_WT;
+}
+
+void SimulatedArm::wish(const sim::HandWish& wish) {
+  if (!wish.p_WT.allFinite()) return;  // a mouse over nothing: the last wish stays
+  wished_ = wish;
+  wishes_.back() = wish;
+  wishes_.publish();
+  has_wish_.store(true, std::memory_order_release);
+}
+
+}  // namespace underact::device

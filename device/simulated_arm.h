@@ -1,0 +1,54 @@
+#pragma once
+#include <atomic>
+#include <memory>
+
+#include "core/servo/device_port.h"
+#include "core/servo/slot.h"
+#include "core/sim/hand_script.h"
+#include "core/sim/plant.h"
+
+namespace underact::device {
+
+/// An arm in software: joints, encoders, friction and mass of the arm, held by a hand. Each read() is one period later,
+/// whatever the wall clock says, so it runs live and faster than real time with the same numbers.
+class SimulatedArm final : public servo::DevicePort {
+ public:
+  struct Options {
+    arm::Preset arm;
+    sim::ArmModel model;
+    sim::HandModel hand;
+    int rate_hz = 1000;
+    Vec3 start_p_WT = Vec3(0.0, 0.0, 0.06);  // where the tip rests at first
+  };
+  explicit SimulatedArm(const Options& options);
+
+  bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
+  void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
+  servo::DeviceInfo info() const override;
+
+  /// The hand follows a script from the next read() on; if that is the first one, the arm rests where the script
+  /// begins. Before the servo thread starts only.
+  void follow(sim::HandScript script);
+  /// The hand wants to be here from the next read() on: the mouse's way in. It gets there within some 15 ms, so that a
+  /// jump of the mouse is not an infinite velocity; wish.v_WT is not asked. Any one thread, never blocks the servo;
+  /// ends a script.
+  void wish(const sim::HandWish& wish);
+  /// Where the hand wants to be, as last said by wish(), or where the arm starts. The thread that calls wish().
+  const sim::HandWish& wished() const { return wished_; }
+
+ private:
+  sim::Plant plant_;
+  sim::PlantState state_;
+  std::int64_t period_ns_;
+  std::int64_t reads_ = 0;
+  Vec3 f_T_W_ = Vec3::Zero();
+  sim::HandScript script_;
+  std::int64_t script_start_ns_ = 0;
+  bool scripted_ = false;
+  sim::HandWish heeded_;  // what the hand wants in this period: of the script, or of the mouse, smoothed
+  sim::HandWish wished_;
+  servo::Slot<sim::HandWish> wishes_;
+  std::atomic<bool> has_wish_{false};
+};
+
+}  // namespace underact::device

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cli/session.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+
+TEST(Program, EveryCommandHasHelpOnStandardOutput) {
+  const std::vector<std::vector<std::string>> commands{{},        {"target"},         {"run"},
+                                                       {"scene"}, {"scene", "check"}, {"scene", "show"}};
+  for (std::vector<std::string> arguments : commands) {
+    arguments.emplace_back("--help");
+    const Outcome outcome = runCli(arguments);
+    EXPECT_EQ(outcome.exit, Exit::Well) << testing::PrintToString(arguments);
+    EXPECT_NE(outcome.out.find("Usage: underact-cli"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+TEST(Program, SaysItsVersion) {
+  const Outcome outcome = runCli({"--version"});
+  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_TRUE(outcome.out.starts_with("underact-cli ")) << outcome.out;
+}
+
+TEST(Program, NoCommandAndUnknownOnesAreWrongUsage) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{}, {"dance"}, {"scene"}, {"scene", "burn"}, {"target"}, {"--wrong"}}) {
+    const Outcome outcome = runCli(arguments);
+    EXPECT_EQ(outcome.exit, Exit::Usage) << testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err, "");
+  }
+}
+
+TEST(Process, AnswersEachLineBeforeTheNextIsSent) {
+  // The second line is sent only once the first answer has come: a pipe that held answers back would hang here.
+  const std::string command = "bash -c 'set -e; coproc " + program() + " target \"" + shipped("02_sphere.json") +
+                              "\"; for i in 1 2 3; do echo \"{\\\"p_mm\\\": [$i, 0, 0]}\" >&${COPROC[1]}; "
+                              "read -t 20 -u ${COPROC[0]} answer; echo \"$answer\"; done'";
+  // The quotes of program() end those of bash -c for a moment, and take them up again.
+  const ProcessOutcome outcome = shell(command);
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_EQ(lines(outcome.out).size(), 3U) << outcome.out;
+}
+
+TEST(Process, ResultsThatCannotBeWrittenGiveStatus4) {
+  const std::string line = "echo '{\"p_mm\": [1, 2, 3]}' | ";
+  EXPECT_EQ(shell(line + program() + " target '" + shipped("02_sphere.json") + "' 2>&1 >/dev/full").exit, 4);
+  EXPECT_EQ(shell(program() + " --help 2>&1 >/dev/full").exit, 4);
+}
+
+TEST(Process, AFullDiskUnderTheRecordingGivesStatus4AndStillTheResult) {
+  const ScratchFile place("", "full.csv");
+  ASSERT_EQ(shell("ln -sf /dev/full '" + place.path() + "'").exit, 0);
+  const ProcessOutcome outcome = shell(program() + " run '" + shipped("02_sphere.json") +
+                                       "' --hand still --seconds 1 --fast --record '" + place.path() + "' 2>/dev/null");
+  EXPECT_EQ(outcome.exit, 4);
+  EXPECT_EQ(lines(outcome.out).size(), 1U);
+}
+
+TEST(Process, CtrlCEndsARunEarlyAndItStillPrints) {
+  const ProcessOutcome outcome = shell("timeout --signal=INT 1 " + program() + " run '" + shipped("02_sphere.json") +
+                                       "' --hand sweep --seconds 600");
+  ASSERT_EQ(lines(outcome.out).size(), 1U) << outcome.out;
+  const double ticks = numberAt(lines(outcome.out)[0], "ticks");
+  EXPECT_GT(ticks, 0.0);
+  EXPECT_LT(ticks, 10'000.0);
+}
+
+}  // namespace
+}  // namespace underact::test

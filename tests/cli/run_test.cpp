@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/cli/session.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+
+using scene::json::Value;
+
+Outcome run(std::vector<std::string> more, const std::string& scene = "02_sphere.json") {
+  std::vector<std::string> arguments{"run", shipped(scene)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return runCli(arguments);
+}
+
+Value summary(const std::vector<std::string>& more, const std::string& scene = "02_sphere.json") {
+  const Outcome outcome = run(more, scene);
+  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  const std::vector<Value> all = lines(outcome.out);
+  EXPECT_EQ(all.size(), 1U);
+  return all.empty() ? Value{} : all[0];
+}
+
+std::string textOf(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The columns of a recording that do not tell of the clock on the wall: all but lateness and tick time.
+std::string withoutTiming(const std::string& csv) {
+  std::istringstream rows(csv);
+  std::string kept;
+  for (std::string row; std::getline(rows, row);) {
+    std::istringstream fields(row);
+    int column = 0;
+    for (std::string field; std::getline(fields, field, ','); ++column) {
+      if (column > 0 && column != 24 && column != 25) kept += field + ",";  // 0: ticks of the loop, which waits first
+    }
+    kept += "\n";
+  }
+  return kept;
+}
+
+TEST(Run, GivesEveryFigureOfTheContract) {
+  const Value all = summary({"--hand", "probe", "--seconds", "2", "--fast", "--seed", "7"});
+  EXPECT_EQ(numberAt(all, "ticks"), 2000.0);
+  EXPECT_EQ(numberAt(all, "rate_hz"), 1000.0);
+  EXPECT_EQ(numberAt(all, "seed"), 7.0);
+  EXPECT_GT(numberAt(all, "peak_force_N"), 0.0);
+  EXPECT_LE(numberAt(all, "peak_force_N"), 0.88 * (1 + 1e-15));
+  EXPECT_GT(numberAt(all, "mean_force_N"), 0.0);
+  EXPECT_LE(numberAt(all, "mean_force_N"), numberAt(all, "peak_force_N"));
+  EXPECT_GT(numberAt(all, "clamped_ticks"), 0.0);
+  EXPECT_GT(numberAt(all, "rms_error_mm"), 0.0);
+  EXPECT_TRUE(vectorAt(all, "final_p_mm").allFinite());
+  EXPECT_EQ(all.find("faults")->kind, scene::json::Kind::Array);
+  EXPECT_TRUE(all.find("faults")->items.empty());
+  for (const char* percentile : {"p50", "p99", "p99.9", "max"}) {
+    EXPECT_TRUE(isNullAt(*all.find("lateness_us"), percentile));
+    EXPECT_GT(numberAt(*all.find("tick_us"), percentile), 0.0);
+  }
+  EXPECT_EQ(textAt(all, "scheduling"), "as fast as possible");
+}
+
+TEST(Run, TicksAreSecondsTimesRate) {
+  EXPECT_EQ(numberAt(summary({"--hand", "still", "--seconds", "0.25", "--rate", "4000", "--fast"}), "ticks"), 1000.0);
+  EXPECT_EQ(numberAt(summary({"--hand", "still", "--seconds", "0.0004", "--fast"}), "ticks"), 1.0);
+}
+
+TEST(Run, TheSameSeedGivesTheSameNumbersFastAndInRealTime) {
+  const ScratchFile fast("", "fast.csv"), again("", "again.csv"), real("", "real.csv");
+  const std::vector<std::string> common{"--hand", "tremor", "--seconds", "0.5", "--seed", "11", "--record"};
+  const auto with = [&](const ScratchFile& file, bool is_fast) {
+    std::vector<std::string> more = common;
+    more.push_back(file.path());
+    if (is_fast) more.emplace_back("--fast");
+    return summary(more, "12_line_pid.json");
+  };
+  const Value one = with(fast, true), two = with(again, true), three = with(real, false);
+  EXPECT_EQ(withoutTiming(textOf(fast.path())), withoutTiming(textOf(again.path())));
+  EXPECT_EQ(withoutTiming(textOf(fast.path())), withoutTiming(textOf(real.path())));
+  for (const char* key : {"peak_force_N", "mean_force_N", "clamped_ticks", "rms_error_mm"}) {
+    EXPECT_EQ(numberAt(one, key), numberAt(three, key)) << key;
+  }
+  EXPECT_EQ(vectorAt(one, "final_p_mm"), vectorAt(three, "final_p_mm"));
+  EXPECT_GE(numberAt(*three.find("lateness_us"), "max"), numberAt(*three.find("lateness_us"), "p50"));
+  EXPECT_NE(textAt(three, "scheduling"), "as fast as possible");
+}
+
+TEST(Run, AnotherSeedGivesAnotherTremor) {
+  const std::vector<std::string> common{"--hand", "tremor", "--seconds", "1", "--fast", "--seed"};
+  std::vector<std::string> one = common, two = common;
+  one.emplace_back("1");
+  two.emplace_back("2");
+  EXPECT_NE(vectorAt(summary(one), "final_p_mm"), vectorAt(summary(two), "final_p_mm"));
+}
+
+TEST(Run, TheFirstTickIsEngaged) {
+  const ScratchFile csv("", "ramp.csv");
+  summary({"--hand", "still", "--seconds", "0.4", "--fast", "--record", csv.path()});
+  std::istringstream rows(textOf(csv.path()));
+  std::string row;
+  std::vector<double> levels;
+  for (std::getline(rows, row); std::getline(rows, row);) {
+    std::istringstream fields(row);
+    std::string field;
+    for (int column = 0; column <= 21; ++column) std::getline(fields, field, ',');
+    levels.push_back(std::stod(field));
+  }
+  ASSERT_EQ(levels.size(), 400U);
+  EXPECT_EQ(levels[0], 0.0);  // no time has passed
+  EXPECT_NEAR(levels[1], 0.001 / 0.3, 1e-12);
+  EXPECT_EQ(levels[399], 1.0);
+}
+
+TEST(Run, TakesAHandFromAFile) {
+  const ScratchFile hand(
+      R"({"underact_hand": 1, "path": [{"t_s": 0, "p_mm": [0, 0, 60]}, {"t_s": 0.5, "p_mm": [0, 0, 40]}]})",
+      "hand.json");
+  const Value all = summary({"--hand", hand.path(), "--seconds", "1.5", "--fast"});
+  EXPECT_EQ(numberAt(all, "ticks"), 1500.0);
+  EXPECT_GT(numberAt(all, "peak_force_N"), 0.1);
+}
+
+TEST(Run, TheIdealArmIsAnotherArm) {
+  const std::vector<std::string> common{"--hand", "probe", "--seconds", "1", "--fast"};
+  std::vector<std::string> ideal = common;
+  ideal.insert(ideal.end(), {"--arm-model", "ideal"});
+  EXPECT_NE(vectorAt(summary(common), "final_p_mm"), vectorAt(summary(ideal), "final_p_mm"));
+}
+
+TEST(Run, WrongUsageIsToldWithStatus2) {
+  const std::vector<std::vector<std::string>> wrong{
+      {"--hand", "still"},
+      {"--seconds", "1"},
+      {"--hand", "stil", "--seconds", "1"},
+      {"--hand", "still", "--seconds", "0"},
+      {"--hand", "still", "--seconds", "-1"},
+      {"--hand", "still", "--seconds", "nan"},
+      {"--hand", "still", "--seconds", "inf"},
+      {"--hand", "still", "--seconds", "1", "--rate", "99"},
+      {"--hand", "still", "--seconds", "1", "--rate", "4001"},
+      {"--hand", "still", "--seconds", "1", "--arm-model", "wood"},
+      {"--hand", "still", "--seconds", "1", "--seed", "-1"},
+      {"--hand", "still", "--seconds", "1", "--record", "session.h5"},
+      {"--hand", "still", "--seconds", "1", "--frobnicate"},
+  };
+  for (const std::vector<std::string>& arguments : wrong) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit, Exit::Usage) << testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err, "");
+  }
+}
+
+TEST(Run, AMisspeltHandIsAnsweredWithTheNamesThereAre) {
+  EXPECT_NE(run({"--hand", "stil", "--seconds", "1"}).err.find("tremor"), std::string::npos);
+}
+
+TEST(Run, FilesThatCannotBeReadOrWrittenGiveStatus4) {
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast"}, "no_such_scene.json").exit, Exit::File);
+  EXPECT_EQ(run({"--hand", "/nowhere/hand.json", "--seconds", "1", "--fast"}).exit, Exit::File);
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/nowhere/a.csv"}).exit, Exit::File);
+}
+
+TEST(Run, ABadSceneOrHandGivesStatus1) {
+  const ScratchFile scene("{}"), hand("{}", "hand.json");
+  EXPECT_EQ(runCli({"run", scene.path(), "--hand", "still", "--seconds", "1"}).exit, Exit::BadInput);
+  EXPECT_EQ(run({"--hand", hand.path(), "--seconds", "1", "--fast"}).exit, Exit::BadInput);
+}
+
+}  // namespace
+}  // namespace underact::test

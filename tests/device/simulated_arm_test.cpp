@@ -1,0 +1,232 @@
+#include "device/simulated_arm.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "core/arm/forward.h"
+#include "core/safety/gate.h"
+#include "device/catalogue.h"
+
+namespace underact::device {
+namespace {
+
+SimulatedArm::Options optionsOf(const char* model, int rate_hz = 1000) {
+  SimulatedArm::Options options;
+  options.arm = *arm::findPreset("touch-measured");
+  options.model = *sim::findArmModel(model);
+  options.rate_hz = rate_hz;
+  return options;
+}
+
+Vec3 tipOf(const arm::Sample& sample) {
+  return arm::tipPosition(arm::findPreset("touch-measured")->geometry, sample.q_rad);
+}
+
+/// What only the gate can make: a force within 0.88 N, fully ramped.
+safety::GatedForce gated(const Vec3& f_T_W) {
+  safety::GateState state;
+  state.level = 1.0;
+  safety::Asked asked;
+  asked.f_T_W = f_T_W;
+  asked.engage = true;
+  return safety::gate({0.88}, state, asked, 0.001).force;
+}
+
+/// A wall along x at the arm's start, by hand: what a servo would write for this sample.
+safety::GatedForce wall(const arm::Sample& sample) {
+  return gated(Vec3(-200.0 * tipOf(sample).x(), 0.0, 0.0));
+}
+
+TEST(SimulatedArm, EachReadIsOnePeriodLater) {
+  for (const int rate_hz : {1000, 4000, 100}) {
+    SimulatedArm arm(optionsOf("vendor-nominal", rate_hz));
+    arm::Sample sample;
+    for (int read = 1; read <= 5; ++read) {
+      ASSERT_TRUE(arm.read(sample));
+      EXPECT_EQ(sample.time_ns, read * (1'000'000'000 / rate_hz));
+    }
+  }
+}
+
+TEST(SimulatedArm, LeftAloneItRestsWhereItStarted) {
+  SimulatedArm arm(optionsOf("ideal"));
+  arm::Sample sample;
+  for (int read = 0; read < 1000; ++read) arm.read(sample);
+  EXPECT_LE((tipOf(sample) - Vec3(0.0, 0.0, 0.06)).norm(), 2e-15);  // inverse_test: a tip found again
+  EXPECT_EQ(arm.wished().p_WT, Vec3(0.0, 0.0, 0.06));
+}
+
+TEST(SimulatedArm, ShowsStepsOrExactAnglesAsItsModelSays) {
+  SimulatedArm stepped(optionsOf("vendor-nominal")), exact(optionsOf("ideal"));
+  arm::Sample coarse, fine;
+  stepped.read(coarse);
+  exact.read(fine);
+  EXPECT_EQ(coarse.q_rad, sim::throughEncoders(arm::findPreset("touch-measured")->counts_per_turn, fine.q_rad));
+  EXPECT_NE(coarse.q_rad, fine.q_rad);
+}
+
+TEST(SimulatedArm, StartsWhereItsScriptStarts) {
+  SimulatedArm arm(optionsOf("ideal"));
+  sim::HandScript script;
+  script.path = {{0.0, Vec3(0.02, 0.01, 0.04)}};
+  arm.follow(script);
+  arm::Sample sample;
+  arm.read(sample);
+  EXPECT_LE((tipOf(sample) - Vec3(0.02, 0.01, 0.04)).norm(), 2e-15);
+  EXPECT_EQ(arm.wished().p_WT, Vec3(0.02, 0.01, 0.04));
+}
+
+TEST(SimulatedArm, FollowsAScriptFromThenOnWithTheScriptsHand) {
+  SimulatedArm arm(optionsOf("ideal"));
+  arm::Sample sample;
+  for (int read = 0; read < 2000; ++read) arm.read(sample);
+  sim::HandScript script;
+  script.hand.stiffness_N_per_m = 600.0;
+  script.path = {{0.0, Vec3(0.0, 0.0, 0.06)}, {1.0, Vec3(0.0, 0.0, 0.04)}};
+  arm.follow(script);
+  arm.read(sample);
+  EXPECT_LE((tipOf(sample) - Vec3(0.0, 0.0, 0.06)).norm(), 1e-9);  // 10 s^3 of 20 mm, 1 ms into the second
+  arm.write(gated(Vec3(0.6, 0.0, 0.0)));
+  for (int read = 0; read < 5000; ++read) arm.read(sample);
+  EXPECT_LE((tipOf(sample) - Vec3(0.6 / 600.0, 0.0, 0.04)).norm(), 2e-15);  // inverse_test: a tip found again
+}
+
+TEST(SimulatedArm, AForceStaysInEffectUntilTheNextIsWritten) {
+  SimulatedArm arm(optionsOf("ideal"));
+  arm.write(gated(Vec3(0.6, 0.0, 0.0)));
+  arm::Sample sample;
+  for (int read = 0; read < 5000; ++read) arm.read(sample);
+  EXPECT_NEAR(tipOf(sample).x(), 0.6 / 300.0, 2e-15);  // the hand's spring: 300 N/m
+  arm.write({});
+  for (int read = 0; read < 5000; ++read) arm.read(sample);
+  EXPECT_NEAR(tipOf(sample).x(), 0.0, 2e-15);
+}
+
+TEST(SimulatedArm, AMouseThatJumpsIsFollowedAtAFiniteSpeed) {
+  SimulatedArm arm(optionsOf("ideal"));
+  sim::HandWish wish;
+  wish.p_WT = Vec3(0.04, 0.0, 0.06);
+  arm.wish(wish);
+  EXPECT_EQ(arm.wished().p_WT, wish.p_WT);
+  arm::Sample sample;
+  Vec3 last = Vec3(0.0, 0.0, 0.06);
+  double fastest_m_per_s = 0.0;
+  for (int read = 0; read < 500; ++read) {
+    arm.read(sample);
+    fastest_m_per_s = std::max(fastest_m_per_s, (tipOf(sample) - last).norm() / 0.001);
+    last = tipOf(sample);
+  }
+  // The filter's own fastest is 40 mm / 16 ms = 2.5 m/s; behind the hand's mass the tip stays below it.
+  EXPECT_LT(fastest_m_per_s, 2.5);
+  EXPECT_GT(fastest_m_per_s, 0.5);
+  // After 0.5 s: 33 time constants of the filter, 10 of the hand (2 M / b = 50 ms): e^-10 of 40 mm.
+  EXPECT_LE((last - wish.p_WT).norm(), 0.04 * 1e-4);
+}
+
+TEST(SimulatedArm, BehindAMouseThatMovesEvenlyItLagsByTheFilterAlone) {
+  SimulatedArm arm(optionsOf("ideal"));
+  arm::Sample sample;
+  sim::HandWish wish;
+  for (int read = 1; read <= 800; ++read) {  // 50 mm/s, from -20 mm to 20 mm
+    wish.p_WT = Vec3(-0.020 + 50e-6 * read, 0.0, 0.06);
+    arm.wish(wish);
+    arm.read(sample);
+  }
+  // 15 ms of 50 mm/s. The start has died down: 0.8 s, 16 time constants of the hand (2 M / b), e^-16 of 20 mm.
+  EXPECT_NEAR(wish.p_WT.x() - tipOf(sample).x(), 0.015 * 0.05, 2e-8);
+}
+
+TEST(SimulatedArm, AWishThatIsNoPlaceIsNotHeard) {
+  SimulatedArm arm(optionsOf("ideal"));
+  sim::HandWish wish;
+  wish.p_WT = Vec3(0.0, kNotANumber, 0.0);
+  arm.wish(wish);
+  arm::Sample sample;
+  arm.read(sample);
+  EXPECT_LE((tipOf(sample) - Vec3(0.0, 0.0, 0.06)).norm(), 2e-15);
+  EXPECT_TRUE(arm.wished().p_WT.allFinite());
+}
+
+TEST(SimulatedArm, AWishTakesTheStylusFromAScriptWithoutAJump) {
+  SimulatedArm arm(optionsOf("ideal"));
+  arm.follow(sim::builtInHand("still", 0).value());
+  arm::Sample sample;
+  for (int read = 0; read < 3000; ++read) arm.read(sample);
+  const Vec3 held = tipOf(sample);
+  sim::HandWish wish;
+  wish.p_WT = held;
+  arm.wish(wish);
+  for (int read = 0; read < 3000; ++read) {
+    arm.read(sample);
+    ASSERT_LE((tipOf(sample) - held).norm(), 1e-12)
+        << read;  // what is left of the approach: e^-40 of 51 mm, and rounding
+  }
+  wish.p_WT = Vec3(0.0, 0.0, 0.05);
+  arm.wish(wish);
+  for (int read = 0; read < 3000; ++read) arm.read(sample);
+  EXPECT_LE((tipOf(sample) - wish.p_WT).norm(), 1e-12);
+}
+
+TEST(SimulatedArm, GivesTheSameNumbersLiveAndFast) {
+  SimulatedArm live(optionsOf("vendor-nominal")), fast(optionsOf("vendor-nominal"));
+  live.follow(sim::builtInHand("tremor", 9).value());
+  fast.follow(sim::builtInHand("tremor", 9).value());
+  arm::Sample live_sample, fast_sample;
+  for (int read = 0; read < 300; ++read) {
+    if (read < 100) std::this_thread::sleep_for(std::chrono::microseconds(200 * (read % 5)));
+    live.read(live_sample);
+    fast.read(fast_sample);
+    ASSERT_EQ(live_sample.time_ns, fast_sample.time_ns);
+    ASSERT_EQ(live_sample.q_rad, fast_sample.q_rad);
+    live.write(wall(live_sample));
+    fast.write(wall(fast_sample));
+  }
+}
+
+TEST(SimulatedArm, WishesComeFromAnotherThreadWhole) {  // and ThreadSanitizer watches
+  SimulatedArm arm(optionsOf("ideal"));
+  std::atomic<bool> done{false};
+  std::thread mouse([&] {
+    for (int step = 0; !done.load(); ++step) {
+      sim::HandWish wish;
+      wish.p_WT = Vec3::Constant(0.0001 * (step % 200)) + Vec3(0.0, 0.0, 0.02);
+      arm.wish(wish);
+    }
+  });
+  arm::Sample sample;
+  for (int read = 0; read < 20000; ++read) arm.read(sample);
+  done = true;
+  mouse.join();
+  // x and y were always wished the same, so a wish torn in two would part them for good.
+  EXPECT_NEAR(tipOf(sample).x(), tipOf(sample).y(), 1e-14);
+}
+
+TEST(SimulatedArm, SaysThatItIsSimulated) {
+  const servo::DeviceInfo info = SimulatedArm(optionsOf("ideal")).info();
+  EXPECT_EQ(info.title, "Simulated arm");
+  EXPECT_TRUE(info.simulated);
+  EXPECT_FALSE(info.untested);
+}
+
+TEST(Catalogue, OpensEveryDeviceWithoutHardware) {
+  EXPECT_EQ(findDevice("omni"), nullptr);
+  for (const Row& row : catalogue()) {
+    ASSERT_EQ(findDevice(row.key), &row);
+    Request request;
+    request.arm = *arm::findPreset("touch-measured");
+    request.model = *sim::findArmModel("ideal");
+    request.rate_hz = 500;
+    const Result<std::unique_ptr<servo::DevicePort>> port = row.open(request);
+    ASSERT_TRUE(port) << row.key;
+    EXPECT_EQ(port.value()->info().title, row.name);
+    arm::Sample sample;
+    EXPECT_TRUE(port.value()->read(sample));
+    EXPECT_EQ(sample.time_ns, 2'000'000);
+  }
+}
+
+}  // namespace
+}  // namespace underact::device

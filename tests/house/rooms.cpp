@@ -1,0 +1,156 @@
+#include "tests/house/rooms.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace underact::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The room that a path lies in: the longest folder that it begins with.
+std::optional<std::string> roomOf(const Rooms& rooms, const std::string& path) {
+  std::optional<std::string> best;
+  for (const auto& [folder, may_use] : rooms) {
+    if (path.starts_with(folder + "/") && (!best || folder.size() > best->size())) best = folder;
+  }
+  return best;
+}
+
+/// A library that system headers bring to every room, and where it belongs.
+struct Library {
+  const char* name;
+  std::regex header;               // what its includes begin with
+  std::vector<std::string> rooms;  // empty: none
+  bool in_headers;                 // it may be seen in those rooms' headers
+};
+
+const std::vector<Library>& libraries() {
+  static const std::vector<Library> kLibraries{
+      {"Qt", std::regex("Q[A-Z]|Qt|private/q"), {"app/gui"}, true},
+      {"VTK", std::regex("vtk"), {"app/gui"}, true},
+      {"GLFW", std::regex("GLFW"), {"device"}, false},
+      {"hidapi", std::regex("hidapi"), {"device"}, false},
+      {"OpenMesh", std::regex("OpenMesh"), {"core/mesh"}, false},
+      {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},
+      {"RapidJSON", std::regex("rapidjson"), {"core/scene"}, false},
+      {"SLEEF", std::regex("sleef"), {"core/base"}, false},
+      {"CLI11", std::regex("CLI/"), {"app/cli"}, true},
+      {"sockets", std::regex("sys/socket|netinet|arpa/"), {}, false},
+  };
+  return kLibraries;
+}
+
+/// What is wrong with including <header> in a file of room; empty: nothing.
+std::string wrongLibrary(const std::string& header, const std::string& room, bool is_header) {
+  for (const Library& library : libraries()) {
+    if (!std::regex_search(header, library.header, std::regex_constants::match_continuous)) continue;
+    if (std::find(library.rooms.begin(), library.rooms.end(), room) == library.rooms.end()) {
+      return std::string(library.name) + " does not belong in " + room;
+    }
+    if (is_header && !library.in_headers) return std::string(library.name) + " may not show in a header";
+  }
+  return {};
+}
+
+/// What is wrong with including "header" in a file of room; empty: nothing.
+std::string wrongRoom(const Rooms& rooms, const std::string& header, const std::string& room) {
+  if (header == "underact/version.h") return {};  // CMake makes it
+  const std::optional<std::string> used = roomOf(rooms, header);
+  if (!used) return "\"" + header + "\" lies in no room";
+  if (!rooms.at(room).contains(*used)) return room + " may not use " + *used;
+  return {};
+}
+
+/// A force for a device made by other hands than the gate's; zero, GatedForce{}, is anybody's.
+std::string aroundTheGate(const std::string& line, const std::string& path) {
+  static const std::regex kMade(R"(GatedForce\s*[({]\s*[^)}\s])");
+  static const std::regex kForged(R"((reinterpret_cast|bit_cast|memcpy|static_cast)\b.*GatedForce)");
+  static const std::regex kFriend(R"(\bfriend\b)");
+  if (path.starts_with("core/safety/gate.")) {
+    const bool second = std::regex_search(line, kFriend) && line.find("friend Gated gate(") == std::string::npos;
+    return second ? "GatedForce has gate() for its only friend" : "";
+  }
+  if (std::regex_search(line, kMade) || std::regex_search(line, kForged)) return "only the gate makes a GatedForce";
+  return {};
+}
+
+bool isSource(const fs::path& path) {
+  return path.extension() == ".h" || path.extension() == ".cpp";
+}
+
+std::vector<std::string> violationsOf(const Rooms& rooms, const fs::path& file, const std::string& path) {
+  const std::string room = *roomOf(rooms, path);
+  const bool is_header = file.extension() == ".h";
+  static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re");
+  std::vector<std::string> found;
+  std::stringstream text(textOf(file));
+  int number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    std::smatch include;
+    std::string wrong = aroundTheGate(line, path);
+    if (std::regex_search(line, include, kInclude)) {
+      wrong = wrongLibrary(include[2], room, is_header);
+      if (wrong.empty() && include[1] == "\"") wrong = wrongRoom(rooms, include[2], room);
+    }
+    if (!wrong.empty()) found.push_back(path + ":" + std::to_string(number) + ": " + wrong);
+  }
+  return found;
+}
+
+}  // namespace
+
+Rooms roomsOf(const std::string& cmake) {
+  static const std::regex kRoom(R"(underact_room\(([^)]*)\))");
+  static const std::set<std::string> kOther{"USES", "SHOWS", "PROGRAM"};
+  const std::string code = std::regex_replace(cmake, std::regex("#[^\n]*"), "");
+  Rooms rooms;
+  std::map<std::string, std::string> folder_of;  // by the last part of its name
+  for (std::sregex_iterator at(code.begin(), code.end(), kRoom), end; at != end; ++at) {
+    std::stringstream words((*at)[1]);
+    std::string folder;
+    words >> folder;
+    std::set<std::string>& may_use = rooms[folder] = {folder};
+    folder_of[fs::path(folder).filename()] = folder;
+    bool links = false;
+    for (std::string word; words >> word;) {
+      if (word == "LINKS" || kOther.contains(word)) {
+        links = word == "LINKS";
+      } else if (links && folder_of.contains(word)) {
+        may_use.insert(rooms[folder_of[word]].begin(), rooms[folder_of[word]].end());
+      }
+    }
+  }
+  return rooms;
+}
+
+std::vector<std::string> violations(const fs::path& root) {
+  const Rooms rooms = roomsOf(textOf(root / "CMakeLists.txt"));
+  std::vector<std::string> found;
+  for (const char* top : {"core", "device", "app"}) {
+    if (!fs::exists(root / top)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() || !isSource(entry.path())) continue;
+      const std::string path = fs::relative(entry.path(), root).generic_string();
+      if (!roomOf(rooms, path)) {
+        found.push_back(path + ": lies in no room");
+        continue;
+      }
+      for (std::string& one : violationsOf(rooms, entry.path(), path)) found.push_back(std::move(one));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace underact::house

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace underact::house {
+
+/// The rooms of the top CMakeLists.txt: of each folder, the folders whose headers it may include (its own among them).
+using Rooms = std::map<std::string, std::set<std::string>>;
+
+/// cmake: the text of the top CMakeLists.txt, its underact_room() lines.
+Rooms roomsOf(const std::string& cmake);
+
+/// One sentence for each line under root that includes what its room may not, or that goes around the gate.
+std::vector<std::string> violations(const std::filesystem::path& root);
+
+}  // namespace underact::house

@@ -1,0 +1,122 @@
+#include "tests/house/rooms.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <type_traits>
+
+#include "core/safety/gate.h"
+
+namespace underact::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What no text search can prove: nobody but its friend can make a force that is not zero.
+static_assert(!std::is_constructible_v<safety::GatedForce, Vec3>);
+static_assert(!std::is_convertible_v<Vec3, safety::GatedForce>);
+
+/// A small house of its own, gone at the end.
+class PlantedHouse : public testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = fs::temp_directory_path() / ("underact_house_" + std::to_string(getpid()));
+    write("CMakeLists.txt",
+          "underact_room(core/base SHOWS Eigen3::Eigen)  # underact_room(core/ghost)\n"
+          "underact_room(core/safety LINKS base)\n"
+          "underact_room(core/scene LINKS base USES rapidjson)\n"
+          "underact_room(core/tick LINKS safety)\n"
+          "underact_room(device LINKS tick)\n"
+          "underact_room(app/gui LINKS device SHOWS Qt6::Widgets)\n");
+    write("core/tick/step.h",
+          "#include \"core/base/types.h\"\n#include \"core/safety/gate.h\"\n#include <Eigen/Core>\n");
+    write("core/safety/gate.h", "  friend Gated gate(const Limits&);\n");
+    write("core/safety/gate.cpp", "return {GatedForce{f}, next};\n");
+    write("device/arm.cpp", "#include \"core/tick/step.h\"\nport.write(safety::GatedForce{});\n");
+    write("app/gui/main.cpp", "#include <QApplication>\n#include <vtkActor.h>\n#include \"device/arm.h\"\n");
+  }
+  void TearDown() override { fs::remove_all(root_); }
+  void write(const std::string& path, const std::string& text) const {
+    fs::create_directories((root_ / path).parent_path());
+    std::ofstream(root_ / path) << text;
+  }
+  std::vector<std::string> found() const { return violations(root_); }
+  void expectFound(const std::string& sentence) const { EXPECT_EQ(found(), std::vector<std::string>{sentence}); }
+
+  fs::path root_;
+};
+
+TEST(House, EveryRoomIncludesOnlyWhatItMay) {
+  for (const std::string& sentence : violations(UNDERACT_SOURCE)) ADD_FAILURE() << sentence;
+}
+
+TEST(House, TheRoomsOfTheRealHouseAreRead) {
+  std::ifstream file(fs::path(UNDERACT_SOURCE) / "CMakeLists.txt");
+  const Rooms rooms = roomsOf({std::istreambuf_iterator<char>(file), {}});
+  ASSERT_TRUE(rooms.contains("core/base"));
+  ASSERT_TRUE(rooms.contains("app/cli"));
+  EXPECT_TRUE(rooms.at("app/cli").contains("core/base"));  // by way of others
+  EXPECT_FALSE(rooms.at("core/base").contains("core/tick"));
+  EXPECT_GE(rooms.size(), 13U);
+}
+
+TEST_F(PlantedHouse, ThatIsInOrderHasNoViolation) {
+  EXPECT_EQ(found(), std::vector<std::string>{});
+}
+
+TEST_F(PlantedHouse, ALinkPointingDownIsFound) {
+  write("core/base/types.h", "\n#include \"core/tick/step.h\"\n");
+  expectFound("core/base/types.h:2: core/base may not use core/tick");
+}
+
+TEST_F(PlantedHouse, ANeighbourThatIsNotLinkedIsFound) {
+  write("core/scene/read.cpp", "#include \"core/safety/gate.h\"\n");
+  expectFound("core/scene/read.cpp:1: core/scene may not use core/safety");
+}
+
+TEST_F(PlantedHouse, AnAppInCoreIsFound) {
+  write("core/tick/step.cpp", "#  include \"app/gui/window.h\"\n");
+  expectFound("core/tick/step.cpp:1: core/tick may not use app/gui");
+}
+
+TEST_F(PlantedHouse, QtInADeviceIsFound) {
+  write("device/mouse.h", "#include <QMouseEvent>\n");
+  expectFound("device/mouse.h:1: Qt does not belong in device");
+}
+
+TEST_F(PlantedHouse, VtkInCoreIsFound) {
+  write("core/tick/draw.cpp", "#include <vtkSphereSource.h>\n");
+  expectFound("core/tick/draw.cpp:1: VTK does not belong in core/tick");
+}
+
+TEST_F(PlantedHouse, RapidJsonInAHeaderIsFoundAndInItsRoomsSourceIsNot) {
+  write("core/scene/json.cpp", "#include <rapidjson/reader.h>\n");
+  write("core/scene/json.h", "#include <rapidjson/reader.h>\n");
+  expectFound("core/scene/json.h:1: RapidJSON may not show in a header");
+}
+
+TEST_F(PlantedHouse, AForceMadeOutsideTheGateIsFound) {
+  write("device/arm.cpp", "port.write(safety::GatedForce{f_T_W});\n");
+  expectFound("device/arm.cpp:1: only the gate makes a GatedForce");
+}
+
+TEST_F(PlantedHouse, AForgedForceIsFound) {
+  write("device/arm.cpp", "port.write(*reinterpret_cast<const safety::GatedForce*>(&f_T_W));\n");
+  expectFound("device/arm.cpp:1: only the gate makes a GatedForce");
+}
+
+TEST_F(PlantedHouse, ASecondFriendOfTheGateIsFound) {
+  write("core/safety/gate.h", "  friend Gated gate(const Limits&);\n  friend class Backdoor;\n");
+  expectFound("core/safety/gate.h:2: GatedForce has gate() for its only friend");
+}
+
+TEST_F(PlantedHouse, AFileThatLiesInNoRoomIsFound) {
+  write("core/attic/old.cpp", "\n");
+  expectFound("core/attic/old.cpp: lies in no room");
+}
+
+}  // namespace
+}  // namespace underact::house
