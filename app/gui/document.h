@@ -1,0 +1,51 @@
+#pragma once
+#include <QObject>
+#include <QUndoStack>
+
+#include "core/servo/host.h"
+
+namespace underact::gui {
+
+/// The scene in the window: the file it came from, its gains as the file has them and as they are now, and the way
+/// back. The servo's host keeps the scene in effect; this is the editor's side of it.
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  explicit Document(servo::Host& host, QObject* parent = nullptr);
+
+  /// Opens a scene file in place of the one there is. Problems: all of the file's; then the old scene stays in effect.
+  Problems open(const QString& path);
+  /// Writes the scene as it is now; from then on that is its file, and its gains are the scene's own.
+  Problems saveAs(const QString& path);
+
+  /// Puts control in place of the one that holds for the constraint at index. what: "stiffness x", for the undo menu.
+  /// gesture: edits in a row with the same number (one drag) become one step. Problems: the old control stays.
+  Problems edit(std::size_t index, const scene::Control& control, const QString& what, int gesture);
+  /// A number that no edit has had yet.
+  int newGesture() { return ++gestures_; }
+
+  const scene::Description& scene() const { return host_.scene(); }
+  /// The control at index as the file has it.
+  const scene::Control& own(std::size_t index) const { return scene::controlOf(original_, index); }
+  bool isOpen() const { return !path_.isEmpty(); }
+  bool modified() const { return !undo_.isClean(); }
+  QString path() const { return path_; }
+  QUndoStack& undoStack() { return undo_; }
+
+ signals:
+  void opened();
+  void edited();
+  void modifiedChanged(bool modified);
+
+ private:
+  friend class ControlEdit;
+  void put(std::size_t index, const scene::Control& control);  // one that was in effect before
+
+  servo::Host& host_;
+  scene::Description original_;
+  QString path_;
+  QUndoStack undo_;
+  int gestures_ = 0;
+};
+
+}  // namespace underact::gui

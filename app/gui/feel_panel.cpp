@@ -1,0 +1,148 @@
+#include "app/gui/feel_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/gain_row.h"
+#include "app/gui/stability.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+Vec3& gainOf(scene::Gains& gains, int gain) {
+  return gain == 0 ? gains.kp_N_per_mm : gain == 1 ? gains.kd_N_s_per_mm : gains.ki_N_per_mm_s;
+}
+bool allEqual(const Vec3& v) {
+  return v.x() == v.y() && v.y() == v.z();
+}
+
+}  // namespace
+
+bool FeelPanel::hasScene() const {
+  return !parts_.document.scene().constraints.empty();
+}
+
+void FeelPanel::addActions() {
+  parts_.actions.add({"gains.reset", tr("&Reset to scene"), QKeySequence("Ctrl+R"),
+                      tr("Puts the gains back to those of the scene's file."), "reset"},
+                     [this](const QVariantList&) { return resetToScene(); });
+  parts_.actions.addCommand("gains.set", [this](const QVariantList& values) {
+    if (values.size() != 3) return false;
+    const auto gain = static_cast<int>(QStringList{"kp", "kd", "ki"}.indexOf(values[0].toString()));
+    const auto axis = static_cast<int>(QStringList{"x", "y", "z"}.indexOf(values[1].toString()));
+    return gain >= 0 && axis >= 0 && setGain(gain, axis, values[2].toDouble(), true);
+  });
+  parts_.actions.addCommand("law.set", [this](const QVariantList& values) {
+    const auto law = static_cast<int>(QStringList{"P", "PD", "PID"}.indexOf(values.value(0).toString()));
+    return law >= 0 && setLaw(static_cast<scene::LawType>(law));
+  });
+}
+
+void FeelPanel::present(const servo::Snapshot&) {
+  if (!stale_) return;
+  for (const auto& axes : rows_) {
+    for (const GainRow* row : axes) {
+      if (row->isHeld()) return;  // the hand wins; what holds is shown when it lets go
+    }
+  }
+  refresh();
+}
+
+bool FeelPanel::setGain(int gain, int axis, double value, bool fresh) {
+  if (!hasScene()) return false;
+  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
+  Vec3& axes = gainOf(control.gains, gain);
+  const bool linked = link_->isChecked();
+  if (linked)
+    axes.setConstant(value);
+  else
+    axes[axis] = value;
+  const QString name = QCoreApplication::translate("gain", gainKind(gain).name).toLower();
+  return send(control, linked ? name : QString("%1 %2").arg(name, QChar('x' + axis)), fresh);
+}
+
+bool FeelPanel::setLaw(scene::LawType law) {
+  if (!hasScene()) return false;
+  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
+  control.law = law;
+  return send(control, tr("law"), true);
+}
+
+bool FeelPanel::resetToScene() {
+  return hasScene() && send(parts_.document.own(index_), tr("reset to scene"), true);
+}
+
+bool FeelPanel::send(const scene::Control& control, const QString& what, bool fresh) {
+  if (fresh) gesture_ = parts_.document.newGesture();
+  const Problems problems = parts_.document.edit(index_, control, what, gesture_);
+  stale_ = true;  // refused? the next snapshot puts it back
+  refusal_->setText(problems.empty() ? QString() : sentencesOf(problems));
+  refusal_->setVisible(!problems.empty());
+  return problems.empty();
+}
+
+void FeelPanel::sceneOpened() {
+  const scene::Description& scene = parts_.document.scene();
+  const QSignalBlocker silent(constraint_);
+  constraint_->clear();
+  for (const scene::Constraint& constraint : scene.constraints) {
+    constraint_->addItem(QString::fromStdString(constraint.name));
+  }
+  constraint_->setCurrentIndex(0);
+  index_ = 0;
+  choices_->setRowVisible(constraint_, constraint_->count() > 1);
+  refusal_->hide();
+  if (hasScene()) {
+    const scene::Gains& gains = scene::controlOf(scene, index_).gains;
+    link_->setChecked(allEqual(gains.kp_N_per_mm) && allEqual(gains.kd_N_s_per_mm) && allEqual(gains.ki_N_per_mm_s));
+  }
+  refresh();
+}
+
+void FeelPanel::refresh() {
+  setEnabled(hasScene());
+  parts_.actions.find("gains.reset")->setEnabled(false);
+  if (!hasScene()) return;
+  stale_ = false;
+  const scene::Control& control = scene::controlOf(parts_.document.scene(), index_);
+  const scene::Control& own = parts_.document.own(index_);
+  scene::Gains shown = control.gains, marked = own.gains;
+  bool equal = true;
+  for (int gain = 0; gain < kGainKinds; ++gain) {
+    for (int axis = 0; axis < 3; ++axis) {
+      rows_[static_cast<std::size_t>(gain)][static_cast<std::size_t>(axis)]->present(gainOf(shown, gain)[axis],
+                                                                                     gainOf(marked, gain)[axis]);
+    }
+    equal = equal && allEqual(gainOf(shown, gain));
+  }
+  if (!equal) link_->setChecked(false);  // the next change of one axis must not wipe out the others
+  const QSignalBlocker silent_law(law_), silent_choice(anisotropy_);
+  law_->setCurrentIndex(static_cast<int>(control.law));
+  anisotropy_->setCurrentIndex(static_cast<int>(control.anisotropy));
+  choices_->setRowVisible(anisotropy_, !allEqual(shown.kp_N_per_mm));
+  sections_[1]->setVisible(control.law != scene::LawType::P);
+  sections_[2]->setVisible(control.law == scene::LawType::PID);
+  parts_.actions.find("gains.reset")->setEnabled(!(control == own));
+  refreshWarnings(control);
+}
+
+void FeelPanel::refreshWarnings(const scene::Control& control) {
+  QStringList reasons;
+  for (int axis = 0; axis < 3; ++axis) {
+    const QString reason = whyItMayBuzz(control, axis, parts_.host.rateHz());
+    rows_[0][static_cast<std::size_t>(axis)]->setWarning(reason);
+    if (!reason.isEmpty()) reasons << reason;
+  }
+  warning_->setText(reasons.isEmpty() ? QString() : reasons.first());  // one reason holds for all of them
+  warning_->setVisible(!reasons.isEmpty());
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+
+#include "app/gui/panel.h"
+#include "core/scene/description.h"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class GainRow;
+
+/// What the constraint feels like: law and gains, changed while the hand is on the stylus.
+class FeelPanel : public Panel {
+  Q_OBJECT
+ public:
+  FeelPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+
+  /// One gain, as the sliders do it. gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a step of its own for undo.
+  /// false: refused.
+  bool setGain(int gain, int axis, double value, bool fresh);
+  bool setLaw(scene::LawType law);
+  /// The whole control of the constraint shown, as the file has it.
+  bool resetToScene();
+
+ private:
+  void buildChoices(QVBoxLayout* column);
+  void buildGains(QVBoxLayout* column);
+  void buildFoot(QVBoxLayout* outer);
+  void addActions();
+  bool hasScene() const;
+  void sceneOpened();
+  void refresh();
+  void refreshWarnings(const scene::Control& control);
+  bool send(const scene::Control& control, const QString& what, bool fresh);
+
+  PanelParts parts_;
+  std::size_t index_ = 0;  // of the constraint whose control is shown
+  int gesture_ = 0;
+  bool stale_ = true;  // what is shown may not be what holds
+  QFormLayout* choices_ = nullptr;
+  QComboBox* constraint_ = nullptr;
+  QComboBox* law_ = nullptr;
+  QComboBox* anisotropy_ = nullptr;
+  QCheckBox* link_ = nullptr;
+  QLabel* refusal_ = nullptr;
+  QLabel* warning_ = nullptr;
+  std::array<QWidget*, 3> sections_{};
+  std::array<std::array<GainRow*, 3>, 3> rows_{};
+};
+
+}  // namespace underact::gui

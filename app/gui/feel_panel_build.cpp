@@ -1,0 +1,163 @@
+// How the Feel panel is put together; what it does is in feel_panel.cpp.
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/feel_panel.h"
+#include "app/gui/gain_row.h"
+
+namespace underact::gui {
+namespace {
+
+QLabel* note(const char* name, const char* role, const QString& spoken, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setAccessibleName(spoken);
+  label->setProperty("role", role);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->hide();
+  return label;
+}
+
+QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(name);
+  box->setAccessibleName(spoken);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  box->setFocusPolicy(Qt::StrongFocus);
+  return box;
+}
+
+}  // namespace
+
+FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+  addActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  buildChoices(column);
+  buildGains(column);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->setSpacing(0);
+  outer->addWidget(scroll, 1);
+  buildFoot(outer);
+  connect(&parts_.document, &Document::opened, this, &FeelPanel::sceneOpened);
+  connect(&parts_.document, &Document::edited, this, &FeelPanel::refresh);
+  sceneOpened();
+}
+
+void FeelPanel::buildChoices(QVBoxLayout* column) {
+  choices_ = new QFormLayout;
+  choices_->setHorizontalSpacing(12);
+  choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  constraint_ = chooser("panel.feel.constraint", tr("Constraint whose gains are shown"),
+                        tr("Which constraint of the scene the gains below belong to."), this);
+  law_ = chooser("panel.feel.law", tr("Control law"),
+                 tr("P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e."), this);
+  law_->addItems({tr("P, proportional"), tr("PD, with damping"), tr("PID, with integral")});
+  anisotropy_ =
+      chooser("panel.feel.anisotropy", tr("Nearest point with unequal gains"),
+              tr("With unequal gains the point of least effort is not the point of least distance. By effort the "
+                 "stylus stays where it is put; by distance, as in the thesis, it may creep."),
+              this);
+  anisotropy_->addItems({tr("by effort (weighted)"), tr("by distance (euclidean)")});
+  choices_->addRow(tr("&Constraint"), constraint_);
+  choices_->addRow(tr("&Law"), law_);
+  choices_->addRow(tr("&Nearest"), anisotropy_);
+  column->addLayout(choices_);
+  link_ = new QCheckBox(tr("L&ink x, y and z"), this);
+  link_->setObjectName("panel.feel.link");
+  link_->setAccessibleName(tr("Link x, y and z"));
+  link_->setToolTip(tr("A change of one axis changes all three."));
+  column->addWidget(link_);
+
+  connect(constraint_, &QComboBox::currentIndexChanged, this, [this](int row) {
+    if (row < 0) return;
+    index_ = static_cast<std::size_t>(row);
+    refresh();
+  });
+  connect(law_, &QComboBox::currentIndexChanged, this, [this](int row) { setLaw(static_cast<scene::LawType>(row)); });
+  connect(anisotropy_, &QComboBox::currentIndexChanged, this, [this](int row) {
+    scene::Control control = scene::controlOf(parts_.document.scene(), index_);
+    control.anisotropy = static_cast<scene::Anisotropy>(row);
+    send(control, tr("nearest point"), true);
+  });
+}
+
+void FeelPanel::buildGains(QVBoxLayout* column) {
+  for (int gain = 0; gain < kGainKinds; ++gain) {
+    auto* section = new QWidget(this);
+    auto* rows = new QVBoxLayout(section);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(4);
+    auto* title = new QLabel(
+        QString("%1 %2").arg(QCoreApplication::translate("gain", gainKind(gain).name), gainKind(gain).key), section);
+    title->setProperty("role", "section");
+    title->setIndent(0);
+    title->setToolTip(QCoreApplication::translate("gain", gainKind(gain).tip));
+    rows->addWidget(title);
+    for (int axis = 0; axis < 3; ++axis) {
+      auto* row = new GainRow(gain, axis, section);
+      connect(row, &GainRow::changed, this,
+              [this, gain, axis](double value, bool fresh) { setGain(gain, axis, value, fresh); });
+      rows->addWidget(row);
+      rows_[static_cast<std::size_t>(gain)][static_cast<std::size_t>(axis)] = row;
+    }
+    sections_[static_cast<std::size_t>(gain)] = section;
+    column->addWidget(section);
+  }
+}
+
+// Below what scrolls: a sentence is always seen, and its coming moves no slider from under the pointer.
+void FeelPanel::buildFoot(QVBoxLayout* outer) {
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(12, 8, 12, 8);
+  foot->setSpacing(8);
+  warning_ = note("panel.feel.warning", "amber", tr("Warning"), this);
+  warning_->setToolTip(
+      tr("A sampled wall with one tick of delay stays calm for K < (b + B) / (1.5 T); b: the hand's damping, "
+         "B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly."));
+  refusal_ = note("panel.feel.refusal", "alarm", tr("Why the change was refused"), this);
+  foot->addWidget(warning_);
+  foot->addWidget(refusal_);
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  const QStringList names{"edit.undo", "edit.redo", "gains.reset", "scene.save_as"};
+  for (int index = 0; index < names.size(); ++index) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(parts_.actions.find(names[index]));
+    button->setObjectName("panel.feel.button." + names[index]);
+    button->setAccessibleName(button->defaultAction()->iconText());
+    button->setIconSize(QSize(1, 1) * fontMetrics().height());
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+    grid->addWidget(button, index / 2, index % 2);
+  }
+  foot->addLayout(grid);
+  outer->addLayout(foot);
+}
+
+}  // namespace underact::gui

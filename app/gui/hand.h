@@ -1,0 +1,37 @@
+#pragma once
+#include <QObject>
+#include <QString>
+
+#include "core/servo/snapshot.h"
+
+namespace underact::device {
+class SimulatedArm;
+}
+
+namespace underact::gui {
+
+class SceneView;
+
+/// Hands what the mouse and the keys do in the view on to the simulated hand, and says once how it is done.
+class Hand : public QObject {
+  Q_OBJECT
+ public:
+  /// arm: null where a real one is there; then nothing can be grabbed.
+  Hand(SceneView* view, device::SimulatedArm* arm, bool has_pushed, QObject* parent);
+  void present(const servo::Snapshot& snapshot);
+  /// What there is to push into: "sphere".
+  void setShape(const QString& type);
+  bool hasPushed() const { return has_pushed_; }
+
+ private:
+  void showHint();
+
+  SceneView* view_;
+  device::SimulatedArm* arm_;
+  QString shape_ = "sphere";
+  bool has_pushed_;
+  bool moving_ = false;
+  bool faulted_ = false;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,94 @@
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <clocale>
+#include <cstdio>
+
+#include "app/gui/actions.h"
+#include "app/gui/main_window.h"
+#include "app/gui/options.h"
+#include "app/gui/picture.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/simulated_host.h"
+#include "app/gui/view/gl_surface.h"
+#include "underact/version.h"
+
+namespace underact::gui {
+namespace {
+
+// Qt would abort, and leave a core file, where it finds none.
+bool hasScreen() {
+#ifdef Q_OS_LINUX
+  const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+  const bool needs_one = platform.isEmpty() || platform.startsWith("xcb") || platform.startsWith("wayland");
+  return !needs_one || !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+#else
+  return true;
+#endif
+}
+
+// The scene asked for, else the last one, else the sphere.
+QString sceneToOpen(const Options& options) {
+  if (!options.scene.empty()) return QString::fromStdString(options.scene);
+  const QString last = readSettings().last_scene;
+  return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
+}
+
+int runWindow(const Options& options, const QElapsedTimer& since_start) {
+  SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz});
+  ThemeWatcher theme;
+  MainWindow window({*simulated.host, simulated.arm, theme});
+  if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
+    QObject::connect(&window.view(), &SceneView::drawn, &window, [&since_start, first = true](double frame_ms) mutable {
+      if (first)
+        std::fprintf(stderr, "first picture after %lld ms, drawn in %.1f ms\n", since_start.elapsed(), frame_ms);
+      first = false;
+    });
+  }
+  window.show();
+  const QString scene = sceneToOpen(options);
+  if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
+  // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
+  if (simulated.host->device().simulated) window.actions().perform("session.start");
+  return QApplication::exec();
+}
+
+int run(int argc, char** argv) {
+  QElapsedTimer since_start;
+  since_start.start();
+  const Options options = parseOptions({argv + 1, argv + argc});
+  if (!options.wrong.empty()) {
+    std::fprintf(stderr, "%s\n\n%s", options.wrong.c_str(), usage().c_str());
+    return 2;
+  }
+  if (options.help || options.version) {
+    std::printf("%s", options.help ? usage().c_str() : (std::string("underact ") + kVersion + "\n").c_str());
+    return 0;
+  }
+  if (!hasScreen()) {
+    std::fprintf(stderr, "There is no screen (DISPLAY is not set). underact-cli does without one; Xvfb makes one.\n");
+    return 2;
+  }
+  QSurfaceFormat::setDefaultFormat(surfaceFormat());
+  QApplication::setOrganizationName("Underact");
+  QApplication::setApplicationName("underact");
+  QApplication::setApplicationDisplayName("Underact");
+  QApplication::setApplicationVersion(kVersion);
+  QApplication::setDesktopFileName("underact");
+  QApplication application(argc, argv);
+  QApplication::setStyle("Fusion");   // the one style that takes light and dark from a palette everywhere
+  std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's; scene files and VTK read points
+  QLocale::setDefault(QLocale::c());  // and a number on the screen reads as the same number in a file
+  if (!options.picture.empty()) return drawPicture(options.picture, options.out);
+  return runWindow(options, since_start);
+}
+
+}  // namespace
+}  // namespace underact::gui
+
+int main(int argc, char** argv) {
+  return underact::gui::run(argc, argv);
+}

@@ -1,0 +1,128 @@
+#include "app/gui/main_window.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QStatusTipEvent>
+#include <QUrl>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/frame_pacer.h"
+#include "app/gui/hand.h"
+#include "app/gui/icons.h"
+#include "app/gui/panels.h"
+#include "app/gui/scene_files.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/status_line.h"
+#include "app/gui/style.h"
+#include "core/arm/preset.h"
+
+namespace underact::gui {
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::frame() {
+  const servo::Snapshot& snapshot = parts_.host.snapshot();
+  parts_.host.drain([this](const servo::TickRecord& record) {
+    status_->add(record);
+    for (Panel* panel : panels_) panel->add(record);
+  });
+  if (!pacer_->isSeen()) return;
+  if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
+  hand_->present(snapshot);
+  status_->present(snapshot);
+  for (Panel* panel : panels_) panel->present(snapshot);
+  presentMode(snapshot);
+}
+
+void MainWindow::presentMode(const servo::Snapshot& snapshot) {
+  const bool faulted = snapshot.mode == servo::Mode::Faulted;
+  const QString sentence = faulted ? QString::fromStdString(describe(snapshot.report.fault)) : QString();
+  if (fault_ != sentence) {  // the view shows it; a screen reader says it at once, wherever it is
+    fault_ = sentence;
+    status_->setFault(sentence);
+    QAccessibleEvent alert(status_, QAccessible::Alert);
+    if (faulted) QAccessible::updateAccessibility(&alert);
+  }
+  // Stop stays there always: a button that a hand in trouble finds grey is one too few.
+  actions_->find("session.start")->setEnabled(document_->isOpen() && snapshot.mode != servo::Mode::Running);
+}
+
+void MainWindow::connectDocument() {
+  connect(document_, &Document::opened, this, [this] {
+    const scene::Description& scene = document_->scene();
+    view_->setScene(scene);
+    if (const arm::Preset* preset = arm::findPreset(scene.arm)) {
+      view_->setForceLimit(preset->continuous_force_N);
+      status_->setForceLimit(preset->continuous_force_N);
+    }
+    hand_->setShape(QString::fromLatin1(scene::typeName(scene.constraints.front().shape)));
+    settings_.last_scene = document_->path();
+    actions_->find("scene.save_as")->setEnabled(true);
+    presentMode(parts_.host.snapshot());
+    updateTitle();
+  });
+  connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(document_, &Document::edited, this, &MainWindow::updateTitle);
+}
+
+void MainWindow::updateTitle() {
+  setWindowTitle(document_->isOpen() ? tr("%1[*] – Underact").arg(QString::fromStdString(document_->scene().title))
+                                     : tr("Underact"));
+  setWindowModified(document_->modified());
+  setWindowFilePath({});
+}
+
+void MainWindow::setTheme(const Theme& theme) {
+  setStyleSheet(gui::styleSheet(theme));
+  actions_->setIcons([&theme](const QString& name) { return icon(name, theme); });
+  setWindowIcon(icon("underact", theme));
+  view_->setTheme(theme);
+  for (Panel* panel : panels_) panel->setTheme(theme);
+}
+
+bool MainWindow::event(QEvent* event) {
+  if (event->type() == QEvent::StatusTip && status_ != nullptr) {
+    status_->setTip(static_cast<QStatusTipEvent*>(event)->tip());  // beside what is always true, not over it
+    return true;
+  }
+  if (event->type() == QEvent::WindowStateChange || event->type() == QEvent::Hide) {
+    pacer_->setSeen(isVisible() && !isMinimized());
+  }
+  return QMainWindow::event(event);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  pacer_->setSeen(true);
+  if (!arranged_ && settings_.layout.isEmpty()) arrangeDocks();  // sizes are known only now
+  arranged_ = true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->settleEdits()) {
+    event->ignore();
+    return;
+  }
+  parts_.host.stop();
+  remember();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  actions_->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,81 @@
+#pragma once
+#include <QHash>
+#include <QMainWindow>
+
+#include "app/gui/settings.h"
+#include "core/servo/host.h"
+
+namespace underact::device {
+class SimulatedArm;
+}
+
+namespace underact::gui {
+
+class Actions;
+class Document;
+class FramePacer;
+class Hand;
+class Panel;
+class RecentFiles;
+class SceneFiles;
+class SceneView;
+class StatusLine;
+
+/// What a window works with; made by main(), and by the stories.
+struct WindowParts {
+  servo::Host& host;
+  device::SimulatedArm* arm;  // the host's device, where it is the simulated one; else null
+  ThemeWatcher& theme;
+};
+
+/// The window: the view in the middle, panels around it, and each frame what the servo last said handed to all of them.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(const WindowParts& parts);
+  ~MainWindow() override;
+
+  Actions& actions() { return *actions_; }
+  Document& document() { return *document_; }
+  SceneView& view() { return *view_; }
+  /// One frame: shows the newest snapshot and fetches every tick since the last frame. The pacer calls it.
+  void frame();
+
+ protected:
+  bool event(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void addActions();
+  void addHelpActions();
+  void buildView();
+  void buildDocks();
+  void arrangeDocks();
+  void orderTabs();
+  void connectDocument();
+  void setTheme(const Theme& theme);
+  void presentMode(const servo::Snapshot& snapshot);
+  void updateTitle();
+  void restore();
+  void remember();
+
+  WindowParts parts_;
+  Settings settings_;
+  Actions* actions_;
+  Document* document_;
+  RecentFiles* recent_;
+  SceneFiles* files_;
+  SceneView* view_;
+  Hand* hand_ = nullptr;
+  StatusLine* status_ = nullptr;
+  FramePacer* pacer_;
+  QHash<QString, QDockWidget*> docks_;
+  QHash<QString, Panel*> panels_;
+  bool arranged_ = false;
+  QString fault_;  // the sentence that was last said
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,240 @@
+// How the window is put together; what it does is in main_window.cpp.
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/frame_pacer.h"
+#include "app/gui/hand.h"
+#include "app/gui/help_dialog.h"
+#include "app/gui/main_window.h"
+#include "app/gui/menus.h"
+#include "app/gui/panels.h"
+#include "app/gui/plots_panel.h"
+#include "app/gui/scene_files.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/status_line.h"
+#include "app/gui/stop_key.h"
+#include "app/gui/view_actions.h"
+#include "core/arm/preset.h"
+
+namespace underact::gui {
+
+constexpr int kLayoutVersion = 1;  // up by one where a dock is added: an old layout would hide it
+
+MainWindow::MainWindow(const WindowParts& parts)
+    : parts_(parts),
+      settings_(readSettings()),
+      actions_(new Actions(this)),
+      document_(new Document(parts.host, this)),
+      recent_(new RecentFiles(this)),
+      files_(new SceneFiles(*document_, *recent_, this)),
+      view_(new SceneView(this)),
+      pacer_(new FramePacer(this)) {
+  setObjectName("window");
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  resize(1280, 800);
+  setMinimumSize(800, 560);
+  recent_->set(settings_.recent);
+  parts_.theme.choose(settings_.theme);
+  view_->setLayers(settings_.layers);
+  addActions();
+  addHelpActions();
+  addViewActions(*actions_, *view_, parts_.theme);
+  buildView();
+  buildDocks();
+  buildMenus(this, *actions_, *recent_);
+  buildToolBar(this, *actions_);
+  orderTabs();
+  connectDocument();
+  updateTitle();
+  restore();
+  setTheme(parts_.theme.theme());
+  connect(&parts_.theme, &ThemeWatcher::changed, this, &MainWindow::setTheme);
+  new StopKey([this] { actions_->perform("session.stop"); }, this);
+  connect(pacer_, &FramePacer::frame, this, &MainWindow::frame);
+  pacer_->start();
+}
+
+void MainWindow::addActions() {
+  actions_->add(
+      {"session.start", tr("&Start"), QKeySequence("F5"), tr("Lets the servo push; also after a fault."), "start"},
+      [this](const QVariantList&) {
+        parts_.host.start();
+        return true;
+      });
+  actions_->add({"session.stop", tr("S&top"), QKeySequence("Esc"),
+                 tr("Lets go: the force goes to zero. Esc does it from anywhere."), "stop"},
+                [this](const QVariantList&) {
+                  parts_.host.stop();
+                  return true;
+                });
+  actions_->add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
+                [this](const QVariantList& path) {
+                  if (!path.isEmpty()) return files_->open(path.first().toString());
+                  files_->chooseAndOpen();
+                  return true;
+                });
+  actions_
+      ->add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
+             tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
+            [this](const QVariantList& path) {
+              if (!path.isEmpty()) return files_->saveAs(path.first().toString());
+              files_->chooseAndSave();
+              return true;
+            })
+      ->setEnabled(false);
+  actions_->add({"app.quit", tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Stops the servo and closes the window.")},
+                [this](const QVariantList&) { return close(); });
+  QUndoStack& undo = document_->undoStack();
+  QAction* back = actions_->add(
+      {"edit.undo", tr("&Undo"), QKeySequence::Undo, tr("Takes the last change of a gain back."), "undo", tr("Undo")},
+      [&undo](const QVariantList&) {
+        undo.undo();
+        return true;
+      });
+  QAction* forth = actions_->add(
+      {"edit.redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Makes the change again."), "redo", tr("Redo")},
+      [&undo](const QVariantList&) {
+        undo.redo();
+        return true;
+      });
+  back->setEnabled(false);
+  forth->setEnabled(false);
+  connect(&undo, &QUndoStack::canUndoChanged, back, &QAction::setEnabled);
+  connect(&undo, &QUndoStack::canRedoChanged, forth, &QAction::setEnabled);
+  connect(&undo, &QUndoStack::undoTextChanged, back, [back](const QString& what) {
+    back->setText(what.isEmpty() ? tr("&Undo") : tr("&Undo %1").arg(what));
+    back->setIconText(tr("Undo"));
+  });
+  connect(&undo, &QUndoStack::redoTextChanged, forth, [forth](const QString& what) {
+    forth->setText(what.isEmpty() ? tr("&Redo") : tr("&Redo %1").arg(what));
+    forth->setIconText(tr("Redo"));
+  });
+}
+
+void MainWindow::addHelpActions() {
+  actions_->add(
+      {"menu.layers", tr("La&yers"), QKeySequence("Ctrl+Alt+Y"), tr("What the view shows."), "layers", tr("Layers")},
+      [](const QVariantList&) { return true; });
+  actions_->add(
+      {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Puts every panel back to where it was at first.")},
+      [this](const QVariantList&) {
+        arrangeDocks();
+        return true;
+      });
+  actions_->add({"help.keys", tr("&Mouse and keys"), QKeySequence("F1"), tr("What the mouse and the keys do."), "help",
+                 tr("Help")},
+                [this](const QVariantList&) {
+                  auto* dialog = new HelpDialog(*actions_, this);
+                  dialog->setAttribute(Qt::WA_DeleteOnClose);
+                  dialog->show();
+                  return true;
+                });
+  actions_->add(
+      {"help.about", tr("&About Underact"), QKeySequence("Ctrl+F1"), tr("Version, licence, and what was never tried.")},
+      [this](const QVariantList&) {
+        auto* dialog = new AboutDialog(this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->show();
+        return true;
+      });
+}
+
+void MainWindow::buildView() {
+  view_->setMinimumSize(320, 240);
+  setCentralWidget(view_);
+  hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
+  const double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
+  view_->setForceLimit(limit_N);
+  status_ = new StatusLine(parts_.host, limit_N, this);
+  status_->setObjectName("status");
+  status_->setAccessibleName(tr("Status"));
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->addPermanentWidget(status_, 1);
+}
+
+void MainWindow::buildDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  for (const PanelRow& row : panels()) {
+    const QString title = QCoreApplication::translate("panel", row.title);
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(QString("dock.%1").arg(row.key));
+    dock->setAccessibleName(title);
+    Panel* panel = row.make(PanelParts{parts_.host, *document_, *recent_, *actions_}, dock);
+    panel->setObjectName(QString("panel.%1").arg(row.key));
+    panel->setAccessibleName(title);
+    dock->setWidget(panel);
+    addDockWidget(row.area, dock);
+    QAction* action = actions_->add({QString("dock.%1").arg(row.key),
+                                     title,
+                                     QKeySequence(row.shortcut),
+                                     QCoreApplication::translate("panel", row.tip),
+                                     {},
+                                     {},
+                                     true},
+                                    [dock](const QVariantList& on) {
+                                      dock->setVisible(on.value(0).toBool());
+                                      return true;
+                                    });
+    connect(dock, &QDockWidget::visibilityChanged, action, [dock, action] { action->setChecked(!dock->isHidden()); });
+    docks_.insert(row.key, dock);
+    panels_.insert(row.key, panel);
+  }
+  for (QLineEdit* line : findChildren<QLineEdit*>()) line->setAcceptDrops(false);  // a scene is dropped on the window
+}
+
+// From left to right and top to bottom: tool bar, scenes, view, then the panels in their order.
+void MainWindow::orderTabs() {
+  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_};
+  for (const PanelRow& row : panels()) {
+    if (panels_[row.key] != groups[1]) groups << panels_[row.key];
+  }
+  QWidget* last = nullptr;
+  for (QWidget* group : groups) {
+    for (QWidget* widget : QList<QWidget*>{group} + group->findChildren<QWidget*>()) {
+      if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->focusProxy() != nullptr) continue;
+      if (widget->window() != this) continue;  // the list that a chooser opens
+      if (last != nullptr) setTabOrder(last, widget);
+      last = widget;
+    }
+  }
+}
+
+void MainWindow::arrangeDocks() {
+  for (const PanelRow& row : panels()) {
+    QDockWidget* dock = docks_.value(row.key);
+    dock->setFloating(false);
+    addDockWidget(row.area, dock);
+    dock->show();
+  }
+  const int line = fontMetrics().lineSpacing();
+  resizeDocks({docks_["scenes"], docks_["feel"]}, {15 * line, 20 * line}, Qt::Horizontal);
+  resizeDocks({docks_["feel"], docks_["shape"], docks_["arm"]}, {26 * line, 9 * line, 10 * line}, Qt::Vertical);
+  resizeDocks({docks_["plots"]}, {13 * line}, Qt::Vertical);
+}
+
+void MainWindow::restore() {
+  if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);
+  if (!settings_.layout.isEmpty() && !restoreState(settings_.layout, kLayoutVersion)) settings_.layout.clear();
+  static_cast<PlotsPanel*>(panels_["plots"])->setAxis(settings_.plot_axis);
+}
+
+void MainWindow::remember() {
+  settings_.geometry = saveGeometry();
+  settings_.layout = saveState(kLayoutVersion);
+  settings_.theme = parts_.theme.choice();
+  settings_.layers = view_->layers();
+  settings_.recent = recent_->paths();
+  settings_.plot_axis = static_cast<PlotsPanel*>(panels_["plots"])->axis();
+  settings_.has_pushed = hand_->hasPushed();
+  writeSettings(settings_);
+}
+
+}  // namespace underact::gui

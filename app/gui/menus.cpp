@@ -1,0 +1,116 @@
+#include "app/gui/menus.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/gui/actions.h"
+#include "app/gui/panels.h"
+#include "app/gui/scene_library.h"
+
+namespace underact::gui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("menu", text);
+}
+
+// names: of actions; "-": a separator.
+void fill(QMenu* menu, const Actions& actions, const QStringList& names) {
+  for (const QString& name : names) {
+    if (name == "-")
+      menu->addSeparator();
+    else
+      menu->addAction(actions.find(name));
+  }
+}
+
+QMenu* named(QMenu* menu, const char* name) {
+  menu->setObjectName(name);
+  menu->setAccessibleName(menu->title().remove('&'));
+  return menu;
+}
+
+void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
+  menu->clear();
+  menu->setEnabled(!recent.paths().isEmpty());
+  for (const QString& path : recent.paths()) {
+    QAction* action = menu->addAction(QFileInfo(path).fileName());
+    action->setStatusTip(path);
+    QObject::connect(action, &QAction::triggered, &actions, [&actions, path] { actions.perform("scene.open", path); });
+  }
+}
+
+QStringList layerNames() {
+  return {"layer.workspace", "layer.triads", "layer.arm", "layer.target", "layer.force"};
+}
+
+}  // namespace
+
+void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
+  QMenuBar* bar = window->menuBar();
+  bar->setObjectName("menubar");
+  bar->setAccessibleName(tr("Menu"));
+  QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
+  fill(file, actions, {"scene.open"});
+  QMenu* recent_menu = named(file->addMenu(tr("Open &recent")), "menu.recent");
+  fillRecent(recent_menu, actions, recent);
+  QObject::connect(&recent, &RecentFiles::changed, recent_menu,
+                   [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
+  fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "app.quit"});
+  fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions, {"edit.undo", "edit.redo", "-", "gains.reset"});
+  fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions, {"session.start", "session.stop"});
+  QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
+  fill(view, actions,
+       {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",
+        "-", "view.focus", "-"});
+  fill(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
+  fill(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
+       {"view.theme.system", "view.theme.light", "view.theme.dark"});
+  QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
+  for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));
+  fill(layout, actions, {"-", "layout.reset"});
+  fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions, {"help.keys", "help.about"});
+}
+
+void buildToolBar(QMainWindow* window, Actions& actions) {
+  auto* bar = new QToolBar(tr("Tool bar"), window);
+  bar->setObjectName("toolbar");
+  bar->setAccessibleName(tr("Tool bar"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const int icon = qRound(1.2 * window->fontMetrics().height());  // icons grow with the words beside them
+  bar->setIconSize({icon, icon});
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  window->addToolBar(bar);
+  const auto button = [&](const QString& name, const char* role) {
+    bar->addAction(actions.find(name));
+    auto* made = qobject_cast<QToolButton*>(bar->widgetForAction(actions.find(name)));
+    made->setObjectName("button." + name);
+    made->setAccessibleName(actions.find(name)->iconText());
+    made->setProperty("role", role);
+    made->setFocusPolicy(Qt::TabFocus);
+  };
+  button("session.start", "start");
+  button("session.stop", "stop");
+  bar->addSeparator();
+  bar->addWidget(new QLabel(tr("View"), bar));
+  for (const char* name : {"view.fit", "view.front", "view.top", "view.side"}) button(name, "");
+  bar->addSeparator();
+  QAction* layers = actions.find("menu.layers");
+  auto* menu = new QMenu(layers->text(), window);
+  menu->setObjectName("toolbar.layers");
+  fill(menu, actions, layerNames());
+  layers->setMenu(menu);
+  button("menu.layers", "menu");
+  qobject_cast<QToolButton*>(bar->widgetForAction(layers))->setPopupMode(QToolButton::InstantPopup);
+  bar->addSeparator();
+  button("help.keys", "");
+}
+
+}  // namespace underact::gui

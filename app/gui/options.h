@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace underact::gui {
+
+/// What the command line asks of the window.
+struct Options {
+  std::string scene;    // to open; empty: the last one, or the sphere
+  std::string picture;  // a scene to draw into out, without a window
+  std::string out;
+  int rate_hz = 1000;
+  bool help = false;
+  bool version = false;
+  std::string wrong;  // a sentence, where the command line cannot be understood
+};
+
+/// arguments: without the program's name.
+Options parseOptions(const std::vector<std::string>& arguments);
+
+/// What --help prints.
+std::string usage();
+
+}  // namespace underact::gui

@@ -1,0 +1,31 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/theme.h"
+#include "core/servo/host.h"
+
+namespace underact::gui {
+
+class Actions;
+class Document;
+class RecentFiles;
+
+/// What a panel may use. Commands go through actions and document; what is shown comes by present().
+struct PanelParts {
+  servo::Host& host;
+  Document& document;
+  RecentFiles& recent;
+  Actions& actions;
+};
+
+/// A widget in a dock that shows what the servo does, or lets it be changed.
+class Panel : public QWidget {
+  Q_OBJECT
+ public:
+  using QWidget::QWidget;
+  virtual void present(const servo::Snapshot&) {}  // each frame
+  virtual void add(const servo::TickRecord&) {}    // every tick, in order
+  virtual void setTheme(const Theme&) {}
+};
+
+}  // namespace underact::gui

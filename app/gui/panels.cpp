@@ -1,0 +1,39 @@
+#include "app/gui/panels.h"
+
+#include <QCoreApplication>
+#include <array>
+
+#include "app/gui/arm_panel.h"
+#include "app/gui/feel_panel.h"
+#include "app/gui/plots_panel.h"
+#include "app/gui/scenes_panel.h"
+#include "app/gui/shape_panel.h"
+
+namespace underact::gui {
+namespace {
+
+template <class Kind>
+Panel* make(const PanelParts& parts, QWidget* parent) {
+  return new Kind(parts, parent);
+}
+
+}  // namespace
+
+std::span<const PanelRow> panels() {
+  static const std::array<PanelRow, 5> kRows{{
+      {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
+       QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
+      {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
+       QT_TRANSLATE_NOOP("panel", "How hard the constraint pulls, axis by axis."), make<FeelPanel>},
+      {"shape", QT_TRANSLATE_NOOP("panel", "Shape"), Qt::RightDockWidgetArea, "Ctrl+Alt+3",
+       QT_TRANSLATE_NOOP("panel", "What the stylus is held to, in numbers."), make<ShapePanel>},
+      {"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea, "Ctrl+Alt+4",
+       QT_TRANSLATE_NOOP("panel", "Where the joints and the tip of the arm are."), make<ArmPanel>},
+      {"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+5",
+       QT_TRANSLATE_NOOP("panel", "Error and force over the last 10 s, and one axis' displacement against its force."),
+       make<PlotsPanel>},
+  }};
+  return kRows;
+}
+
+}  // namespace underact::gui

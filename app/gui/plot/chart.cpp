@@ -1,0 +1,208 @@
+#include "app/gui/plot/chart.h"
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/plot/plot_range.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kGap = 8.0;
+constexpr double kLabelRoom_px = 56.0;  // between two words on the x axis
+constexpr double kLineRoom_px = 26.0;   // between two words on the y axis
+
+QString numberText(double value, int decimals) {
+  if (std::abs(value) < 1e-9) value = 0.0;
+  return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QFont smaller(QFont font) {
+  if (font.pointSizeF() > 0)
+    font.setPointSizeF(0.85 * font.pointSizeF());
+  else
+    font.setPixelSize(std::max(1, qRound(0.85 * font.pixelSize())));
+  return font;
+}
+
+void setPen(vtkPen& pen, const QColor& colour, float width) {
+  pen.SetColor(static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+               static_cast<unsigned char>(colour.blue()), static_cast<unsigned char>(colour.alpha()));
+  pen.SetWidth(width);
+}
+
+int decimals(const std::vector<double>& places) {
+  return places.size() < 2 ? 1 : decimalsOf(places[1] - places[0]);
+}
+
+}  // namespace
+
+Chart::Chart(const QString& title, const QString& x_title, const std::vector<Curve>& curves)
+    : title_(title), x_title_(x_title), curves_(curves), points_(curves.size()) {
+  chart_->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+  chart_->SetRenderEmpty(true);
+  chart_->SetShowLegend(false);
+  chart_->GetBackgroundBrush()->SetOpacity(0);
+  for (int side = 0; side < 4; ++side) {
+    vtkAxis* axis = chart_->GetAxis(side);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetLabelsVisible(false);
+    axis->SetTitle("");
+    axis->SetTickLength(0.0F);
+    axis->SetTicksVisible(false);
+    axis->SetGridVisible(side == vtkAxis::LEFT || side == vtkAxis::BOTTOM);
+  }
+  for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
+    auto table = vtkSmartPointer<vtkTable>::New();
+    for (const char* name : {"x", "y"}) {
+      const vtkNew<vtkFloatArray> column;
+      column->SetName(name);
+      table->AddColumn(column);
+    }
+    tables_.push_back(table);
+    plots_.push_back(chart_->AddPlot(vtkChart::LINE));
+    plots_.back()->SetInputData(table, 0, 1);
+  }
+  reserve(4);
+}
+
+Chart::~Chart() = default;
+
+void Chart::setColours(const Theme& theme, const std::vector<QColor>& curves) {
+  theme_ = theme;
+  colours_ = curves;
+  const QColor grid = mixed(theme.background, theme.quiet, 0.4);
+  for (const int side : {vtkAxis::LEFT, vtkAxis::BOTTOM}) {
+    setPen(*chart_->GetAxis(side)->GetPen(), theme.quiet, 1.0F);
+    setPen(*chart_->GetAxis(side)->GetGridPen(), grid, 1.0F);
+  }
+  for (std::size_t curve = 0; curve < plots_.size(); ++curve) {
+    setPen(*plots_[curve]->GetPen(), colours_[curve], static_cast<float>(curves_[curve].width * scale_));
+  }
+}
+
+void Chart::setPlace(const QRectF& area, double widget_height, double scale, const QFont& font) {
+  font_ = smaller(font);
+  const QFontMetricsF metrics(font_);
+  const double left = std::ceil(metrics.horizontalAdvance(QStringLiteral("\u221200.0")) + kGap);
+  const double top = std::ceil(metrics.height() + 1.5 * kGap), bottom = std::ceil(metrics.height() + 1.25 * kGap);
+  area_ = area;
+  axes_ = area.adjusted(left, top, -1.5 * kGap, -bottom);
+  if (axes_.width() < 8.0) axes_.setWidth(8.0);
+  if (axes_.height() < 8.0) axes_.setHeight(8.0);
+  const auto pixels = [scale](double length) { return static_cast<float>(std::round(scale * length)); };
+  chart_->SetSize(vtkRectf(pixels(axes_.left()), pixels(widget_height - axes_.bottom()), pixels(axes_.width()),
+                           pixels(axes_.height())));
+  scale_ = scale;
+  if (!colours_.empty()) setColours(theme_, colours_);
+  setTicks();
+}
+
+std::size_t Chart::columns() const {
+  return static_cast<std::size_t>(std::max(8.0, scale_ * axes_.width()));
+}
+
+void Chart::setRange(double x_from, double x_to, double y_from, double y_to) {
+  if (x_from == x_from_ && x_to == x_to_ && y_from == y_from_ && y_to == y_to_) return;
+  x_from_ = x_from;
+  x_to_ = x_to;
+  y_from_ = y_from;
+  y_to_ = y_to;
+  chart_->GetAxis(vtkAxis::BOTTOM)->SetRange(x_from, x_to);
+  chart_->GetAxis(vtkAxis::LEFT)->SetRange(y_from, y_to);
+  setTicks();
+}
+
+void Chart::setTicks() {
+  x_ticks_ = ticks(x_from_, x_to_, static_cast<int>(axes_.width() / kLabelRoom_px));
+  y_ticks_ = ticks(y_from_, y_to_, static_cast<int>(axes_.height() / kLineRoom_px));
+  for (const auto& [side, places] : {std::pair{vtkAxis::BOTTOM, &x_ticks_}, {vtkAxis::LEFT, &y_ticks_}}) {
+    const vtkNew<vtkDoubleArray> positions;
+    const vtkNew<vtkStringArray> words;
+    for (const double place : *places) {
+      positions->InsertNextValue(place);
+      words->InsertNextValue("");
+    }
+    chart_->GetAxis(side)->SetCustomTickPositions(positions, words);
+  }
+}
+
+void Chart::reserve(std::size_t count) {
+  for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
+    if (points_[curve].size() == count) continue;
+    points_[curve].assign(count, {});
+    tables_[curve]->SetNumberOfRows(static_cast<vtkIdType>(count));
+  }
+}
+
+void Chart::pointsChanged() {
+  for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
+    float* x = vtkFloatArray::SafeDownCast(tables_[curve]->GetColumn(0))->GetPointer(0);
+    float* y = vtkFloatArray::SafeDownCast(tables_[curve]->GetColumn(1))->GetPointer(0);
+    for (const PlotPoint& point : points_[curve]) {
+      *x++ = point.x;
+      *y++ = point.y;
+    }
+    tables_[curve]->GetColumn(0)->Modified();
+    tables_[curve]->GetColumn(1)->Modified();
+    tables_[curve]->Modified();
+  }
+}
+
+void Chart::paintWords(QPainter& painter) const {
+  const QFontMetricsF metrics(font_);
+  const QColor quiet = mixed(theme_.quiet, theme_.ink, 0.55);
+  painter.setFont(font_);
+  painter.setPen(quiet);
+  const double base = std::round(axes_.bottom() + kGap * 0.5 + metrics.ascent());
+  const double title_width = metrics.horizontalAdvance(x_title_);
+  const double free_until = axes_.right() - title_width - kGap;
+  for (const double tick : x_ticks_) {
+    const QString text = numberText(tick, decimals(x_ticks_));
+    const double width = metrics.horizontalAdvance(text);
+    const double x = axes_.left() + (tick - x_from_) / (x_to_ - x_from_) * axes_.width() - 0.5 * width;
+    if (x + width < free_until) painter.drawText(QPointF(std::round(x), base), text);
+  }
+  painter.drawText(QPointF(std::round(axes_.right() - title_width), base), x_title_);
+  for (const double tick : y_ticks_) {
+    const QString text = numberText(tick, decimals(y_ticks_));
+    const double y = axes_.bottom() - (tick - y_from_) / (y_to_ - y_from_) * axes_.height();
+    painter.drawText(QPointF(std::round(axes_.left() - 0.75 * kGap - metrics.horizontalAdvance(text)),
+                             std::round(y + 0.5 * (metrics.ascent() - metrics.descent()))),
+                     text);
+  }
+  QFont bold = font_;
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(theme_.ink);
+  const double title_base = std::round(area_.top() + 0.5 * kGap + metrics.ascent());
+  painter.drawText(QPointF(std::round(axes_.left()), title_base), title_);
+  painter.setFont(font_);
+  double right = axes_.right();
+  for (std::size_t curve = curves_.size(); curve-- > 0;) {  // the legend, from the right
+    const QString& name = curves_[curve].name;
+    if (name.isEmpty()) continue;
+    right -= metrics.horizontalAdvance(name);
+    painter.setPen(quiet);
+    painter.drawText(QPointF(std::round(right), title_base), name);
+    right -= 20.0;
+    const double thick = std::max(1.0, std::round(static_cast<double>(curves_[curve].width)));
+    painter.fillRect(
+        QRectF(std::round(right), std::round(title_base - 0.32 * metrics.ascent() - 0.5 * thick), 16.0, thick),
+        colours_[curve]);
+    right -= 12.0;
+  }
+}
+
+}  // namespace underact::gui

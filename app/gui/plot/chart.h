@@ -1,0 +1,64 @@
+#pragma once
+#include <vtkChartXY.h>
+#include <vtkNew.h>
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+#include <QString>
+#include <span>
+#include <vector>
+
+#include "app/gui/plot/plot_history.h"
+#include "app/gui/theme.h"
+
+class QPainter;
+class vtkFloatArray;
+class vtkPlot;
+class vtkTable;
+
+namespace underact::gui {
+
+/// One chart: VTK draws grid and curves, Qt the words. Its table is made once for a width; a frame only fills it.
+class Chart {
+ public:
+  struct Curve {
+    QString name;  // in the legend; empty: not there
+    float width = 1.5F;
+  };
+  Chart(const QString& title, const QString& x_title, const std::vector<Curve>& curves);
+  ~Chart();
+
+  vtkChartXY* item() const { return chart_; }
+  void setTitle(const QString& title) { title_ = title; }
+  void setColours(const Theme& theme, const std::vector<QColor>& curves);
+  /// area: logical pixels from the top left of the widget, of this height; the axes stand inside.
+  void setPlace(const QRectF& area, double widget_height, double scale, const QFont& font);
+  /// Of the axes, in device pixels.
+  std::size_t columns() const;
+
+  void setRange(double x_from, double x_to, double y_from, double y_to);
+  /// Room for so many points a curve, all curves alike; allocates only when the number changes.
+  void reserve(std::size_t points);
+  std::span<PlotPoint> points(std::size_t curve) { return points_[curve]; }
+  void pointsChanged();
+  void paintWords(QPainter& painter) const;
+
+ private:
+  void setTicks();
+  QString title_, x_title_;
+  std::vector<Curve> curves_;
+  std::vector<QColor> colours_;
+  Theme theme_ = Theme::light();
+  QFont font_;
+  QRectF area_, axes_;
+  double scale_ = 1.0;
+  double x_from_ = 0.0, x_to_ = 1.0, y_from_ = 0.0, y_to_ = 1.0;
+  std::vector<double> x_ticks_, y_ticks_;
+  std::vector<std::vector<PlotPoint>> points_;
+  vtkNew<vtkChartXY> chart_;
+  std::vector<vtkSmartPointer<vtkTable>> tables_;
+  std::vector<vtkPlot*> plots_;
+};
+
+}  // namespace underact::gui

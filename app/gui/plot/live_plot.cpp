@@ -1,0 +1,194 @@
+#include "app/gui/plot/live_plot.h"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/plot/chart.h"
+#include "app/gui/plot/plot_range.h"
+#include "app/gui/view/gl_surface.h"
+#include "core/arm/preset.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr std::size_t kPathGroups = 250;  // of displacement against force: 1000 points
+constexpr double kAskedShown =
+    2.5;  // times the limit: beyond it the force asked leaves the plot, so that the one sent is read
+constexpr double kLeastError_mm = 1.0, kLeastAway_mm = 1.0, kLeastForce_N = 0.2;
+
+QString pathTitle(int axis) {
+  return LivePlot::tr("Force along %1 [N]").arg(QLatin1Char("xyz"[axis]));
+}
+
+double greatestOf(std::span<const PlotPoint> points) {
+  float greatest = 0.0F;
+  for (const PlotPoint& point : points) greatest = std::max(greatest, std::abs(point.y));
+  return static_cast<double>(greatest);
+}
+
+}  // namespace
+
+struct LivePlot::Impl {
+  explicit Impl(LivePlot* owner) : plot(owner) {
+    surface = new GlSurface([this](QSize pixels) { before(pixels); },
+                            [this](QPainter& painter) {
+                              for (const Chart* chart : {&error, &force, &path}) chart->paintWords(painter);
+                            },
+                            plot);
+    for (Chart* chart : {&error, &force, &path}) actor->GetScene()->AddItem(chart->item());
+    surface->renderer().AddActor(actor);
+    actor->GetScene()->SetRenderer(&surface->renderer());
+  }
+
+  void place(QSize pixels) {
+    const double width = plot->width(), height = plot->height();
+    const double scale = pixels.height() / std::max(1.0, height);
+    const double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
+    const double each = 0.5 * (width - path_width);
+    error.setPlace({0.0, 0.0, each, height}, height, scale, plot->font());
+    force.setPlace({each, 0.0, each, height}, height, scale, plot->font());
+    path.setPlace({2.0 * each, 0.0, path_width, height}, height, scale, plot->font());
+    error.reserve(2 * (error.columns() + 2));
+    force.reserve(2 * (force.columns() + 2));
+    path.reserve(4 * (kPathGroups + 2));
+    placed = pixels;
+  }
+
+  void before(QSize pixels) {
+    if (pixels != placed) {
+      place(pixels);
+      data_changed = true;
+    }
+    if (!data_changed) return;
+    data_changed = false;
+    const double now_s = history.newest_s();
+    const std::size_t errors = thinByTime(history, &PlotRow::error_mm, error.columns(), error.points(0));
+    const std::size_t asked = thinByTime(history, &PlotRow::asked_N, force.columns(), force.points(1));
+    const std::size_t sent = thinByTime(history, &PlotRow::sent_N, force.columns(), force.points(2));
+    const std::size_t steps = thinPath(history, static_cast<std::size_t>(axis), kPathGroups, path.points(0));
+    const double limit = limit_N;
+    std::fill(force.points(0).begin(), force.points(0).end(), PlotPoint{0.0F, static_cast<float>(limit)});
+    force.points(0)[0].x = static_cast<float>(-PlotHistory::kSpan_s);
+
+    const double top_mm = error_range.update(greatestOf(error.points(0).first(errors)), now_s);
+    const double most_N = std::max(greatestOf(force.points(2).first(sent)), greatestOf(force.points(1).first(asked)));
+    force_range.update(std::min(std::max(most_N, limit), kAskedShown * limit) / 1.05, now_s);
+    double away_mm = 0.0, along_N = 0.0;
+    for (const PlotPoint& point : path.points(0).first(steps)) {
+      away_mm = std::max(away_mm, static_cast<double>(std::abs(point.x)));
+      along_N = std::max(along_N, static_cast<double>(std::abs(point.y)));
+    }
+    away_range.update(away_mm, now_s);
+    along_range.update(along_N, now_s);
+    error.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, top_mm);
+    force.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, force_range.end());
+    path.setRange(-away_range.end(), away_range.end(), -along_range.end(), along_range.end());
+    for (Chart* chart : {&error, &force, &path}) chart->pointsChanged();
+  }
+
+  LivePlot* plot;
+  GlSurface* surface = nullptr;
+  PlotHistory history;
+  Chart error{LivePlot::tr("Error [mm]"), LivePlot::tr("time [s]"), {{QString(), 1.5F}}};
+  Chart force{LivePlot::tr("Force [N]"),
+              LivePlot::tr("time [s]"),
+              {{LivePlot::tr("limit"), 1.0F}, {LivePlot::tr("asked"), 1.0F}, {LivePlot::tr("sent"), 2.0F}}};
+  Chart path{pathTitle(0), LivePlot::tr("displacement [mm]"), {{QString(), 1.5F}}};
+  PlotRange error_range{kLeastError_mm}, force_range{kLeastForce_N}, away_range{kLeastAway_mm},
+      along_range{kLeastForce_N};
+  vtkNew<vtkContextActor> actor;
+  double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
+  int axis = 0;
+  bool data_changed = true;
+  QSize placed;
+};
+
+LivePlot::LivePlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+  setObjectName(QStringLiteral("plot.live"));
+  setAccessibleName(tr("Live plots"));
+  setAccessibleDescription(
+      tr("Error and force over the last 10 seconds, and force against displacement along one axis."));
+  setMinimumSize(240, 120);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(impl_->surface);
+  connect(impl_->surface, &GlSurface::drawn, this, &LivePlot::drawn);
+  setTheme(Theme::light());
+}
+
+LivePlot::~LivePlot() {
+  delete impl_->surface;
+}
+
+void LivePlot::add(const servo::TickRecord& record) {
+  impl_->history.add(record);
+  impl_->data_changed = true;
+}
+
+void LivePlot::redraw() {
+  if (impl_->data_changed) impl_->surface->update();
+}
+
+void LivePlot::clear() {
+  impl_->history.clear();
+  for (PlotRange* range : {&impl_->error_range, &impl_->force_range, &impl_->away_range, &impl_->along_range})
+    range->clear();
+  impl_->data_changed = true;
+  impl_->surface->update();
+}
+
+void LivePlot::setTheme(const Theme& theme) {
+  Impl& my = *impl_;
+  my.surface->setBackground(theme.background);
+  my.error.setColours(theme, {theme.target});
+  my.force.setColours(theme, {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force});
+  my.path.setColours(theme, {theme.force});
+  my.surface->update();
+}
+
+void LivePlot::setAxis(int axis) {
+  impl_->axis = std::clamp(axis, 0, 2);
+  impl_->path.setTitle(pathTitle(impl_->axis));
+  impl_->away_range.clear();
+  impl_->along_range.clear();
+  impl_->data_changed = true;
+  impl_->surface->update();
+}
+
+int LivePlot::axis() const {
+  return impl_->axis;
+}
+
+void LivePlot::setForceLimit(double continuous_N) {
+  impl_->limit_N = continuous_N;
+  impl_->data_changed = true;
+  impl_->surface->update();
+}
+
+QImage LivePlot::picture() {
+  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());  // never shown: no layout has been at work
+  return impl_->surface->picture();
+}
+qint64 LivePlot::framesDrawn() const {
+  return impl_->surface->framesDrawn();
+}
+int LivePlot::glErrors() const {
+  return impl_->surface->errors();
+}
+
+void LivePlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  impl_->placed = {};
+  impl_->surface->update();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,42 @@
+#pragma once
+#include <QWidget>
+#include <memory>
+
+#include "app/gui/theme.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::gui {
+
+/// The last 10 s of error [mm] and of force asked and sent [N] against time, and of one axis' displacement against
+/// force (thesis figure 4.3), as VTK charts. Every tick goes in; what is drawn is thinned to the widget's width by
+/// minimum and maximum, so that a spike of one tick is seen.
+class LivePlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LivePlot(QWidget* parent = nullptr);
+  ~LivePlot() override;
+
+  void add(const servo::TickRecord& record);  // every tick, in order
+  void redraw();                              // each frame
+  void clear();                               // another scene
+  void setTheme(const Theme& theme);
+  void setAxis(int axis);  // 0 x, 1 y, 2 z: of the displacement against force
+  int axis() const;
+  /// The line in the force plot, N.
+  void setForceLimit(double continuous_N);
+  QImage picture();
+  qint64 framesDrawn() const;
+  int glErrors() const;
+
+ signals:
+  void drawn(double frame_ms);  // after each picture: the time it took to draw
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,114 @@
+#include "app/gui/plot/plot_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+float onScreen(double value, double factor) {
+  return static_cast<float>(factor * value);
+}
+
+void fillUp(std::span<PlotPoint> points, std::size_t used) {
+  const PlotPoint last = used > 0 ? points[used - 1] : PlotPoint{};
+  std::fill(points.begin() + static_cast<std::ptrdiff_t>(used), points.end(), last);
+}
+
+}  // namespace
+
+PlotHistory::PlotHistory() : rows_(kCapacity) {}
+
+void PlotHistory::clear() {
+  first_ = size_ = 0;
+}
+
+void PlotHistory::add(const servo::TickRecord& record) {
+  const double time_s = kSecondPerNanosecond * static_cast<double>(record.time_ns);
+  if (size_ > 0 && time_s < newest_s()) clear();
+  while (size_ > 0 && (size_ == kCapacity || row(0).time_s < time_s - kSpan_s)) {
+    first_ = (first_ + 1) % kCapacity;
+    --size_;
+  }
+  PlotRow& fresh = rows_[(first_ + size_) % kCapacity];
+  ++size_;
+  fresh.time_s = time_s;
+  fresh.error_mm = onScreen(record.error_m, kMillimetrePerMetre);
+  fresh.asked_N = onScreen(record.f_asked_T_W.norm(), 1.0);
+  fresh.sent_N = onScreen(record.f_sent_T_W.norm(), 1.0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto index = static_cast<Eigen::Index>(axis);
+    fresh.away_mm[axis] = onScreen(record.p_WT[index] - record.p_WP[index], kMillimetrePerMetre);
+    fresh.force_N[axis] = onScreen(record.f_sent_T_W[index], 1.0);
+  }
+}
+
+std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
+                       std::span<PlotPoint> points) {
+  const double now_s = history.newest_s(),
+               column_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(columns, 1));
+  std::size_t used = 0;
+  double column_end_s = -1.0;  // none begun
+  PlotPoint least, greatest;
+  const auto close = [&] {
+    if (column_end_s < 0.0 || used + 2 > points.size()) return;
+    points[used++] = least.x <= greatest.x ? least : greatest;
+    if (least.x != greatest.x) points[used++] = least.x <= greatest.x ? greatest : least;
+  };
+  for (std::size_t index = 0; index < history.size(); ++index) {
+    const PlotRow& row = history.row(index);
+    const float y = row.*value;
+    if (!std::isfinite(y)) continue;
+    const PlotPoint point{static_cast<float>(row.time_s - now_s), y};
+    if (row.time_s >= column_end_s) {
+      close();
+      column_end_s = column_s * (std::floor(row.time_s / column_s) + 1.0);
+      if (column_end_s <= row.time_s) column_end_s += column_s;  // rounding at a column's edge
+      least = greatest = point;
+    } else if (y < least.y) {
+      least = point;
+    } else if (y > greatest.y) {
+      greatest = point;
+    }
+  }
+  close();
+  fillUp(points, used);
+  return used;
+}
+
+std::size_t thinPath(const PlotHistory& history, std::size_t axis, std::size_t groups, std::span<PlotPoint> points) {
+  const double group_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(groups, 1));
+  std::size_t used = 0;
+  double group_end_s = -1.0;
+  std::array<std::pair<std::size_t, PlotPoint>, 4> extremes;  // leftmost, rightmost, lowest, highest, and when
+  const auto close = [&] {
+    if (group_end_s < 0.0 || used + 4 > points.size()) return;
+    std::sort(extremes.begin(), extremes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t one = 0; one < extremes.size(); ++one) {
+      if (one == 0 || extremes[one].first != extremes[one - 1].first) points[used++] = extremes[one].second;
+    }
+  };
+  for (std::size_t index = 0; index < history.size(); ++index) {
+    const PlotRow& row = history.row(index);
+    const PlotPoint point{row.away_mm[axis], row.force_N[axis]};
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) continue;
+    if (row.time_s >= group_end_s) {
+      close();
+      group_end_s = group_s * (std::floor(row.time_s / group_s) + 1.0);
+      if (group_end_s <= row.time_s) group_end_s += group_s;
+      extremes.fill({index, point});
+      continue;
+    }
+    if (point.x < extremes[0].second.x) extremes[0] = {index, point};
+    if (point.x > extremes[1].second.x) extremes[1] = {index, point};
+    if (point.y < extremes[2].second.y) extremes[2] = {index, point};
+    if (point.y > extremes[3].second.y) extremes[3] = {index, point};
+  }
+  close();
+  fillUp(points, used);
+  return used;
+}
+
+}  // namespace underact::gui

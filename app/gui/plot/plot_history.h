@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/servo/snapshot.h"
+
+namespace underact::gui {
+
+/// What the plots keep of a tick, in the screen's units.
+struct PlotRow {
+  double time_s = 0.0;
+  float error_mm = 0.0F;
+  float asked_N = 0.0F;
+  float sent_N = 0.0F;
+  std::array<float, 3> away_mm{};  // of the tip from the target, per axis of W; NaN where none acts
+  std::array<float, 3> force_N{};  // sent, per axis of W
+};
+
+/// The last 10 s of ticks, up to 4000 a second, in a ring that never grows.
+class PlotHistory {
+ public:
+  static constexpr double kSpan_s = 10.0;
+  static constexpr std::size_t kCapacity = 40'000;
+
+  PlotHistory();
+  /// A clock that goes backwards is another device: what was before is dropped.
+  void add(const servo::TickRecord& record);
+  void clear();
+  std::size_t size() const { return size_; }
+  /// From the oldest, 0, to the newest.
+  const PlotRow& row(std::size_t index) const { return rows_[(first_ + index) % kCapacity]; }
+  double newest_s() const { return size_ == 0 ? 0.0 : row(size_ - 1).time_s; }
+
+ private:
+  std::vector<PlotRow> rows_;
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
+
+struct PlotPoint {
+  float x = 0.0F;
+  float y = 0.0F;
+};
+
+/// One value against the time before the newest row, s: of each of `columns` columns of the span the least and the
+/// greatest value, in the order they came, so that a spike of one tick is drawn. Columns keep their ticks as time goes
+/// on, so nothing shimmers. points: at least 2 (columns + 2); what is left over repeats the last. Gives how many were
+/// used; values that are not finite are left out.
+std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
+                       std::span<PlotPoint> points);
+
+/// The way of (away_mm, force_N) along an axis: of each of `groups` stretches of time the extreme points, in order.
+/// points: at least 4 (groups + 2); what is left over repeats the last.
+std::size_t thinPath(const PlotHistory& history, std::size_t axis, std::size_t groups, std::span<PlotPoint> points);
+
+}  // namespace underact::gui

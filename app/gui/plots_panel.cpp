@@ -1,0 +1,73 @@
+#include "app/gui/plots_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/plot/live_plot.h"
+
+namespace underact::gui {
+
+// The eye follows a hand at 60 pictures a second and reads a plot at 20: the rest of the time belongs to the servo.
+constexpr int kFramesAPlot = 3;
+
+PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent), plot_(new LivePlot(this)), axis_(new QComboBox(this)) {
+  plot_->setObjectName("panel.plots.plot");
+  plot_->setAccessibleName(tr("Error and force over the last 10 s, and displacement against force"));
+  plot_->setMinimumHeight(96);
+  axis_->setObjectName("panel.plots.axis");
+  axis_->setAccessibleName(tr("Axis of displacement against force"));
+  axis_->setToolTip(tr("Which axis of W the plot of displacement against force shows (thesis figure 4.3)."));
+  axis_->addItems({tr("x"), tr("y"), tr("z")});
+  axis_->setFocusPolicy(Qt::StrongFocus);
+  auto* label = new QLabel(tr("&Displacement against force, axis"), this);
+  label->setProperty("role", "quiet");
+  label->setBuddy(axis_);
+  auto* strip = new QHBoxLayout;
+  strip->setContentsMargins(12, 4, 12, 0);
+  strip->setSpacing(8);
+  strip->addStretch(1);
+  strip->addWidget(label);
+  strip->addWidget(axis_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(strip);
+  column->addWidget(plot_, 1);
+  connect(axis_, &QComboBox::currentIndexChanged, plot_, &LivePlot::setAxis);
+  connect(&parts.document, &Document::opened, this, [this, &document = parts.document] {
+    plot_->clear();
+    if (const arm::Preset* arm = arm::findPreset(document.scene().arm)) plot_->setForceLimit(arm->continuous_force_N);
+  });
+  parts.actions.addCommand("plots.axis", [this](const QVariantList& values) {
+    const auto axis = static_cast<int>(QStringList{"x", "y", "z"}.indexOf(values.value(0).toString()));
+    if (axis >= 0) setAxis(axis);
+    return axis >= 0;
+  });
+}
+
+void PlotsPanel::present(const servo::Snapshot&) {
+  if (isVisible() && ++frame_ % kFramesAPlot == 0) plot_->redraw();
+}
+
+void PlotsPanel::add(const servo::TickRecord& record) {
+  plot_->add(record);
+}
+
+void PlotsPanel::setTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+}
+
+void PlotsPanel::setAxis(int axis) {
+  axis_->setCurrentIndex(axis);
+}
+
+int PlotsPanel::axis() const {
+  return plot_->axis();
+}
+
+}  // namespace underact::gui

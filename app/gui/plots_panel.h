@@ -1,0 +1,28 @@
+#pragma once
+#include "app/gui/panel.h"
+
+class QComboBox;
+
+namespace underact::gui {
+
+class LivePlot;
+
+/// The plots, and which axis the displacement against force is of.
+class PlotsPanel : public Panel {
+  Q_OBJECT
+ public:
+  PlotsPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void add(const servo::TickRecord& record) override;
+  void setTheme(const Theme& theme) override;
+  void setAxis(int axis);
+  int axis() const;
+  LivePlot& plot() { return *plot_; }
+
+ private:
+  LivePlot* plot_;
+  QComboBox* axis_;
+  int frame_ = 0;
+};
+
+}  // namespace underact::gui

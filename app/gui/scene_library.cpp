@@ -1,0 +1,66 @@
+#include "app/gui/scene_library.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/scene/read.h"
+
+namespace underact::gui {
+
+constexpr qsizetype kMostRecent = 8;
+
+SceneEntry sceneEntry(const QString& path) {
+  const Result<scene::Description> read = scene::readSceneFile(path.toStdString());
+  if (!read)
+    return {path, QFileInfo(path).fileName(), QObject::tr("This file cannot be read. Open it to see why."), {}};
+  const scene::Description& scene = read.value();
+  return {path, QString::fromStdString(scene.title), QString::fromStdString(scene.about),
+          scene::typeName(scene.constraints.front().shape)};
+}
+
+QString sceneFolder() {
+  QStringList folders;
+  if (qEnvironmentVariableIsSet("UNDERACT_DATA_DIR")) folders << qEnvironmentVariable("UNDERACT_DATA_DIR") + "/scenes";
+  folders << QCoreApplication::applicationDirPath() + "/../share/underact/scenes";
+  folders << QCoreApplication::applicationDirPath() + "/../../scenes";  // run from build/release of the source tree
+  for (const QString& folder : folders) {
+    if (QDir(folder).exists()) return QDir(folder).absolutePath();
+  }
+  return {};
+}
+
+std::vector<SceneEntry> shippedScenes() {
+  const QString folder = sceneFolder();
+  if (folder.isEmpty()) return {};
+  std::vector<SceneEntry> scenes;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+    if (!file.fileName().endsWith("schema.json")) scenes.push_back(sceneEntry(file.absoluteFilePath()));
+  }
+  return scenes;
+}
+
+QString firstScene(const std::vector<SceneEntry>& scenes) {
+  const auto sphere =
+      std::find_if(scenes.begin(), scenes.end(), [](const SceneEntry& e) { return e.type == "sphere"; });
+  if (sphere != scenes.end()) return sphere->path;
+  return scenes.empty() ? QString() : scenes.front().path;
+}
+
+void RecentFiles::set(const QStringList& paths) {
+  paths_.clear();
+  for (const QString& path : paths) {
+    if (QFileInfo::exists(path) && paths_.size() < kMostRecent) paths_ << path;
+  }
+  emit changed();
+}
+
+void RecentFiles::add(const QString& path) {
+  QStringList paths = paths_;
+  paths.removeAll(path);
+  paths.prepend(path);
+  set(paths);
+}
+
+}  // namespace underact::gui

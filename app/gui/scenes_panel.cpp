@@ -1,0 +1,164 @@
+#include "app/gui/scenes_panel.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/icons.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kPath = Qt::UserRole;
+constexpr int kAbout = Qt::UserRole + 1;
+constexpr int kType = Qt::UserRole + 2;
+
+bool isHeading(const QListWidgetItem& item) {
+  return item.data(kPath).isNull();
+}
+
+}  // namespace
+
+ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent),
+      parts_(parts),
+      shipped_(shippedScenes()),
+      filter_(new QLineEdit(this)),
+      list_(new QListWidget(this)),
+      about_(new QLabel(this)) {
+  filter_->setObjectName("panel.scenes.filter");
+  filter_->setAccessibleName(tr("Filter the scenes"));
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setClearButtonEnabled(true);
+  list_->setObjectName("panel.scenes.list");
+  list_->setAccessibleName(tr("Scenes"));
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setTextElideMode(Qt::ElideRight);
+  const int icon_side = qRound(1.3 * fontMetrics().height());
+  list_->setIconSize({icon_side, icon_side});
+  about_->setObjectName("panel.scenes.about");
+  about_->setAccessibleName(tr("About the selected scene"));
+  about_->setWordWrap(true);
+  about_->setProperty("role", "quiet");
+  about_->setMinimumHeight(3 * fontMetrics().lineSpacing());
+  about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* open = new QToolButton(this);
+  open->setDefaultAction(parts_.actions.find("scene.open"));
+  open->setObjectName("panel.scenes.open");
+  open->setAccessibleName(tr("Open a scene file"));
+  open->setIconSize(QSize(1, 1) * fontMetrics().height());
+  open->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  open->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  open->setFocusPolicy(Qt::StrongFocus);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(filter_), static_cast<QWidget*>(list_), static_cast<QWidget*>(about_)}) {
+    column->addWidget(widget, widget == list_ ? 1 : 0);
+  }
+  column->addWidget(open);
+
+  parts_.actions.add(
+      {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Puts the cursor into the filter.")},
+      [this](const QVariantList&) {
+        filter_->setFocus(Qt::ShortcutFocusReason);
+        filter_->selectAll();
+        return true;
+      });
+  connect(filter_, &QLineEdit::textChanged, this, &ScenesPanel::filter);
+  connect(list_, &QListWidget::itemClicked, this, &ScenesPanel::openItem);
+  connect(list_, &QListWidget::itemActivated, this, &ScenesPanel::openItem);
+  connect(list_, &QListWidget::currentItemChanged, this, &ScenesPanel::describe);
+  connect(&parts_.document, &Document::opened, this, &ScenesPanel::markOpen);
+  connect(&parts_.recent, &RecentFiles::changed, this, &ScenesPanel::rebuild);
+  rebuild();
+}
+
+void ScenesPanel::addHeading(const QString& text) {
+  auto* item = new QListWidgetItem(text, list_);
+  item->setFlags(Qt::NoItemFlags);
+  QFont font = list_->font();
+  font.setBold(true);
+  item->setFont(font);
+}
+
+void ScenesPanel::addScene(const SceneEntry& entry) {
+  auto* item = new QListWidgetItem(entry.title, list_);
+  item->setData(kPath, entry.path);
+  item->setData(kAbout, entry.about);
+  item->setData(kType, entry.type.isEmpty() ? QString("file") : entry.type);
+  item->setToolTip(entry.title + "\n" + entry.path);
+  item->setIcon(icon(item->data(kType).toString(), theme_));
+}
+
+void ScenesPanel::rebuild() {
+  list_->clear();
+  addHeading(tr("Shapes"));
+  for (const SceneEntry& entry : shipped_) addScene(entry);
+  QStringList recent = parts_.recent.paths();
+  if (!recent.isEmpty()) addHeading(tr("Opened lately"));
+  for (const QString& path : recent) addScene(sceneEntry(path));
+  filter(filter_->text());
+  markOpen();
+}
+
+void ScenesPanel::filter(const QString& text) {
+  QListWidgetItem* heading = nullptr;
+  for (int row = 0; row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    if (isHeading(*item)) {
+      heading = item;
+      heading->setHidden(true);
+      continue;
+    }
+    const bool fits = item->text().contains(text, Qt::CaseInsensitive) ||
+                      item->data(kAbout).toString().contains(text, Qt::CaseInsensitive) ||
+                      item->data(kType).toString().contains(text, Qt::CaseInsensitive);
+    item->setHidden(!fits);
+    if (fits && heading != nullptr) heading->setHidden(false);  // a heading with nothing below it says nothing
+  }
+}
+
+void ScenesPanel::openItem(QListWidgetItem* item) {
+  const QString path = item->data(kPath).toString();
+  // A double click asks twice; the scene that is open already is not loaded (and ramped) anew.
+  if (path.isEmpty() || path == parts_.document.path()) return;
+  parts_.actions.perform("scene.open", path);
+  markOpen();  // refused, or changed one's mind? The list says what is in effect.
+}
+
+void ScenesPanel::markOpen() {
+  for (int row = 0; row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    if (isHeading(*item)) continue;
+    const bool open = item->data(kPath).toString() == parts_.document.path();
+    QFont font = list_->font();
+    font.setBold(open);
+    item->setFont(font);
+    if (open) list_->setCurrentItem(item);
+  }
+}
+
+void ScenesPanel::describe() {
+  const QListWidgetItem* item = list_->currentItem();
+  about_->setText(item == nullptr ? QString() : item->data(kAbout).toString());
+}
+
+void ScenesPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (int row = 0; row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    if (!isHeading(*item)) item->setIcon(icon(item->data(kType).toString(), theme_));
+  }
+}
+
+}  // namespace underact::gui

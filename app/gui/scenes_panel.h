@@ -1,0 +1,38 @@
+#pragma once
+#include <vector>
+
+#include "app/gui/panel.h"
+#include "app/gui/scene_library.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+
+namespace underact::gui {
+
+/// The scenes to choose from: those that come with the program, and files opened lately.
+class ScenesPanel : public Panel {
+  Q_OBJECT
+ public:
+  ScenesPanel(const PanelParts& parts, QWidget* parent);
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void rebuild();
+  void filter(const QString& text);
+  void addHeading(const QString& text);
+  void addScene(const SceneEntry& entry);
+  void openItem(QListWidgetItem* item);
+  void markOpen();
+  void describe();
+
+  PanelParts parts_;
+  Theme theme_;
+  std::vector<SceneEntry> shipped_;
+  QLineEdit* filter_;
+  QListWidget* list_;
+  QLabel* about_;
+};
+
+}  // namespace underact::gui

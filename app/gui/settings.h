@@ -1,0 +1,26 @@
+#pragma once
+#include <QByteArray>
+#include <QStringList>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/scene_view.h"
+
+namespace underact::gui {
+
+/// What the window remembers between two runs.
+struct Settings {
+  QByteArray geometry;
+  QByteArray layout;  // of tool bar and docks
+  ThemeChoice theme = ThemeChoice::System;
+  Layers layers;
+  QStringList recent;
+  QString last_scene;
+  int plot_axis = 0;
+  bool has_pushed = false;  // a hand has pushed once: the first hint has done its work
+};
+
+/// From the user's settings; what is missing there is as above.
+Settings readSettings();
+void writeSettings(const Settings& settings);
+
+}  // namespace underact::gui

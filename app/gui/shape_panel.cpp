@@ -1,0 +1,78 @@
+#include "app/gui/shape_panel.h"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/document.h"
+#include "app/gui/readout.h"
+#include "app/gui/shape_text.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+QString heldText(const tick::Held& held) {
+  switch (held.status) {
+    case target::Status::Unique:
+      return QObject::tr("%1 away").arg(millimetres(held.distance_m * kMillimetrePerMetre));
+    case target::Status::Degenerate:
+      return QObject::tr("equally far all around");
+    case target::Status::Free:
+      return QObject::tr("free");
+  }
+  return {};
+}
+
+}  // namespace
+
+ShapePanel::ShapePanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), readout_(new Readout("panel.shape.value")) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(this);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget;
+  auto* inner = new QVBoxLayout(content);
+  inner->setContentsMargins(0, 0, 0, 0);
+  inner->addWidget(readout_);
+  inner->addStretch(1);
+  scroll->setWidget(content);
+  scroll_ = scroll;
+  column->addWidget(scroll);
+  connect(&parts_.document, &Document::opened, this, &ShapePanel::sceneOpened);
+  sceneOpened();
+}
+
+void ShapePanel::sceneOpened() {
+  readout_->clear();
+  distance_rows_.clear();
+  const std::vector<scene::Constraint>& constraints = parts_.document.scene().constraints;
+  for (const scene::Constraint& constraint : constraints) {
+    if (constraints.size() > 1) readout_->addHeading(QString::fromStdString(constraint.name));
+    for (const ShapeLine& line : shapeText(constraint)) readout_->set(readout_->addRow(line.label), line.value);
+    distance_rows_.push_back(readout_->addRow(
+        tr("Stylus"),
+        tr("The distance e between the tip and the nearest point of the shape; free: a wall that is not touched.")));
+  }
+  showOneShapeWhole();
+}
+
+void ShapePanel::showOneShapeWhole() {
+  constexpr int kRows = 5;  // a circle's: with them nobody has to scroll for the distance
+  const int row = fontMetrics().lineSpacing() + 4;
+  scroll_->setMinimumHeight(std::min(readout_->sizeHint().height(), kRows * row + 16));
+}
+
+void ShapePanel::present(const servo::Snapshot& snapshot) {
+  const std::size_t shown = std::min(distance_rows_.size(), snapshot.report.held.size());
+  for (std::size_t index = 0; index < shown; ++index) {
+    readout_->set(distance_rows_[index], heldText(snapshot.report.held[index]));
+  }
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,27 @@
+#pragma once
+#include "app/gui/panel.h"
+
+class QScrollArea;
+
+namespace underact::gui {
+
+class Readout;
+
+/// What the stylus is held to, in numbers, and how far it is from there now.
+class ShapePanel : public Panel {
+  Q_OBJECT
+ public:
+  ShapePanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+
+ private:
+  void sceneOpened();
+  void showOneShapeWhole();
+
+  PanelParts parts_;
+  Readout* readout_;
+  QScrollArea* scroll_ = nullptr;
+  std::vector<int> distance_rows_;  // of each constraint
+};
+
+}  // namespace underact::gui

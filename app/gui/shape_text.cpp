@@ -1,0 +1,68 @@
+#include "app/gui/shape_text.h"
+
+#include <QObject>
+
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+using Lines = std::vector<ShapeLine>;
+
+Lines linesOf(const scene::Point& point) {
+  return {{QObject::tr("Position"), placeText(point.position_mm)}};
+}
+Lines linesOf(const scene::Sphere& sphere) {
+  return {{QObject::tr("Centre"), placeText(sphere.center_mm)}, {QObject::tr("Radius"), millimetres(sphere.radius_mm)}};
+}
+Lines linesOf(const scene::Line& line) {
+  return {{QObject::tr("Through"), placeText(line.point_mm)},
+          {QObject::tr("Direction"), directionText(line.direction)}};
+}
+Lines linesOf(const scene::Plane& plane) {
+  return {{QObject::tr("Through"), placeText(plane.point_mm)}, {QObject::tr("Normal"), directionText(plane.normal)}};
+}
+Lines linesOf(const scene::Circle& circle) {
+  return {{QObject::tr("Centre"), placeText(circle.center_mm)},
+          {QObject::tr("Radius"), millimetres(circle.radius_mm)},
+          {QObject::tr("Normal"), directionText(circle.normal)}};
+}
+Lines linesOf(const scene::Cylinder& cylinder) {
+  return {{QObject::tr("Through"), placeText(cylinder.point_mm)},
+          {QObject::tr("Radius"), millimetres(cylinder.radius_mm)},
+          {QObject::tr("Axis"), directionText(cylinder.axis)}};
+}
+Lines linesOf(const scene::Box& box) {
+  Lines lines{{QObject::tr("Centre"), placeText(box.center_mm)}, {QObject::tr("Size"), placeText(box.size_mm)}};
+  if (!box.R_WB.isIdentity()) lines.push_back({QObject::tr("Its x axis"), directionText(box.R_WB.col(0))});
+  return lines;
+}
+
+QString sideText(target::Side side) {
+  switch (side) {
+    case target::Side::Both:
+      return QObject::tr("held to it");
+    case target::Side::Outside:
+      return QObject::tr("felt from outside");
+    case target::Side::Inside:
+      return QObject::tr("felt from inside");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString shapeName(const scene::Shape& shape) {
+  QString name = QString::fromLatin1(scene::typeName(shape));
+  name[0] = name[0].toUpper();
+  return name;
+}
+
+std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {
+  Lines lines{{shapeName(constraint.shape), sideText(constraint.side)}};
+  const Lines geometry = std::visit([](const auto& shape) { return linesOf(shape); }, constraint.shape);
+  lines.insert(lines.end(), geometry.begin(), geometry.end());
+  return lines;
+}
+
+}  // namespace underact::gui

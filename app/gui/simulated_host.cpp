@@ -1,0 +1,22 @@
+#include "app/gui/simulated_host.h"
+
+#include "core/arm/preset.h"
+#include "core/sim/arm_model.h"
+
+namespace underact::gui {
+
+device::SimulatedArm::Options simulatedArmOptions(int rate_hz) {
+  device::SimulatedArm::Options options;
+  options.arm = *arm::findPreset(arm::kDefaultArm);
+  options.model = *sim::findArmModel(sim::kDefaultArmModel);
+  options.rate_hz = rate_hz;
+  return options;
+}
+
+SimulatedHost makeSimulatedHost(const servo::HostOptions& options) {
+  auto device = std::make_unique<device::SimulatedArm>(simulatedArmOptions(options.rate_hz));
+  device::SimulatedArm* arm = device.get();
+  return {std::make_unique<servo::Host>(std::move(device), options), arm};
+}
+
+}  // namespace underact::gui

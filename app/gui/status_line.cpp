@@ -1,0 +1,114 @@
+#include "app/gui/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kMeasureEvery_ms = 500;
+constexpr double kRateIsTrue = 0.02;  // a measured rate this near to the one asked for is that one
+
+QString modeText(servo::Mode mode) {
+  switch (mode) {
+    case servo::Mode::Idle:
+      return QObject::tr("Stopped");
+    case servo::Mode::Running:
+      return QObject::tr("Running");
+    case servo::Mode::Stopping:
+      return QObject::tr("Stopping");
+    case servo::Mode::Faulted:
+      return QObject::tr("Fault");
+  }
+  return {};
+}
+
+void setText(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+}  // namespace
+
+StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
+    : QWidget(parent), host_(host), force_limit_N_(force_limit_N), lateness_(host.rateHz()) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 2, 12, 2);
+  row->setSpacing(20);
+  const servo::DeviceInfo info = host.device();
+  const servo::Scheduling scheduling = host.scheduling();
+  mode_ = field("status.mode", tr("Servo"), tr("What the servo does."), tr("Stopping"));
+  device_ = field("status.device", tr("Arm"),
+                  info.simulated ? tr("A simulation in software: no arm is moved.") : QString(), {});
+  const QString title = QString::fromStdString(info.title);
+  QString kind = info.simulated && !title.contains("simulated", Qt::CaseInsensitive) ? tr(" (simulated)") : QString();
+  if (info.untested) kind += tr(" (untested)");
+  device_->setText(title + kind);
+  rate_ = field("status.rate", tr("Servo rate"), tr("Ticks a second."), tr("4000 Hz"));
+  late_ = field("status.late", tr("Lateness"), tr("99 of 100 ticks in the last 10 s started no later than this."),
+                tr("late p99 9999 µs"));
+  scheduling_ = field("status.scheduling", tr("Scheduling"), QString::fromStdString(scheduling.hint), {});
+  const QString granted = QString::fromStdString(scheduling.name);
+  scheduling_->setText(granted == "normal" ? tr("real time: not granted") : tr("real time: %1").arg(granted));
+  force_ = field("status.force", tr("Force"), tr("The force sent to the arm, and the most that it is ever sent."),
+                 tr("force 0.00 / 0.00 N"));
+  tip_ = new QLabel(this);
+  tip_->setObjectName("status.tip");
+  tip_->setAccessibleName(tr("Hint"));
+  tip_->setProperty("role", "quiet");
+  tip_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  tip_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(tip_, 1);
+}
+
+QLabel* StatusLine::field(const char* name, const QString& spoken, const QString& tip, const QString& widest) {
+  auto* label = new QLabel(this);
+  label->setObjectName(name);
+  label->setAccessibleName(spoken);
+  label->setToolTip(tip);
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that numbers move nothing
+  layout()->addWidget(label);
+  return label;
+}
+
+void StatusLine::present(const servo::Snapshot& snapshot) {
+  setText(mode_, modeText(snapshot.mode));
+  const char* role = snapshot.mode == servo::Mode::Running   ? "running"
+                     : snapshot.mode == servo::Mode::Faulted ? "alarm-text"
+                                                             : "";
+  if (mode_->property("role").toString() != role) {
+    mode_->setProperty("role", role);
+    mode_->setStyleSheet(mode_->styleSheet());  // has the style look at the property again
+  }
+  const double sent_N = snapshot.report.force.f_T_W().norm();
+  setText(force_, tr("force %1 / %2 N%3")
+                      .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
+                           snapshot.report.cut_N > 0.0 && snapshot.report.level > 0.0 ? tr(" limited") : QString()));
+  if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) presentRate(snapshot);
+}
+
+void StatusLine::presentRate(const servo::Snapshot& snapshot) {
+  const double elapsed_s = since_measured_.isValid() ? 1e-9 * static_cast<double>(since_measured_.nsecsElapsed()) : 0.0;
+  const double measured_hz =
+      elapsed_s > 0.0 ? static_cast<double>(snapshot.ticks - ticks_at_measure_) / elapsed_s : host_.rateHz();
+  since_measured_.start();
+  ticks_at_measure_ = snapshot.ticks;
+  const bool by_hand = host_.scheduling().name == "manual";
+  const bool as_asked = by_hand || std::abs(measured_hz - host_.rateHz()) <= kRateIsTrue * host_.rateHz();
+  setText(rate_, as_asked ? tr("%1 Hz").arg(host_.rateHz())
+                          : tr("%1 Hz of %2").arg(measured_hz, 0, 'f', 0).arg(host_.rateHz()));
+  setText(late_, tr("late p99 %1 µs").arg(numberText(lateness_.percentile_us(0.99), 0)));
+}
+
+void StatusLine::setFault(const QString& sentence) {
+  mode_->setToolTip(sentence.isEmpty() ? tr("What the servo does.") : sentence);
+  setAccessibleDescription(sentence);
+}
+
+void StatusLine::setTip(const QString& tip) {
+  tip_->setText(fontMetrics().elidedText(tip, Qt::ElideRight, tip_->width()));
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,39 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include "app/gui/lateness.h"
+#include "core/servo/host.h"
+
+class QLabel;
+
+namespace underact::gui {
+
+/// The line at the bottom, always true: what the servo does, which arm, how fast, how late, how it is scheduled, which
+/// force.
+class StatusLine : public QWidget {
+  Q_OBJECT
+ public:
+  StatusLine(servo::Host& host, double force_limit_N, QWidget* parent = nullptr);
+  void add(const servo::TickRecord& record) { lateness_.add(record.lateness_ns); }
+  const Lateness& lateness() const { return lateness_; }
+  void present(const servo::Snapshot& snapshot);
+  /// What the thing under the pointer does; empty: nothing.
+  void setTip(const QString& tip);
+  /// The sentence of the fault that stopped the servo; empty: none.
+  void setFault(const QString& sentence);
+  void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
+
+ private:
+  QLabel* field(const char* name, const QString& spoken, const QString& tip, const QString& widest);
+  void presentRate(const servo::Snapshot& snapshot);
+
+  servo::Host& host_;
+  double force_limit_N_;
+  Lateness lateness_;
+  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *tip_;
+  QElapsedTimer since_measured_;
+  std::int64_t ticks_at_measure_ = 0;
+};
+
+}  // namespace underact::gui

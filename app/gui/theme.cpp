@@ -1,0 +1,165 @@
+#include "app/gui/theme.h"
+
+#include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QDBusPendingReply>
+#include <QEvent>
+#include <QFileInfo>
+#include <QScopedValueRollback>
+#include <QStyle>
+#include <QTimer>
+
+namespace underact::gui {
+namespace {
+
+const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
+const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
+const QString kGroup = QStringLiteral("org.freedesktop.appearance");
+const QString kKey = QStringLiteral("color-scheme");
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+}
+
+/// Whether there is a bus to talk to: asking for one that is not there may try to start it, and wait.
+bool hasSessionBus() {
+  if (!qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) return true;
+  const QString folder = qEnvironmentVariable("XDG_RUNTIME_DIR");
+  return !folder.isEmpty() && QFileInfo::exists(folder + QStringLiteral("/bus"));
+}
+
+uint schemeIn(QVariant value) {  // Read wraps the number twice, SettingChanged once
+  while (value.userType() == qMetaTypeId<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
+  return value.toUInt();
+}
+
+}  // namespace
+
+Theme Theme::light() {
+  Theme theme;
+  theme.background = QColor(0xF7, 0xF7, 0xF5);
+  theme.ink = QColor(0x1B, 0x1C, 0x1E);
+  theme.quiet = QColor(0xB4, 0xB5, 0xB2);
+  theme.x_axis = QColor(0xB8, 0x4A, 0x44);
+  theme.y_axis = QColor(0x4B, 0x85, 0x42);
+  theme.z_axis = QColor(0x42, 0x68, 0xB0);
+  return theme;
+}
+
+Theme Theme::dark_theme() {
+  Theme theme;
+  theme.dark = true;
+  theme.background = QColor(0x1E, 0x1F, 0x22);
+  theme.ink = QColor(0xF2, 0xF2, 0xEE);
+  theme.quiet = QColor(0x5C, 0x5F, 0x66);
+  theme.x_axis = QColor(0xDB, 0x83, 0x7B);
+  theme.y_axis = QColor(0x8C, 0xC0, 0x80);
+  theme.z_axis = QColor(0x8C, 0xAB, 0xE6);
+  return theme;
+}
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](float from, float to) { return from + static_cast<float>(share) * (to - from); };
+  return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()), part(a.blueF(), b.blueF()));
+}
+
+QPalette paletteOf(const Theme& theme) {
+  const QColor window = theme.dark ? QColor(0x2A, 0x2B, 0x2F) : QColor(0xEF, 0xEF, 0xEC);
+  const QColor base = theme.dark ? QColor(0x1E, 0x1F, 0x22) : QColor(0xFF, 0xFF, 0xFF);
+  const QColor button = theme.dark ? QColor(0x36, 0x38, 0x3D) : QColor(0xF7, 0xF7, 0xF5);
+  const QColor text = theme.ink;
+  const QColor disabled = mixed(window, text, 0.45);
+  QPalette palette(button, window);  // shades of the frames follow from it
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::All, role, text);
+    palette.setColor(QPalette::Disabled, role, disabled);
+  }
+  palette.setColor(QPalette::Window, window);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, mixed(base, window, 0.6));
+  palette.setColor(QPalette::Button, button);
+  palette.setColor(QPalette::BrightText, QColor(Qt::white));
+  palette.setColor(QPalette::ToolTipBase, base);
+  palette.setColor(QPalette::ToolTipText, text);
+  palette.setColor(QPalette::PlaceholderText, mixed(base, text, 0.55));
+  palette.setColor(QPalette::Highlight, theme.constraint);
+  palette.setColor(QPalette::HighlightedText, QColor(Qt::white));
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, mixed(window, text, 0.25));
+  palette.setColor(QPalette::Link, theme.dark ? QColor(0x56, 0xB4, 0xE9) : theme.constraint);
+  palette.setColor(QPalette::LinkVisited, theme.dark ? QColor(0xCC, 0x79, 0xA7) : QColor(0x8A, 0x4A, 0x70));
+  return palette;
+}
+
+ThemeWatcher::ThemeWatcher(QObject* parent) : QObject(parent) {
+  system_dark_ = isDark(QApplication::palette());
+  dark_ = system_dark_;
+  qApp->installEventFilter(this);
+  QTimer::singleShot(0, this, &ThemeWatcher::askPortal);
+}
+
+void ThemeWatcher::askPortal() {
+  if (!hasSessionBus()) return;
+  QDBusConnection bus = QDBusConnection::sessionBus();
+  if (!bus.isConnected()) return;
+  bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
+              SLOT(portalSettingChanged(QString, QString, QDBusVariant)));
+  QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
+  question << kGroup << kKey;
+  auto* answer = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
+  connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {
+    const QDBusPendingReply<QDBusVariant> reply = *answer;
+    if (reply.isValid()) portalSays(schemeIn(reply.value().variant()));
+    answer->deleteLater();
+  });
+}
+
+void ThemeWatcher::portalSettingChanged(const QString& group, const QString& key, const QDBusVariant& value) {
+  if (group == kGroup && key == kKey) portalSays(schemeIn(value.variant()));
+}
+
+void ThemeWatcher::portalSays(uint scheme) {
+  portal_scheme_ = scheme <= 2 ? scheme : 0;
+  apply();
+}
+
+void ThemeWatcher::choose(ThemeChoice choice) {
+  choice_ = choice;
+  apply();
+}
+
+Theme ThemeWatcher::theme() const {
+  return dark_ ? Theme::dark_theme() : Theme::light();
+}
+
+void ThemeWatcher::apply() {
+  const QScopedValueRollback<bool> applying(applying_, true);
+  if (own_palette_ && choice_ == ThemeChoice::System) {
+    QApplication::setPalette(QPalette());  // the system's again
+    own_palette_ = false;
+  }
+  if (!own_palette_) system_dark_ = isDark(QApplication::palette());
+  const bool system_wants_dark = portal_scheme_ == 0 ? system_dark_ : portal_scheme_ == 1;
+  const bool dark = choice_ == ThemeChoice::System ? system_wants_dark : choice_ == ThemeChoice::Dark;
+  if (choice_ != ThemeChoice::System || dark != system_dark_) {
+    // The styles that draw with the system's own pieces know one lightness only.
+    const QString style = QApplication::style()->name();
+    if (style.startsWith(QLatin1String("windows"), Qt::CaseInsensitive))
+      QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setPalette(paletteOf(dark ? Theme::dark_theme() : Theme::light()));
+    own_palette_ = true;
+  }
+  if (dark == dark_) return;
+  dark_ = dark;
+  emit changed(theme());
+}
+
+bool ThemeWatcher::eventFilter(QObject* object, QEvent* event) {
+  const bool from_system = object == qApp && event->type() == QEvent::ApplicationPaletteChange && !applying_;
+  if (from_system && !own_palette_) QTimer::singleShot(0, this, [this] { apply(); });
+  return QObject::eventFilter(object, event);
+}
+
+}  // namespace underact::gui

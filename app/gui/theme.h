@@ -1,0 +1,66 @@
+#pragma once
+#include <QColor>
+#include <QDBusVariant>
+#include <QObject>
+#include <QPalette>
+
+namespace underact::gui {
+
+/// Colours by meaning, the same in view, plots and panels (look.md; Okabe and Ito's palette, told apart by colour-blind
+/// people).
+struct Theme {
+  bool dark = false;
+  QColor background;  // of the view: #F7F7F5 or #1E1F22, flat
+  QColor ink;         // the stylus, the real arm, text over the view: near-black or near-white
+  QColor quiet;       // the workspace box, ticks, grid lines
+  QColor constraint{0x00, 0x72, 0xB2};
+  QColor target{0x00, 0x9E, 0x73};
+  QColor force{0xE6, 0x9F, 0x00};
+  QColor force_limited{0xD5, 0x5E, 0x00};
+  QColor x_axis, y_axis, z_axis;  // muted red, green, blue
+
+  static Theme light();
+  static Theme dark_theme();
+  bool operator==(const Theme&) const = default;
+};
+
+/// share of b in a: 0 gives a, 1 gives b.
+QColor mixed(const QColor& a, const QColor& b, double share);
+
+/// A whole palette for the theme, for where the system's own does not fit it.
+QPalette paletteOf(const Theme& theme);
+
+enum class ThemeChoice { System, Light, Dark };
+
+/// Follows the system's light or dark, also while running: the desktop portal over D-Bus (org.freedesktop.appearance
+/// color-scheme), else the lightness of the palette's window colour. One for the program. The portal is asked without
+/// waiting: until it answers, and where there is no bus, the palette decides.
+class ThemeWatcher : public QObject {
+  Q_OBJECT
+ public:
+  explicit ThemeWatcher(QObject* parent = nullptr);
+  void choose(ThemeChoice choice);  // System follows; Light and Dark hold; also gives QApplication the palette
+  ThemeChoice choice() const { return choice_; }
+  Theme theme() const;
+ signals:
+  void changed(const underact::gui::Theme& theme);  // once for each real change
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private slots:
+  void portalSettingChanged(const QString& group, const QString& key, const QDBusVariant& value);
+
+ private:
+  void askPortal();
+  void portalSays(uint scheme);
+  void apply();
+  ThemeChoice choice_ = ThemeChoice::System;
+  uint portal_scheme_ = 0;  // 0 no preference (or no portal), 1 dark, 2 light
+  bool system_dark_ = false;
+  bool dark_ = false;         // what was said last
+  bool own_palette_ = false;  // QApplication holds one of ours
+  bool applying_ = false;
+};
+
+}  // namespace underact::gui

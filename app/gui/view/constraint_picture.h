@@ -1,0 +1,60 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/pieces.h"
+#include "core/scene/description.h"
+
+namespace underact::gui {
+
+/// What the stylus is held to, as drawn: surfaces filled at 25 %, edges and outlines solid. What has no end is cut to a
+/// region somewhat larger than the workspace. mm, in W.
+class ConstraintPicture {
+ public:
+  ConstraintPicture();
+  void setScene(const scene::Description& scene);
+  void setTheme(const Theme& theme);
+  /// The outlines as the eye sees them.
+  void update(const Vec3& eye_mm);
+  void setLineWidth(double device_pixels_per_pixel);
+
+  /// Points that a picture of all of it must hold.
+  const std::vector<Vec3>& extent_mm() const { return extent_mm_; }
+  std::vector<vtkActor*> lines() const;
+  /// New with each scene.
+  const std::vector<vtkSmartPointer<vtkActor>>& tints() const { return tints_; }
+
+ private:
+  struct Ball {
+    Vec3 center_mm;
+    double radius_mm;
+  };
+  struct Tube {
+    Vec3 a_mm, b_mm;
+    double radius_mm;
+  };
+  void build();
+  void add(const scene::Point& point);
+  void add(const scene::Sphere& sphere);
+  void add(const scene::Line& line);
+  void add(const scene::Plane& plane);
+  void add(const scene::Circle& circle);
+  void add(const scene::Cylinder& cylinder);
+  void add(const scene::Box& box);
+  vtkActor& addTint(vtkPolyData* data);
+
+  std::vector<scene::Shape> shapes_;
+  Theme theme_ = Theme::light();
+  Lines bold_, fine_, outlines_;
+  vtkSmartPointer<vtkActor> bold_actor_, fine_actor_, outline_actor_;
+  std::vector<vtkSmartPointer<vtkActor>> tints_;
+  std::vector<Ball> balls_;
+  std::vector<Tube> tubes_;
+  std::vector<Vec3> extent_mm_;
+  Vec3 eye_mm_ = Vec3::Constant(kNotANumber);
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,119 @@
+#include "app/gui/view/gl_surface.h"
+
+#include <vtkAutoInit.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QOpenGLPaintDevice>
+#include <QPainter>
+
+// What CMake's vtk_module_autoinit() would do for every program that links the room.
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
+VTK_MODULE_INIT(vtkRenderingFreeType)
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
+
+namespace underact::gui {
+
+QSurfaceFormat surfaceFormat() {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setOption(QSurfaceFormat::DeprecatedFunctions);  // no forward-compatible context: those refuse wide lines
+  format.setSamples(0);                                   // 4 samples cut the frame rate of software GL to 40 %
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  return format;
+}
+
+GlSurface::GlSurface(Before before, Words words, QWidget* parent)
+    : QOpenGLWidget(parent), before_(std::move(before)), words_(std::move(words)) {
+  setFormat(surfaceFormat());
+  setAttribute(Qt::WA_TransparentForMouseEvents);  // its parent knows what the mouse means
+  renderer_->SetBackgroundAlpha(1.0);              // or the widget blends with the window behind it
+  renderer_->SetClippingRangeExpansion(0.0);
+}
+
+GlSurface::~GlSurface() {
+  release();
+}
+
+void GlSurface::setBackground(const QColor& colour) {
+  renderer_->SetBackground(colour.redF(), colour.greenF(), colour.blueF());
+}
+
+QSize GlSurface::devicePixels() const {
+  return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
+}
+
+void GlSurface::initializeGL() {
+  release();
+  window_ = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+  window_->SetReadyForRendering(true);
+  window_->SetIsCurrent(true);
+  window_->SetOwnContext(false);
+  window_->SetFrameBlitModeToBlitToCurrent();
+  window_->InitializeFromCurrentContext();
+  QOpenGLFunctions* gl = context()->functions();
+  renderer_name_ = QString::fromLatin1(reinterpret_cast<const char*>(gl->glGetString(GL_RENDERER)));
+  software_ = false;
+  for (const char* word : {"llvmpipe", "softpipe", "SwiftShader", "swrast", "GDI Generic", "Basic Render"}) {
+    software_ = software_ || renderer_name_.contains(QLatin1String(word), Qt::CaseInsensitive);
+  }
+  window_->SetMultiSamples(software_ ? 0 : 4);
+  window_->AddRenderer(renderer_);
+  context_ends_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlSurface::release);
+}
+
+// The context goes while the picture stays: what VTK keeps on the graphics card is given back, and made anew in the
+// next context.
+void GlSurface::release() {
+  if (window_ == nullptr) return;
+  disconnect(context_ends_);
+  makeCurrent();
+  window_->SetIsCurrent(true);
+  window_->RemoveRenderer(renderer_);  // gives back what its actors hold
+  window_->Finalize();
+  window_->SetReadyForRendering(false);
+  window_ = nullptr;
+}
+
+void GlSurface::resizeGL(int, int) {}  // paintGL asks: a move to another screen changes the scale, not the size
+
+void GlSurface::paintGL() {
+  QElapsedTimer clock;
+  clock.start();
+  const QSize pixels = devicePixels();
+  if (QSize(window_->GetSize()[0], window_->GetSize()[1]) != pixels) window_->SetSize(pixels.width(), pixels.height());
+  QOpenGLFunctions* gl = context()->functions();
+  window_->SetIsCurrent(true);
+  window_->GetState()->Reset();  // Qt has drawn since
+  window_->GetState()->Push();
+  before_(pixels);
+  // Lines without stairs at a fraction of what samples cost; VTK leaves the switch alone.
+  if (software_) gl->glEnable(GL_LINE_SMOOTH);
+  window_->Render();
+  window_->GetState()->Pop();
+  if (software_) gl->glDisable(GL_LINE_SMOOTH);
+  if (words_) {
+    for (const GLenum switched : {GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
+      gl->glDisable(switched);  // QPainter takes them to be off
+    }
+    // Not QPainter(this): where a window is grabbed, that one would paint elsewhere.
+    QOpenGLPaintDevice paper(pixels);
+    paper.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&paper);
+    words_(painter);
+  }
+  for (GLenum error = gl->glGetError(); error != GL_NO_ERROR && errors_ < 1000; error = gl->glGetError()) ++errors_;
+  ++frames_;
+  emit drawn(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+}
+
+QImage GlSurface::picture() {
+  return grabFramebuffer();
+}
+
+}  // namespace underact::gui

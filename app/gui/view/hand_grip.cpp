@@ -1,0 +1,90 @@
+#include "app/gui/view/hand_grip.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kReach_m = 0.15;  // about W: beyond it there is no arm
+constexpr double kTurnPerPixel_rad = 0.5 * kRadPerDegree;
+
+}  // namespace
+
+Mat3 nearestAxes(const OrbitCamera& camera) {
+  const std::array<Vec3, 3> screen{camera.right_W(), camera.up_W(), -camera.back_W()};
+  Mat3 axes = Mat3::Zero();
+  Mat3 left = Mat3::Zero();
+  for (int column = 0; column < 3; ++column) left.col(column) = screen[static_cast<std::size_t>(column)];
+  for (int round = 0; round < 3; ++round) {  // the clearest match first
+    Eigen::Index row = 0, column = 0;
+    left.cwiseAbs().maxCoeff(&row, &column);
+    axes(row, column) = left(row, column) < 0.0 ? -1.0 : 1.0;
+    left.row(row).setZero();
+    left.col(column).setZero();
+  }
+  return axes;
+}
+
+void HandGrip::set(const sim::HandWish& wish) {
+  wish_ = wish;
+  known_ = true;
+}
+
+void HandGrip::take(const Pose& X_WT) {
+  if (known_) return;
+  wish_ = {};
+  wish_.p_WT = X_WT.translation();
+  wish_.R_WT = X_WT.linear();
+  known_ = true;
+}
+
+void HandGrip::drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way) {
+  const double depth_mm = std::max(project(camera, size, kMillimetrePerMetre * p_WT).depth_mm, 1.0);
+  const double pixel_m = kMetrePerMillimetre * pixelLength_mm(size, depth_mm);
+  wish_.p_WT += pixel_m * (way.x() * camera.right_W() - way.y() * camera.up_W());
+  keepInside();
+}
+
+void HandGrip::deepen(const OrbitCamera& camera, double way_m) {
+  wish_.p_WT -= way_m * camera.back_W();
+  keepInside();
+}
+
+void HandGrip::beginTurn(const Mat3& R_WT) {
+  if (!wish_.turns) wish_.R_WT = R_WT;
+}
+
+void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way) {
+  beginTurn(R_WT);
+  turnAbout(camera.up_W(), kTurnPerPixel_rad * way.x());
+  turnAbout(camera.right_W(), kTurnPerPixel_rad * way.y());
+}
+
+void HandGrip::step(const OrbitCamera& camera, const Vec3& right_up_away, double length_m) {
+  wish_.p_WT += length_m * (nearestAxes(camera) * right_up_away);
+  keepInside();
+}
+
+void HandGrip::turnStep(const OrbitCamera& camera, const Mat3& R_WT, const Vec3& right_up_away, double angle_rad) {
+  beginTurn(R_WT);
+  const Mat3 axes = nearestAxes(camera);
+  turnAbout(axes.col(1), angle_rad * right_up_away.x());
+  turnAbout(axes.col(0), -angle_rad * right_up_away.y());
+  turnAbout(axes.col(2), angle_rad * right_up_away.z());
+}
+
+void HandGrip::turnAbout(const Vec3& axis_W, double angle_rad) {
+  const Mat3 turned = Eigen::AngleAxisd(angle_rad, axis_W) * wish_.R_WT;
+  wish_.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small turns stay a rotation
+  wish_.turns = true;
+}
+
+void HandGrip::keepInside() {
+  const double away_m = wish_.p_WT.norm();
+  if (away_m > kReach_m) wish_.p_WT *= kReach_m / away_m;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,44 @@
+#pragma once
+#include <QPointF>
+#include <QSizeF>
+
+#include "app/gui/view/orbit_camera.h"
+#include "core/sim/hand.h"
+
+namespace underact::gui {
+
+/// Where the hand is wished, and how mouse and keys move it. Relative to the last wish, not to the tip: in contact the
+/// tip lags behind, and a hand that followed it would give way.
+class HandGrip {
+ public:
+  /// The hand is elsewhere: it was moved by a script, or there is another arm.
+  void set(const sim::HandWish& wish);
+  void forget() { known_ = false; }
+  /// Takes hold: of the last wish, else of the stylus where it is.
+  void take(const Pose& X_WT);
+  const sim::HandWish& wish() const { return wish_; }
+
+  /// In the plane parallel to the screen through the tip; way in pixels.
+  void drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way);
+  /// Away from the eye, m.
+  void deepen(const OrbitCamera& camera, double way_m);
+  /// About the screen's own axes; way in pixels, one degree for two. R_WT: of the stylus, where no wish has turned it
+  /// yet.
+  void turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way);
+
+  /// Steps along the axes of W that are nearest to the screen's: right, up, away, each -1, 0 or 1.
+  void step(const OrbitCamera& camera, const Vec3& right_up_away, double length_m);
+  void turnStep(const OrbitCamera& camera, const Mat3& R_WT, const Vec3& right_up_away, double angle_rad);
+
+ private:
+  void keepInside();
+  void beginTurn(const Mat3& R_WT);
+  void turnAbout(const Vec3& axis_W, double angle_rad);
+  sim::HandWish wish_;
+  bool known_ = false;
+};
+
+/// The axes of W nearest to the screen's right, up and away from the eye, as columns: signed, each used once.
+Mat3 nearestAxes(const OrbitCamera& camera);
+
+}  // namespace underact::gui

@@ -1,0 +1,71 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/orbit_camera.h"
+#include "app/gui/view/pieces.h"
+#include "core/arm/forward.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::gui {
+
+/// What moves: arm, stylus, targets with their error lines, the force arrow or, on a fault, the ring with a cross.
+class HandPicture {
+ public:
+  static constexpr double kArrow_mm = 60.0;  // of the continuous force
+
+  HandPicture();
+  void setTheme(const Theme& theme);
+  void setGeometry(const arm::Geometry& geometry);
+  void setForceLimit(double continuous_N) { force_limit_N_ = continuous_N; }
+  void setLineWidth(double device_pixels_per_pixel);
+  void show(bool arm, bool target, bool force);
+
+  /// What the arm did this tick. Joint angles that are not finite: the last place stays.
+  void present(const servo::Snapshot& snapshot);
+  /// Outlines and marks as the camera sees them. size: of the picture, logical pixels.
+  void update(const OrbitCamera& camera, const QSizeF& size);
+
+  bool known() const { return known_; }  // a pose has come
+  const Pose& X_WT() const { return X_WT_; }
+  const arm::Skeleton& skeleton() const { return skeleton_; }
+  double force_N() const { return force_N_; }
+  bool limited() const { return limited_; }
+  bool faulted() const { return faulted_; }
+
+  /// In the order of drawing; targets() grows with the scene.
+  std::vector<vtkActor*> solids() const;
+  std::vector<vtkActor*> lines() const { return {outline_actor_, error_actor_}; }
+  vtkActor* mark() const { return mark_actor_; }
+  /// As many target markers as there are constraints.
+  void setConstraints(std::size_t count);
+  const std::vector<vtkSmartPointer<vtkActor>>& targets() const { return targets_; }
+
+ private:
+  void placeArm();
+  void placeForce();
+  void placeTargets();
+
+  Theme theme_ = Theme::light();
+  arm::Geometry geometry_;
+  double force_limit_N_ = 0.88;
+  bool show_arm_ = true, show_target_ = true, show_force_ = true;
+
+  bool known_ = false, limited_ = false, faulted_ = false;
+  double force_N_ = 0.0;
+  Pose X_WT_ = Pose::Identity();
+  arm::Skeleton skeleton_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  Vec3 force_end_mm_ = Vec3::Zero(), head_mm_ = Vec3::Zero();
+  bool arrow_ = false;
+  std::vector<Vec3> held_mm_;
+
+  vtkSmartPointer<vtkActor> upper_, fore_, shoulder_, elbow_, stylus_, shaft_, head_, bar_;
+  std::vector<vtkSmartPointer<vtkActor>> targets_;
+  Lines outlines_, errors_, mark_;
+  vtkSmartPointer<vtkActor> outline_actor_, error_actor_, mark_actor_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,107 @@
+#include "app/gui/view/orbit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kNearest_mm = 40.0, kFarthest_mm = 6000.0;
+
+double slope(double share) {
+  return std::tan(0.5 * OrbitCamera::kViewAngle_rad) * share;
+}
+
+}  // namespace
+
+Vec3 OrbitCamera::right_W() const {
+  return {std::cos(azimuth_rad), 0.0, -std::sin(azimuth_rad)};
+}
+
+Vec3 OrbitCamera::back_W() const {
+  return {std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
+          std::cos(azimuth_rad) * std::cos(elevation_rad)};
+}
+
+Vec3 OrbitCamera::up_W() const {
+  return back_W().cross(right_W());
+}
+
+Vec3 OrbitCamera::eye_mm() const {
+  return focus_mm + distance_mm * back_W();
+}
+
+OnScreen project(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_mm) {
+  const Vec3 from_eye_mm = p_mm - camera.eye_mm();
+  const double depth_mm = -from_eye_mm.dot(camera.back_W());
+  const double pixel_mm = pixelLength_mm(size, std::max(depth_mm, 1e-6));
+  return {{0.5 * size.width() + from_eye_mm.dot(camera.right_W()) / pixel_mm,
+           0.5 * size.height() - from_eye_mm.dot(camera.up_W()) / pixel_mm},
+          depth_mm};
+}
+
+double pixelLength_mm(const QSizeF& size, double depth_mm) {
+  return 2.0 * depth_mm * slope(1.0) / std::max(size.height(), 1.0);
+}
+
+OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& way) {
+  const double turn = kPi / std::max(size.height(), 1.0);
+  camera.azimuth_rad = std::remainder(camera.azimuth_rad - turn * way.x(), 2.0 * kPi);
+  camera.elevation_rad = std::clamp(camera.elevation_rad + turn * way.y(), -0.5 * kPi, 0.5 * kPi);
+  return camera;
+}
+
+OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& way) {
+  const double pixel_mm = pixelLength_mm(size, camera.distance_mm);
+  camera.focus_mm += pixel_mm * (way.y() * camera.up_W() - way.x() * camera.right_W());
+  return camera;
+}
+
+OrbitCamera zoomed(OrbitCamera camera, const QSizeF& size, const QPointF& pointer, double factor) {
+  const double distance_mm = std::clamp(factor * camera.distance_mm, kNearest_mm, kFarthest_mm);
+  const double pixel_mm = pixelLength_mm(size, camera.distance_mm - distance_mm);  // may be negative: the way back
+  camera.focus_mm += pixel_mm * ((pointer.x() - 0.5 * size.width()) * camera.right_W() -
+                                 (pointer.y() - 0.5 * size.height()) * camera.up_W());
+  camera.distance_mm = distance_mm;
+  return camera;
+}
+
+OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3> points_mm, const QMarginsF& room) {
+  if (points_mm.empty() || size.isEmpty()) return camera;
+  const Vec3 right_W = camera.right_W(), up_W = camera.up_W(), back_W = camera.back_W();
+  // The slopes of the four planes through the eye that bound the picture; a narrow one gives its margins up first.
+  const double aspect = size.width() / size.height();
+  const auto side = [](double margin, double length) { return slope(std::max(1.0 - 2.0 * margin / length, 0.3)); };
+  const double to_right = aspect * side(room.right(), size.width()), to_left = aspect * side(room.left(), size.width());
+  const double to_top = side(room.top(), size.height()), to_bottom = side(room.bottom(), size.height());
+  // Each point keeps the eye behind the four planes: eye_z slope >= p_z slope + (p_x - eye_x), and so on.
+  double right = -kInfinity, left = -kInfinity, top = -kInfinity, bottom = -kInfinity, depth_sum = 0.0;
+  for (const Vec3& p_mm : points_mm) {
+    const double x = p_mm.dot(right_W), y = p_mm.dot(up_W), z = p_mm.dot(back_W);
+    right = std::max(right, to_right * z + x);
+    left = std::max(left, to_left * z - x);
+    top = std::max(top, to_top * z + y);
+    bottom = std::max(bottom, to_bottom * z - y);
+    depth_sum += z;
+  }
+  const double eye_z = std::max((right + left) / (to_right + to_left), (top + bottom) / (to_top + to_bottom));
+  // In the looser direction: in the middle of what the planes allow.
+  const double eye_x = 0.5 * ((right - to_right * eye_z) + (to_left * eye_z - left));
+  const double eye_y = 0.5 * ((top - to_top * eye_z) + (to_bottom * eye_z - bottom));
+  camera.distance_mm = std::clamp(eye_z - depth_sum / static_cast<double>(points_mm.size()), kNearest_mm, kFarthest_mm);
+  camera.focus_mm = eye_x * right_W + eye_y * up_W + (eye_z - camera.distance_mm) * back_W;
+  return camera;
+}
+
+OrbitCamera between(const OrbitCamera& a, const OrbitCamera& b, double share) {
+  OrbitCamera camera;
+  camera.focus_mm = a.focus_mm + share * (b.focus_mm - a.focus_mm);
+  camera.distance_mm = a.distance_mm * std::pow(b.distance_mm / a.distance_mm, share);
+  camera.azimuth_rad = a.azimuth_rad + share * std::remainder(b.azimuth_rad - a.azimuth_rad, 2.0 * kPi);
+  camera.elevation_rad = a.elevation_rad + share * (b.elevation_rad - a.elevation_rad);
+  return camera;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,49 @@
+#pragma once
+#include <QMarginsF>
+#include <QPointF>
+#include <QSizeF>
+#include <span>
+
+#include "core/base/types.h"
+
+namespace underact::gui {
+
+/// A camera that goes around a point with y of W up: no roll, so that "up" on the screen never surprises. Lengths in
+/// mm, as drawn.
+struct OrbitCamera {
+  Vec3 focus_mm = Vec3::Zero();
+  double distance_mm = 700.0;
+  double azimuth_rad = 0.0;    // 0: from the user's side, along -z; positive: from the right
+  double elevation_rad = 0.0;  // positive: from above
+
+  static constexpr double kViewAngle_rad = 0.42;  // of the height: modest, so that little is distorted
+
+  Vec3 right_W() const;
+  Vec3 up_W() const;
+  Vec3 back_W() const;  // from the focus to the eye
+  Vec3 eye_mm() const;
+};
+
+/// Where a point is drawn, in pixels from the top left; depth: how far in front of the eye, mm (not above 0: behind
+/// it).
+struct OnScreen {
+  QPointF pixel;
+  double depth_mm = 0.0;
+};
+OnScreen project(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_mm);
+
+/// How long one pixel is at a depth, mm.
+double pixelLength_mm(const QSizeF& size, double depth_mm);
+
+/// dx, dy in pixels, as the mouse went. Turns half around over the height.
+OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& way);
+/// What lies in the focus' plane follows the pointer.
+OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& way);
+/// factor < 1: nearer. What lies under the pointer in the focus' plane stays there.
+OrbitCamera zoomed(OrbitCamera camera, const QSizeF& size, const QPointF& pointer, double factor);
+/// All points inside the picture, with room (pixels) left for words at its sides; the direction stays.
+OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3> points_mm, const QMarginsF& room);
+/// The way from a to b, at share 0 to 1; the azimuth takes the shorter way round.
+OrbitCamera between(const OrbitCamera& a, const OrbitCamera& b, double share);
+
+}  // namespace underact::gui

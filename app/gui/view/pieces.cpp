@@ -1,0 +1,315 @@
+#include "app/gui/view/pieces.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kCircleParts = 96;
+
+/// Writes no depth, and, as a mark, asks for none either.
+class SeeThroughMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static SeeThroughMapper* New();
+  vtkTypeMacro(SeeThroughMapper, vtkOpenGLPolyDataMapper);
+  bool is_mark = false;
+
+ protected:
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override {
+    vtkOpenGLPolyDataMapper::RenderPieceStart(renderer, actor);
+    vtkOpenGLState* state = static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
+    state->vtkglDepthMask(kNo);
+    if (is_mark) state->vtkglDisable(kDepthTest);
+  }
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override {
+    vtkOpenGLState* state = static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
+    state->vtkglDepthMask(kYes);
+    if (is_mark) state->vtkglEnable(kDepthTest);
+    vtkOpenGLPolyDataMapper::RenderPieceFinish(renderer, actor);
+  }
+  static constexpr unsigned int kDepthTest = 0x0B71;
+  static constexpr unsigned char kNo = 0, kYes = 1;
+};
+vtkStandardNewMacro(SeeThroughMapper);
+
+Vec3 anyAcross(const Vec3& direction) {
+  return direction.unitOrthogonal();
+}
+
+vtkSmartPointer<vtkPolyData> surface(vtkPoints* points, vtkFloatArray* normals, vtkCellArray* cells) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetNormals(normals);
+  return data;
+}
+
+vtkSmartPointer<vtkFloatArray> makeNormals() {
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetNumberOfComponents(3);
+  normals->SetName("normal");
+  return normals;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  vtkSmartPointer<vtkPolyDataMapper> mapper;
+  if (kind == Kind::Solid) {
+    mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  } else {
+    auto see_through = vtkSmartPointer<SeeThroughMapper>::New();
+    see_through->is_mark = kind == Kind::Mark;
+    mapper = see_through;
+  }
+  mapper->SetInputData(data);
+  actor->SetMapper(mapper);
+  // Drawn with the opaque things, in the order they were added: VTK's own way with translucent ones takes a second
+  // picture of floats, and halves the frame rate of software GL.
+  actor->ForceOpaqueOn();
+  vtkProperty& look = *actor->GetProperty();
+  look.SetInterpolationToGouraud();
+  if (kind == Kind::Solid) {
+    look.SetAmbient(0.55);
+    look.SetDiffuse(0.5);
+    look.BackfaceCullingOn();
+  } else if (kind == Kind::Tint) {
+    look.SetAmbient(0.7);
+    look.SetDiffuse(0.35);
+    look.SetOpacity(0.25);
+  } else {
+    look.LightingOff();
+  }
+  return actor;
+}
+
+void setColour(vtkActor& actor, const QColor& colour) {
+  actor.GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+}
+
+void place(vtkActor& actor, const Eigen::Matrix4d& X) {
+  vtkMatrix4x4* matrix = actor.GetUserMatrix();
+  if (matrix == nullptr) {
+    const vtkNew<vtkMatrix4x4> fresh;
+    actor.SetUserMatrix(fresh);
+    matrix = fresh;
+  }
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, X(row, column));
+  }
+  matrix->Modified();
+}
+
+Eigen::Matrix4d along(const Vec3& a_mm, const Vec3& b_mm, double radius_mm) {
+  const Vec3 way_mm = b_mm - a_mm;
+  const double length_mm = std::max(way_mm.norm(), 1e-9);
+  const Vec3 axis = way_mm.norm() > 1e-9 ? Vec3(way_mm / length_mm) : Vec3::UnitZ();
+  const Vec3 u = anyAcross(axis);
+  Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+  X.block<3, 1>(0, 0) = radius_mm * u;
+  X.block<3, 1>(0, 1) = radius_mm * axis.cross(u);
+  X.block<3, 1>(0, 2) = length_mm * axis;
+  X.block<3, 1>(0, 3) = a_mm;
+  return X;
+}
+
+Eigen::Matrix4d at(const Vec3& p_mm, double scale) {
+  Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+  X.block<3, 3>(0, 0) *= scale;
+  X.block<3, 1>(0, 3) = p_mm;
+  return X;
+}
+
+Lines::Lines()
+    : data_(vtkSmartPointer<vtkPolyData>::New()),
+      points_(vtkSmartPointer<vtkPoints>::New()),
+      cells_(vtkSmartPointer<vtkCellArray>::New()),
+      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
+  colours_->SetNumberOfComponents(4);
+  colours_->SetName("colour");
+  data_->SetPoints(points_);
+  data_->SetLines(cells_);
+  data_->GetPointData()->SetScalars(colours_);
+}
+
+void Lines::clear() {
+  points_->Reset();
+  cells_->Reset();
+  colours_->Reset();
+}
+
+void Lines::chain(std::span<const Vec3> points_mm, const QColor& colour, bool closed) {
+  if (points_mm.size() < 2) return;
+  const std::array<unsigned char, 4> rgba{
+      static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+      static_cast<unsigned char>(colour.blue()), static_cast<unsigned char>(colour.alpha())};
+  const vtkIdType first = points_->GetNumberOfPoints();
+  cells_->InsertNextCell(static_cast<int>(points_mm.size()) + (closed ? 1 : 0));
+  for (const Vec3& p_mm : points_mm) {
+    cells_->InsertCellPoint(points_->InsertNextPoint(p_mm.data()));
+    colours_->InsertNextTypedTuple(rgba.data());
+  }
+  if (closed) cells_->InsertCellPoint(first);
+}
+
+void Lines::segment(const Vec3& a_mm, const Vec3& b_mm, const QColor& colour) {
+  const std::array<Vec3, 2> ends{a_mm, b_mm};
+  chain(ends, colour, false);
+}
+
+void Lines::circle(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm, const QColor& colour) {
+  std::array<Vec3, kCircleParts> points;
+  for (int part = 0; part < kCircleParts; ++part) {
+    const double angle = 2.0 * kPi * part / kCircleParts;
+    points[static_cast<std::size_t>(part)] = center_mm + radius_mm * (std::cos(angle) * u + std::sin(angle) * v);
+  }
+  chain(points, colour, true);
+}
+
+void Lines::outline(const Vec3& eye_mm, const Vec3& center_mm, double radius_mm, const QColor& colour) {
+  const Vec3 way_mm = eye_mm - center_mm;
+  const double share = radius_mm / std::max(way_mm.norm(), 1e-9);
+  if (share >= 1.0) return;  // from within there is none
+  const Vec3 axis = way_mm.normalized(), u = anyAcross(axis);
+  circle(center_mm + radius_mm * share * axis, u, axis.cross(u), radius_mm * std::sqrt(1.0 - share * share), colour);
+}
+
+void Lines::sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double a_radius_mm, double b_radius_mm,
+                  const QColor& colour) {
+  const Vec3 axis = (b_mm - a_mm).normalized();
+  Vec3 way_mm = eye_mm - a_mm;
+  way_mm -= way_mm.dot(axis) * axis;
+  const double share = std::max(a_radius_mm, b_radius_mm) / std::max(way_mm.norm(), 1e-9);
+  if (share >= 1.0 || !axis.allFinite()) return;
+  const Vec3 u = way_mm.normalized(), v = axis.cross(u);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 out = share * u + side * std::sqrt(1.0 - share * share) * v;
+    segment(a_mm + a_radius_mm * out, b_mm + b_radius_mm * out, colour);
+  }
+}
+
+void Lines::done() {
+  points_->Modified();
+  cells_->Modified();
+  colours_->Modified();
+  data_->Modified();
+}
+
+vtkSmartPointer<vtkPolyData> turned(std::span<const Ring> profile, int sectors) {
+  const vtkNew<vtkPoints> points;
+  const vtkSmartPointer<vtkFloatArray> normals = makeNormals();
+  const vtkNew<vtkCellArray> cells;
+  for (std::size_t strip = 0; strip + 1 < profile.size(); ++strip) {
+    const Ring lower = profile[strip], upper = profile[strip + 1];
+    // A rounded part is meant where the slope changes little: there both strips share the mean normal.
+    const auto slopeOf = [&](std::size_t index) {
+      const Eigen::Vector2d way(profile[index + 1].radius - profile[index].radius,
+                                profile[index + 1].z - profile[index].z);
+      return Eigen::Vector2d(way.y(), -way.x()).normalized();
+    };
+    const auto meanOf = [&](std::size_t one, std::size_t other) {
+      const Eigen::Vector2d a = slopeOf(one), b = slopeOf(other);
+      return a.dot(b) > 0.7 ? Eigen::Vector2d((a + b).normalized()) : slopeOf(strip);
+    };
+    const Eigen::Vector2d below = strip > 0 ? meanOf(strip, strip - 1) : slopeOf(strip);
+    const Eigen::Vector2d above = strip + 2 < profile.size() ? meanOf(strip, strip + 1) : slopeOf(strip);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (int sector = 0; sector <= sectors; ++sector) {
+      const double angle = 2.0 * kPi * sector / sectors;
+      const double c = std::cos(angle), s = std::sin(angle);
+      points->InsertNextPoint(lower.radius * c, lower.radius * s, lower.z);
+      normals->InsertNextTuple3(below.x() * c, below.x() * s, below.y());
+      points->InsertNextPoint(upper.radius * c, upper.radius * s, upper.z);
+      normals->InsertNextTuple3(above.x() * c, above.x() * s, above.y());
+    }
+    for (int sector = 0; sector < sectors; ++sector) {
+      const vtkIdType corner = first + 2 * sector;
+      const std::array<vtkIdType, 4> quad{corner, corner + 2, corner + 3, corner + 1};
+      cells->InsertNextCell(4, quad.data());
+    }
+  }
+  return surface(points, normals, cells);
+}
+
+vtkSmartPointer<vtkPolyData> unitSphere(int sectors, int rings) {
+  std::vector<Ring> profile;
+  for (int ring = 0; ring <= rings; ++ring) {
+    const double angle = kPi * (static_cast<double>(ring) / rings - 0.5);
+    profile.push_back({ring == 0 || ring == rings ? 0.0 : std::cos(angle), std::sin(angle)});
+  }
+  return turned(profile, sectors);
+}
+
+vtkSmartPointer<vtkPolyData> unitTube(int sectors, bool closed) {
+  const std::array<Ring, 4> profile{Ring{0, 0}, Ring{1, 0}, Ring{1, 1}, Ring{0, 1}};
+  return turned(closed ? std::span<const Ring>(profile) : std::span<const Ring>(profile).subspan(1, 2), sectors);
+}
+
+vtkSmartPointer<vtkPolyData> unitCube() {
+  const vtkNew<vtkPoints> points;
+  const vtkSmartPointer<vtkFloatArray> normals = makeNormals();
+  const vtkNew<vtkCellArray> cells;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 normal = side * Vec3::Unit(axis);
+      const Vec3 u = Vec3::Unit((axis + 1) % 3), v = normal.cross(u);
+      cells->InsertNextCell(4);
+      for (const auto& [a, b] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+        const Vec3 corner = 0.5 * normal + a * u + b * v;
+        cells->InsertCellPoint(points->InsertNextPoint(corner.data()));
+        normals->InsertNextTuple(normal.data());
+      }
+    }
+  }
+  return surface(points, normals, cells);
+}
+
+vtkSmartPointer<vtkPolyData> polygon(std::span<const Vec3> points_mm, const Vec3& normal) {
+  const vtkNew<vtkPoints> points;
+  const vtkSmartPointer<vtkFloatArray> normals = makeNormals();
+  const vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(static_cast<int>(points_mm.size()));
+  for (const Vec3& p_mm : points_mm) {
+    cells->InsertCellPoint(points->InsertNextPoint(p_mm.data()));
+    normals->InsertNextTuple(normal.data());
+  }
+  return surface(points, normals, cells);
+}
+
+void addBoxEdges(Lines& lines, const Vec3& half_mm, const Vec3& center_mm, const Mat3& R, const QColor& colour) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+    for (const double a : {-1.0, 1.0}) {
+      for (const double b : {-1.0, 1.0}) {
+        Vec3 from = Vec3::Zero();
+        from[second] = a * half_mm[second];
+        from[third] = b * half_mm[third];
+        Vec3 to = from;
+        from[axis] = -half_mm[axis];
+        to[axis] = half_mm[axis];
+        const Vec3 p_mm = center_mm + R * from, q_mm = center_mm + R * to;
+        lines.segment(p_mm, q_mm, colour);
+      }
+    }
+  }
+}
+
+}  // namespace underact::gui

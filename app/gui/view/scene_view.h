@@ -1,0 +1,86 @@
+#pragma once
+#include <QString>
+#include <QWidget>
+#include <memory>
+
+#include "app/gui/theme.h"
+#include "core/scene/description.h"
+#include "core/servo/snapshot.h"
+#include "core/sim/hand.h"
+
+namespace underact::gui {
+
+enum class Camera { Fit, Front, Back, Left, Right, Top, Bottom, Isometric };
+
+/// What the view can show or hide.
+struct Layers {
+  bool workspace = true;  // the box with ticks every 20 mm
+  bool triads = true;     // W and B
+  bool arm = true;        // the arm's links, thin
+  bool target = true;     // the target point and the error line
+  bool force = true;      // the force arrow
+};
+
+/// The picture of the hand's world: constraint, stylus, target, error line, force arrow, workspace box and triads, in
+/// frame W. A function of the scene, the snapshot and the theme; nothing is computed here that core does not offer. The
+/// mouse orbits, pans and zooms, and grabs the simulated hand. Without a hand, and with Alt, the arrow keys orbit.
+class SceneView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  void setScene(const scene::Description& scene);
+  void present(const servo::Snapshot& snapshot);  // each frame, GUI thread; asks for one repaint, if it looks different
+  void setTheme(const Theme& theme);
+  void setLayers(const Layers& layers);
+  const Layers& layers() const;
+  void look(Camera camera);  // moves in 0.2 s; Fit keeps the direction
+  bool moving() const;       // a look() is on its way
+  /// One line over the view; empty: none.
+  void setHint(const QString& text);
+  /// The largest force of the gauge and the arrow's scale, N.
+  void setForceLimit(double continuous_N);
+  /// A hand can be grabbed (simulated arm): the pointer shows it. A drag starts from the last wish the view emitted,
+  /// and from the tip where there was none, or where this was called since.
+  void setHandAvailable(bool available);
+  /// The hand was wished elsewhere by others (a script, a game controller): drags start from here.
+  void setHandWish(const sim::HandWish& wish);
+
+  /// What a drag, the wheel or an arrow key did to the hand. Arrows move 2 mm (Shift 10 mm) in the view's own plane,
+  /// Page Up / Down in depth; Ctrl with arrows turns the stylus. Emitted from mouse and key events in the view.
+ signals:
+  void handGrabbed();  // by the mouse, or the first key
+  void handMoved(const underact::sim::HandWish& wish);
+  void handReleased();          // nobody moves it any more; it is meant to stay where it was wished last
+  void drawn(double frame_ms);  // after each picture: the time it took to draw
+
+ public:
+  /// A picture of the view as it is now.
+  QImage picture();
+  /// Where a point of W (m) is drawn, in the widget's own logical pixels: stories find the stylus by it.
+  QPointF screenOf(const Vec3& p_W) const;
+  qint64 framesDrawn() const;
+  int glErrors() const;          // since the view was made: 0, or something is wrong
+  QString graphicsName() const;  // what draws, "llvmpipe ..."; known after the first picture
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace underact::gui

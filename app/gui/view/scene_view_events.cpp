@@ -1,0 +1,200 @@
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/view/scene_view_impl.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kGrab_px = 14.0, kGrabBody_px = 9.0;
+constexpr double kStep_m = 0.002, kBigStep_m = 0.010, kWheelDepth_m = 0.005, kTurn_rad = 5.0 * kRadPerDegree;
+constexpr double kOrbit_px = 24.0;  // of a drag that one arrow key stands for
+
+/// right, up, away of an arrow or page key; zero: another key.
+Vec3 wayOf(int key) {
+  switch (key) {
+    case Qt::Key_Right:
+      return {1, 0, 0};
+    case Qt::Key_Left:
+      return {-1, 0, 0};
+    case Qt::Key_Up:
+      return {0, 1, 0};
+    case Qt::Key_Down:
+      return {0, -1, 0};
+    case Qt::Key_PageUp:
+      return {0, 0, 1};
+    case Qt::Key_PageDown:
+      return {0, 0, -1};
+    default:
+      return Vec3::Zero();
+  }
+}
+
+double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
+  const QPointF way = b - a;
+  const double length2 = QPointF::dotProduct(way, way);
+  const double share = length2 > 0.0 ? std::clamp(QPointF::dotProduct(p - a, way) / length2, 0.0, 1.0) : 0.0;
+  const QPointF off = p - a - share * way;
+  return std::hypot(off.x(), off.y());
+}
+
+}  // namespace
+
+void SceneView::Impl::cameraByHand(const OrbitCamera& wanted) {
+  movement.stop();
+  camera = wanted;
+  camera_is_mine = false;
+  surface->update();
+}
+
+bool SceneView::Impl::overStylus(const QPointF& pointer) const {
+  if (!hand_available || !hand.known()) return false;
+  const QPointF tip = view->screenOf(hand.X_WT().translation());
+  const QPointF end = view->screenOf(hand.X_WT() * Vec3(0.0, 0.0, kBody_m));
+  const QPointF off = pointer - tip;
+  return std::hypot(off.x(), off.y()) <= kGrab_px || distanceToSegment(pointer, tip, end) <= kGrabBody_px;
+}
+
+void SceneView::Impl::showPointer(const QPointF& pointer) {
+  Qt::CursorShape shape = Qt::ArrowCursor;
+  if (drag == Drag::Hand) {
+    shape = Qt::ClosedHandCursor;
+  } else if (drag == Drag::None && overStylus(pointer)) {
+    shape = Qt::OpenHandCursor;
+  }
+  if (view->cursor().shape() != shape) view->setCursor(shape);
+}
+
+void SceneView::Impl::take() {
+  if (held_by_mouse || !held_by_keys.isEmpty()) return;
+  grip.take(hand.X_WT());
+  emit view->handGrabbed();
+}
+
+void SceneView::Impl::letGoOfKeys() {
+  if (held_by_keys.isEmpty()) return;
+  held_by_keys.clear();
+  if (!held_by_mouse) emit view->handReleased();
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  Impl& my = *impl_;
+  my.last = my.pressed = event->position();
+  if (my.drag != Drag::None) return;  // one button at a time
+  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->button() == Qt::LeftButton && !shift && my.overStylus(event->position())) {
+    my.take();
+    my.held_by_mouse = true;
+    my.drag = Drag::Hand;
+  } else if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
+    my.drag = Drag::Pan;
+  } else if (event->button() == Qt::LeftButton) {
+    my.drag = Drag::Orbit;
+  } else if (event->button() == Qt::RightButton) {
+    my.drag = Drag::Zoom;
+  }
+  my.showPointer(event->position());
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  Impl& my = *impl_;
+  const QPointF way = event->position() - my.last;
+  my.last = event->position();
+  my.showPointer(event->position());
+  if (way.isNull()) return;
+  switch (my.drag) {
+    case Drag::None:
+      return;
+    case Drag::Orbit:
+      return my.cameraByHand(orbited(my.camera, my.size(), way));
+    case Drag::Pan:
+      return my.cameraByHand(panned(my.camera, my.size(), way));
+    case Drag::Zoom:
+      return my.cameraByHand(zoomed(my.camera, my.size(), my.pressed, std::exp(0.006 * way.y())));
+    case Drag::Hand:
+      if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        my.grip.turn(my.camera, my.hand.X_WT().linear(), way);
+      } else {
+        my.grip.drag(my.camera, my.size(), my.hand.X_WT().translation(), way);
+      }
+      emit handMoved(my.grip.wish());
+  }
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  Impl& my = *impl_;
+  if (event->buttons() != Qt::NoButton) return;
+  const bool held = my.held_by_mouse;
+  my.held_by_mouse = false;
+  my.drag = Drag::None;
+  my.showPointer(event->position());
+  if (held && my.held_by_keys.isEmpty()) emit handReleased();
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || impl_->overStylus(event->position())) return mousePressEvent(event);
+  look(Camera::Fit);
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  Impl& my = *impl_;
+  const double notches = event->angleDelta().y() / 120.0;
+  event->accept();
+  if (notches == 0.0) return;
+  if (my.drag == Drag::Hand) {
+    my.grip.deepen(my.camera, kWheelDepth_m * notches);
+    emit handMoved(my.grip.wish());
+  } else {
+    my.cameraByHand(zoomed(my.camera, my.size(), event->position(), std::pow(0.87, notches)));
+  }
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  Impl& my = *impl_;
+  const Vec3 way = wayOf(event->key());
+  const Qt::KeyboardModifiers modifiers = event->modifiers() & ~Qt::KeypadModifier;
+  if (way.isZero()) return QWidget::keyPressEvent(event);
+  if (!my.hand_available || !my.hand.known() || modifiers.testFlag(Qt::AltModifier)) {
+    if (way.z() != 0.0) {
+      my.cameraByHand(zoomed(my.camera, my.size(), QPointF(0.5 * width(), 0.5 * height()), std::pow(0.87, way.z())));
+    } else {
+      my.cameraByHand(orbited(my.camera, my.size(), kOrbit_px * QPointF(way.x(), -way.y())));
+    }
+    return;
+  }
+  my.take();
+  my.held_by_keys.insert(event->key());
+  if (modifiers.testFlag(Qt::ControlModifier)) {
+    my.grip.turnStep(my.camera, my.hand.X_WT().linear(), way, kTurn_rad);
+  } else {
+    my.grip.step(my.camera, way, modifiers.testFlag(Qt::ShiftModifier) ? kBigStep_m : kStep_m);
+  }
+  emit handMoved(my.grip.wish());
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent* event) {
+  if (event->isAutoRepeat() || !impl_->held_by_keys.remove(event->key())) return QWidget::keyReleaseEvent(event);
+  if (impl_->held_by_keys.isEmpty() && !impl_->held_by_mouse) emit handReleased();
+}
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  impl_->surface->update();
+}
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  impl_->letGoOfKeys();
+  impl_->surface->update();
+}
+
+void SceneView::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  if (impl_->drag == Drag::None) unsetCursor();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,65 @@
+#pragma once
+#include <QSet>
+#include <QVariantAnimation>
+#include <optional>
+#include <vector>
+
+#include "app/gui/view/constraint_picture.h"
+#include "app/gui/view/gl_surface.h"
+#include "app/gui/view/hand_grip.h"
+#include "app/gui/view/hand_picture.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/view/view_words.h"
+#include "app/gui/view/workspace_picture.h"
+
+namespace underact::gui {
+
+/// What a pressed button does.
+enum class Drag { None, Hand, Orbit, Pan, Zoom };
+
+/// scene_view.cpp: what is drawn; scene_view_events.cpp: what mouse and keys mean.
+struct SceneView::Impl {
+  static constexpr double kBody_m = 0.084;  // of the stylus, that is drawn
+
+  explicit Impl(SceneView* owner);
+
+  QSizeF size() const { return view->size(); }
+
+  /// Just before a picture, with the context current: the only place where actors come and go.
+  void before(QSize pixels);
+  void paintWords(QPainter& painter);
+  std::vector<Vec3> extent() const;
+  void fit();
+  void moveTo(const OrbitCamera& wanted);
+  void cameraByHand(const OrbitCamera& wanted);  // from now on it stays where it was put
+  bool overStylus(const QPointF& pointer) const;
+  void showPointer(const QPointF& pointer);
+  void take();
+  void letGoOfKeys();
+
+  SceneView* view;
+  GlSurface* surface = nullptr;
+  ConstraintPicture constraint;
+  WorkspacePicture workspace;
+  HandPicture hand;
+  ViewWords words;
+  Theme theme = Theme::light();
+  Layers layers;
+  QString hint;
+  double force_limit_N = 0.0;
+  bool actors_changed = true;
+  std::optional<servo::Snapshot> shown;
+
+  OrbitCamera camera, from, to;
+  bool camera_is_mine = true;  // nobody has moved it: it keeps everything in the picture
+  QVariantAnimation movement;
+
+  HandGrip grip;
+  bool hand_available = false;
+  bool held_by_mouse = false;
+  QSet<int> held_by_keys;
+  Drag drag = Drag::None;
+  QPointF last, pressed;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,161 @@
+#include "app/gui/view/view_words.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace underact::gui {
+namespace {
+
+constexpr double kMargin = 16.0;  // from the view's edges; spacing by a 4-pixel grid
+constexpr double kTriad = 76.0;
+
+QString newtons(double force_N) {
+  return QString::number(force_N, 'f', 2);
+}
+
+QFont smaller(QFont font, double share) {
+  if (font.pointSizeF() > 0) {
+    font.setPointSizeF(share * font.pointSizeF());
+  } else {
+    font.setPixelSize(std::max(1, qRound(share * font.pixelSize())));
+  }
+  return font;
+}
+
+}  // namespace
+
+const QImage& Stamp::image(const QString& key, const QSizeF& size, double scale, const Paint& paint) {
+  const QSize pixels = (size * scale).toSize().expandedTo({1, 1});
+  if (key == key_ && pixels == image_.size()) return image_;
+  key_ = key;
+  image_ = QImage(pixels, QImage::Format_ARGB32_Premultiplied);
+  image_.setDevicePixelRatio(scale);
+  image_.fill(Qt::transparent);
+  QPainter painter(&image_);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  paint(painter, size);
+  return image_;
+}
+
+void ViewWords::paint(QPainter& painter, const WordsState& state, const std::vector<Label>& labels) {
+  paintLabels(painter, state, labels);
+  paintTriad(painter, state);
+  paintGauge(painter, state);
+  paintHint(painter, state);
+  if (!state.focus) return;
+  const double w = state.size.width(), h = state.size.height();
+  for (const QRectF& side :
+       {QRectF(0, 0, w, 2), QRectF(0, h - 2, w, 2), QRectF(0, 2, 2, h - 4), QRectF(w - 2, 2, 2, h - 4)}) {
+    painter.fillRect(side, state.theme.constraint);
+  }
+}
+
+void ViewWords::paintLabels(QPainter& painter, const WordsState& state, const std::vector<Label>& labels) {
+  const QFont plain = smaller(state.font, 0.85);
+  QFont strong = smaller(state.font, 0.95);
+  strong.setBold(true);
+  const QFontMetricsF plain_size(plain), strong_size(strong);
+  for (const Label& label : labels) {
+    const OnScreen place = project(state.camera, state.size, label.p_mm);
+    if (place.depth_mm <= 0.0) continue;
+    const QFontMetricsF& metrics = label.strong ? strong_size : plain_size;
+    const double width = metrics.horizontalAdvance(label.text);
+    painter.setFont(label.strong ? strong : plain);
+    painter.setPen(label.colour);
+    painter.drawText(QPointF(std::round(place.pixel.x() - 0.5 * width),
+                             std::round(place.pixel.y() + 0.5 * (metrics.ascent() - metrics.descent()))),
+                     label.text);
+  }
+}
+
+void ViewWords::paintGauge(QPainter& painter, const WordsState& state) {
+  if (state.force_limit_N <= 0.0) return;
+  const QFontMetricsF metrics(state.font);
+  const QString now = newtons(state.force_N), rest = QStringLiteral(" / %1 N").arg(newtons(state.force_limit_N));
+  const QString title = QCoreApplication::translate("SceneView", "Force");
+  const double rest_width = metrics.horizontalAdvance(rest);
+  const double width =
+      std::ceil(std::max(176.0, metrics.horizontalAdvance(title + QStringLiteral("  00.00")) + rest_width + 24.0));
+  const QSizeF size(width, std::ceil(metrics.height()) + 16.0);
+  const double share = std::clamp(state.force_N / state.force_limit_N, 0.0, 1.0);
+  const double filled = std::round(share * width * state.scale) / state.scale;
+  const QString key = now + rest + QString::number(filled) + QLatin1Char(state.limited ? '!' : ' ') +
+                      state.theme.ink.name() + state.font.key();
+  const QImage& image = gauge_.image(key, size, state.scale, [&](QPainter& p, const QSizeF& area) {
+    const QRectF line(0, 0, area.width(), metrics.height());
+    p.setFont(state.font);
+    p.setPen(mixed(state.theme.quiet, state.theme.ink, 0.6));
+    p.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, title);
+    p.drawText(line, Qt::AlignRight | Qt::AlignVCenter, rest);
+    QFont bold = state.font;
+    bold.setBold(true);
+    p.setFont(bold);
+    p.setPen(state.theme.ink);
+    p.drawText(line.adjusted(0, 0, -rest_width, 0), Qt::AlignRight | Qt::AlignVCenter, now);
+    const QRectF track(0.5, metrics.height() + 6.0, area.width() - 1.0, 6.0);
+    p.setPen(Qt::NoPen);
+    p.setBrush(mixed(state.theme.background, state.theme.quiet, 0.55));
+    p.drawRoundedRect(track, 3, 3);
+    p.setBrush(state.limited ? state.theme.force_limited : state.theme.force);
+    p.setClipRect(QRectF(0, 0, filled, area.height()));
+    p.drawRoundedRect(track, 3, 3);
+    p.setClipping(false);
+    if (state.limited) p.drawRect(QRectF(area.width() - 3.0, metrics.height() + 2.0, 3.0, 14.0));  // the bar: cut here
+  });
+  painter.drawImage(QPointF(std::round(state.size.width() - width - kMargin),
+                            std::round(state.size.height() - size.height() - kMargin)),
+                    image);
+}
+
+void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
+  const bool fault = !state.fault.isEmpty();
+  const QString text = fault ? state.fault : state.hint;
+  if (text.isEmpty()) return;
+  const QFontMetricsF metrics(state.font);
+  const double widest = std::max(120.0, state.size.width() - 4.0 * kMargin);
+  const QRectF wanted =
+      metrics.boundingRect(QRectF(0, 0, widest - 32.0, 1e4), Qt::AlignCenter | Qt::TextWordWrap, text);
+  const QSizeF size(std::ceil(wanted.width()) + 32.0, std::ceil(wanted.height()) + 16.0);
+  const QString key = text + QLatin1Char(fault ? '!' : ' ') + state.theme.ink.name() + state.font.key();
+  const QImage& image = hint_.image(key, size, state.scale, [&](QPainter& p, const QSizeF& area) {
+    const QColor signal = state.theme.dark ? QColor(0xFF, 0x8A, 0x4C) : QColor(0xB0, 0x3A, 0x00);
+    p.setPen(QPen(fault ? state.theme.force_limited : mixed(state.theme.background, state.theme.quiet, 0.7), 1.0));
+    p.setBrush(mixed(state.theme.background, Qt::white, state.theme.dark ? 0.06 : 0.8));
+    p.drawRoundedRect(QRectF(0.5, 0.5, area.width() - 1.0, area.height() - 1.0), 8, 8);
+    p.setFont(state.font);
+    p.setPen(fault ? signal : state.theme.ink);
+    p.drawText(QRectF(QPointF(16, 8), area - QSizeF(32, 16)), Qt::AlignCenter | Qt::TextWordWrap, text);
+  });
+  painter.drawImage(QPointF(std::round(0.5 * (state.size.width() - size.width())), kMargin), image);
+}
+
+void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
+  const Vec3 right_W = state.camera.right_W(), up_W = state.camera.up_W(), back_W = state.camera.back_W();
+  const QString key = QStringLiteral("%1 %2 %3 %4")
+                          .arg(state.camera.azimuth_rad)
+                          .arg(state.camera.elevation_rad)
+                          .arg(state.theme.ink.name(), state.font.key());
+  const QImage& image = triad_.image(key, {kTriad, kTriad}, state.scale, [&](QPainter& p, const QSizeF& area) {
+    const QPointF middle(0.5 * area.width(), 0.5 * area.height());
+    const std::array<QColor, 3> colours{state.theme.x_axis, state.theme.y_axis, state.theme.z_axis};
+    std::array<int, 3> order{0, 1, 2};  // what points away from the eye first
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return back_W[a] < back_W[b]; });
+    QFont font = smaller(state.font, 0.85);
+    font.setBold(true);
+    p.setFont(font);
+    for (const int axis : order) {
+      const QPointF way(right_W[axis], -up_W[axis]);
+      p.setPen(QPen(colours[static_cast<std::size_t>(axis)], 2.0, Qt::SolidLine, Qt::RoundCap));
+      p.drawLine(middle, middle + 24.0 * way);
+      const QPointF end = middle + 31.0 * way;
+      p.drawText(QRectF(end - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter, QString(QLatin1Char("xyz"[axis])));
+    }
+  });
+  painter.drawImage(QPointF(kMargin - 8.0, std::round(state.size.height() - kTriad - kMargin + 8.0)), image);
+}
+
+}  // namespace underact::gui

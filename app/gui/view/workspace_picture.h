@@ -1,0 +1,56 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <QString>
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/orbit_camera.h"
+#include "app/gui/view/pieces.h"
+
+namespace underact::gui {
+
+/// Words that stand at a place of W, for the painter.
+struct Label {
+  QString text;
+  Vec3 p_mm = Vec3::Zero();
+  QColor colour;
+  bool strong = false;
+};
+
+/// Half the workspace that the maker states, mm: 160 x 120 x 70 about W.
+const Vec3& workspaceHalf_mm();
+
+/// The workspace as a thin box with ticks every 20 mm, and the triads of W and B.
+class WorkspacePicture {
+ public:
+  WorkspacePicture();
+  void setTheme(const Theme& theme);
+  void setBase(const Vec3& p_WB_mm);
+  void show(bool workspace, bool triads);
+  void setLineWidth(double device_pixels_per_pixel);
+  /// Ticks stand where the camera sees them best.
+  void update(const OrbitCamera& camera);
+
+  std::vector<vtkActor*> lines() const { return {box_actor_, triad_actor_}; }
+  const std::vector<Label>& labels() const { return labels_; }
+
+ private:
+  void build();
+  void addTicks(int axis, const Vec3& edge_mm, const Vec3& outward);
+  void addTriad(const Vec3& p_mm, const Mat3& R, const QString& name, double length_mm);
+
+  Theme theme_ = Theme::light();
+  Vec3 p_WB_mm_ = Vec3::Zero();
+  bool workspace_ = true, triads_ = true;
+  // Of the last update(): on which side the eye is, which axes of W point at it, and where the upright ticks stand.
+  Vec3 sign_ = Vec3::Ones();
+  Vec3 end_on_ = Vec3::Zero();
+  Vec3 upright_mm_ = Vec3::Zero();
+  Lines box_, triad_;
+  vtkSmartPointer<vtkActor> box_actor_, triad_actor_;
+  std::vector<Label> labels_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,102 @@
+#include "app/gui/view_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+
+#include "app/gui/actions.h"
+#include "app/gui/theme.h"
+#include "app/gui/view/scene_view.h"
+
+namespace underact::gui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("view", text);
+}
+
+void addCameras(Actions& actions, SceneView& view) {
+  struct Row {
+    const char *name, *text, *shortcut, *tip, *icon, *button;
+    Camera camera;
+  };
+  const Row rows[] = {
+      {"view.fit", "&Fit", "Ctrl+0", "Shows all of the scene, from the same direction.", "fit", "Fit", Camera::Fit},
+      {"view.front", "F&ront", "Ctrl+1", "Looks from where the hand is, along −z.", "front", "Front", Camera::Front},
+      {"view.top", "&Top", "Ctrl+2", "Looks down, along −y.", "top", "Top", Camera::Top},
+      {"view.side", "&Side", "Ctrl+3", "Looks from the right, along −x.", "side", "Side", Camera::Right},
+      {"view.isometric", "&Isometric", "Ctrl+4", "Looks from above, in front and the right.", "isometric", "Isometric",
+       Camera::Isometric},
+      {"view.left", "&Left", "Ctrl+5", "Looks from the left, along x.", "", "", Camera::Left},
+      {"view.back", "&Back", "Ctrl+6", "Looks from behind the arm, along z.", "", "", Camera::Back},
+      {"view.bottom", "B&ottom", "Ctrl+7", "Looks up, along y.", "", "", Camera::Bottom}};
+  for (const Row& row : rows) {
+    actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), row.icon, tr(row.button)},
+                [&view, camera = row.camera](const QVariantList&) {
+                  view.look(camera);
+                  return true;
+                });
+  }
+  actions.add({"view.focus", tr("&Move the hand with the keys"), QKeySequence("F2"),
+               tr("Puts the focus into the view: the arrow keys then move the hand.")},
+              [&view](const QVariantList&) {
+                view.setFocus(Qt::ShortcutFocusReason);
+                return true;
+              });
+}
+
+void addLayers(Actions& actions, SceneView& view) {
+  struct Row {
+    const char *name, *text, *shortcut, *tip;
+    bool Layers::*layer;
+  };
+  const Row rows[] = {{"layer.workspace", "&Workspace box", "Alt+1",
+                       "The box the arm can reach, with ticks every 20 mm.", &Layers::workspace},
+                      {"layer.triads", "&Axes of W and B", "Alt+2", "The axes of the workspace and of the arm's base.",
+                       &Layers::triads},
+                      {"layer.arm", "A&rm", "Alt+3", "The arm's links.", &Layers::arm},
+                      {"layer.target", "&Target and error", "Alt+4",
+                       "The point the stylus is drawn to, and the line to it.", &Layers::target},
+                      {"layer.force", "&Force", "Alt+5", "The arrow of the force sent.", &Layers::force}};
+  for (const Row& row : rows) {
+    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
+                                  [&view, layer = row.layer](const QVariantList& on) {
+                                    Layers layers = view.layers();
+                                    layers.*layer = on.value(0).toBool();
+                                    view.setLayers(layers);
+                                    return true;
+                                  });
+    action->setChecked(view.layers().*row.layer);
+  }
+}
+
+void addThemes(Actions& actions, ThemeWatcher& theme) {
+  struct Row {
+    const char *name, *text, *shortcut, *tip;
+    ThemeChoice choice;
+  };
+  const Row rows[] = {{"view.theme.system", "As the &system", "Ctrl+Alt+S",
+                       "Light or dark as the desktop is, also while running.", ThemeChoice::System},
+                      {"view.theme.light", "&Light", "Ctrl+Alt+L", "Always light.", ThemeChoice::Light},
+                      {"view.theme.dark", "&Dark", "Ctrl+Alt+D", "Always dark.", ThemeChoice::Dark}};
+  auto* group = new QActionGroup(&actions);
+  for (const Row& row : rows) {
+    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
+                                  [&theme, choice = row.choice](const QVariantList&) {
+                                    theme.choose(choice);
+                                    return true;
+                                  });
+    group->addAction(action);
+    action->setChecked(theme.choice() == row.choice);
+  }
+}
+
+}  // namespace
+
+void addViewActions(Actions& actions, SceneView& view, ThemeWatcher& theme) {
+  addCameras(actions, view);
+  addLayers(actions, view);
+  addThemes(actions, theme);
+}
+
+}  // namespace underact::gui

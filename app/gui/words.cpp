@@ -1,0 +1,36 @@
+#include "app/gui/words.h"
+
+#include <QObject>
+#include <QStringList>
+#include <cmath>
+
+namespace underact::gui {
+
+QString sentencesOf(const Problems& problems) {
+  QStringList lines;
+  for (const Problem& problem : problems) lines << QString::fromStdString(problem.sentence);
+  return lines.join('\n');
+}
+
+QString numberText(double value, int decimals) {
+  if (!std::isfinite(value)) return QString(QChar(0x2013));
+  QString text = QString::number(std::abs(value), 'f', decimals);
+  const bool zero = text.count('0') + text.count('.') == text.size();
+  if (value < 0.0 && !zero) text.prepend(QChar(0x2212));
+  return text;
+}
+
+QString millimetres(double length_mm) {
+  return QObject::tr("%1 mm").arg(numberText(length_mm, 1));
+}
+
+QString placeText(const Vec3& p_mm) {
+  return QObject::tr("%1, %2, %3 mm").arg(numberText(p_mm.x(), 1), numberText(p_mm.y(), 1), numberText(p_mm.z(), 1));
+}
+
+QString directionText(const Vec3& direction) {
+  const Vec3 unit = direction.normalized();
+  return QString("%1, %2, %3").arg(numberText(unit.x(), 3), numberText(unit.y(), 3), numberText(unit.z(), 3));
+}
+
+}  // namespace underact::gui

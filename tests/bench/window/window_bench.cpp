@@ -1,0 +1,133 @@
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "app/gui/actions.h"
+#include "app/gui/main_window.h"
+#include "app/gui/simulated_host.h"
+#include "app/gui/status_line.h"
+#include "app/gui/view/gl_surface.h"
+#include "app/gui/view/scene_view.h"
+#include "core/scene/read.h"
+
+// In one run, in turn: the servo alone, and the servo beside a window that draws a moving stylus at 1280 x 800, that is
+// dragged to other sizes, and that is given another scene every 200 ms. Each 10 s; the figures are of that time alone.
+namespace underact::gui {
+namespace {
+
+constexpr int kPhase_ms = 10'000;
+
+QString scenePath(const char* name) {
+  return QString(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
+}
+
+void print(const char* phase, const Lateness& lateness, std::int64_t dropped) {
+  std::printf("%-34s p50 %6.1f  p99 %6.1f  p99.9 %6.1f  max %8.1f us   dropped %lld\n", phase,
+              lateness.percentile_us(0.5), lateness.percentile_us(0.99), lateness.percentile_us(0.999),
+              lateness.percentile_us(1.0), static_cast<long long>(dropped));
+  std::fflush(stdout);
+}
+
+/// Runs the event loop for one phase; each(ms since its start) every 8 ms.
+void pass(const std::function<void(double)>& each) {
+  QElapsedTimer clock;
+  clock.start();
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, &timer, [&] { each(static_cast<double>(clock.nsecsElapsed()) * 1e-6); });
+  timer.start(8);
+  QTimer::singleShot(kPhase_ms, qApp, &QApplication::quit);
+  QApplication::exec();
+}
+
+/// The hand on a circle of 45 mm, in and out of the sphere, once in 2 s.
+void moveHand(device::SimulatedArm& arm, double ms) {
+  const double angle_rad = ms * 3.14e-3;
+  sim::HandWish wish;
+  wish.p_WT = {0.045 * std::cos(angle_rad), 0.02 * std::sin(2 * angle_rad), 0.03 + 0.03 * std::sin(angle_rad)};
+  arm.wish(wish);
+}
+
+void measureAlone() {
+  SimulatedHost alone = makeSimulatedHost({});
+  alone.host->load(scene::readSceneFile(scenePath("02_sphere").toStdString()).value());
+  alone.host->start();
+  Lateness lateness(alone.host->rateHz());
+  pass([&](double ms) {
+    moveHand(*alone.arm, ms);
+    alone.host->drain([&](const servo::TickRecord& record) { lateness.add(record.lateness_ns); });
+  });
+  print("servo alone", lateness, alone.host->snapshot().dropped);
+}
+
+void measureWithWindow(bool first_round) {
+  SimulatedHost simulated = makeSimulatedHost({});
+  ThemeWatcher theme;
+  MainWindow window({*simulated.host, simulated.arm, theme});
+  window.resize(1280, 800);
+  QElapsedTimer since_show;
+  since_show.start();
+  double first_ms = 0.0;
+  QObject::connect(&window.view(), &SceneView::drawn, &window, [&](double) {
+    if (first_ms == 0.0) first_ms = static_cast<double>(since_show.nsecsElapsed()) * 1e-6;
+  });
+  window.show();
+  window.actions().perform("scene.open", scenePath("02_sphere"));
+  window.actions().perform("session.start");
+  const auto* status = window.findChild<StatusLine*>();
+  const auto dropped = [&] { return simulated.host->snapshot().dropped; };
+
+  const qint64 before = window.view().framesDrawn();
+  pass([&](double ms) { moveHand(*simulated.arm, ms); });
+  print("with the window drawing", status->lateness(), dropped());
+  std::printf("%-34s %.1f frames/s at %d x %d, first picture %.0f ms after show, %s\n", "",
+              static_cast<double>(window.view().framesDrawn() - before) * 1e3 / kPhase_ms, window.width(),
+              window.height(), first_ms, window.view().graphicsName().toUtf8().constData());
+  if (!first_round) return;
+
+  pass([&](double ms) {
+    moveHand(*simulated.arm, ms);
+    window.resize(1280 + static_cast<int>(ms / 16) % 200, 800 + static_cast<int>(ms / 24) % 100);
+    window.move(static_cast<int>(ms / 16) % 300, static_cast<int>(ms / 24) % 100);
+  });
+  print("with the window dragged and sized", status->lateness(), dropped());
+
+  const char* scenes[] = {"01_point", "02_sphere", "05_circle", "06_cylinder", "07_box_outside"};
+  int loads = 0;
+  pass([&](double ms) {
+    moveHand(*simulated.arm, ms);
+    if (static_cast<int>(ms / 200) > loads) window.actions().perform("scene.open", scenePath(scenes[++loads % 5]));
+  });
+  print("with a scene loaded every 200 ms", status->lateness(), dropped());
+}
+
+void measure() {
+  {
+    SimulatedHost host = makeSimulatedHost({});
+    std::printf("scheduling %s, %d Hz\n", host.host->scheduling().name.c_str(), host.host->rateHz());
+  }
+  for (int round = 0; round < 3; ++round) {
+    measureAlone();
+    measureWithWindow(round == 0);
+  }
+}
+
+}  // namespace
+}  // namespace underact::gui
+
+int main(int argc, char** argv) {
+  QTemporaryDir settings;
+  qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+  QSurfaceFormat::setDefaultFormat(underact::gui::surfaceFormat());
+  QApplication application(argc, argv);
+  QApplication::setStyle("Fusion");
+  QApplication::setQuitOnLastWindowClosed(false);
+  std::setlocale(LC_NUMERIC, "C");
+  underact::gui::measure();
+  return 0;
+}

@@ -1,0 +1,152 @@
+#include "app/gui/plot/live_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <cmath>
+
+#include "app/gui/plot/plot_history.h"
+#include "app/gui/plot/plot_range.h"
+#include "tests/gui_view/example.h"
+
+namespace underact::gui {
+namespace {
+
+servo::TickRecord recordAt(std::int64_t tick, double error_m, double force_N) {
+  servo::TickRecord record;
+  record.tick = tick;
+  record.time_ns = tick * 1'000'000;
+  record.error_m = error_m;
+  record.p_WT = Vec3(error_m, 0, 0);
+  record.f_asked_T_W = record.f_sent_T_W = Vec3(-force_N, 0, 0);
+  return record;
+}
+
+TEST(PlotHistory, ThinningKeepsASpikeOfOneTick) {
+  for (const std::int64_t spike : {0, 1, 4999, 5000, 7777, 9999}) {
+    PlotHistory history;
+    for (std::int64_t tick = 0; tick < 10'000; ++tick) history.add(recordAt(tick, tick == spike ? 0.009 : 0.001, 0.1));
+    std::vector<PlotPoint> points(2 * (300 + 2));
+    const std::size_t used = thinByTime(history, &PlotRow::error_mm, 300, points);
+    EXPECT_LE(used, points.size());
+    const auto found = std::find_if(points.begin(), points.end(), [](const PlotPoint& p) { return p.y == 9.0F; });
+    ASSERT_NE(found, points.end()) << spike;
+    EXPECT_NEAR(static_cast<double>(found->x), 1e-3 * static_cast<double>(spike - 9999), 1e-5);
+    EXPECT_TRUE(std::is_sorted(points.begin(), points.end(), [](auto a, auto b) { return a.x < b.x; }));
+  }
+}
+
+TEST(PlotHistory, ThinningShowsADipToo) {
+  PlotHistory history;
+  for (std::int64_t tick = 0; tick < 10'000; ++tick) history.add(recordAt(tick, tick == 1234 ? 0.0 : 0.001, 0.1));
+  std::vector<PlotPoint> points(2 * (300 + 2));
+  thinByTime(history, &PlotRow::error_mm, 300, points);
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint& p) { return p.y == 0.0F; }));
+}
+
+TEST(PlotHistory, ColumnsKeepTheirTicksAsTimeGoesOn) {
+  PlotHistory history;
+  std::vector<PlotPoint> before(2 * (100 + 2)), after(2 * (100 + 2));
+  for (std::int64_t tick = 0; tick < 9'000; ++tick)
+    history.add(recordAt(tick, 1e-3 * std::sin(0.37 * static_cast<double>(tick)), 0));
+  thinByTime(history, &PlotRow::error_mm, 100, before);
+  for (std::int64_t tick = 9'000; tick < 9'017; ++tick) history.add(recordAt(tick, 0, 0));
+  thinByTime(history, &PlotRow::error_mm, 100, after);
+  for (std::size_t point = 0; point < 150; ++point) {
+    EXPECT_EQ(after[point].y, before[point].y);
+    EXPECT_NEAR(static_cast<double>(after[point].x), static_cast<double>(before[point].x) - 0.017, 1e-5);
+  }
+}
+
+TEST(PlotHistory, HoldsTenSecondsAtFourThousandTicks) {
+  PlotHistory history;
+  for (std::int64_t tick = 0; tick < 100'000; ++tick) {
+    servo::TickRecord record = recordAt(tick, 0.001, 0);
+    record.time_ns = tick * 250'000;
+    history.add(record);
+  }
+  EXPECT_EQ(history.size(), PlotHistory::kCapacity);
+  EXPECT_NEAR(history.newest_s() - history.row(0).time_s, 10.0, 0.001);
+  history.add(recordAt(1, 0, 0));  // the clock went back: another device
+  EXPECT_EQ(history.size(), 1U);
+}
+
+TEST(PlotHistory, PathKeepsTheExtremesAndLeavesOutWhatIsNoNumber) {
+  PlotHistory history;
+  for (std::int64_t tick = 0; tick < 10'000; ++tick) {
+    servo::TickRecord record = recordAt(tick, 0.001, 0.1);
+    if (tick == 3333) record.p_WT.x() = 0.02;
+    if (tick == 4444) record.f_sent_T_W.x() = 0.8;
+    if (tick % 7 == 0) record.p_WP = Vec3::Constant(kNotANumber);
+    history.add(record);
+  }
+  std::vector<PlotPoint> points(4 * (250 + 2));
+  thinPath(history, 0, 250, points);
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint& p) { return p.x == 20.0F; }));
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint& p) { return p.y == 0.8F; }));
+  EXPECT_TRUE(std::all_of(points.begin(), points.end(), [](const PlotPoint& p) { return std::isfinite(p.x); }));
+}
+
+TEST(PlotRange, GrowsAtOnceAndShrinksLater) {
+  PlotRange range(1.0);
+  EXPECT_EQ(range.update(0.2, 0.0), 1.0);
+  EXPECT_EQ(range.update(3.0, 0.1), 5.0);
+  EXPECT_EQ(range.update(0.9, 0.2), 5.0);
+  EXPECT_EQ(range.update(4.0, 1.9), 5.0);  // used again: the wait starts anew
+  EXPECT_EQ(range.update(0.9, 2.3), 5.0);
+  EXPECT_EQ(range.update(0.9, 4.4), 1.0);
+  EXPECT_EQ(range.update(std::nan(""), 4.5), 1.0);
+  EXPECT_EQ(ticks(-10.0, 0.0, 6).size(), 6U);
+  EXPECT_EQ(decimalsOf(0.5), 1);
+  EXPECT_EQ(decimalsOf(20.0), 0);
+}
+
+TEST(LivePlot, DrawsWhatWasAddedAndOnlyThen) {
+  LivePlot plot;
+  plot.resize(1190, 180);
+  plot.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
+  for (std::int64_t tick = 0; tick < 10'000; ++tick)
+    plot.add(recordAt(tick, 0.0005 + 0.0004 * std::sin(0.001 * static_cast<double>(tick)), 0.3));
+  plot.redraw();
+  const auto isPlotGreen = [](const QColor& c) { return c.saturation() > 150 && c.hue() > 150 && c.hue() < 180; };
+  EXPECT_GT(test::count(plot.picture(), {200, 90}, 90.0, isPlotGreen), 200);
+  QTest::qWait(50);
+  const qint64 before = plot.framesDrawn();
+  for (int again = 0; again < 5; ++again) {
+    plot.redraw();
+    QTest::qWait(10);
+  }
+  EXPECT_EQ(plot.framesDrawn(), before);
+  plot.add(recordAt(10'000, 0.001, 0.3));
+  plot.redraw();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return plot.framesDrawn() > before; }));
+  plot.setTheme(Theme::dark_theme());
+  plot.setAxis(2);
+  EXPECT_EQ(plot.axis(), 2);
+  const QImage picture = plot.picture();
+  EXPECT_EQ(picture.pixelColor(2, picture.height() - 2).name(), Theme::dark_theme().background.name());
+  EXPECT_EQ(plot.glErrors(), 0);
+}
+
+TEST(LivePlot, LivesOnInAnotherWindowAndAtAnySize) {
+  QWidget first, second;
+  auto* plot = new LivePlot;
+  for (QWidget* window : {&first, &second}) {
+    plot->setParent(window);
+    window->resize(600, 200);
+    window->show();
+    plot->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
+    for (const QSize& size : {QSize(600, 200), QSize(30, 20), QSize(500, 150)}) {
+      plot->resize(size);
+      for (std::int64_t tick = 0; tick < 100; ++tick) plot->add(recordAt(tick, 0.001, 0.3));
+      plot->redraw();
+      EXPECT_FALSE(plot->picture().isNull());
+    }
+    EXPECT_EQ(plot->glErrors(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace underact::gui

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProcess>
+#include <QRegularExpression>
+#include <cmath>
+#include <cstdio>
+
+#include "app/gui/lateness.h"
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+// Lateness p99 of the servo over a while in which the window does what `each` says, 20 times a second.
+double latenessWhile(Story& story, const std::function<void(int)>& each) {
+  Lateness lateness(story.host().rateHz());
+  for (int step = 0; step < 60; ++step) {
+    each(step);
+    QTest::qWait(50);
+    lateness.add(story.snapshot().lateness_ns);
+  }
+  return lateness.percentile_us(0.99);
+}
+
+}  // namespace
+
+TEST(RealTimeStory, LoadingScenesAndResizingTheWindowDropsNoTickAndStopsNothing) {
+  Story story("02_sphere", {.servo = {.clock = servo::Clock::Thread}});
+  story.perform("session.start");
+  const double still_us = latenessWhile(story, [](int) {});
+  const double busy_us = latenessWhile(story, [&story](int step) {
+    story.window().resize(1100 + 5 * step, 720 + step);
+    if (step % 10 == 0) story.perform("scene.open", shippedScene(step % 20 == 0 ? "06_cylinder" : "02_sphere"));
+  });
+  // A number for the reader: on a machine that others share it says more of them than of the window.
+  std::printf("lateness p99: %.0f us at rest, %.0f us while loading and resizing\n", still_us, busy_us);
+  EXPECT_EQ(story.snapshot().mode, servo::Mode::Running);
+  EXPECT_EQ(story.snapshot().dropped, 0);
+  EXPECT_GT(story.view().framesDrawn(), 20);
+  EXPECT_TRUE(story.find<QLabel>("status.rate")->text().endsWith("Hz") ||
+              story.find<QLabel>("status.rate")->text().contains("of 1000"));
+}
+
+TEST(RealTimeStory, TheViewFollowsTheHand) {
+  Story story("02_sphere", {.servo = {.clock = servo::Clock::Thread}});
+  story.perform("session.start");
+  const qint64 before = story.view().framesDrawn();
+  QElapsedTimer clock;
+  clock.start();
+  for (int step = 0; clock.elapsed() < 4000; ++step) {
+    sim::HandWish wish;
+    wish.p_WT = Vec3(0.03 * std::sin(0.05 * step), 0.0, 0.045);
+    story.arm().wish(wish);
+    QTest::qWait(5);
+  }
+  const double rate_hz =
+      1e3 * static_cast<double>(story.view().framesDrawn() - before) / static_cast<double>(clock.elapsed());
+  std::printf("%.0f pictures a second at 1280 x 800 (%s)\n", rate_hz, story.view().graphicsName().toUtf8().constData());
+  EXPECT_GT(rate_hz, 5.0);  // the goal of 25 is the benchmark's, on a machine that it has for itself
+  EXPECT_EQ(story.snapshot().dropped, 0);
+}
+
+TEST(RealTimeStory, TheFirstPictureComesSoon) {
+  qint64 best_ms = 1 << 20;
+  for (int attempt = 0; attempt < 3; ++attempt) {  // the best of three: the goal is about the program
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("UNDERACT_TIMING", "1");
+    program.setProcessEnvironment(environment);
+    program.start(UNDERACT_WINDOW, {shippedScene("02_sphere")});
+    QByteArray said;
+    for (int waited = 0; waited < 200 && !said.contains("first picture"); ++waited) {
+      program.waitForReadyRead(100);
+      said += program.readAllStandardError();
+    }
+    const auto match = QRegularExpression("first picture after (\\d+) ms").match(said);
+    ASSERT_TRUE(match.hasMatch()) << said.toStdString();
+    best_ms = std::min(best_ms, match.captured(1).toLongLong());
+    program.kill();
+    program.waitForFinished();
+  }
+  std::printf("first picture after %lld ms\n", best_ms);
+  EXPECT_LT(best_ms, 1500);
+}
+
+}  // namespace underact::gui::test

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+QListWidgetItem* itemOf(QListWidget* list, const QString& path) {
+  for (int row = 0; row < list->count(); ++row) {
+    if (list->item(row)->data(Qt::UserRole).toString() == path) return list->item(row);
+  }
+  return nullptr;
+}
+
+void clickItem(Story& story, QListWidget* list, QListWidgetItem* item) {
+  list->scrollToItem(item);
+  story.click(list->viewport(), list->visualItemRect(item).center());
+}
+
+}  // namespace
+
+TEST(ScenesStory, AClickInTheListOpensEachShippedScene) {
+  Story story("02_sphere");
+  auto* list = story.find<QListWidget>("panel.scenes.list");
+  story.perform("session.start");
+  const QStringList files =
+      QDir(QString(UNDERACT_SOURCE) + "/scenes").entryList({"[0-9]*.json"}, QDir::Files, QDir::Name);
+  ASSERT_GE(files.size(), 9);
+  for (const QString& file : files) {
+    const QString path = QString(UNDERACT_SOURCE) + "/scenes/" + file;
+    QListWidgetItem* item = itemOf(list, path);
+    ASSERT_NE(item, nullptr) << file.toStdString();
+    const QString title = item->text();
+    const bool was_open = story.window().document().path() == path;
+    const std::uint64_t before = story.host().revision();
+    clickItem(story, list, item);
+    EXPECT_EQ(QString::fromStdString(story.host().scene().title), title);
+    EXPECT_EQ(story.host().revision(), before + (was_open ? 0 : 1)) << file.toStdString();
+    story.run(1000);
+    EXPECT_EQ(story.snapshot().revision, story.host().revision());
+    EXPECT_EQ(story.snapshot().mode, servo::Mode::Running);
+    EXPECT_EQ(story.snapshot().report.held.size(), story.host().scene().constraints.size());
+    EXPECT_TRUE(story.window().windowTitle().startsWith(title));
+  }
+}
+
+TEST(ScenesStory, TheKeyboardChoosesAndReturnOpens) {
+  Story story("02_sphere");
+  auto* list = story.find<QListWidget>("panel.scenes.list");
+  story.perform("scenes.find");
+  EXPECT_TRUE(story.find("panel.scenes.filter")->hasFocus());
+  story.key(Qt::Key_Tab);
+  if (!list->hasFocus()) story.key(Qt::Key_Tab);
+  ASSERT_TRUE(list->hasFocus());
+  story.key(Qt::Key_Down);
+  EXPECT_EQ(story.host().scene().title, "Sphere");  // looking is not opening
+  story.key(Qt::Key_Return);
+  EXPECT_NE(story.host().scene().title, "Sphere");
+}
+
+TEST(ScenesStory, TheFilterLeavesWhatFits) {
+  Story story("02_sphere");
+  auto* list = story.find<QListWidget>("panel.scenes.list");
+  auto* filter = story.find<QLineEdit>("panel.scenes.filter");
+  filter->setFocus();
+  for (const Qt::Key letter : {Qt::Key_P, Qt::Key_L, Qt::Key_A, Qt::Key_N, Qt::Key_E}) story.key(letter);
+  EXPECT_EQ(filter->text().toLower(), "plane");
+  EXPECT_FALSE(itemOf(list, shippedScene("04_plane"))->isHidden());
+  EXPECT_TRUE(itemOf(list, shippedScene("01_point"))->isHidden());
+}
+
+TEST(ScenesStory, TheSelectedSceneIsDescribed) {
+  Story story("05_circle");
+  EXPECT_EQ(story.find<QLabel>("panel.scenes.about")->text().toStdString(), story.host().scene().about);
+}
+
+}  // namespace underact::gui::test

@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProcess>
+#include <QSet>
+
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+bool isInteractive(const QWidget* widget) {
+  if (widget->objectName().startsWith("qt_")) return false;  // parts that Qt makes inside its own widgets
+  if (qobject_cast<const QLineEdit*>(widget) && qobject_cast<const QAbstractSpinBox*>(widget->parent())) return false;
+  if (qobject_cast<const QAbstractButton*>(widget)) {
+    const QWidget* parent = widget->parentWidget();
+    return qobject_cast<const QDockWidget*>(parent) == nullptr && qobject_cast<const QLineEdit*>(parent) == nullptr;
+  }
+  return qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const QComboBox*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
+         qobject_cast<const QAbstractItemView*>(widget);
+}
+
+bool isInsideQtsOwn(const QWidget* widget) {
+  for (const QObject* above = widget->parent(); above != nullptr; above = above->parent()) {
+    if (above->objectName().startsWith("qt_") || above->inherits("QComboBoxPrivateContainer") ||
+        qobject_cast<const QAbstractItemView*>(above) || above->inherits("QAbstractScrollArea")) {
+      // what stands in a scroll area's own content widget is ours
+      if (!above->inherits("QScrollArea") && above->objectName() != "qt_scrollarea_viewport") return true;
+    }
+  }
+  return false;
+}
+
+void collect(const QMenu* menu, QSet<QAction*>& all) {
+  for (QAction* action : menu->actions()) {
+    if (action->menu() != nullptr)
+      collect(action->menu(), all);
+    else
+      all.insert(action);
+  }
+}
+
+}  // namespace
+
+TEST(WindowStory, EveryWidgetThatTakesInputHasANameForStoriesAndOneForScreenReaders) {
+  Story story("02_sphere");
+  int seen = 0;
+  QSet<QString> names;
+  for (const QWidget* widget : story.window().findChildren<QWidget*>()) {
+    if (!isInteractive(widget) || isInsideQtsOwn(widget)) continue;
+    const std::string what = std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString();
+    EXPECT_FALSE(widget->objectName().isEmpty()) << what;
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << what;
+    EXPECT_FALSE(names.contains(widget->objectName())) << what << " stands twice";
+    names.insert(widget->objectName());
+    ++seen;
+  }
+  EXPECT_GT(seen, 30);
+}
+
+TEST(WindowStory, EveryActionHasAMenuEntryAShortcutOfItsOwnAndATip) {
+  Story story("02_sphere");
+  QSet<QAction*> in_menus;
+  for (QAction* top : story.window().menuBar()->actions()) collect(top->menu(), in_menus);
+  QSet<QString> shortcuts;
+  for (const QString& name : story.window().actions().names()) {
+    QAction* action = story.window().actions().find(name);
+    if (action == nullptr || name == "menu.layers") continue;  // a command with arguments; a button that opens a menu
+    EXPECT_TRUE(in_menus.contains(action)) << name.toStdString();
+    EXPECT_FALSE(action->statusTip().isEmpty()) << name.toStdString();
+    const QString keys = action->shortcut().toString();
+    EXPECT_FALSE(keys.isEmpty()) << name.toStdString();
+    EXPECT_FALSE(shortcuts.contains(keys)) << name.toStdString() << " " << keys.toStdString();
+    shortcuts.insert(keys);
+  }
+}
+
+TEST(WindowStory, TabReachesEveryControlOfTheFeelPanelInTheOrderOfTheEye) {
+  Story story("12_line_pid");
+  QWidget* panel = story.find("panel.feel");
+  QList<QWidget*> wanted;
+  for (QWidget* widget : panel->findChildren<QWidget*>()) {
+    if (isInteractive(widget) && !isInsideQtsOwn(widget) && widget->isVisible() && widget->isEnabled())
+      wanted << widget;
+  }
+  story.find("panel.feel.law")->setFocus(Qt::TabFocusReason);
+  QList<QWidget*> reached{story.find("panel.feel.law")};
+  for (int step = 0; step < 60 && reached.size() < wanted.size(); ++step) {
+    story.key(Qt::Key_Tab);
+    QWidget* focus = QApplication::focusWidget();
+    if (focus != nullptr && panel->isAncestorOf(focus) && !reached.contains(focus)) reached << focus;
+  }
+  for (QWidget* widget : wanted) EXPECT_TRUE(reached.contains(widget)) << widget->objectName().toStdString();
+  for (int index = 1; index < reached.size(); ++index) {
+    const QPoint before = reached[index - 1]->mapTo(panel, QPoint()), after = reached[index]->mapTo(panel, QPoint());
+    EXPECT_TRUE(after.y() > before.y() - 4) << reached[index]->objectName().toStdString();
+  }
+}
+
+TEST(WindowStory, LightAndDarkChangeWhileTheServoRuns) {
+  Story story("02_sphere");
+  story.perform("session.start");
+  story.run(500);
+  story.perform("view.theme.light");
+  story.settle();
+  const QColor light = story.picture().pixelColor(5, story.window().height() / 2);
+  story.perform("view.theme.dark");
+  story.settle();
+  const QColor dark = story.picture().pixelColor(5, story.window().height() / 2);
+  EXPECT_GT(light.lightness(), 200);
+  EXPECT_LT(dark.lightness(), 80);
+  story.run(500);
+  EXPECT_EQ(story.snapshot().mode, servo::Mode::Running);
+}
+
+TEST(WindowStory, LayoutThemeLayersAndFilesAreRememberedAndResetPutsThePanelsBack) {
+  {
+    Story story("04_plane");
+    story.find("dock.shape")->hide();
+    story.perform("view.theme.dark");
+    story.perform("layer.arm", false);
+    story.perform("plots.axis", "z");
+  }
+  Story story({}, {.first_start = false});
+  EXPECT_FALSE(story.find("dock.shape")->isVisible());
+  EXPECT_TRUE(story.find("dock.feel")->isVisible());
+  EXPECT_TRUE(story.window().actions().find("view.theme.dark")->isChecked());
+  EXPECT_FALSE(story.view().layers().arm);
+  EXPECT_EQ(story.find<QComboBox>("panel.plots.axis")->currentIndex(), 2);
+  EXPECT_EQ(readSettings().last_scene, shippedScene("04_plane"));
+  story.perform("layout.reset");
+  EXPECT_TRUE(story.find("dock.shape")->isVisible());
+}
+
+TEST(WindowStory, NothingIsCutAtTheSmallestUsableSize) {
+  Story story("12_line_pid", {.size = {1024, 700}});
+  EXPECT_EQ(story.window().size(), QSize(1024, 700));
+  EXPECT_GE(story.view().width(), 400);
+  EXPECT_GE(story.view().height(), 260);
+  for (const char* name : {"status.force", "button.session.stop", "panel.gains.kp.x.number"}) {
+    QWidget* widget = story.find(name);
+    const QRect there(widget->mapTo(&story.window(), QPoint()), widget->size());
+    EXPECT_TRUE(story.window().rect().contains(there)) << name;
+    EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << name;
+  }
+}
+
+TEST(WindowStory, TheProgramDrawsAPictureAndSaysWhatItIs) {
+  QProcess program;
+  const QString out = temporaryFile("picture.png");
+  program.start(UNDERACT_WINDOW, {"--picture", shippedScene("02_sphere"), "--out", out});
+  ASSERT_TRUE(program.waitForFinished(60000));
+  EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+  EXPECT_GE(QImage(out).width(), 640);
+  program.start(UNDERACT_WINDOW, {"--version"});
+  ASSERT_TRUE(program.waitForFinished(60000));
+  EXPECT_TRUE(program.readAllStandardOutput().startsWith("underact "));
+  program.start(UNDERACT_WINDOW, {"--no-such-thing"});
+  ASSERT_TRUE(program.waitForFinished(60000));
+  EXPECT_EQ(program.exitCode(), 2);
+}
+
+}  // namespace underact::gui::test
