@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/held_port.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
@@ -73,8 +72,7 @@ class Run {
 
   void take(servo::Host& host) {
     host.drain([this](const servo::TickRecord& record) {
-      const bool begun = summary_.ticks() > 0 || record.fault != FaultKind::NoSample;  // HeldPort
-      if (!begun || isDone()) return;
+      if (isDone()) return;
       summary_.add(record);
       if (csv_) csv_->add(record);
     });
@@ -167,17 +165,16 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
-  auto port = std::make_unique<HeldPort>(makeArm(options, *prepared));
-  HeldPort& arm = *port;
   const Interrupt interrupt;
-  servo::Host host(std::move(port), {options.rate_hz, options.fast ? servo::Clock::Manual : servo::Clock::Thread});
+  servo::Host host(makeArm(options, *prepared),
+                   {options.rate_hz, options.fast ? servo::Clock::Manual : servo::Clock::Thread});
   const Problems problems = host.load(prepared->scene.description);
-  host.start();
-  arm.letGo();
   if (!problems.empty()) {
     print(problems, streams.err);
     return Exit::BadInput;
   }
+  host.start();
+  host.begin();
   Run run(ticks, std::move(prepared->csv), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt);
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {

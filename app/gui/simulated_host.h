@@ -6,7 +6,8 @@
 
 namespace underact::gui {
 
-/// A servo on the simulated arm. arm is the host's own device: its hand can be moved for as long as the host lives.
+/// A servo on the simulated arm, begun. arm is the host's own device: its hand can be moved for as long as the host
+/// lives.
 struct SimulatedHost {
   std::unique_ptr<servo::Host> host;
   device::SimulatedArm* arm = nullptr;

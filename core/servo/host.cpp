@@ -11,9 +11,7 @@ namespace underact::servo {
 
 struct Host::Impl {
   Impl(std::unique_ptr<DevicePort> port, const HostOptions& wanted)
-      : options(wanted), device(std::move(port)), loop(*device) {
-    if (options.clock == Clock::Thread) thread.emplace(loop, options.rate_hz);
-  }
+      : options(wanted), device(std::move(port)), loop(*device) {}
   ~Impl() {
     thread.reset();
     for (const Command& command : backlog) delete command.instance;
@@ -97,6 +95,12 @@ void Host::drain(const std::function<void(const TickRecord&)>& row) {
   impl_->loop.drain(row);
 }
 
+void Host::begin() {
+  if (impl_->options.clock == Clock::Thread && !impl_->thread) {
+    impl_->thread.emplace(impl_->loop, impl_->options.rate_hz);
+  }
+}
+
 void Host::run(std::int64_t ticks) {
   impl_->flush();
   for (std::int64_t tick = 0; tick < ticks; ++tick) impl_->loop.tick(0);
@@ -107,7 +111,8 @@ int Host::rateHz() const {
 }
 
 Scheduling Host::scheduling() const {
-  return impl_->thread ? impl_->thread->scheduling() : Scheduling{"manual", ""};
+  if (impl_->thread) return impl_->thread->scheduling();
+  return {impl_->options.clock == Clock::Manual ? "manual" : "not begun", ""};
 }
 
 DeviceInfo Host::device() const {

@@ -11,7 +11,8 @@
 
 namespace underact::servo {
 
-/// Thread: the servo runs by itself on absolute deadlines. Manual: it ticks when run() is called, as fast as it can.
+/// Thread: once begun, the servo runs by itself on absolute deadlines. Manual: it ticks when run() is called, as fast
+/// as it can.
 enum class Clock : std::uint8_t { Thread, Manual };
 
 struct HostOptions {
@@ -21,7 +22,7 @@ struct HostOptions {
 
 /// What scheduling the system granted the servo thread.
 struct Scheduling {
-  std::string name;  // "FIFO 80", "normal", "manual": for the status bar
+  std::string name;  // "FIFO 80", "normal", "manual", "not begun": for the status bar
   std::string hint;  // how to get better; empty: it is as good as it gets
 };
 
@@ -54,6 +55,8 @@ class Host {
   const Snapshot& snapshot();
   /// Calls row() for every tick since the last call, in order. Call it about 30 times a second, or rows drop (counted).
   void drain(const std::function<void(const TickRecord&)>& row);
+  /// Thread clock only: the servo thread starts to tick. What was told the host before is taken up by its first tick.
+  void begin();
   /// Manual clock only.
   void run(std::int64_t ticks);
 

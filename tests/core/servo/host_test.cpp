@@ -181,9 +181,11 @@ TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the t
   ScriptedPort::Seen seen;
   {
     Host host(std::make_unique<ScriptedPort>(seen), HostOptions{2000, Clock::Thread});
-    EXPECT_FALSE(host.scheduling().name.empty());
+    EXPECT_EQ(host.scheduling().name, "not begun");
     ASSERT_TRUE(host.load(sphereScene(50)).empty());
     host.start();
+    host.begin();
+    EXPECT_NE(host.scheduling().name, "not begun");
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
     std::int64_t rows = 0;
     for (int i = 0; std::chrono::steady_clock::now() < end; ++i) {
@@ -196,6 +198,7 @@ TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the t
       }
       host.drain([&](const TickRecord& record) {
         ASSERT_EQ(record.tick, ++rows);
+        ASSERT_GT(record.revision, 0U);  // the scene was there before the first tick
         ASSERT_LE(record.f_sent_T_W.norm(), 0.88 * (1 + 1e-15));
       });
       host.snapshot();
