@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.h"
+
 namespace underact::gui {
 namespace {
 
@@ -13,6 +15,7 @@ namespace {
 const Vec3 kRegion_mm(110.0, 85.0, 62.0);
 constexpr double kPointRadius_mm = 2.6;
 constexpr double kGrid_mm = 20.0;
+constexpr double kHair_mm = 4.0;  // of a wall, and the room between two of them at least
 
 /// The part of a line inside the region grown by margin_mm; false: none.
 bool clip(const Vec3& p_mm, const Vec3& direction, double margin_mm, double& from, double& to) {
@@ -99,8 +102,8 @@ void ConstraintPicture::setLineWidth(double scale) {
 }
 
 void ConstraintPicture::setScene(const scene::Description& scene) {
-  shapes_.clear();
-  for (const scene::Constraint& constraint : scene.constraints) shapes_.push_back(constraint.shape);
+  held_.clear();
+  for (const scene::Constraint& constraint : scene.constraints) held_.push_back({constraint.shape, constraint.side});
   build();
 }
 
@@ -116,8 +119,9 @@ void ConstraintPicture::build() {
   balls_.clear();
   tubes_.clear();
   extent_mm_.clear();
-  for (const scene::Shape& shape : shapes_) {
-    std::visit([this](const auto& one) { add(one); }, shape);
+  for (const Held& held : held_) {
+    side_ = held.side;
+    std::visit([this](const auto& one) { add(one); }, held.shape);
   }
   bold_.done();
   fine_.done();
@@ -140,6 +144,21 @@ vtkActor& ConstraintPicture::addTint(vtkPolyData* data) {
   return *tints_.back();
 }
 
+void ConstraintPicture::addHair(const Vec3& p_mm, const Vec3& outwards) {
+  if (side_ == target::Side::Both) return;
+  const double into_solid = side_ == target::Side::Outside ? -kHair_mm : kHair_mm;
+  fine_.segment(p_mm, p_mm + into_solid * outwards, theme_.constraint);
+}
+
+void ConstraintPicture::addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm) {
+  const int count = 4 * std::clamp(static_cast<int>(radius_mm / kHair_mm), 2, 18);
+  for (int hair = 0; hair < count; ++hair) {
+    const double angle_rad = 2.0 * kPi * hair / count;
+    const Vec3 out = std::cos(angle_rad) * u + std::sin(angle_rad) * v;
+    addHair(center_mm + radius_mm * out, out);
+  }
+}
+
 void ConstraintPicture::add(const scene::Point& point) {
   vtkActor& ball = addTint(unitSphere(24, 12));
   ball.GetProperty()->SetOpacity(1.0);  // too small to be seen through
@@ -160,7 +179,9 @@ void ConstraintPicture::add(const scene::Sphere& sphere) {
   balls_.push_back({sphere.center_mm, sphere.radius_mm});
   const QColor soft = faint(theme_.constraint, 0.55);
   for (int axis = 0; axis < 3; ++axis) {
-    fine_.circle(sphere.center_mm, Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3), sphere.radius_mm, soft);
+    const Vec3 u = Vec3::Unit((axis + 1) % 3), v = Vec3::Unit((axis + 2) % 3);
+    fine_.circle(sphere.center_mm, u, v, sphere.radius_mm, soft);
+    addHairs(sphere.center_mm, u, v, sphere.radius_mm);
     extent_mm_.push_back(sphere.center_mm + sphere.radius_mm * Vec3::Unit(axis));
     extent_mm_.push_back(sphere.center_mm - sphere.radius_mm * Vec3::Unit(axis));
   }
@@ -187,6 +208,11 @@ void ConstraintPicture::add(const scene::Plane& plane) {
   }
   addTint(polygon(corners, normal));
   bold_.chain(corners, theme_.constraint, true);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    const Vec3 &from_mm = corners[corner], &to_mm = corners[(corner + 1) % corners.size()];
+    const double steps = std::max(1.0, std::floor((to_mm - from_mm).norm() / (2.0 * kHair_mm)));
+    for (double step = 0.0; step < steps; step += 1.0) addHair(from_mm + step / steps * (to_mm - from_mm), normal);
+  }
   const QColor soft = faint(theme_.constraint, 0.35);
   for (const auto& [way, across] : {std::pair{u, v}, {v, u}}) {
     double least = kInfinity, most = -kInfinity;
@@ -226,9 +252,13 @@ void ConstraintPicture::add(const scene::Cylinder& cylinder) {
   tubes_.push_back({a_mm, b_mm, cylinder.radius_mm});
   bold_.circle(a_mm, u, v, cylinder.radius_mm, theme_.constraint);
   bold_.circle(b_mm, u, v, cylinder.radius_mm, theme_.constraint);
+  addHairs(a_mm, u, v, cylinder.radius_mm);
+  addHairs(b_mm, u, v, cylinder.radius_mm);
   const QColor soft = faint(theme_.constraint, 0.35);
   for (double step = std::ceil((from + 1.0) / kGrid_mm); step * kGrid_mm < to - 1.0; step += 1.0) {
-    fine_.circle(cylinder.point_mm + step * kGrid_mm * axis, u, v, cylinder.radius_mm, soft);
+    const Vec3 center_mm = cylinder.point_mm + step * kGrid_mm * axis;
+    fine_.circle(center_mm, u, v, cylinder.radius_mm, soft);
+    addHairs(center_mm, u, v, cylinder.radius_mm);
   }
   for (const Vec3& end_mm : {a_mm, b_mm}) {
     for (const Vec3& out : {u, v}) {
@@ -246,6 +276,18 @@ void ConstraintPicture::add(const scene::Box& box) {
   X.block<3, 1>(0, 3) = box.center_mm;
   place(cube, X);
   addBoxEdges(bold_, 0.5 * box.size_mm, box.center_mm, box.R_WB, theme_.constraint);
+  for (int axis = 0; axis < 3; ++axis) {  // along the four edges of that axis, between the two faces
+    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+    const double steps = std::clamp(std::floor(box.size_mm[axis] / (2.0 * kHair_mm)), 1.0, 40.0);
+    for (const auto& [a, b] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+      const Vec3 out = box.R_WB * (a * Vec3::Unit(second) + b * Vec3::Unit(third)).normalized();
+      for (double step = 0.5; step < steps; step += 1.0) {
+        Vec3 share = 0.5 * (a * Vec3::Unit(second) + b * Vec3::Unit(third));
+        share[axis] = step / steps - 0.5;
+        addHair(box.center_mm + box.R_WB * share.cwiseProduct(box.size_mm), out);
+      }
+    }
+  }
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 share((corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5, (corner & 4) != 0 ? 0.5 : -0.5);
     const Vec3 corner_mm = box.center_mm + box.R_WB * share.cwiseProduct(box.size_mm);

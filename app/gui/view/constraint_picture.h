@@ -10,8 +10,9 @@
 
 namespace underact::gui {
 
-/// What the stylus is held to, as drawn: surfaces filled at 25 %, edges and outlines solid. What has no end is cut to a
-/// region somewhat larger than the workspace. mm, in W.
+/// What the stylus is held to, as drawn: surfaces filled at 25 %, edges and outlines solid; a wall carries short hairs
+/// on the side where it is solid, as drawings of machines mark the ground. What has no end is cut to a region somewhat
+/// larger than the workspace. mm, in W.
 class ConstraintPicture {
  public:
   ConstraintPicture();
@@ -45,8 +46,16 @@ class ConstraintPicture {
   void add(const scene::Cylinder& cylinder);
   void add(const scene::Box& box);
   vtkActor& addTint(vtkPolyData* data);
+  /// At a place of a wall's surface, given its outer normal; nothing where the shape is no wall.
+  void addHair(const Vec3& p_mm, const Vec3& outwards);
+  void addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm);  // around a ring
 
-  std::vector<scene::Shape> shapes_;
+  struct Held {
+    scene::Shape shape;
+    target::Side side;
+  };
+  std::vector<Held> held_;
+  target::Side side_ = target::Side::Both;  // of the shape that is being added
   Theme theme_ = Theme::light();
   Lines bold_, fine_, outlines_;
   vtkSmartPointer<vtkActor> bold_actor_, fine_actor_, outline_actor_;
