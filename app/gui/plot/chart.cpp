@@ -20,8 +20,9 @@ namespace underact::gui {
 namespace {
 
 constexpr double kGap = 8.0;
-constexpr double kLabelRoom_px = 56.0;  // between two words on the x axis
-constexpr double kLineRoom_px = 26.0;   // between two words on the y axis
+constexpr double kLabelRoom_px = 56.0;                                        // between two words on the x axis
+constexpr double kLineRoom_px = 26.0;                                         // between two words on the y axis
+constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  // of the legend
 
 QString numberText(double value, int decimals) {
   if (std::abs(value) < 1e-9) value = 0.0;
@@ -33,6 +34,11 @@ QFont smaller(QFont font) {
     font.setPointSizeF(0.85 * font.pointSizeF());
   else
     font.setPixelSize(std::max(1, qRound(0.85 * font.pixelSize())));
+  return font;
+}
+
+QFont boldOf(QFont font) {
+  font.setBold(true);
   return font;
 }
 
@@ -96,7 +102,10 @@ void Chart::setPlace(const QRectF& area, double widget_height, double scale, con
   font_ = smaller(font);
   const QFontMetricsF metrics(font_);
   const double left = std::ceil(metrics.horizontalAdvance(QStringLiteral("\u221200.0")) + kGap);
-  const double top = std::ceil(metrics.height() + 1.5 * kGap), bottom = std::ceil(metrics.height() + 1.25 * kGap);
+  legend_below_ = left + titleWidth() + legendWidth() + 1.5 * kGap > area.width();
+  const double lines = legend_below_ ? 2.0 : 1.0;
+  const double top = std::ceil(lines * metrics.height() + 1.5 * kGap),
+               bottom = std::ceil(metrics.height() + 1.25 * kGap);
   area_ = area;
   axes_ = area.adjusted(left, top, -1.5 * kGap, -bottom);
   if (axes_.width() < 8.0) axes_.setWidth(8.0);
@@ -182,27 +191,48 @@ void Chart::paintWords(QPainter& painter) const {
                              std::round(y + 0.5 * (metrics.ascent() - metrics.descent()))),
                      text);
   }
-  QFont bold = font_;
-  bold.setBold(true);
-  painter.setFont(bold);
-  painter.setPen(theme_.ink);
   const double title_base = std::round(area_.top() + 0.5 * kGap + metrics.ascent());
-  painter.drawText(QPointF(std::round(axes_.left()), title_base), title_);
+  paintLegend(painter, legend_below_ ? std::round(title_base + metrics.height()) : title_base);
+  painter.setFont(boldOf(font_));
+  painter.setPen(theme_.ink);
+  // Above the axis it belongs to; further left where it is too long for that.
+  const double left = std::clamp(area_.right() - titleWidth() - kGap, area_.left() + kGap, axes_.left());
+  const QString title = QFontMetricsF(boldOf(font_)).elidedText(title_, Qt::ElideRight, area_.right() - left);
+  painter.drawText(QPointF(std::round(left), title_base), title);
+}
+
+void Chart::paintLegend(QPainter& painter, double base) const {
+  const QFontMetricsF metrics(font_);
+  const QColor quiet = mixed(theme_.quiet, theme_.ink, 0.55);
+  double left = axes_.right() - legendWidth();
+  if (legend_below_) left = std::max(left, area_.left() + kGap);
   painter.setFont(font_);
-  double right = axes_.right();
-  for (std::size_t curve = curves_.size(); curve-- > 0;) {  // the legend, from the right
+  painter.setPen(quiet);
+  for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
     const QString& name = curves_[curve].name;
     if (name.isEmpty()) continue;
-    right -= metrics.horizontalAdvance(name);
-    painter.setPen(quiet);
-    painter.drawText(QPointF(std::round(right), title_base), name);
-    right -= 20.0;
     const double thick = std::max(1.0, std::round(static_cast<double>(curves_[curve].width)));
     painter.fillRect(
-        QRectF(std::round(right), std::round(title_base - 0.32 * metrics.ascent() - 0.5 * thick), 16.0, thick),
+        QRectF(std::round(left), std::round(base - 0.32 * metrics.ascent() - 0.5 * thick), kSwatch_px, thick),
         colours_[curve]);
-    right -= 12.0;
+    left += kSwatch_px + kSwatchGap_px;
+    painter.drawText(QPointF(std::round(left), base), name);
+    left += metrics.horizontalAdvance(name) + kNameGap_px;
   }
+}
+
+double Chart::legendWidth() const {
+  const QFontMetricsF metrics(font_);
+  double width = 0.0;
+  for (const Curve& curve : curves_) {
+    if (curve.name.isEmpty()) continue;
+    width += kSwatch_px + kSwatchGap_px + metrics.horizontalAdvance(curve.name) + (width > 0.0 ? kNameGap_px : 0.0);
+  }
+  return width;
+}
+
+double Chart::titleWidth() const {
+  return QFontMetricsF(boldOf(font_)).horizontalAdvance(title_);
 }
 
 }  // namespace underact::gui

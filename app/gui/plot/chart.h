@@ -46,12 +46,17 @@ class Chart {
 
  private:
   void setTicks();
+  void paintLegend(QPainter& painter, double base) const;
+  double legendWidth() const;
+  double titleWidth() const;
+
   QString title_, x_title_;
   std::vector<Curve> curves_;
   std::vector<QColor> colours_;
   Theme theme_ = Theme::light();
   QFont font_;
   QRectF area_, axes_;
+  bool legend_below_ = false;  // the title, where both have no room in one line
   double scale_ = 1.0;
   double x_from_ = 0.0, x_to_ = 1.0, y_from_ = 0.0, y_to_ = 1.0;
   std::vector<double> x_ticks_, y_ticks_;
