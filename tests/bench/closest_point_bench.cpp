@@ -1,29 +1,11 @@
 #include <benchmark/benchmark.h>
 
-#include <string>
-#include <vector>
-
-#include "core/shape/shape.h"
+#include "tests/bench/cases.h"
 
 // ns for each closest point, over points on and off the shapes as a hand would have them; the alternative of a shape is
 // the same shape in the metric of unequal gains.
 namespace underact {
 namespace {
-
-struct Case {
-  const char* name;
-  shape::Shape shape;
-};
-
-std::vector<Case> cases() {
-  return {{"point", shape::makePoint({0, 0, 0}, {}).value()},
-          {"sphere", shape::makeSphere({0, 0, 0}, 0.05, {}).value()},
-          {"line", shape::makeLine({0, 0.03, 0}, {-1, -2, 1}, {}).value()},
-          {"plane", shape::makePlane({0, 0, 0}, {1, 1, 1}, {}).value()},
-          {"circle", shape::makeCircle({0.01, 0.02, 0.03}, {-1, 1, -1}, 0.04, {}).value()},
-          {"cylinder", shape::makeCylinder({0.03, 0, 0.03}, {-1, 1, -1}, 0.03, {}).value()},
-          {"box", shape::makeBox({0, 0, 0}, {0.06, 0.06, 0.06}, Mat3::Identity(), {}).value()}};
-}
 
 void measure(benchmark::State& state, const shape::Shape& shape) {
   std::vector<Vec3> tips;
@@ -36,9 +18,9 @@ void measure(benchmark::State& state, const shape::Shape& shape) {
 }
 
 const bool kRegistered = [] {
-  for (const Case& one : cases()) {
-    benchmark::RegisterBenchmark((std::string("closest/") + one.name).c_str(), measure, one.shape);
-    benchmark::RegisterBenchmark((std::string("closest_weighted/") + one.name).c_str(), measure,
+  for (const bench::NamedShape& one : bench::shapes()) {
+    benchmark::RegisterBenchmark(("closest/" + one.name).c_str(), measure, one.shape);
+    benchmark::RegisterBenchmark(("closest_weighted/" + one.name).c_str(), measure,
                                  shape::scaled(one.shape, Vec3(1.0, 0.5, 0.7)));
   }
   return true;

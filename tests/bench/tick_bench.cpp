@@ -1,30 +1,14 @@
 #include <benchmark/benchmark.h>
 
-#include <string>
-#include <vector>
-
 #include "core/arm/inverse.h"
+#include "core/base/units.h"
 #include "core/tick/step.h"
+#include "tests/bench/cases.h"
 
 // ns for a whole tick: kinematics, target, law, gate and report, for each shape and law, over joints along a closed
 // path of the tip as a hand would move it (0.3 m/s).
 namespace underact {
 namespace {
-
-struct Named {
-  std::string name;
-  shape::Shape shape;
-};
-
-std::vector<Named> shapes() {
-  return {{"point", shape::makePoint({0, 0, 0}, {}).value()},
-          {"sphere", shape::makeSphere({0, 0, 0}, 0.05, {}).value()},
-          {"line", shape::makeLine({0, 0.03, 0}, {-1, -2, 1}, {}).value()},
-          {"plane", shape::makePlane({0, 0, 0}, {1, 1, 1}, {}).value()},
-          {"circle", shape::makeCircle({0.01, 0.02, 0.03}, {-1, 1, -1}, 0.04, {}).value()},
-          {"cylinder", shape::makeCylinder({0.03, 0, 0.03}, {-1, 1, -1}, 0.03, {}).value()},
-          {"box", shape::makeBox({0, 0, 0}, {0.06, 0.06, 0.06}, Mat3::Identity(), {}).value()}};
-}
 
 struct NamedLaw {
   std::string name;
@@ -41,7 +25,7 @@ void measure(benchmark::State& state, const tick::TickProgram& program) {
   std::vector<arm::JointAngles> joints;
   constexpr int kPath = 1024;
   for (int i = 0; i < kPath; ++i) {
-    const double a = 2 * 3.14159265358979 * i / kPath;
+    const double a = 2 * kPi * i / kPath;
     joints.push_back(arm::reach(geometry, Vec3(0.05 * std::cos(a), 0.04 * std::sin(a), 0.03 * std::cos(2 * a))).q_rad);
   }
   tick::TickState memory = tick::makeState(program);
@@ -67,7 +51,7 @@ tick::TickProgram programOf(const shape::Shape& shape, const control::Law& law, 
 }
 
 const bool kRegistered = [] {
-  for (const Named& shape : shapes()) {
+  for (const bench::NamedShape& shape : bench::shapes()) {
     for (const NamedLaw& law : laws()) {
       benchmark::RegisterBenchmark(("tick/" + shape.name + "/" + law.name).c_str(), measure,
                                    programOf(shape.shape, law.law, Vec3::Ones(), 1));
@@ -76,7 +60,7 @@ const bool kRegistered = [] {
                                  programOf(shape.shape, laws()[0].law, Vec3(1.0, 0.5, 0.7), 1));
   }
   benchmark::RegisterBenchmark("tick/64_spheres/P", measure,
-                               programOf(shapes()[1].shape, laws()[0].law, Vec3::Ones(), 64));
+                               programOf(bench::shapes()[1].shape, laws()[0].law, Vec3::Ones(), 64));
   return true;
 }();
 
