@@ -12,11 +12,10 @@ constexpr std::size_t kRecords = 16384;  // 4 s at 4 kHz: how long a window may 
 
 /// Writes every page of a queue once, so that the servo thread meets no page fault there.
 template <class T>
-void touchPages(moodycamel::ReaderWriterQueue<T>& queue) {
-  while (queue.try_enqueue(T{})) {
+void touchPages(boost::lockfree::spsc_queue<T>& queue) {
+  while (queue.push(T{})) {
   }
-  while (queue.pop()) {
-  }
+  queue.reset();
 }
 
 }  // namespace
@@ -29,37 +28,31 @@ Loop::Loop(DevicePort& device)
 
 Loop::~Loop() {
   reap();
-  Command command;
-  while (commands_.try_dequeue(command)) delete command.instance;
+  commands_.consume_all([](const Command& left) { delete left.instance; });
   delete waiting_;
   delete current_;
 }
 
 bool Loop::send(const Command& command) {
-  return commands_.try_enqueue(command);
+  return commands_.push(command);
 }
 
 void Loop::reap() {
-  Instance* instance = nullptr;
-  while (retired_.try_dequeue(instance)) delete instance;
+  retired_.consume_all([](const Instance* instance) { delete instance; });
 }
 
 void Loop::drain(const std::function<void(const TickRecord&)>& row) {
-  while (const TickRecord* record = records_.peek()) {
-    row(*record);
-    records_.pop();
-  }
+  records_.consume_all([&row](const TickRecord& record) { row(record); });
 }
 
-// Clang cannot prove that the queue's try_ functions keep off the heap; they do by their contract, and tests/malloc
-// counts.
+// Clang cannot see that push() and pop() keep off the heap; they do by their contract, and tests/malloc counts.
 #if defined(__clang__) && __clang_major__ >= 20
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wfunction-effects"
 #endif
 
 void Loop::retire(Instance* instance) noexcept {
-  retired_.try_enqueue(instance);
+  retired_.push(instance);
 }
 
 void Loop::replaceBy(Instance* instance, tick::Carry carry) noexcept {
@@ -70,7 +63,7 @@ void Loop::replaceBy(Instance* instance, tick::Carry carry) noexcept {
 
 void Loop::takeUpCommands() noexcept {
   Command command;
-  while (commands_.try_dequeue(command)) {
+  while (commands_.pop(command)) {
     switch (command.order) {
       case Order::Start:
         engaged_ = restart_ = true;
@@ -121,7 +114,7 @@ void Loop::tick(std::int64_t lateness_ns) noexcept {
   snapshot.revision = current_->revision;
   snapshot.mode = mode();
   snapshot.lateness_ns = lateness_ns;
-  if (!records_.try_enqueue(recordOf(snapshot))) ++dropped_;
+  if (!records_.push(recordOf(snapshot))) ++dropped_;
   snapshot.dropped = dropped_;
   snapshots_.publish();
 }

@@ -1,6 +1,5 @@
 #pragma once
-#include <readerwriterqueue/readerwriterqueue.h>
-
+#include <boost/lockfree/spsc_queue.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -63,9 +62,9 @@ class Loop {
   std::int64_t ticks_ = 0;
   std::int64_t dropped_ = 0;
   Slot<Snapshot> snapshots_;
-  moodycamel::ReaderWriterQueue<Command> commands_;
-  moodycamel::ReaderWriterQueue<Instance*> retired_;
-  moodycamel::ReaderWriterQueue<TickRecord> records_;
+  boost::lockfree::spsc_queue<Command> commands_;
+  boost::lockfree::spsc_queue<Instance*> retired_;
+  boost::lockfree::spsc_queue<TickRecord> records_;
 };
 
 }  // namespace underact::servo
