@@ -106,9 +106,10 @@ void ViewWords::paintGauge(QPainter& painter, const WordsState& state) {
     p.setClipping(false);
     if (state.limited) p.drawRect(QRectF(area.width() - 3.0, metrics.height() + 2.0, 3.0, 14.0));  // the bar: cut here
   });
-  painter.drawImage(QPointF(std::round(state.size.width() - width - kMargin),
-                            std::round(state.size.height() - size.height() - kMargin)),
-                    image);
+  const QPointF corner(std::round(state.size.width() - width - kMargin),
+                       std::round(state.size.height() - size.height() - kMargin));
+  painter.fillRect(QRectF(corner, size).adjusted(-4, -2, 4, 2), state.theme.background);  // over the box's ticks
+  painter.drawImage(corner, image);
 }
 
 void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
