@@ -4,19 +4,19 @@ namespace underact::tick {
 namespace {
 
 // ns, measured by underact-bench (resources/guide/figures.md).
-constexpr double kKinematics_ns = 75.0;
-constexpr double kGateAndReport_ns = 73.0;
-constexpr double kPoint_ns = 6.0;
-constexpr double kSphere_ns = 17.0;
-constexpr double kLine_ns = 12.0;
-constexpr double kPlane_ns = 7.0;
-constexpr double kCircle_ns = 34.0;
-constexpr double kCylinder_ns = 33.0;
-constexpr double kBox_ns = 36.0;
-constexpr double kByIteration_ns = 190.0;  // what unequal gains make of sphere, circle, cylinder and box
-constexpr double kP_ns = 3.0;
-constexpr double kPD_ns = 14.0;
-constexpr double kPID_ns = 19.0;
+constexpr double kKinematics_ns = 42.0;
+constexpr double kGateAndReport_ns = 33.0;
+constexpr double kPoint_ns = 3.0;
+constexpr double kSphere_ns = 16.0;
+constexpr double kLine_ns = 9.0;
+constexpr double kPlane_ns = 9.0;
+constexpr double kCircle_ns = 30.0;
+constexpr double kCylinder_ns = 32.0;
+constexpr double kBox_ns = 13.0;
+constexpr double kByIteration_ns = 135.0;  // what unequal gains make of sphere, circle, cylinder and box
+constexpr double kP_ns = 1.0;
+constexpr double kPD_ns = 12.0;
+constexpr double kPID_ns = 18.0;
 
 struct ShapeCost {
   double operator()(const shape::Point&) const { return kPoint_ns; }
