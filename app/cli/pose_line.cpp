@@ -5,13 +5,13 @@
 #include <string>
 
 #include "core/base/units.h"
-#include "core/scene/json.h"
+#include "core/json/json.h"
 
 namespace underact::cli {
 namespace {
 
-using scene::json::Kind;
-using scene::json::Value;
+using json::Kind;
+using json::Value;
 
 // Beyond it the squares of the coordinates, in m, could leave the range of a double.
 constexpr double kFarthest_mm = 1e100;
@@ -57,7 +57,7 @@ void checkKeys(const Value& object, Problems& problems) {
 }  // namespace
 
 Result<PoseLine> readPoseLine(std::string_view text) {
-  const Result<Value> parsed = scene::json::parse(text, "");
+  const Result<Value> parsed = json::parse(text, "");
   if (!parsed) return parsed.problems();
   const Value& object = parsed.value();
   if (object.kind != Kind::Object) return Problems{{"A line is an object: {\"p_mm\": [x, y, z]}."}};

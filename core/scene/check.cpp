@@ -6,10 +6,10 @@
 
 #include "core/arm/preset.h"
 #include "core/base/units.h"
+#include "core/json/json.h"
+#include "core/json/text.h"
 #include "core/scene/fields.h"
-#include "core/scene/json.h"
 #include "core/scene/read.h"
-#include "core/scene/text.h"
 
 namespace underact::scene {
 namespace {
@@ -130,7 +130,7 @@ void Checker::checkName(const std::string& key, const std::string& name) {
     return;
   }
   const auto [first, is_new] = names_.emplace(name, path_);
-  if (!is_new) add(key, "The name " + shown(name) + " is taken by " + first->second + "; names must differ.");
+  if (!is_new) add(key, "The name " + json::shown(name) + " is taken by " + first->second + "; names must differ.");
 }
 
 void Checker::checkConstraint(std::size_t index) {
@@ -160,7 +160,7 @@ Problems Checker::run() {
   if (arm::findPreset(scene_.arm) == nullptr) {
     std::vector<std::string> known;
     for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
-    add("arm", "The arm " + shown(scene_.arm) + " is not known. There are " + listed(known, "and") + ".");
+    add("arm", "The arm " + json::shown(scene_.arm) + " is not known. There are " + json::listed(known, "and") + ".");
   }
   checkControl("control", scene_.control);
   const std::size_t count = scene_.constraints.size();

@@ -1,6 +1,7 @@
 #pragma once
 #include <tuple>
 
+#include "core/json/words.h"
 #include "core/scene/description.h"
 
 namespace underact::scene {
@@ -99,12 +100,7 @@ inline constexpr GainField kGainFields[] = {{"kp_N_per_mm", &Gains::kp_N_per_mm,
                                             {"kd_N_s_per_mm", &Gains::kd_N_s_per_mm, LawType::PD},
                                             {"ki_N_per_mm_s", &Gains::ki_N_per_mm_s, LawType::PID}};
 
-/// The words of a file for the values of an enumeration; the first is the default.
-template <class Enum>
-struct Word {
-  const char* word;
-  Enum value;
-};
+using json::Word;
 
 inline constexpr Word<LawType> kLawWords[] = {{"P", LawType::P}, {"PD", LawType::PD}, {"PID", LawType::PID}};
 inline constexpr Word<Anisotropy> kAnisotropyWords[] = {{"weighted", Anisotropy::Weighted},
@@ -113,14 +109,6 @@ inline constexpr Word<target::Side> kSideWords[] = {
     {"both", target::Side::Both}, {"outside", target::Side::Outside}, {"inside", target::Side::Inside}};
 inline constexpr Word<tick::Combine> kCombineWords[] = {{"sum", tick::Combine::Sum},
                                                         {"nearest", tick::Combine::Nearest}};
-
-template <class Enum, std::size_t kCount>
-const char* wordOf(const Word<Enum> (&words)[kCount], Enum value) {
-  for (const Word<Enum>& word : words) {
-    if (word.value == value) return word.word;
-  }
-  return words[0].word;
-}
 
 /// Whether the type parts the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);

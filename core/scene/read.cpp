@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "core/scene/object_reader.h"
+#include "core/scene/read_parts.h"
 
 namespace underact::scene {
 namespace {

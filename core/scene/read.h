@@ -11,10 +11,8 @@ namespace underact::scene {
 /// compile() takes. file_name: for the places. Unknown keys are problems (with the nearest known key suggested).
 Result<Description> readScene(std::string_view text, const std::string& file_name);
 
-/// The same from a file of at most kLargestScene bytes; a file that cannot be read is a problem with line 0.
+/// The same from a file of at most 16 MiB; a file that cannot be read is a problem with line 0.
 Result<Description> readSceneFile(const std::string& path);
-
-inline constexpr std::size_t kLargestScene = std::size_t{16} << 20;
 
 /// What the file itself does not say of: problems that lie between keys (a zero gain beside others with the weighted
 /// metric, say). readScene() has called it; an editor calls it before compile(). Empty: compile() takes the scene.

@@ -2,7 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/scene/object_reader.h"
+#include "core/scene/read_parts.h"
 
 namespace underact::scene {
 namespace {

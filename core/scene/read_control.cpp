@@ -1,4 +1,4 @@
-#include "core/scene/object_reader.h"
+#include "core/scene/read_parts.h"
 
 namespace underact::scene {
 namespace {

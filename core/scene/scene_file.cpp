@@ -2,13 +2,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 #include <system_error>
 
+#include "core/json/text_file.h"
 #include "core/scene/read.h"
 #include "core/scene/write.h"
 
@@ -58,22 +58,9 @@ std::string withoutLinks(const std::string& path) {
 }  // namespace
 
 Result<Description> readSceneFile(const std::string& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
-    return problem(path, "The file cannot be opened: " + reason());
-  }
-  if (S_ISDIR(status.st_mode)) return problem(path, "This is a folder, not a scene file.");
-  std::string text;
-  std::array<char, 65536> buffer{};
-  while (text.size() <= kLargestScene) {
-    const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return problem(path, "The file cannot be read: " + reason());
-    if (count == 0) return readScene(text, path);
-    text.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  return problem(path, "The file is larger than 16 MiB; a scene is far smaller.");
+  const Result<std::string> text = json::readTextFile(path, "a scene");
+  if (!text) return text.problems();
+  return readScene(text.value(), path);
 }
 
 Problems writeSceneFile(const Description& scene, const std::string& path) {

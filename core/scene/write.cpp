@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/json/json.h"
 #include "core/scene/fields.h"
-#include "core/scene/json.h"
 
 namespace underact::scene {
 namespace {

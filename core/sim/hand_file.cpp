@@ -1,20 +1,19 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include "core/base/units.h"
-#include "core/scene/json.h"
-#include "core/scene/object_reader.h"
-#include "core/scene/read.h"
+#include "core/json/json.h"
+#include "core/json/object_reader.h"
+#include "core/json/text_file.h"
 #include "core/sim/hand_script.h"
 
 namespace underact::sim {
 namespace {
 
-using scene::Findings;
-using scene::ObjectReader;
-using scene::json::Value;
+using json::Findings;
+using json::ObjectReader;
+using json::Value;
 
 constexpr double kFurthest_mm = 1e6;
 constexpr double kRotationError = 1e-6;  // as in a scene
@@ -39,12 +38,12 @@ void readAmount(ObjectReader& object, const char* key, bool may_be_zero, double&
   if (amount > 0.0 || (amount == 0.0 && may_be_zero)) return;
   object.findings().add(*value, path,
                         (may_be_zero ? "This must not be below 0; here it is " : "This must be above 0; here it is ") +
-                            scene::json::numberText(amount) + ".");
+                            json::numberText(amount) + ".");
 }
 
 HandModel readModel(const Value& value, Findings& findings) {
   HandModel hand;
-  if (!isKind(value, scene::json::Kind::Object, "hand", "an object, as in {\"mass_kg\": 0.1}", findings)) return hand;
+  if (!isKind(value, json::Kind::Object, "hand", "an object, as in {\"mass_kg\": 0.1}", findings)) return hand;
   ObjectReader object(value, "hand", "a hand", findings);
   readAmount(object, "mass_kg", false, hand.mass_kg);
   readAmount(object, "damping_N_s_per_m", true, hand.damping_N_s_per_m);
@@ -83,7 +82,7 @@ HandPoint readPoint(const Value& value, const std::string& path, double before_s
   HandPoint point;
   point.t_s = kNotANumber;  // stays where the file says none
   const char* const expected = "an object, as in {\"t_s\": 0, \"p_mm\": [0, 0, 60]}";
-  if (!isKind(value, scene::json::Kind::Object, path, expected, findings)) return point;
+  if (!isKind(value, json::Kind::Object, path, expected, findings)) return point;
   ObjectReader object(value, path, "a point of a hand's path", findings);
   if (const Value* const t = object.find("t_s", true)) {
     readTime(*t, object.pathOf("t_s"), before_s, point.t_s, findings);
@@ -113,7 +112,7 @@ void carryTurns(std::vector<HandPoint>& path) {
 
 std::vector<HandPoint> readPath(const Value& value, Findings& findings) {
   std::vector<HandPoint> path;
-  if (!isKind(value, scene::json::Kind::Array, "path", "a list of points", findings)) return path;
+  if (!isKind(value, json::Kind::Array, "path", "a list of points", findings)) return path;
   if (value.items.empty()) findings.add(value, "path", "A path needs at least one point.");
   double latest_s = -kInfinity;
   for (std::size_t index = 0; index < value.items.size(); ++index) {
@@ -127,11 +126,11 @@ std::vector<HandPoint> readPath(const Value& value, Findings& findings) {
 }  // namespace
 
 Result<HandScript> readHand(std::string_view text, const std::string& file_name) {
-  const Result<Value> root = scene::json::parse(text, file_name);
+  const Result<Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
   HandScript script;
-  if (isKind(root.value(), scene::json::Kind::Object, "", "an object, as in {\"underact_hand\": 1, ...}", findings)) {
+  if (isKind(root.value(), json::Kind::Object, "", "an object, as in {\"underact_hand\": 1, ...}", findings)) {
     ObjectReader object(root.value(), "", "a hand file", findings);
     if (const Value* const version = object.find("underact_hand", true)) {
       double number = 1.0;
@@ -148,18 +147,9 @@ Result<HandScript> readHand(std::string_view text, const std::string& file_name)
 }
 
 Result<HandScript> readHandFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  for (char block[1 << 16]; file && text.size() <= scene::kLargestScene;) {
-    file.read(block, sizeof block);
-    text.append(block, static_cast<std::size_t>(file.gcount()));
-  }
-  if (text.size() > scene::kLargestScene)
-    return Problems{{"The file is larger than 16 MiB, too large for a hand.", {path}}};
-  if (!file.eof()) {
-    return Problems{{"The file cannot be read. Is the name right, and are you allowed to read it?", {path}}};
-  }
-  return readHand(text, path);
+  const Result<std::string> text = json::readTextFile(path, "a hand");
+  if (!text) return text.problems();
+  return readHand(text.value(), path);
 }
 
 }  // namespace underact::sim

@@ -62,8 +62,8 @@ TEST(SceneShow, TellsWhatTheTickNeedsAndNothingItDoesNot) {
   const ScratchFile pid(
       sceneText(R"({"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50})",
                 R"("control": {"law": "PID", "kp_N_per_mm": [0.5, 0.4, 0.3], "ki_N_per_mm_s": 1}, )"));
-  const scene::json::Value lean = lines(runCli({"scene", "show", p.path(), "--json"}).out).at(0);
-  const scene::json::Value rich = lines(runCli({"scene", "show", pid.path(), "--json"}).out).at(0);
+  const json::Value lean = lines(runCli({"scene", "show", p.path(), "--json"}).out).at(0);
+  const json::Value rich = lines(runCli({"scene", "show", pid.path(), "--json"}).out).at(0);
   EXPECT_TRUE(lean.find("needs")->find("position")->boolean);
   for (const char* need : {"error_rate", "error_integral", "gain_metric"}) {
     EXPECT_FALSE(lean.find("needs")->find(need)->boolean) << need;

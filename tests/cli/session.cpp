@@ -12,9 +12,9 @@
 namespace underact::test {
 namespace {
 
-const scene::json::Value& memberAt(const scene::json::Value& object, const std::string& key) {
-  static const scene::json::Value kNothing;
-  const scene::json::Value* member = object.find(key);
+const json::Value& memberAt(const json::Value& object, const std::string& key) {
+  static const json::Value kNothing;
+  const json::Value* member = object.find(key);
   if (member == nullptr) ADD_FAILURE() << "no key " << key;
   return member != nullptr ? *member : kNothing;
 }
@@ -46,11 +46,11 @@ std::string program() {
   return std::string("'") + UNDERACT_BINARY + "/underact-cli'";
 }
 
-std::vector<scene::json::Value> lines(const std::string& out) {
-  std::vector<scene::json::Value> values;
+std::vector<json::Value> lines(const std::string& out) {
+  std::vector<json::Value> values;
   std::istringstream stream(out);
   for (std::string line; std::getline(stream, line);) {
-    Result<scene::json::Value> value = scene::json::parse(line, "out");
+    Result<json::Value> value = json::parse(line, "out");
     if (value) {
       values.push_back(std::move(value).value());
     } else {
@@ -60,18 +60,18 @@ std::vector<scene::json::Value> lines(const std::string& out) {
   return values;
 }
 
-std::string textAt(const scene::json::Value& object, const std::string& key) {
+std::string textAt(const json::Value& object, const std::string& key) {
   return memberAt(object, key).text;
 }
 
-double numberAt(const scene::json::Value& object, const std::string& key) {
-  const scene::json::Value& member = memberAt(object, key);
-  EXPECT_EQ(member.kind, scene::json::Kind::Number) << key;
+double numberAt(const json::Value& object, const std::string& key) {
+  const json::Value& member = memberAt(object, key);
+  EXPECT_EQ(member.kind, json::Kind::Number) << key;
   return member.number;
 }
 
-Vec3 vectorAt(const scene::json::Value& object, const std::string& key) {
-  const scene::json::Value& member = memberAt(object, key);
+Vec3 vectorAt(const json::Value& object, const std::string& key) {
+  const json::Value& member = memberAt(object, key);
   if (member.items.size() != 3) {
     ADD_FAILURE() << key << " is no list of three";
     return Vec3::Constant(kNotANumber);
@@ -79,8 +79,8 @@ Vec3 vectorAt(const scene::json::Value& object, const std::string& key) {
   return {member.items[0].number, member.items[1].number, member.items[2].number};
 }
 
-bool isNullAt(const scene::json::Value& object, const std::string& key) {
-  return memberAt(object, key).kind == scene::json::Kind::Null;
+bool isNullAt(const json::Value& object, const std::string& key) {
+  return memberAt(object, key).kind == json::Kind::Null;
 }
 
 ScratchFile::ScratchFile(const std::string& text, const std::string& name) {

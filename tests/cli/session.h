@@ -5,7 +5,7 @@
 
 #include "app/cli/command.h"
 #include "core/base/types.h"
-#include "core/scene/json.h"
+#include "core/json/json.h"
 
 namespace underact::test {
 
@@ -30,13 +30,13 @@ ProcessOutcome shell(const std::string& command);
 std::string program();
 
 /// The lines of out, each read as JSON; a line that is not JSON fails the test.
-std::vector<scene::json::Value> lines(const std::string& out);
+std::vector<json::Value> lines(const std::string& out);
 
 /// A member's text, number, or list of numbers; fails the test where it is not there.
-std::string textAt(const scene::json::Value& object, const std::string& key);
-double numberAt(const scene::json::Value& object, const std::string& key);
-Vec3 vectorAt(const scene::json::Value& object, const std::string& key);
-bool isNullAt(const scene::json::Value& object, const std::string& key);
+std::string textAt(const json::Value& object, const std::string& key);
+double numberAt(const json::Value& object, const std::string& key);
+Vec3 vectorAt(const json::Value& object, const std::string& key);
+bool isNullAt(const json::Value& object, const std::string& key);
 
 /// A file that is gone with the object.
 class ScratchFile {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/scene/json.h"
+#include "core/json/json.h"
 #include "tests/cli/session.h"
 #include "tests/support/constraint_vectors.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 using cli::Exit;
 
-using scene::json::Value;
+using json::Value;
 
 constexpr const char* kSphere = R"({"name": "ball", "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50})";
 
@@ -154,15 +154,15 @@ TEST(Target, FarAwayAndVeryNearItIsFinite) {
 }
 
 std::string list(const Vec3& v) {
-  return "[" + scene::json::numberText(v.x()) + ", " + scene::json::numberText(v.y()) + ", " +
-         scene::json::numberText(v.z()) + "]";
+  return "[" + json::numberText(v.x()) + ", " + json::numberText(v.y()) + ", " +
+         json::numberText(v.z()) + "]";
 }
 
 /// The golden shape as a scene file says it; empty where a scene file may not (beyond 1e6 mm).
 std::string constraintText(const GoldenShape& golden) {
   if (golden.place.cwiseAbs().maxCoeff() > 1e6 || golden.radius > 1e6) return {};
   std::string text = R"({"type": ")" + golden.type + "\", ";
-  const std::string radius = R"(, "radius_mm": )" + scene::json::numberText(golden.radius);
+  const std::string radius = R"(, "radius_mm": )" + json::numberText(golden.radius);
   if (golden.type == "point") return text + R"("position_mm": )" + list(golden.place) + "}";
   if (golden.type == "sphere") return text + R"("center_mm": )" + list(golden.place) + radius + "}";
   if (golden.type == "circle") {

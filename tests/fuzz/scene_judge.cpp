@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/scene/compile.h"
-#include "core/scene/text.h"
+#include "core/json/text.h"
 #include "core/scene/write.h"
 #include "core/tick/step.h"
 #include "tests/core/scene/scene_support.h"

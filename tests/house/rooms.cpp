@@ -42,7 +42,7 @@ const std::vector<Library>& libraries() {
       {"hidapi", std::regex("hidapi"), {"device"}, false},
       {"OpenMesh", std::regex("OpenMesh"), {"core/mesh"}, false},
       {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},
-      {"RapidJSON", std::regex("rapidjson"), {"core/scene"}, false},
+      {"RapidJSON", std::regex("rapidjson"), {"core/json"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
       {"CLI11", std::regex("CLI/"), {"app/cli"}, true},
       {"sockets", std::regex("sys/socket|netinet|arpa/"), {}, false},

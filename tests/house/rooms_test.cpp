@@ -94,7 +94,7 @@ TEST_F(PlantedHouse, VtkInCoreIsFound) {
 
 TEST_F(PlantedHouse, RapidJsonInAHeaderIsFoundAndInItsRoomsSourceIsNot) {
   write("core/scene/json.cpp", "#include <rapidjson/reader.h>\n");
-  write("core/scene/json.h", "#include <rapidjson/reader.h>\n");
+  write("core/json/json.h", "#include <rapidjson/reader.h>\n");
   expectFound("core/scene/json.h:1: RapidJSON may not show in a header");
 }
 

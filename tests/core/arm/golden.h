@@ -8,18 +8,18 @@
 #include "core/arm/sample.h"
 #include "core/base/types.h"
 #include "core/base/units.h"
-#include "core/scene/json.h"
+#include "core/json/json.h"
 
 namespace underact::arm::test {
 
-using scene::json::Value;
+using json::Value;
 
 /// A file of tests/golden; an empty value, and a failure, where it cannot be read.
 inline Value golden(const std::string& name) {
   std::ifstream file(std::string(UNDERACT_TEST_DATA) + "/golden/" + name);
   std::stringstream text;
   text << file.rdbuf();
-  Result<Value> root = scene::json::parse(text.str(), name);
+  Result<Value> root = json::parse(text.str(), name);
   if (!root) {
     ADD_FAILURE() << describe(root.problems().front());
     return {};

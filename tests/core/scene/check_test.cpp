@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/json/json.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
-#include "core/scene/json.h"
 #include "tests/core/scene/random_scene.h"
 #include "tests/support/constraint_vectors.h"
 

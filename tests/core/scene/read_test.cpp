@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include "core/json/text_file.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {
@@ -300,7 +301,7 @@ TEST(ReadSceneFile, SaysWhyAFileCannotBeRead) {
 
 TEST(ReadSceneFile, RefusesWhatIsTooLargeToBeAScene) {
   const std::string path = ::testing::TempDir() + "/large_scene.json";
-  std::ofstream(path) << sceneWith(kPoint) << std::string(kLargestScene, ' ');
+  std::ofstream(path) << sceneWith(kPoint) << std::string(json::kLargestFile, ' ');
   const Result<Description> large = readSceneFile(path);
   std::filesystem::remove(path);
   ASSERT_FALSE(large);

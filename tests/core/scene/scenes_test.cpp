@@ -1,8 +1,8 @@
 #include <set>
 
+#include "core/json/json.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
-#include "core/scene/json.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {

@@ -5,19 +5,20 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/scene/fields.h"
-#include "core/scene/json.h"
-#include "core/scene/text.h"
+#include "core/base/types.h"
+#include "core/json/json.h"
+#include "core/json/text.h"
+#include "core/json/words.h"
 
-namespace underact::scene {
+namespace underact::json {
 
 /// What is wrong with a file, and where each of its values stands.
 class Findings {
  public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
-  void add(const json::Value& value, const std::string& key, std::string sentence);
+  void add(const Value& value, const std::string& key, std::string sentence);
   void add(std::pair<int, int> line_column, const std::string& key, std::string sentence);
-  void remember(const std::string& key, const json::Value& value) { places_[key] = {value.line, value.column}; }
+  void remember(const std::string& key, const Value& value) { places_[key] = {value.line, value.column}; }
   /// Takes in what check() says of the scene that was read, each problem at the value of its key.
   void add(const Problems& problems);
   /// No more are kept, only counted: a file with so many is no scene, and nobody reads on.
@@ -37,10 +38,10 @@ class Findings {
 class ObjectReader {
  public:
   /// what: for sentences, as "a sphere".
-  ObjectReader(const json::Value& object, std::string path, std::string what, Findings& findings)
+  ObjectReader(const Value& object, std::string path, std::string what, Findings& findings)
       : object_(object), path_(std::move(path)), what_(std::move(what)), findings_(findings) {}
   /// The value of a key, or null; of a required one, null is a problem.
-  const json::Value* find(const char* key, bool required = false);
+  const Value* find(const char* key, bool required = false);
   /// A key that must not stand here, for a reason of its own.
   void refuse(const std::string& key, std::string sentence) { refused_[key] = std::move(sentence); }
   /// Keys of the scene reference that this version does not have.
@@ -53,7 +54,7 @@ class ObjectReader {
 
  private:
   void judge(std::size_t index, bool all_known);
-  const json::Value& object_;
+  const Value& object_;
   std::string path_;
   std::string what_;
   Findings& findings_;
@@ -62,42 +63,35 @@ class ObjectReader {
 };
 
 /// "a number", "a list", ...
-const char* kindName(json::Kind kind);
+const char* kindName(Kind kind);
 
 /// The sentence for everything that the scene reference promises and this version does not have.
 std::string notYet(const std::string& what);
 
 /// False, and a problem, where the value is of another kind. expected: "a number, as in 0.5".
-bool isKind(const json::Value& value, json::Kind kind, const std::string& path, const std::string& expected,
-            Findings& findings);
+bool isKind(const Value& value, Kind kind, const std::string& path, const std::string& expected, Findings& findings);
 
 /// What stands in the file; what cannot be read is a problem, and leaves `into` as it is or, in a list, at 1.
-void readNumber(const json::Value& value, const std::string& path, double& into, Findings& findings);
-void readNumber(const json::Value& value, const std::string& path, Vec3& into, Findings& findings);
-void readNumber(const json::Value& value, const std::string& path, Mat3& into, Findings& findings);
-void readText(const json::Value& value, const std::string& path, std::string& into, Findings& findings);
+void readNumber(const Value& value, const std::string& path, double& into, Findings& findings);
+void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings);
+void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings);
+void readText(const Value& value, const std::string& path, std::string& into, Findings& findings);
 
 /// One of the words; false, and a problem, where it is none of them.
 template <class Enum, std::size_t kCount>
-bool readWord(const json::Value& value, const std::string& path, const Word<Enum> (&words)[kCount], Enum& into,
+bool readWord(const Value& value, const std::string& path, const Word<Enum> (&words)[kCount], Enum& into,
               Findings& findings) {
   std::vector<std::string> known;
   for (const Word<Enum>& word : words) {
     known.emplace_back(word.word);
-    if (value.kind != json::Kind::String || value.text != word.word) continue;
+    if (value.kind != Kind::String || value.text != word.word) continue;
     into = word.value;
     return true;
   }
-  if (isKind(value, json::Kind::String, path, listed(known), findings)) {
+  if (isKind(value, Kind::String, path, listed(known), findings)) {
     findings.add(value, path, "This must be " + listed(known) + "; here it is " + shown(value.text) + ".");
   }
   return false;
 }
 
-/// A constraint; its name stays empty where the file gives none.
-void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings);
-
-/// control of the scene or of one constraint.
-Control readControl(const json::Value& value, const std::string& path, Findings& findings);
-
-}  // namespace underact::scene
+}  // namespace underact::json

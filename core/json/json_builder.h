@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/json.h"
-#include "core/scene/json_source.h"
+#include "core/json/json.h"
+#include "core/json/json_source.h"
 
-namespace underact::scene::json {
+namespace underact::json {
 
 /// Where reading had to stop, and why, in plain words.
 struct Stop {
@@ -54,4 +54,4 @@ class Builder {
   Stop refusal_;
 };
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

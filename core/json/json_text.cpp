@@ -3,10 +3,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/scene/json.h"
-#include "core/scene/text.h"
+#include "core/json/json.h"
+#include "core/json/text.h"
 
-namespace underact::scene::json {
+namespace underact::json {
 namespace {
 
 std::string escaped(unsigned char c) {
@@ -54,4 +54,4 @@ std::string quoted(std::string_view text) {
   return result + "\"";
 }
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-namespace underact::scene::json {
+namespace underact::json {
 
 /// The text as RapidJSON reads it: a stream that knows where values start. RapidJSON 1.1 stops at a number beyond
 /// double even when told to keep numbers as text, so a well-formed number is shown to it as a lone 0, and is read here.
@@ -50,4 +50,4 @@ class Places {
   int column_ = 1;
 };
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

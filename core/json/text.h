@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace underact::scene {
+namespace underact::json {
 
 /// Bytes of the UTF-8 code point that starts at `at`; 0 where the bytes are none (overlong, half of a pair, cut off).
 std::size_t codePointLength(std::string_view text, std::size_t at);
@@ -25,4 +25,4 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& k
 /// "a", "b" or "c"; last: the word before the last of them.
 std::string listed(const std::vector<std::string>& words, const char* last = "or");
 
-}  // namespace underact::scene
+}  // namespace underact::json

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 
-namespace underact::scene::json {
+namespace underact::json {
 
 enum class Kind { Null, Bool, Number, String, Array, Object };
 
@@ -37,4 +37,4 @@ std::string numberText(double value);
 /// A string with quotes, escaped.
 std::string quoted(std::string_view text);
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

@@ -1,18 +1,18 @@
-#include "core/scene/object_reader.h"
+#include "core/json/object_reader.h"
 
 #include <algorithm>
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
 
-namespace underact::scene {
+namespace underact::json {
 namespace {
 
 constexpr std::size_t kMostProblems = 1000;
 
 }  // namespace
 
-void Findings::add(const json::Value& value, const std::string& key, std::string sentence) {
+void Findings::add(const Value& value, const std::string& key, std::string sentence) {
   add(std::pair{value.line, value.column}, key, std::move(sentence));
 }
 
@@ -46,9 +46,9 @@ Problems Findings::take() {
   return std::move(problems_);
 }
 
-const json::Value* ObjectReader::find(const char* key, bool required) {
+const Value* ObjectReader::find(const char* key, bool required) {
   known_.emplace_back(key);
-  const json::Value* value = object_.find(key);
+  const Value* value = object_.find(key);
   if (value != nullptr) findings_.remember(pathOf(key), *value);
   if (value == nullptr && required) {
     findings_.add(object_, pathOf(key), "The key \"" + std::string(key) + "\" is missing; " + what_ + " needs it.");
@@ -90,19 +90,19 @@ void ObjectReader::refuseLater(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) refuse(key, notYet("\"" + key + "\""));
 }
 
-const char* kindName(json::Kind kind) {
+const char* kindName(Kind kind) {
   switch (kind) {
-    case json::Kind::Null:
+    case Kind::Null:
       return "null";
-    case json::Kind::Bool:
+    case Kind::Bool:
       return "true or false";
-    case json::Kind::Number:
+    case Kind::Number:
       return "a number";
-    case json::Kind::String:
+    case Kind::String:
       return "text";
-    case json::Kind::Array:
+    case Kind::Array:
       return "a list";
-    case json::Kind::Object:
+    case Kind::Object:
       return "an object in { }";
   }
   return "null";
@@ -112,8 +112,7 @@ std::string notYet(const std::string& what) {
   return what + " is not in this version of Underact.";
 }
 
-bool isKind(const json::Value& value, json::Kind kind, const std::string& path, const std::string& expected,
-            Findings& findings) {
+bool isKind(const Value& value, Kind kind, const std::string& path, const std::string& expected, Findings& findings) {
   if (value.kind == kind) return true;
   findings.add(value, path, "This must be " + expected + "; here it is " + kindName(value.kind) + ".");
   return false;
@@ -122,8 +121,8 @@ bool isKind(const json::Value& value, json::Kind kind, const std::string& path, 
 namespace {
 
 /// A list of three; the path of the element at index is path[index].
-bool isTriple(const json::Value& value, const std::string& path, const std::string& expected, Findings& findings) {
-  if (!isKind(value, json::Kind::Array, path, expected, findings)) return false;
+bool isTriple(const Value& value, const std::string& path, const std::string& expected, Findings& findings) {
+  if (!isKind(value, Kind::Array, path, expected, findings)) return false;
   if (value.items.size() == 3) return true;
   findings.add(value, path, "This must be " + expected + "; here it has " + std::to_string(value.items.size()) + ".");
   return false;
@@ -133,14 +132,14 @@ std::string elementOf(const std::string& path, Eigen::Index index) {
   return path + "[" + std::to_string(index) + "]";
 }
 
-bool readThree(const json::Value& list, const std::string& path, Vec3& into, Findings& findings) {
+bool readThree(const Value& list, const std::string& path, Vec3& into, Findings& findings) {
   into.setOnes();
   bool all = true;
   for (Eigen::Index index = 0; index < 3; ++index) {
-    const json::Value& item = list.items[static_cast<std::size_t>(index)];
+    const Value& item = list.items[static_cast<std::size_t>(index)];
     const std::string item_path = elementOf(path, index);
     findings.remember(item_path, item);
-    if (isKind(item, json::Kind::Number, item_path, "a number", findings)) {
+    if (isKind(item, Kind::Number, item_path, "a number", findings)) {
       into[index] = item.number;
     } else {
       all = false;
@@ -151,23 +150,23 @@ bool readThree(const json::Value& list, const std::string& path, Vec3& into, Fin
 
 }  // namespace
 
-void readNumber(const json::Value& value, const std::string& path, double& into, Findings& findings) {
-  if (isKind(value, json::Kind::Number, path, "a number", findings)) into = value.number;
+void readNumber(const Value& value, const std::string& path, double& into, Findings& findings) {
+  if (isKind(value, Kind::Number, path, "a number", findings)) into = value.number;
 }
 
-void readNumber(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
+void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings) {
   if (isTriple(value, path, "a list of 3 numbers, as in [0, 30, 0]", findings)) {
     readThree(value, path, into, findings);
   }
 }
 
-void readNumber(const json::Value& value, const std::string& path, Mat3& into, Findings& findings) {
+void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings) {
   const char* expected = "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
   if (!isTriple(value, path, expected, findings)) return;
   Mat3 read = Mat3::Identity();
   bool all = true;
   for (Eigen::Index row = 0; row < 3; ++row) {
-    const json::Value& item = value.items[static_cast<std::size_t>(row)];
+    const Value& item = value.items[static_cast<std::size_t>(row)];
     const std::string row_path = elementOf(path, row);
     Vec3 numbers = Vec3::Zero();
     findings.remember(row_path, item);
@@ -177,8 +176,8 @@ void readNumber(const json::Value& value, const std::string& path, Mat3& into, F
   if (all) into = read;
 }
 
-void readText(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
-  if (isKind(value, json::Kind::String, path, "text in double quotes", findings)) into = value.text;
+void readText(const Value& value, const std::string& path, std::string& into, Findings& findings) {
+  if (isKind(value, Kind::String, path, "text in double quotes", findings)) into = value.text;
 }
 
-}  // namespace underact::scene
+}  // namespace underact::json

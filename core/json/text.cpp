@@ -1,4 +1,4 @@
-#include "core/scene/text.h"
+#include "core/json/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "core/base/types.h"
-#include "core/scene/json.h"
+#include "core/json/json.h"
 
-namespace underact::scene {
+namespace underact::json {
 namespace {
 
 constexpr std::size_t kLongestShown = 40;  // code points
@@ -97,7 +97,7 @@ std::string shown(std::string_view text) {
   for (std::size_t count = 0; count < kLongestShown && end < text.size(); ++count) {
     end += std::max<std::size_t>(1, codePointLength(text, end));
   }
-  return json::quoted(end < text.size() ? std::string(text.substr(0, end)) + "..." : std::string(text));
+  return quoted(end < text.size() ? std::string(text.substr(0, end)) + "..." : std::string(text));
 }
 
 std::string plainKey(std::string_view key) {
@@ -128,9 +128,9 @@ std::string listed(const std::vector<std::string>& words, const char* last) {
   std::string text;
   for (std::size_t index = 0; index < words.size(); ++index) {
     if (index > 0) text += index + 1 == words.size() ? " " + std::string(last) + " " : ", ";
-    text += json::quoted(words[index]);
+    text += quoted(words[index]);
   }
   return text;
 }
 
-}  // namespace underact::scene
+}  // namespace underact::json

@@ -1,11 +1,11 @@
-#include "core/scene/json_builder.h"
+#include "core/json/json_builder.h"
 
 #include <tuple>
 #include <utility>
 
-#include "core/scene/text.h"
+#include "core/json/text.h"
 
-namespace underact::scene::json {
+namespace underact::json {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
@@ -81,4 +81,4 @@ bool Builder::refuse(std::size_t offset, const char* sentence) {
   return false;
 }
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

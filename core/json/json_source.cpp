@@ -1,8 +1,8 @@
-#include "core/scene/json_source.h"
+#include "core/json/json_source.h"
 
 #include <algorithm>
 
-namespace underact::scene::json {
+namespace underact::json {
 namespace {
 
 bool isDigit(char c) {
@@ -83,4 +83,4 @@ std::pair<int, int> Places::at(std::size_t offset) {
   return {line_, column_};
 }
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

@@ -1,31 +1,31 @@
-#include "core/scene/json.h"
+#include "core/json/json.h"
 
 #include <rapidjson/reader.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "core/scene/json_builder.h"
-#include "core/scene/json_source.h"
-#include "core/scene/text.h"
+#include "core/json/json_builder.h"
+#include "core/json/json_source.h"
+#include "core/json/text.h"
 
-namespace underact::scene::json {
+namespace underact::json {
 namespace {
 
 class ReaderMemory : public rapidjson::CrtAllocator {};  // a type of our own, to be seen in the next lines
 
 }  // namespace
-}  // namespace underact::scene::json
+}  // namespace underact::json
 
 /// RapidJSON 1.1 adds to the null pointer of its empty stack, which the sanitizers rightly stop at. Corrected as later
 /// versions do, for our reader alone.
 template <>
 template <class T>
-void rapidjson::internal::Stack<underact::scene::json::ReaderMemory>::Reserve(std::size_t count) {
+void rapidjson::internal::Stack<underact::json::ReaderMemory>::Reserve(std::size_t count) {
   if (sizeof(T) * count > static_cast<std::size_t>(stackEnd_ - stackTop_)) Expand<T>(count);
 }
 
-namespace underact::scene::json {
+namespace underact::json {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
@@ -137,4 +137,4 @@ Result<Value> parse(std::string_view text, const std::string& file_name) {
   return problemAt(refused ? builder.refusal() : explain(parsed, text, source), text, file_name);
 }
 
-}  // namespace underact::scene::json
+}  // namespace underact::json

@@ -1,10 +1,10 @@
-#include "core/scene/json.h"
+#include "core/json/json.h"
 
 #include <cmath>
 
 #include "tests/core/scene/scene_support.h"
 
-namespace underact::scene::json {
+namespace underact::json {
 namespace {
 
 std::string syntaxProblem(const std::string& text) {
@@ -184,4 +184,4 @@ TEST(Json, QuotedTextReadsBackToItself) {
 }
 
 }  // namespace
-}  // namespace underact::scene::json
+}  // namespace underact::json

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace underact::json {
+
+inline constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+
+/// All of a file of at most kLargestFile bytes. what: for the sentence, as "a scene". Problems: one, without a line.
+Result<std::string> readTextFile(const std::string& path, const std::string& what);
+
+}  // namespace underact::json

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+
+namespace underact::json {
+
+/// The words of a file for the values of an enumeration; the first is the default.
+template <class Enum>
+struct Word {
+  const char* word;
+  Enum value;
+};
+
+template <class Enum, std::size_t kCount>
+const char* wordOf(const Word<Enum> (&words)[kCount], Enum value) {
+  for (const Word<Enum>& word : words) {
+    if (word.value == value) return word.word;
+  }
+  return words[0].word;
+}
+
+}  // namespace underact::json

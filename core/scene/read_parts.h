@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "core/json/object_reader.h"
+#include "core/scene/description.h"
+#include "core/scene/fields.h"
+
+namespace underact::scene {
+
+// Inside the room: what the readers of a scene's parts share.
+using json::Findings;
+using json::listed;
+using json::nearestWord;
+using json::notYet;
+using json::ObjectReader;
+using json::shown;
+
+/// A constraint; its name stays empty where the file gives none.
+void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings);
+
+/// control of the scene or of one constraint.
+Control readControl(const json::Value& value, const std::string& path, Findings& findings);
+
+}  // namespace underact::scene
