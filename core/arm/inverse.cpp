@@ -4,36 +4,19 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
+#include "core/arm/planar.h"
 #include "core/base/trig.h"
 
 namespace underact::arm {
-namespace {
-
-/// sqrt(x^2 + y^2) without overflow; not std::hypot, whose last bit is each library's own, and replays want the same.
-double lengthOf(double x, double y) noexcept UNDERACT_REAL_TIME {
-  const double larger = std::max(std::abs(x), std::abs(y));
-  if (!(larger > 0.0)) return 0.0;
-  const double u = x / larger, v = y / larger;
-  return larger * std::sqrt(u * u + v * v);
-}
-
-}  // namespace
 
 Reach reach(const Geometry& geometry, const Vec3& p_WT) noexcept {
-  const Vec3 p_BT_W = p_WT - geometry.p_WB;
-  const double x = p_BT_W.z(), y = p_BT_W.x(), z = p_BT_W.y();  // in B, eq. 3.1
-  const double upper = geometry.upper_m, fore = geometry.fore_m;
-  const double elbow_sin =
-      (x * x + y * y + z * z - upper * upper - fore * fore) / (2.0 * upper * fore);  // erratum 3.13
-  const double s3 = std::clamp(elbow_sin, -1.0, 1.0);
-  const double c3 = std::sqrt((1.0 - s3) * (1.0 + s3));
-  const double reach_m = lengthOf(x, y);
-  const double b = upper + fore * s3, c = fore * c3;  // erratum 3.14
+  const PlanarReach at = planarReach(geometry, p_WT);
+  const SinCos thigh = scaledThigh(geometry, at, 1.0);
   Reach result;
-  result.q_rad[0] = reach_m > 0.0 ? atan2Of(y, x) : 0.0;                // erratum 3.11
-  result.q_rad[1] = atan2Of(c * reach_m + b * z, b * reach_m - c * z);  // eq. 3.16
-  result.q_rad[2] = atan2Of(s3, c3);                                    // erratum 3.12
-  result.reachable = std::abs(elbow_sin) <= 1.0 && reach_m > 0.0;
+  result.q_rad[0] = at.off_axis_m > 0.0 ? atan2Of(at.y_m, at.x_m) : 0.0;  // erratum 3.11
+  result.q_rad[1] = atan2Of(thigh.sin, thigh.cos);                        // eq. 3.16
+  result.q_rad[2] = atan2Of(at.elbow.sin, at.elbow.cos);                  // erratum 3.12
+  result.reachable = std::abs(at.elbow_sin) <= 1.0 && at.off_axis_m > 0.0;
   return result;
 }
 

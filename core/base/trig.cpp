@@ -33,6 +33,15 @@ double atan2Of(double y, double x) noexcept {
   return Sleef_cinz_atan2d1_u10purec(y, x);
 }
 
+AnglePair atan2OfTwo(double first_y, double first_x, double second_y, double second_x) noexcept {
+#if defined(__SSE2__)
+  const __m128d both = Sleef_cinz_atan2d2_u10sse2(_mm_set_pd(second_y, first_y), _mm_set_pd(second_x, first_x));
+  return {_mm_cvtsd_f64(both), _mm_cvtsd_f64(_mm_unpackhi_pd(both, both))};
+#else
+  return {atan2Of(first_y, first_x), atan2Of(second_y, second_x)};
+#endif
+}
+
 #if defined(__clang__) && __clang_major__ >= 20
 #pragma clang diagnostic pop
 #endif

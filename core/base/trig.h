@@ -22,4 +22,11 @@ SinCosPair sinCosOfTwo(double first_rad, double second_rad) noexcept UNDERACT_RE
 /// The angle of (x, y) in (-pi, pi], rad, within 1 ulp, the same bits on every machine.
 double atan2Of(double y, double x) noexcept UNDERACT_REAL_TIME;
 
+/// atan2Of() of two pairs in one pass where the processor has one: the same bits.
+struct AnglePair {
+  double first_rad;
+  double second_rad;
+};
+AnglePair atan2OfTwo(double first_y, double first_x, double second_y, double second_x) noexcept UNDERACT_REAL_TIME;
+
 }  // namespace underact

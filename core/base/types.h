@@ -10,6 +10,8 @@ namespace underact {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Pose = Eigen::Isometry3d;
+using Vec6 = Eigen::Matrix<double, 6, 1>;  // of twists and wrenches: the linear part first
+using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();

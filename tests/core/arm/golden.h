@@ -10,7 +10,7 @@
 #include "core/base/units.h"
 #include "core/json/json.h"
 
-namespace underact::arm::test {
+namespace underact::test {
 
 using json::Value;
 
@@ -27,8 +27,8 @@ inline Value golden(const std::string& name) {
   return std::move(root).value();
 }
 
-inline JointAngles anglesOf(const Value& list) {
-  JointAngles q_rad{};
+inline arm::JointAngles anglesOf(const Value& list) {
+  arm::JointAngles q_rad{};
   for (std::size_t joint = 0; joint < q_rad.size(); ++joint) q_rad[joint] = list.items.at(joint).number;
   return q_rad;
 }
@@ -46,4 +46,4 @@ inline Pose poseOf(const Value& rows) {
   return X_WT;
 }
 
-}  // namespace underact::arm::test
+}  // namespace underact::test

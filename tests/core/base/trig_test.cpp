@@ -37,6 +37,9 @@ TEST(Trig, TwoAtOnceHaveTheBitsOfEachAlone) {
     ASSERT_EQ(bitsOf(pair.first.cos), bitsOf(sinCos(a_rad).cos)) << a_rad;
     ASSERT_EQ(bitsOf(pair.second.sin), bitsOf(sinCos(b_rad).sin)) << b_rad;
     ASSERT_EQ(bitsOf(pair.second.cos), bitsOf(sinCos(b_rad).cos)) << b_rad;
+    const AnglePair angles = atan2OfTwo(a_rad, b_rad, b_rad, -a_rad);
+    ASSERT_EQ(bitsOf(angles.first_rad), bitsOf(atan2Of(a_rad, b_rad))) << a_rad << " " << b_rad;
+    ASSERT_EQ(bitsOf(angles.second_rad), bitsOf(atan2Of(b_rad, -a_rad))) << a_rad << " " << b_rad;
   }
 }
 

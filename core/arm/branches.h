@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/arm/preset.h"
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+
+namespace underact::arm {
+
+/// Which of the eight ways an arm reaches a pose. shoulder +1: the turret faces the wrist centre; elbow +1: cos q3 >=
+/// 0, as a real Omni's; wrist +1: sin q5 >= 0.
+struct Branch {
+  std::int8_t shoulder = 1;
+  std::int8_t elbow = 1;
+  std::int8_t wrist = 1;
+  friend bool operator==(const Branch&, const Branch&) = default;
+};
+
+/// The free motion that a singular pose leaves: the solution is one of many.
+enum class Family : std::uint8_t {
+  None,      // the solution stands alone
+  Q1Free,    // the wrist centre lies on axis 1
+  Q4PlusQ6,  // q5 = 0: only the sum is defined
+  Q6MinusQ4  // q5 = pi: only the difference is defined
+};
+
+/// null for None; else "q1 free", "q4+q6", "q6-q4".
+const char* name(Family family);
+
+struct Solution {
+  JointAngles q_rad{};  // in (-pi, pi]
+  Branch branch;
+  Family family = Family::None;
+  bool within_limits = false;
+};
+
+// A pose counts as singular under these; what is said then is said of all poses a hand cannot tell from it.
+inline constexpr double kSingularSine = 1e-6;        // |sin q5|, |cos q3|
+inline constexpr double kSingularDistance_m = 1e-6;  // wrist centre from axis 1
+// A wrist centre this share of the reach too far out or in still counts as on the boundary.
+inline constexpr double kOnBoundary = 1e-9;
+
+/// All there are: 8 of a regular pose; 4 on the boundary of the reach, where elbow up and down are one; for each free
+/// family one that reaches the pose. In the order shoulder, elbow, wrist, + before -.
+struct Solutions {
+  std::array<Solution, 8> all{};
+  std::size_t count = 0;
+  bool reachable = false;
+  bool at_shoulder = false;  // singular there: the wrist centre on axis 1
+  bool at_elbow = false;     // stretched or folded
+  bool at_wrist = false;     // axes 4 and 6 in line, for one solution at least
+  bool singular() const noexcept UNDERACT_REAL_TIME { return at_shoulder || at_elbow || at_wrist; }
+  const Solution* begin() const noexcept UNDERACT_REAL_TIME { return all.data(); }
+  const Solution* end() const noexcept UNDERACT_REAL_TIME { return all.data() + count; }
+};
+
+/// X_WT: finite, a rotation. Gives no NaN for any finite input. Cost: 16 arc tangents, no other trigonometry.
+/// Source: Beckman 2007, eq. 3.11-3.20 and figure 3.4 as errata section 2 corrects them (twists, 3.11-3.16, 3.18-3.20).
+Solutions solveAll(const Geometry& geometry, const JointLimits& limits, const Pose& X_WT) noexcept UNDERACT_REAL_TIME;
+
+/// Whether each joint lies inside its limits; of joint 5, its size.
+bool isWithin(const JointLimits& limits, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::arm

@@ -1,0 +1,41 @@
+#pragma once
+#include "core/arm/preset.h"
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+
+namespace underact::arm {
+
+/// J_p, 3x3, m/rad: v_WT = J_p (dq1, dq2, dq3)/dt, in W; joints 4 to 6 do not move the tip. Source: eq. 3.5 derived.
+Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+/// X_WT and the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one set of
+/// sines. det J = det J_p times plus or minus sin q5.
+struct Kinematics {
+  Pose X_WT = Pose::Identity();
+  Mat6 J = Mat6::Zero();
+};
+Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+/// What J_p does to a ball of joint rates: axes_W its principal directions in W (columns, right-handed), gain_m how far
+/// the tip goes along each per rad, largest first. A ball of joint torques becomes forces along the same axes, 1 / gain
+/// as strong.
+struct Dexterity {
+  Mat3 axes_W = Mat3::Identity();
+  Vec3 gain_m = Vec3::Zero();      // singular values
+  double det_m3 = 0.0;             // L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)); errata section 2
+  double manipulability_m3 = 0.0;  // Yoshikawa's, |det|
+  double condition = 0.0;          // largest over smallest gain; infinite where singular
+};
+/// In closed form: column 1 is at right angles to the other two, which lie in the plane of the arm.
+Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+/// How far each singularity is; 0 is on it.
+struct SingularityDistances {
+  double shoulder_m = 0.0;  // of the wrist centre from axis 1
+  double elbow_rad = 0.0;   // of q3 from +-90 degrees, stretched or folded
+  double wrist_rad = 0.0;   // of q5 from 0 or pi
+};
+SingularityDistances singularityDistances(const Geometry& geometry,
+                                          const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::arm
