@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/arm/sample.h"
@@ -25,17 +26,18 @@ struct JointLimits {
 /// thigh), then the three of the gimbal.
 using EncoderCounts = std::array<double, 6>;
 
-/// An arm that a scene can name.
+/// An arm that a scene can name: a haptic device of the thesis's kind.
 struct Preset {
-  const char* name = "";
-  const char* title = "";
-  const char* provenance = "";
+  std::string name;
+  std::string title;
+  std::string provenance;
   Geometry geometry;
   JointLimits limits;
   EncoderCounts counts_per_turn{};
   double continuous_force_N = 0.0;
 };
 
+/// Those of the models (model.h) that are devices.
 std::span<const Preset> presets();
 
 /// The preset of that name, or null.

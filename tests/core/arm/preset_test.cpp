@@ -13,7 +13,7 @@ TEST(Preset, IsFoundByItsNameAlone) {
 
 TEST(Preset, SaysWhereItComesFromAndCanBeUsed) {
   for (const Preset& preset : presets()) {
-    EXPECT_STRNE(preset.provenance, "");
+    EXPECT_NE(preset.provenance, "");
     EXPECT_GT(preset.continuous_force_N, 0.0);
     for (std::size_t joint = 0; joint < 6; ++joint) {
       EXPECT_LT(preset.limits.min_rad[joint], preset.limits.max_rad[joint]);

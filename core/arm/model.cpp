@@ -1,0 +1,67 @@
+#include "core/arm/model.h"
+
+#include <underact/arm_files.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/arm/forward.h"
+#include "core/base/units.h"
+
+namespace underact::arm {
+namespace {
+
+std::vector<Model> readShipped() {
+  std::vector<Model> all;
+  for (const std::string_view text : kArmFiles) {
+    Result<Model> model = readArm(text, "resources/arms");
+    if (model) all.push_back(std::move(model).value());  // that each can be read is tested
+  }
+  return all;
+}
+
+bool isNear(double a, double b) {
+  return std::abs(a - b) <= 1e-12;
+}
+
+}  // namespace
+
+std::span<const Model> models() {
+  static const std::vector<Model> kAll = readShipped();
+  return kAll;
+}
+
+const Model* findModel(std::string_view name) {
+  const std::span<const Model> all = models();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Model& model) { return model.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::optional<Geometry> omniGeometry(const Model& model) {
+  constexpr std::array<double, 6> kTwists_deg{0, 90, 0, 90, -90, 90};
+  for (std::size_t row = 0; row < 6; ++row) {
+    const chain::DhRow& one = model.rows[row];
+    const bool fits = one.type == chain::JointType::Revolute &&
+                      isNear(one.alpha_rad, kRadPerDegree * kTwists_deg[row]) && isNear(one.theta_rad, 0.0) &&
+                      (row == 2 || one.a_m == 0.0) && (row == 3 || one.d_m == 0.0);
+    if (!fits) return {};
+  }
+  const Geometry geometry{model.rows[2].a_m, model.rows[3].d_m, model.X_WB.translation()};
+  const bool in_place =
+      (model.X_WB.linear() - workspaceFromBase()).isZero(1e-12) && model.X_6T.matrix().isIdentity(1e-12);
+  if (!in_place || !(geometry.upper_m > 0.0 && geometry.fore_m > 0.0)) return {};
+  return geometry;
+}
+
+chain::Chain chainOf(const Model& model) {
+  return chain::chainFromDh(model.rows, model.X_WB, model.X_6T);
+}
+
+std::array<Pose, 6> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {
+  std::array<Pose, 6> frames;
+  chain::framesOf(model.rows, model.X_WB, q_rad, frames);
+  return frames;
+}
+
+}  // namespace underact::arm

@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/arm/preset.h"
+#include "core/base/result.h"
+#include "core/chain/chain.h"
+
+namespace underact::arm {
+
+/// What makes an arm a haptic device.
+struct DeviceFigures {
+  EncoderCounts counts_per_turn{};
+  double continuous_force_N = 0.0;
+};
+
+/// An arm of six joints as its file says it: resources/arms/NAME.json, or a file of one's own.
+struct Model {
+  std::string name;
+  std::string title;
+  std::string provenance;
+  std::array<chain::DhRow, 6> rows{};  // modified (Craig) convention
+  JointLimits limits;
+  bool limits_wrist_size = false;  // those of joint 5 are of its size
+  Pose X_WB = Pose::Identity();    // frame 0 of the table in the workspace
+  Pose X_6T = Pose::Identity();    // the tool in frame 6
+  std::optional<DeviceFigures> device;
+};
+
+/// Every problem of the file at once. Keys: the guide, "Arm files".
+Result<Model> readArm(std::string_view text, const std::string& file_name);
+Result<Model> readArmFile(const std::string& path);
+
+/// Those that ship with the program.
+std::span<const Model> models();
+const Model* findModel(std::string_view name);
+
+/// The lengths of a table shaped as table 3.1 of the thesis (a shoulder that turns about the upright, two links, a
+/// wrist at the end of the second), in the workspace of eq. 3.1; empty for any other arm. Such arms have straight-line
+/// code.
+std::optional<Geometry> omniGeometry(const Model& model);
+
+/// The same arm as a product of exponentials.
+chain::Chain chainOf(const Model& model);
+
+/// The frames 1 to 6 of the table in W.
+std::array<Pose, 6> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
+
+}  // namespace underact::arm
