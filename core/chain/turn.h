@@ -2,6 +2,7 @@
 #include "core/base/real_time.h"
 #include "core/base/trig.h"
 #include "core/base/types.h"
+#include "core/base/units.h"
 
 namespace underact::chain {
 
@@ -16,9 +17,11 @@ inline SinCos reversed(const SinCos& turn) noexcept UNDERACT_REAL_TIME {
 }
 
 /// The angle in (-pi, pi], rad, that turns u about a unit axis towards v; components along the axis do not count.
-/// 0 where one of them lies on the axis.
+/// 0 where one of them lies on the axis. Both are first taken across the axis: near it their products are all rounding.
 inline double angleAbout(const Vec3& axis, const Vec3& u, const Vec3& v) noexcept UNDERACT_REAL_TIME {
-  return atan2Of(axis.dot(u.cross(v)), u.dot(v) - axis.dot(u) * axis.dot(v));
+  const Vec3 a = axis.cross(u), b = axis.cross(v);
+  const double angle_rad = atan2Of(axis.dot(a.cross(b)), a.dot(b));
+  return angle_rad > -kPi ? angle_rad : kPi;
 }
 
 }  // namespace underact::chain

@@ -1,0 +1,199 @@
+#include "core/chain/numeric_inverse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/trig.h"
+#include "core/base/units.h"
+#include "core/chain/normal_equations.h"
+
+namespace underact::chain {
+namespace {
+
+constexpr double kFirstDamping = 0.01;  // of the squared residual over the squared length; measured, flat around it
+constexpr double kLeastDamping = 1e-8, kMostDamping = 1e8;
+constexpr double kDampingFloor = 1e-14;  // of the squared length: keeps pivots positive in singular places
+constexpr double kDeadEnd = 1e-10;       // a step that promises less than this share of the squared residual
+
+/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every compiler and library.
+double draw(std::uint64_t& state, double low, double high) noexcept UNDERACT_REAL_TIME {
+  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return low + (high - low) * (static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53);
+}
+
+/// The turn w, rad, |w| <= pi, with R_to = e^[w] R_from.
+Vec3 turnBetween(const Mat3& R_from, const Mat3& R_to) noexcept {
+  const Mat3 R = R_to * R_from.transpose();
+  const Vec3 twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  const double twice_sin = twice_sine.norm(), twice_cos = R(0, 0) + R(1, 1) + R(2, 2) - 1.0;
+  const double angle_rad = atan2Of(twice_sin, twice_cos);
+  if (twice_cos > 0.0 || twice_sin > 1e-6) return (twice_sin > 0.0 ? angle_rad / twice_sin : 0.5) * twice_sine;
+  // Near half a turn the difference is lost: R + 1 is 2 axis axis^T, and its longest column the best seen.
+  const Mat3 doubled = R + Mat3::Identity();
+  Vec3 axis = doubled.col(0);
+  for (int i = 1; i < 3; ++i) {
+    if (doubled.col(i).squaredNorm() > axis.squaredNorm()) axis = doubled.col(i);
+  }
+  if (axis.dot(twice_sine) < 0.0) axis = -axis;
+  return angle_rad / axis.norm() * axis;
+}
+
+/// One start's state: joints, what is left to go, and the Jacobian there, with the turn scaled to a length.
+struct Place {
+  JointValues q{};
+  double residual_m = kInfinity;
+  double residual_rad = kInfinity;
+  Residual e = Residual::Zero();
+  double squared = kInfinity;  // |e|^2
+  Jacobian J;
+};
+
+class Search {
+ public:
+  Search(const Chain& chain, const Pose& X_WT, const NumericOptions& options) noexcept UNDERACT_REAL_TIME
+      : chain_(chain),
+        X_WT_(X_WT),
+        options_(options),
+        joints_(std::min(chain.joints.size(), kMaxJoints)),
+        reach_m_(reachOf(chain)),
+        random_(options.seed) {
+    const double wanted_m = options.rotation_length_m;
+    rows_ = wanted_m == 0.0 ? 3 : 6;
+    length_m_ = wanted_m > 0.0 ? wanted_m : (reach_m_ > 0.0 ? reach_m_ : 1.0);
+  }
+
+  bool reached(const Place& at) const noexcept UNDERACT_REAL_TIME {
+    return at.residual_m <= options_.tolerance_m && (rows_ == 3 || at.residual_rad <= options_.tolerance_rad);
+  }
+
+  void measure(Place& at) const noexcept UNDERACT_REAL_TIME {
+    const Kinematics now = kinematics(chain_, std::span<const double>(at.q).first(joints_));
+    const Vec3 way_W = X_WT_.translation() - now.X_WT.translation();
+    const Vec3 turn_W = turnBetween(now.X_WT.linear(), X_WT_.linear());
+    at.residual_m = way_W.norm();
+    at.residual_rad = turn_W.norm();
+    at.e << way_W, (rows_ == 6 ? length_m_ : 0.0) * turn_W;
+    at.squared = at.e.squaredNorm();
+    at.J = now.J;
+    at.J.bottomRows<3>() *= length_m_;
+  }
+
+  /// From `at` to a solution, a dead end, or the end of the steps.
+  void descend(Place& at, int& steps) const noexcept UNDERACT_REAL_TIME {
+    double damping = kFirstDamping;
+    Step dq;
+    Place next;
+    for (int i = 0; i < options_.max_steps && !reached(at); ++i, ++steps) {
+      const double scale = length_m_ * length_m_;
+      const double damped = damping * at.squared + kDampingFloor * scale;
+      const bool solved = dampedStep(at.J, at.e, rows_, damped, heldAt(at), dq);
+      next.q = at.q;
+      double promised = 0.0;
+      if (solved) promised = stepTo(at, dq, next);
+      if (solved && !(promised > kDeadEnd * at.squared)) return;
+      if (solved) measure(next);
+      const double gained = solved ? at.squared - next.squared : -1.0;
+      if (gained > 0.0) at = next;
+      // The promise kept: trust it further. Broken: stay nearer to where it was made.
+      if (gained > 0.75 * promised) damping = std::max(kLeastDamping, 0.1 * damping);
+      if (!(gained > 0.25 * promised)) damping = 8.0 * std::max(damping, 1e-3);
+      if (!(damping <= kMostDamping)) return;
+    }
+  }
+
+  Place start(std::span<const double> q_start) const noexcept UNDERACT_REAL_TIME {
+    Place at;
+    for (std::size_t i = 0; i < std::min(joints_, q_start.size()); ++i) at.q[i] = held(i, q_start[i]);
+    return at;
+  }
+
+  Place randomStart() noexcept UNDERACT_REAL_TIME {
+    Place at;
+    for (std::size_t i = 0; i < joints_; ++i) {
+      const Joint& joint = chain_.joints[i];
+      const double span = joint.type == JointType::Revolute ? kPi : reach_m_;
+      const bool bounded = joint.max - joint.min < kInfinity;
+      at.q[i] = held(i, bounded ? draw(random_, joint.min, joint.max) : draw(random_, -span, span));
+    }
+    return at;
+  }
+
+  void wrap(JointValues& q) const noexcept UNDERACT_REAL_TIME {
+    if (options_.within_limits) return;
+    for (std::size_t i = 0; i < joints_; ++i) {
+      if (chain_.joints[i].type != JointType::Revolute || !(std::abs(q[i]) > kPi)) continue;
+      q[i] -= 2.0 * kPi * std::floor(q[i] / (2.0 * kPi) + 0.5);
+      if (q[i] <= -kPi) q[i] = kPi;
+    }
+  }
+
+ private:
+  double held(std::size_t i, double value) const noexcept UNDERACT_REAL_TIME {
+    return options_.within_limits ? std::clamp(value, chain_.joints[i].min, chain_.joints[i].max) : value;
+  }
+
+  /// A bit for each joint that stands at a limit and would be driven beyond it.
+  std::uint32_t heldAt(const Place& at) const noexcept UNDERACT_REAL_TIME {
+    std::uint32_t bits = 0;
+    if (!options_.within_limits) return bits;
+    for (std::size_t i = 0; i < joints_; ++i) {
+      const double pull = at.J.col(static_cast<Eigen::Index>(i)).dot(at.e);
+      const bool out = pull < 0.0 ? at.q[i] <= chain_.joints[i].min : at.q[i] >= chain_.joints[i].max;
+      if (out) bits |= 1U << static_cast<unsigned>(i);
+    }
+    return bits;
+  }
+
+  /// next.q: the step, cut at the limits. Gives what the linear model promises of it.
+  double stepTo(const Place& at, const Step& dq, Place& next) const noexcept UNDERACT_REAL_TIME {
+    Residual left = at.e;
+    for (std::size_t i = 0; i < joints_; ++i) {
+      const Eigen::Index column = static_cast<Eigen::Index>(i);
+      next.q[i] = held(i, at.q[i] + dq[column]);
+      left -= (next.q[i] - at.q[i]) * at.J.col(column);
+    }
+    if (rows_ == 3) left.tail<3>().setZero();
+    return at.squared - left.squaredNorm();
+  }
+
+  const Chain& chain_;
+  const Pose& X_WT_;
+  const NumericOptions& options_;
+  std::size_t joints_;
+  double reach_m_;
+  double length_m_ = 1.0;
+  std::size_t rows_ = 6;
+  std::uint64_t random_;
+};
+
+}  // namespace
+
+NumericSolution solveNumerically(const Chain& chain, const Pose& X_WT, std::span<const double> q_start,
+                                 const NumericOptions& options) noexcept {
+  Search search(chain, X_WT, options);
+  NumericSolution best;
+  double least = kInfinity;
+  for (int turn = 0; turn <= options.restarts; ++turn) {
+    Place at = turn == 0 ? search.start(q_start) : search.randomStart();
+    if (turn == 0) best.q = at.q;
+    search.measure(at);
+    search.descend(at, best.steps);
+    best.restarts_used = turn;
+    if (at.squared < least) {
+      least = at.squared;
+      best.q = at.q;
+      best.residual_m = at.residual_m;
+      best.residual_rad = at.residual_rad;
+    }
+    if (search.reached(at)) {
+      best.reached = true;
+      break;
+    }
+  }
+  search.wrap(best.q);
+  return best;
+}
+
+}  // namespace underact::chain
