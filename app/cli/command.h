@@ -21,6 +21,9 @@ struct Streams {
 /// Adds a command to the grammar of the command line; when it is chosen, it does its work and leaves its exit status.
 using AddCommand = void (*)(CLI::App& program, const Streams& streams, Exit& exit);
 
+void addForward(CLI::App& program, const Streams& streams, Exit& exit);
+void addInverse(CLI::App& program, const Streams& streams, Exit& exit);
+void addJacobian(CLI::App& program, const Streams& streams, Exit& exit);
 void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
 void addRun(CLI::App& program, const Streams& streams, Exit& exit);
 void addScene(CLI::App& program, const Streams& streams, Exit& exit);

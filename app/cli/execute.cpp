@@ -9,12 +9,14 @@
 namespace underact::cli {
 
 std::span<const AddCommand> commands() {
-  static constexpr std::array<AddCommand, 3> kCommands{addTarget, addRun, addScene};
+  static constexpr std::array<AddCommand, 6> kCommands{addForward, addInverse, addJacobian,
+                                                       addTarget,  addRun,     addScene};
   return kCommands;
 }
 
 Exit execute(std::vector<std::string> arguments, const Streams& streams) {
-  CLI::App program("Underact without a window: what a scene does to the stylus.", "underact-cli");
+  CLI::App program("Underact without a window: kinematics of arms, and what a scene does to the stylus.",
+                   "underact-cli");
   program.set_version_flag("--version", std::string("underact-cli ") + kVersion, "Print the version and exit");
   program.require_subcommand(1);
   program.failure_message(CLI::FailureMessage::simple);

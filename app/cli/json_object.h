@@ -1,5 +1,6 @@
 #pragma once
 #include <concepts>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ class JsonObject {
   void addBool(std::string_view key, bool value) { addRaw(key, value ? "true" : "false"); }
   void addNull(std::string_view key) { addRaw(key, "null"); }
   void addVector(std::string_view key, const Vec3& value);
+  void addList(std::string_view key, std::span<const double> values);
+  void addTexts(std::string_view key, const std::vector<std::string>& values);
+  void addMatrix(std::string_view key, const Eigen::MatrixXd& value);  // a list of rows
   void addObject(std::string_view key, const JsonObject& value) { addRaw(key, value.text()); }
   void addList(std::string_view key, const std::vector<JsonObject>& values);
   std::string text() const { return "{" + members_ + "}"; }

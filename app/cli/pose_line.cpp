@@ -15,7 +15,7 @@ using json::Value;
 
 // Beyond it the squares of the coordinates, in m, could leave the range of a double.
 constexpr double kFarthest_mm = 1e100;
-constexpr double kRotationTolerance = 1e-6;  // of each entry of R R^T; six decimals are what people copy
+constexpr double kRotationTolerance = 2e-6;  // of each entry of R R^T: 2 sqrt(3) times half of the sixth decimal
 
 bool readVector(const Value& value, Vec3& vector) {
   if (value.kind != Kind::Array || value.items.size() != 3) return false;

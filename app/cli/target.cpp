@@ -1,10 +1,8 @@
-#include <istream>
 #include <memory>
-#include <ostream>
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/cli/json_object.h"
+#include "app/cli/json_lines.h"
 #include "app/cli/pose_line.h"
 #include "app/cli/scene_file.h"
 #include "core/base/units.h"
@@ -56,31 +54,17 @@ JsonObject answer(const LoadedScene& loaded, const Vec3& p_WT) {
   return all;
 }
 
-JsonObject refusal(const Problems& problems, std::int64_t line) {
-  std::string sentences;
-  for (const Problem& problem : problems) sentences += (sentences.empty() ? "" : " ") + problem.sentence;
-  JsonObject object;
-  object.addText("error", sentences);
-  object.addInteger("line", line);
-  return object;
-}
-
-Exit answerLines(const std::string& path, const Streams& streams) {
+Exit answerPoses(const std::string& path, const Streams& streams) {
   const Result<LoadedScene> loaded = loadScene(path);
   if (!loaded) {
     print(loaded.problems(), streams.err);
     return exitOf(loaded.problems());
   }
-  Exit exit = Exit::Well;
-  std::int64_t number = 0;
-  for (std::string line; streams.out && std::getline(streams.in, line);) {
+  return answerLines(streams, [&](std::string_view line) -> Result<JsonObject> {
     const Result<PoseLine> pose = readPoseLine(line);
-    ++number;
-    if (!pose) exit = Exit::BadInput;
-    streams.out << (pose ? answer(loaded.value(), pose.value().p_WT) : refusal(pose.problems(), number)).text() << '\n'
-                << std::flush;
-  }
-  return exit;
+    if (!pose) return pose.problems();
+    return answer(loaded.value(), pose.value().p_WT);
+  });
 }
 
 }  // namespace
@@ -95,7 +79,7 @@ void addTarget(CLI::App& program, const Streams& streams, Exit& exit) {
       "between lines.");
   const auto path = std::make_shared<std::string>();
   command->add_option("scene", *path, "Scene file")->required();
-  command->callback([path, &streams, &exit] { exit = answerLines(*path, streams); });
+  command->callback([path, &streams, &exit] { exit = answerPoses(*path, streams); });
 }
 
 }  // namespace underact::cli

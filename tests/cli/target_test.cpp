@@ -154,8 +154,7 @@ TEST(Target, FarAwayAndVeryNearItIsFinite) {
 }
 
 std::string list(const Vec3& v) {
-  return "[" + json::numberText(v.x()) + ", " + json::numberText(v.y()) + ", " +
-         json::numberText(v.z()) + "]";
+  return "[" + json::numberText(v.x()) + ", " + json::numberText(v.y()) + ", " + json::numberText(v.z()) + "]";
 }
 
 /// The golden shape as a scene file says it; empty where a scene file may not (beyond 1e6 mm).

@@ -1,0 +1,47 @@
+#include "app/cli/arm_choice.h"
+
+#include <ostream>
+
+#include "app/cli/scene_file.h"
+#include "core/json/text.h"
+
+namespace underact::cli {
+
+Result<ArmChoice> chooseArm(const std::string& name) {
+  arm::Model model;
+  if (name.find_first_of("./\\") != std::string::npos) {
+    Result<arm::Model> read = arm::readArmFile(name);
+    if (!read) return read.problems();
+    model = std::move(read).value();
+  } else if (const arm::Model* found = arm::findModel(name)) {
+    model = *found;
+  } else {
+    std::vector<std::string> names;
+    for (const arm::Model& one : arm::models()) names.push_back(one.name);
+    return Problems{{"There is no arm " + json::shown(name) + "; it must be " + json::listed(names) +
+                         ", or an arm file (a name with a dot or a slash).",
+                     {}}};
+  }
+  ArmChoice choice{model, arm::omniGeometry(model), arm::chainOf(model), {}, {}};
+  choice.flange = chain::chainFromDh(model.rows, model.X_WB, Pose::Identity());
+  choice.closed = chain::recognise(choice.chain);
+  return choice;
+}
+
+Exit refuseArm(const Problems& problems, std::ostream& err) {
+  print(problems, err);
+  return problems.front().place.file.empty() ? Exit::Usage : exitOf(problems);
+}
+
+void addArmOption(CLI::App& command, std::string& name) {
+  name = std::string(arm::kDefaultArm);
+  command.add_option("--arm", name, "An arm of the list below, or an arm file")->capture_default_str();
+}
+
+std::string listOfArms() {
+  std::string list = "Arms:";
+  for (const arm::Model& model : arm::models()) list += "\n  " + model.name + ": " + model.title;
+  return list;
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,33 @@
+#pragma once
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/arm/model.h"
+#include "core/chain/closed_form.h"
+
+namespace underact::cli {
+
+/// An arm, and what there is to compute it with.
+struct ArmChoice {
+  arm::Model model;
+  std::optional<arm::Geometry> omni;               // the Omni's straight-line code fits
+  chain::Chain chain;                              // to the tool
+  chain::Chain flange;                             // to the origin of frame 6
+  std::optional<chain::SphericalWristArm> closed;  // a closed form fits
+};
+
+/// name: that of a shipped arm, or a file (a name with a dot or a slash).
+Result<ArmChoice> chooseArm(const std::string& name);
+
+/// Tells why there is no such arm. Usage for a name that no arm has; else as exitOf().
+Exit refuseArm(const Problems& problems, std::ostream& err);
+
+/// --arm, with its default.
+void addArmOption(CLI::App& command, std::string& name);
+
+/// "name: title" of every shipped arm, for --help.
+std::string listOfArms();
+
+}  // namespace underact::cli

@@ -1,0 +1,27 @@
+#pragma once
+#include <functional>
+#include <initializer_list>
+#include <string_view>
+
+#include "app/cli/command.h"
+#include "app/cli/json_object.h"
+#include "core/arm/sample.h"
+#include "core/base/result.h"
+#include "core/json/json.h"
+
+namespace underact::cli {
+
+/// Answers each line of the input in order, flushed one by one; a bad one is answered {"error", "line"} and the others
+/// all the same. Keeps nothing of a line that is answered.
+Exit answerLines(const Streams& streams, const std::function<Result<JsonObject>(std::string_view line)>& answer);
+
+/// A line that is an object with these keys and no others, each once; all are required. example: for the sentence.
+Result<json::Value> readLine(std::string_view text, std::initializer_list<std::string_view> keys, const char* example);
+
+/// Six finite numbers of at most 1e6 in size, or a problem.
+Result<arm::JointAngles> readJoints(const json::Value& line, const char* key);
+
+/// Four rows of four; a rotation to 1e-6 (brought to the nearest one), lengths in mm of at most 1e9, last row 0 0 0 1.
+Result<Pose> readPose(const json::Value& line, const char* key);
+
+}  // namespace underact::cli

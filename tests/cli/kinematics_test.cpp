@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/arm/model.h"
+#include "core/json/json.h"
+#include "tests/cli/session.h"
+#include "tests/core/arm/golden.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+using json::Value;
+
+/// A part of a file, as text: lists of numbers only.
+std::string textOf(const Value& value) {
+  if (value.kind == json::Kind::Number) return json::numberText(value.number);
+  std::string list;
+  for (const Value& item : value.items) list += (list.empty() ? "" : ", ") + textOf(item);
+  return "[" + list + "]";
+}
+
+/// A line {"KEY": field} of each case of a golden file.
+std::string linesFrom(const Value& file, const char* key, const char* field) {
+  std::string text;
+  for (const Value& one : file.find("cases")->items) {
+    text += std::string("{\"") + key + "\": " + textOf(*one.find(field)) + "}\n";
+  }
+  return text;
+}
+
+std::vector<Value> answers(const std::vector<std::string>& command, const std::string& in, Exit exit = Exit::Well) {
+  const Outcome outcome = runCli(command, in);
+  EXPECT_EQ(outcome.exit, exit) << outcome.err;
+  return lines(outcome.out);
+}
+
+double furthest(const Value& a, const Value& b) {  // of lists of numbers of the same shape
+  if (a.kind == json::Kind::Number && b.kind == json::Kind::Number) return std::abs(a.number - b.number);
+  if (a.items.size() != b.items.size()) return kInfinity;
+  double furthest_so_far = 0.0;
+  for (std::size_t index = 0; index < a.items.size(); ++index) {
+    furthest_so_far = std::max(furthest_so_far, furthest(a.items[index], b.items[index]));
+  }
+  return furthest_so_far;
+}
+
+constexpr const char* kJoints = R"({"q_rad": [0.1, 0.5, 0.2, 0.3, 1.0, 0.4]})";
+
+}  // namespace
+
+TEST(KinematicsCommands, ForwardMeetsTheGoldenPoses) {
+  const Value file = golden("fk.json");
+  const std::vector<Value> poses = answers({"fk"}, linesFrom(file, "q_rad", "q"));
+  const std::vector<Value>& cases = file.find("cases")->items;
+  ASSERT_EQ(poses.size(), cases.size());
+  for (std::size_t index = 0; index < cases.size(); ++index) {
+    EXPECT_LE(furthest(*poses[index].find("X_WT"), *cases[index].find("T")), 1e-10) << index;  // mm
+  }
+}
+
+TEST(KinematicsCommands, InverseGivesTheCountsOfTheGoldenPosesAndEachReachesItsPose) {
+  const Value file = golden("ik.json");
+  const std::vector<Value> all = answers({"ik"}, linesFrom(file, "X_WT", "T"));
+  const std::vector<Value>& cases = file.find("cases")->items;
+  ASSERT_EQ(all.size(), cases.size());
+  std::string joints;
+  std::vector<std::size_t> owner;
+  for (std::size_t index = 0; index < cases.size(); ++index) {
+    const std::string& status = cases[index].find("status")->text;
+    EXPECT_EQ(all[index].find("reachable")->boolean, status != "unreachable");
+    EXPECT_EQ(all[index].find("singular")->boolean, status != "unreachable" && status != "regular") << status;
+    const Value& solutions = *all[index].find("solutions");
+    EXPECT_EQ(solutions.items.size(), cases[index].find("solutions")->items.size()) << status;
+    for (const Value& one : solutions.items) {
+      joints += "{\"q_rad\": " + textOf(*one.find("q_rad")) + "}\n";
+      owner.push_back(index);
+      for (const char* part : {"shoulder", "elbow", "wrist"}) {
+        EXPECT_EQ(std::abs(one.find("branch")->find(part)->number), 1.0);
+      }
+      if (status == "regular") {
+        EXPECT_EQ(one.find("family")->kind, json::Kind::Null);
+      }
+      if (status == "shoulder_singular") {
+        EXPECT_EQ(one.find("family")->text, "q1 free");
+      }
+    }
+  }
+  const std::vector<Value> again = answers({"fk"}, joints);
+  ASSERT_EQ(again.size(), owner.size());
+  for (std::size_t index = 0; index < again.size(); ++index) {
+    EXPECT_LE(furthest(*again[index].find("X_WT"), *cases[owner[index]].find("T")), 1e-9) << index;  // mm
+  }
+}
+
+TEST(KinematicsCommands, JacobianMeetsTheGoldenFile) {
+  const Value file = golden("jacobian.json");
+  const std::vector<Value> all = answers({"jacobian"}, linesFrom(file, "q_rad", "q"));
+  const std::vector<Value>& cases = file.find("cases")->items;
+  ASSERT_EQ(all.size(), cases.size());
+  for (std::size_t index = 0; index < cases.size(); ++index) {
+    EXPECT_LE(furthest(*all[index].find("J"), *cases[index].find("J")), 1e-12) << index;  // mm/rad
+    EXPECT_NEAR(all[index].find("det_Jp")->number, cases[index].find("det_Jp")->number, 1e-8);
+    EXPECT_NEAR(all[index].find("manipulability_Jp")->number, cases[index].find("manipulability_Jp")->number, 1e-8);
+    const Value& wanted = *cases[index].find("cond_Jp");
+    const Value& condition = *all[index].find("condition_Jp");
+    ASSERT_EQ(condition.kind, wanted.kind) << index;
+    if (wanted.kind == json::Kind::Number) {
+      EXPECT_NEAR(condition.number / wanted.number, 1.0, 1e-12 * wanted.number);
+    }
+    const bool at_position = wanted.kind == json::Kind::Null;
+    EXPECT_EQ(!all[index].find("singular")->items.empty(),
+              at_position || cases[index].find("near_singular_J6")->boolean)
+        << index;
+  }
+}
+
+TEST(KinematicsCommands, ABadLineIsAnsweredAndTheOthersAllTheSame) {
+  const std::string in = std::string(kJoints) + "\n[]\n{\"q_rad\": [1, 2]}\n{\"q\": [0,0,0,0,0,0]}\nnonsense\n" +
+                         kJoints + "\n{\"q_rad\": [0,0,0,0,0,1e400]}\n";
+  const std::vector<Value> all = answers({"fk"}, in, Exit::BadInput);
+  ASSERT_EQ(all.size(), 7U);
+  EXPECT_NE(all[0].find("X_WT"), nullptr);
+  for (const std::size_t bad : {1U, 2U, 3U, 4U, 6U}) {
+    EXPECT_NE(all[bad].find("error"), nullptr) << bad;
+    EXPECT_EQ(all[bad].find("line")->number, static_cast<double>(bad + 1));
+  }
+  EXPECT_NE(all[5].find("X_WT"), nullptr);
+  const std::string mirror = "{\"X_WT\": [[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}\n";
+  EXPECT_NE(answers({"ik"}, mirror, Exit::BadInput).at(0).find("error"), nullptr);
+}
+
+TEST(KinematicsCommands, EveryShippedArmGoesThereAndBackByEveryMethod) {
+  for (const arm::Model& model : arm::models()) {
+    const std::string there = runCli({"fk", "--arm", model.name}, std::string(kJoints) + "\n").out;
+    for (const char* method : {"auto", "closed_form", "iterative"}) {
+      const std::vector<Value> all = answers({"ik", "--arm", model.name, "--method", method}, there);
+      ASSERT_EQ(all.size(), 1U);
+      EXPECT_TRUE(all[0].find("reachable")->boolean) << model.name << " " << method;
+      ASSERT_FALSE(all[0].find("solutions")->items.empty()) << model.name << " " << method;
+      for (const Value& one : all[0].find("solutions")->items) {
+        const std::string back =
+            runCli({"fk", "--arm", model.name}, "{\"q_rad\": " + textOf(*one.find("q_rad")) + "}\n").out;
+        // The iteration stops within 1e-9 m = 1e-6 mm; the closed forms are far nearer.
+        EXPECT_LE(furthest(*lines(back).at(0).find("X_WT"), *lines(there).at(0).find("X_WT")),
+                  method == std::string("iterative") ? 2e-6 : 1e-9);
+      }
+      if (method == std::string("iterative")) {
+        EXPECT_EQ(all[0].find("solutions")->items[0].find("branch")->kind, json::Kind::Null);
+      }
+    }
+  }
+}
+
+TEST(KinematicsCommands, AnArmCanBeAFileAndAnUnknownOneIsWrongUsage) {
+  const std::string file = std::string(UNDERACT_SOURCE) + "/resources/arms/omni-thesis.json";
+  EXPECT_EQ(runCli({"fk", "--arm", file}, std::string(kJoints) + "\n").out,
+            runCli({"fk"}, std::string(kJoints) + "\n").out);
+  const Outcome unknown = runCli({"fk", "--arm", "omni"}, "");
+  EXPECT_EQ(unknown.exit, Exit::Usage);
+  EXPECT_NE(unknown.err.find("touch-measured"), std::string::npos);
+  EXPECT_EQ(runCli({"jacobian", "--arm", "./none.json"}, "").exit, Exit::File);
+  EXPECT_EQ(runCli({"ik", "--method", "guess"}, "").exit, Exit::Usage);
+}
+
+TEST(KinematicsCommands, APoseCopiedWithSixDecimalsIsTakenAsTheNearestRotation) {
+  const std::string line =
+      R"({"X_WT": [[-0.538830, -0.828716, -0.151298, 20.7], [0.824928, -0.555470, 0.104633, -23.1], )"
+      R"([-0.170752, -0.068430, 0.982935, 31.1], [0, 0, 0, 1]]})";
+  const std::vector<Value> all = answers({"ik"}, line + "\n");
+  EXPECT_EQ(all.at(0).find("solutions")->items.size(), 8U);
+}
+
+}  // namespace underact::test
