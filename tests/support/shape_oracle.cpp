@@ -132,13 +132,15 @@ double searchPatch(const Patch& patch, const Vec3& p_WT) {
     };
     return searchPatch({at, patch.a_half, 0.0}, p_WT);
   }
-  constexpr int kGrid = 8;  // in each direction; the search below needs only the right basin
+  // In each direction; the search below needs only the right basin. A thin ellipse has narrow ones at its ends: with 8
+  // starts one of 25 000 draws missed them.
+  const int grid = patch.b_half > 0.0 ? 8 : 64;
   const auto inRange = [&](double x, double half) { return patch.held ? std::clamp(x, -half, half) : x; };
   const auto square = [&](double a, double b) { return (patch.at(a, b) - p_WT).squaredNorm(); };
   constexpr std::array<std::array<double, 2>, 8> kWays{
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
   double over_all = kInfinity;
-  for (int i = 0; i <= (patch.a_half > 0.0 ? kGrid : 0); ++i) {  // from each a: the far side has a bottom of its own
+  for (int i = 0; i <= (patch.a_half > 0.0 ? grid : 0); ++i) {  // from each a: the far side has a bottom of its own
     double best = kInfinity, best_a = 0.0, best_b = 0.0;
     const auto take = [&](double a, double b) {
       const double here = square(a, b);
@@ -146,10 +148,10 @@ double searchPatch(const Patch& patch, const Vec3& p_WT) {
       best = here, best_a = a, best_b = b;
       return true;
     };
-    for (int j = 0; j <= (patch.b_half > 0.0 ? kGrid : 0); ++j) {
-      take(patch.a_half * (2.0 * i / kGrid - 1.0), patch.b_half * (2.0 * j / kGrid - 1.0));
+    for (int j = 0; j <= (patch.b_half > 0.0 ? grid : 0); ++j) {
+      take(patch.a_half * (2.0 * i / grid - 1.0), patch.b_half * (2.0 * j / grid - 1.0));
     }
-    for (double step = 2.0 / kGrid; step > 1e-9;) {  // 1e-9 of a flat bottom: 1e-18 of the square
+    for (double step = 2.0 / grid; step > 1e-9;) {  // 1e-9 of a flat bottom: 1e-18 of the square
       bool better = false;
       for (const auto& way : kWays) {  // eight: a slanting valley of a scaled face is followed too
         better = take(inRange(best_a + way[0] * step * patch.a_half, patch.a_half),
