@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/units.h"
 #include "core/chain/turn.h"
@@ -13,7 +12,6 @@ namespace {
 constexpr double kOutside = 1e-9;  // so far outside still counts as on the edge; of the reach, or rad
 constexpr double kMerged = 1e-12;  // and so far inside; a hundred times what rounding makes of it
 constexpr double kTooFar = 1e9;    // reaches
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// The two answers of a step: middle + half (+1) and middle - half (-1), or one where merged.
 struct Branches {
@@ -78,7 +76,7 @@ Branches wrist(const SphericalWristArm& arm, const Vec3& axis_6_W) noexcept {
       sine_squared * (1.0 - 2.0 * turn * cos_45 * cos_56 / (1.0 + std::abs(cosine))) - gap * gap;
   Branches both;
   both.exact = triple_squared >= -kOutside;
-  both.merged = triple_squared <= std::max(kMerged * kMerged, 4.0 * kEpsilon * gap * gap);
+  both.merged = triple_squared <= kMerged * std::max(kMerged, std::abs(gap));
   both.middle_rad = arm.wrist_middle_rad;
   both.half_rad = atan2Of(both.merged ? 0.0 : std::sqrt(triple_squared), cosine - cos_45 * cos_56);
   return both;

@@ -198,6 +198,29 @@ TEST(ClosedFormEdge, WristOfLeaningAxesMayBeInLineToo) {  // axes 4 and 6 at 40 
   EXPECT_GT(found.count, found.exact);  // more than 80 degrees from axis 4 axis 6 cannot lean
 }
 
+TEST(ClosedFormEdge, WristOfLeaningAxesHasAnEdgeOfItsOwn) {  // axis 6 as near to axis 4 as 60 and 40 degrees let it
+  test::Arm arm = test::omni();
+  arm.rows[4].alpha_rad = -40 * kRadPerDegree;
+  arm.rows[5].alpha_rad = 60 * kRadPerDegree;
+  const Chain chain = arm.chain();
+  const SphericalWristArm leaning = recognise(chain).value();
+  test::property::Random random({31});
+  for (int draw = 0; draw < 200; ++draw) {
+    Angles q{};
+    for (double& angle_rad : q) angle_rad = random.between(-1.4, 1.4);
+    q[4] = leaning.wrist_middle_rad;
+    const Pose X_WT = forward(chain, q);
+    const Solutions found = solveAll(leaning, X_WT);
+    int same_arm = 0;
+    for (std::size_t i = 0; i < found.exact; ++i) {
+      const Angles& other = found.all[i].q;
+      if (apart({other[0], other[1], other[2]}, {q[0], q[1], q[2]}) < 1e-6) ++same_arm;
+    }
+    ASSERT_EQ(same_arm, 1) << "draw " << draw;
+    ASSERT_LE(worst(chain, found, X_WT), 1e-12);
+  }
+}
+
 TEST(ClosedFormEdge, WhatIsNoPoseHasNoAnswers) {
   Pose X_WT = Pose::Identity();
   X_WT.translation().y() = kNotANumber;
