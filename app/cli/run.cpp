@@ -14,6 +14,7 @@
 #include "app/cli/scene_file.h"
 #include "core/arm/preset.h"
 #include "core/record/csv.h"
+#include "core/scene/compile.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand_script.h"
@@ -34,6 +35,7 @@ struct RunOptions {
   bool fast = false;
   std::uint64_t seed = 1;
   std::string record;
+  std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
 };
 
@@ -118,6 +120,20 @@ struct Prepared {
   std::optional<record::CsvWriter> csv;
 };
 
+/// The scene with every control in that space; empty: as it is.
+Result<LoadedScene> inSpace(LoadedScene loaded, const std::string& space) {
+  if (space.empty()) return loaded;
+  const tick::Space wanted = space == "joint" ? tick::Space::Joint : tick::Space::Cartesian;
+  loaded.description.control.space = wanted;
+  for (scene::Constraint& constraint : loaded.description.constraints) {
+    if (constraint.control) constraint.control->space = wanted;
+  }
+  Result<tick::TickProgram> program = scene::compile(loaded.description);
+  if (!program) return program.problems();
+  loaded.program = std::move(program).value();
+  return loaded;
+}
+
 /// Empty: something was wrong, has been told, and exit says what.
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
   if (!options.record.empty() && !options.record.ends_with(".csv")) {
@@ -131,13 +147,19 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = exitOf(scene.problems());
     return {};
   }
+  Result<LoadedScene> in_space = inSpace(std::move(scene).value(), options.space);
+  if (!in_space) {
+    print(in_space.problems(), streams.err);
+    exit = Exit::BadInput;
+    return {};
+  }
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) {
     print(hand.problems(), streams.err);
     exit = exitOfHand(options.hand, hand.problems());
     return {};
   }
-  Prepared prepared{std::move(scene).value(), std::move(hand).value(), {}};
+  Prepared prepared{std::move(in_space).value(), std::move(hand).value(), {}};
   if (options.record.empty()) return prepared;
   Result<record::CsvWriter> csv = record::CsvWriter::open(options.record);
   if (!csv) {
@@ -218,6 +240,8 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command->add_option("--record", options->record, "Write every tick to this file; its name must end in .csv");
+  command->add_option("--space", options->space, "Where the control works, in place of what the scene says")
+      ->check(CLI::IsMember({"cartesian", "joint"}));
   command->add_option("--arm-model", options->arm_model, "What the simulated arm is made of")
       ->capture_default_str()
       ->check(CLI::IsMember(armModelNames()));

@@ -36,7 +36,13 @@ void RunSummary::add(const servo::TickRecord& record) {
   sum_force_N_ += force_N;
   sum_square_error_m2_ += record.error_m * record.error_m;
   if (record.cut_N > 0.0) ++clamped_;
+  // A step of the tip goes with the force that was in effect during it: the one written a tick before.
+  if (ticks_ > 1) work_J_ += f_T_W_.dot(record.p_WT - p_WT_);
+  most_work_J_ = std::max(most_work_J_, work_J_);
+  branch_changes_ += record.branch_changes;
+  out_of_reach_ += record.out_of_reach ? 1 : 0;
   p_WT_ = record.p_WT;
+  f_T_W_ = record.f_sent_T_W;
   if (record.fault != fault_ && record.fault != FaultKind::None) faults_.push_back(faultAt(record));
   fault_ = record.fault;
   lateness_.add(record.lateness_ns);
@@ -54,6 +60,10 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addInteger("clamped_ticks", clamped_);
   object.addNumber("rms_error_mm", kMillimetrePerMetre * std::sqrt(sum_square_error_m2_ / count));
   object.addVector("final_p_mm", kMillimetrePerMetre * p_WT_);
+  object.addNumber("work_mJ", 1e3 * work_J_);            // that the force has done on the hand in all
+  object.addNumber("most_work_mJ", 1e3 * most_work_J_);  // and at most on the way
+  object.addInteger("branch_changes", branch_changes_);
+  object.addInteger("out_of_reach_ticks", out_of_reach_);
   object.addList("faults", faults_);
   object.addObject("lateness_us", percentiles(setting.fast ? kNoPercentiles : lateness_.percentiles()));
   object.addObject("tick_us", percentiles(tick_time_.percentiles()));

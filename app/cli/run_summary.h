@@ -30,7 +30,11 @@ class RunSummary {
   double peak_force_N_ = 0.0;
   double sum_force_N_ = 0.0;
   double sum_square_error_m2_ = 0.0;
+  double work_J_ = 0.0, most_work_J_ = 0.0;
+  std::int64_t branch_changes_ = 0;
+  std::int64_t out_of_reach_ = 0;
   Vec3 p_WT_ = Vec3::Constant(kNotANumber);
+  Vec3 f_T_W_ = Vec3::Zero();          // written at the last tick
   FaultKind fault_ = FaultKind::None;  // of the last tick
   std::vector<JsonObject> faults_;
   servo::Histogram lateness_;

@@ -26,12 +26,13 @@ Exit check(const std::vector<std::string>& paths, const Streams& streams) {
 }
 
 /// The quantities that a tick may need, in the words of scene show.
-std::array<std::pair<const char*, bool>, 5> needsOf(const tick::Needs& needs) {
+std::array<std::pair<const char*, bool>, 6> needsOf(const tick::Needs& needs) {
   return {{{"position", true},
            {"error_rate", needs.rate},
            {"error_integral", needs.integral},
            {"gain_metric", needs.metric},
-           {"nearest_choice", needs.choice}}};
+           {"nearest_choice", needs.choice},
+           {"joint_targets", needs.joints}}};
 }
 
 const char* lawName(const scene::Control& control) {

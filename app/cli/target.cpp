@@ -5,6 +5,7 @@
 #include "app/cli/json_lines.h"
 #include "app/cli/pose_line.h"
 #include "app/cli/scene_file.h"
+#include "core/arm/inverse.h"
 #include "core/base/units.h"
 #include "core/safety/gate.h"
 #include "core/tick/rest.h"
@@ -63,6 +64,10 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
   return answerLines(streams, [&](std::string_view line) -> Result<JsonObject> {
     const Result<PoseLine> pose = readPoseLine(line);
     if (!pose) return pose.problems();
+    const tick::TickProgram& program = loaded.value().program;
+    if (program.needs.joints && !arm::reach(program.geometry, pose.value().p_WT).reachable) {
+      return Problems{{"The arm cannot reach this place, and the scene's control works on its joints.", {}}};
+    }
     return answer(loaded.value(), pose.value().p_WT);
   });
 }

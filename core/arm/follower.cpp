@@ -64,24 +64,32 @@ Followed follow(const Geometry& geometry, const JointLimits& limits, const Follo
 
 Followed followPosition(const Geometry& geometry, const FollowerState& state, const Vec3& p_WT) noexcept {
   const PlanarReach reach = planarReach(geometry, p_WT);
-  Followed result{state, reach.reachable, false};
-  double best_rad = kInfinity;
-  const double shoulders[] = {1.0, -1.0}, elbows[] = {1.0, -1.0};
-  for (const double shoulder : shoulders) {
+  const auto solveOn = [&](const Branch& branch) {
     PlanarReach faced = reach;
-    faced.off_axis_m *= shoulder;
-    for (const double elbow : elbows) {
-      const SinCos thigh = scaledThigh(geometry, faced, elbow);
-      JointAngles q_rad = state.q_rad;
-      if (reach.off_axis_m > kSingularDistance_m) q_rad[0] = atan2Of(shoulder * reach.y_m, shoulder * reach.x_m);
-      q_rad[1] = atan2Of(thigh.sin, thigh.cos);
-      q_rad[2] = atan2Of(reach.elbow.sin, elbow * reach.elbow.cos);
-      q_rad = nearestTurns(q_rad, state.q_rad);
-      const Branch branch{static_cast<std::int8_t>(shoulder), static_cast<std::int8_t>(elbow), state.branch.wrist};
-      double way_rad = wayBetween(q_rad, state.q_rad);
-      if (state.begun && branch == state.branch) way_rad -= kSwitch_rad;
-      if (!(way_rad < best_rad)) continue;
-      best_rad = way_rad;
+    faced.off_axis_m *= branch.shoulder;
+    const SinCos thigh = scaledThigh(geometry, faced, branch.elbow);
+    JointAngles q_rad = state.q_rad;
+    if (reach.off_axis_m > kSingularDistance_m) {
+      q_rad[0] = atan2Of(branch.shoulder * reach.y_m, branch.shoulder * reach.x_m);
+    }
+    const auto [q2_rad, q3_rad] = atan2OfTwo(thigh.sin, thigh.cos, reach.elbow.sin, branch.elbow * reach.elbow.cos);
+    q_rad[1] = q2_rad, q_rad[2] = q3_rad;
+    return nearestTurns(q_rad, state.q_rad);
+  };
+  Followed result{state, reach.reachable, false};
+  double least_rad = kInfinity;
+  if (state.begun) {
+    result.next.q_rad = solveOn(state.branch);
+    least_rad = wayBetween(result.next.q_rad, state.q_rad) - kSwitch_rad;
+    if (least_rad <= 0.0) return result;  // no other way is shorter than none
+  }
+  for (const std::int8_t shoulder : {std::int8_t{1}, std::int8_t{-1}}) {
+    for (const std::int8_t elbow : {std::int8_t{1}, std::int8_t{-1}}) {
+      const Branch branch{shoulder, elbow, state.branch.wrist};
+      const JointAngles q_rad = solveOn(branch);
+      const double way_rad = wayBetween(q_rad, state.q_rad);
+      if (!(way_rad < least_rad)) continue;
+      least_rad = way_rad;
       result.next = {q_rad, branch, true};
     }
   }

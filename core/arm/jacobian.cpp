@@ -99,6 +99,7 @@ Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept
   };
   order(0, 1), order(1, 2), order(0, 1);
   Dexterity result;
+  result.J = positionJacobian(at);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     result.axes_W.col(static_cast<Eigen::Index>(axis)) = axes[axis].axis_W;
     result.gain_m[static_cast<Eigen::Index>(axis)] = axes[axis].gain_m;

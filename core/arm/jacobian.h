@@ -20,6 +20,7 @@ Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexce
 /// the tip goes along each per rad, largest first. A ball of joint torques becomes forces along the same axes, 1 / gain
 /// as strong.
 struct Dexterity {
+  Mat3 J = Mat3::Zero();  // J_p itself
   Mat3 axes_W = Mat3::Identity();
   Vec3 gain_m = Vec3::Zero();      // singular values
   double det_m3 = 0.0;             // L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)); errata section 2

@@ -22,6 +22,9 @@ struct JointLimits {
   JointAngles max_rad{};
 };
 
+inline constexpr JointLimits kNoJointLimits{{-kInfinity, -kInfinity, -kInfinity, -kInfinity, 0.0, -kInfinity},
+                                            {kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity}};
+
 /// Steps per turn of the encoders: turret, thigh and shin (the shin's angle is measured from the base, not from the
 /// thigh), then the three of the gimbal.
 using EncoderCounts = std::array<double, 6>;

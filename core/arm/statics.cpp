@@ -16,7 +16,7 @@ Vec6 torqueOf(const Mat6& J, const Vec6& wrench_T_W) noexcept {
 
 ForceOfTorque forceOf(const Geometry& geometry, const JointAngles& q_rad, const Vec3& torque_N_m) noexcept {
   const Dexterity dexterity = arm::dexterity(geometry, q_rad);
-  const Mat3 J = positionJacobian(geometry, q_rad);
+  const Mat3& J = dexterity.J;
   const double share = dexterity.gain_m[2] / kDampedBelow_m;
   ForceOfTorque result;
   if (share < 1.0) result.damping_m = kDamping_m * std::sqrt((1.0 - share) * (1.0 + share));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/units.h"
 #include "core/chain/turn.h"
@@ -13,7 +12,6 @@ namespace {
 constexpr double kOutside = 1e-9;  // so far outside still counts as on the edge; of the reach, or rad
 constexpr double kMerged = 1e-12;  // and so far inside; a hundred times what rounding makes of it
 constexpr double kTooFar = 1e9;    // reaches
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// The two answers of a step: middle + half (+1) and middle - half (-1), or one where merged.
 struct Branches {
@@ -52,13 +50,12 @@ Branches shoulder(const SphericalWristArm& arm, const Vec3& p_J1C_W) noexcept {
 
 /// Joint 3 brings C to its distance from axis 2 (subproblem 3).
 Branches elbow(const SphericalWristArm& arm, double distance_m) noexcept {
-  const double upper_m = arm.upper_W.norm(), fore_m = arm.fore_W.norm();
-  const double far_m = upper_m + fore_m, near_m = std::abs(upper_m - fore_m);
+  const double far_m = arm.upper_m + arm.fore_m, near_m = std::abs(arm.upper_m - arm.fore_m);
   const double inside_m = std::min(far_m - distance_m, distance_m - near_m);
   Branches both;
   both.exact = inside_m >= -kOutside * arm.reach_m;
   both.merged = inside_m <= kMerged * arm.reach_m;
-  both.middle_rad = angleAbout(arm.axis_W[2], arm.fore_W, arm.upper_W);
+  both.middle_rad = arm.elbow_middle_rad;
   // The law of cosines by its factors: near the edge their difference would be all rounding.
   const double beyond = (far_m - distance_m) * (far_m + distance_m),
                within = (distance_m - near_m) * (distance_m + near_m);
@@ -79,7 +76,7 @@ Branches wrist(const SphericalWristArm& arm, const Vec3& axis_6_W) noexcept {
       sine_squared * (1.0 - 2.0 * turn * cos_45 * cos_56 / (1.0 + std::abs(cosine))) - gap * gap;
   Branches both;
   both.exact = triple_squared >= -kOutside;
-  both.merged = triple_squared <= std::max(kMerged * kMerged, 4.0 * kEpsilon * gap * gap);
+  both.merged = triple_squared <= kMerged * std::max(kMerged, std::abs(gap));
   both.middle_rad = arm.wrist_middle_rad;
   both.half_rad = atan2Of(both.merged ? 0.0 : std::sqrt(triple_squared), cosine - cos_45 * cos_56);
   return both;
@@ -94,18 +91,20 @@ struct WristTask {
 /// Joints 4 to 6 (subproblem 1, twice), for each of joint 5's answers. so_far: joints 1 to 3 and what is known of them.
 void addWrists(const SphericalWristArm& arm, const WristTask& task, const Solution& so_far, Solutions& found) noexcept {
   const Branches five = wrist(arm, task.axis_6_W);
+  const auto [bend_of_first, bend_of_second] = sinCosOfTwo(five.answer(1), five.answer(-1));
   for (int i = 0; i < five.count(); ++i) {
+    const SinCos& bend = i == 0 ? bend_of_first : bend_of_second;
     Solution& one = found.all[found.count++];
     one = so_far;
     one.wrist = 1 - 2 * i;
     one.exact = one.exact && five.exact;
     one.q[4] = wrapped(five.answer(one.wrist));
-    const SinCos bend = sinCos(one.q[4]);
     const Vec3 axis_6_W = turned(arm.axis_W[5], arm.axis_W[4], bend);
     const bool straight = five.merged && arm.axis_W[3].cross(axis_6_W).squaredNorm() <= kOutside * kOutside;
-    one.q[3] = straight ? 0.0 : angleAbout(arm.axis_W[3], axis_6_W, task.axis_6_W);
+    const Turn four = straight ? Turn{} : turnAbout(arm.axis_W[3], axis_6_W, task.axis_6_W);
+    one.q[3] = four.angle_rad;
     const Vec3 across_W =
-        turned(turned(task.across_W, arm.axis_W[3], reversed(sinCos(one.q[3]))), arm.axis_W[4], reversed(bend));
+        turned(turned(task.across_W, arm.axis_W[3], reversed(four.turn)), arm.axis_W[4], reversed(bend));
     one.q[5] = angleAbout(arm.axis_W[5], arm.across_W, across_W);
   }
 }
@@ -116,12 +115,13 @@ void addElbows(const SphericalWristArm& arm, const Vec3& p_C_W, const WristTask&
   const Vec3& axis_2_W = arm.axis_W[1];
   const double distance_m = (p_C_W - axis_2_W.dot(p_C_W) * axis_2_W).norm();
   const Branches three = elbow(arm, distance_m);
+  const auto [bend_of_first, bend_of_second] = sinCosOfTwo(three.answer(1), three.answer(-1));
   for (int i = 0; i < three.count(); ++i) {
     Solution one = so_far;
     one.elbow = 1 - 2 * i;
     one.exact = one.exact && three.exact;
     one.q[2] = wrapped(three.answer(one.elbow));
-    const Vec3 bent_W = arm.upper_W + turned(arm.fore_W, arm.axis_W[2], sinCos(one.q[2]));
+    const Vec3 bent_W = arm.upper_W + turned(arm.fore_W, arm.axis_W[2], i == 0 ? bend_of_first : bend_of_second);
     one.q[1] = distance_m > kMerged * arm.reach_m ? angleAbout(axis_2_W, bent_W, p_C_W) : 0.0;
     const SinCos back = reversed(sinCos(one.q[1] + arm.sense * one.q[2]));
     addWrists(arm, {turned(task.axis_6_W, axis_2_W, back), turned(task.across_W, axis_2_W, back)}, one, found);

@@ -10,13 +10,16 @@ namespace underact::chain {
 /// parallel: what most industrial arms are, and the Omni. Made by recognise(). All of it is as it stands at home.
 struct SphericalWristArm {
   std::array<Vec3, 6> axis_W;
-  Vec3 p_WJ1 = Vec3::Zero();      // the point of axis 1 nearest to axis 2
-  Vec3 offset_W = Vec3::Zero();   // from there to axis 2, across axis 2
-  Vec3 upper_W = Vec3::Zero();    // from axis 2 to axis 3, across both
-  Vec3 fore_W = Vec3::Zero();     // from axis 3 to C, across axis 3
+  Vec3 p_WJ1 = Vec3::Zero();     // the point of axis 1 nearest to axis 2
+  Vec3 offset_W = Vec3::Zero();  // from there to axis 2, across axis 2
+  Vec3 upper_W = Vec3::Zero();   // from axis 2 to axis 3, across both
+  Vec3 fore_W = Vec3::Zero();    // from axis 3 to C, across axis 3
+  double upper_m = 0.0;          // their lengths
+  double fore_m = 0.0;
   double along_m = 0.0;           // from p_WJ1 to C along axis 2, which joints 2 and 3 leave as it is
   double sense = 1.0;             // +1 where axes 2 and 3 point the same way, -1 where they oppose
   Vec3 across_W = Vec3::Zero();   // unit, across axis 6
+  double elbow_middle_rad = 0.0;  // joint 3 where C is furthest from axis 2
   double wrist_middle_rad = 0.0;  // joint 5 where axis 6 is nearest to axis 4
   Vec3 p_TC = Vec3::Zero();
   Mat3 R_TW = Mat3::Identity();

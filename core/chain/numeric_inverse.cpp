@@ -10,7 +10,7 @@
 namespace underact::chain {
 namespace {
 
-constexpr double kFirstDamping = 0.01;  // of the squared residual over the squared length; measured, flat around it
+constexpr double kFirstDamping = 0.01;  // of the squared residual; measured: from 1e-4 to 1 the steps change by a tenth
 constexpr double kLeastDamping = 1e-8, kMostDamping = 1e8;
 constexpr double kDampingFloor = 1e-14;  // of the squared length: keeps pivots positive in singular places
 constexpr double kDeadEnd = 1e-10;       // a step that promises less than this share of the squared residual

@@ -58,14 +58,17 @@ std::optional<SphericalWristArm> recognise(const Chain& chain) noexcept {
   arm.offset_W = across(joints[1].p_WJ - arm.p_WJ1, axis_2_W);
   arm.upper_W = across(joints[2].p_WJ - joints[1].p_WJ, axis_2_W);
   arm.fore_W = across(p_WC - joints[2].p_WJ, axis_2_W);
-  if (!(arm.upper_W.norm() > near_m && arm.fore_W.norm() > near_m)) return std::nullopt;
+  arm.upper_m = arm.upper_W.norm();
+  arm.fore_m = arm.fore_W.norm();
+  if (!(arm.upper_m > near_m && arm.fore_m > near_m)) return std::nullopt;
   arm.along_m = axis_2_W.dot(p_WC - arm.p_WJ1);
   arm.sense = axis_2_W.dot(arm.axis_W[2]) > 0.0 ? 1.0 : -1.0;
   arm.across_W = axis_6_W.unitOrthogonal();
+  arm.elbow_middle_rad = angleAbout(arm.axis_W[2], arm.fore_W, arm.upper_W);
   arm.wrist_middle_rad = angleAbout(axis_5_W, axis_6_W, arm.axis_W[3]);
   arm.R_TW = chain.X_WT_home.linear().transpose();
   arm.p_TC = arm.R_TW * (p_WC - chain.X_WT_home.translation());
-  arm.reach_m = arm.offset_W.norm() + std::abs(arm.along_m) + arm.upper_W.norm() + arm.fore_W.norm();
+  arm.reach_m = arm.offset_W.norm() + std::abs(arm.along_m) + arm.upper_m + arm.fore_m;
   return arm;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "core/base/real_time.h"
 #include "core/base/trig.h"
 #include "core/base/types.h"
@@ -16,8 +18,23 @@ inline SinCos reversed(const SinCos& turn) noexcept UNDERACT_REAL_TIME {
   return {-turn.sin, turn.cos};
 }
 
-/// The angle in (-pi, pi], rad, that turns u about a unit axis towards v; components along the axis do not count.
-/// 0 where one of them lies on the axis. Both are first taken across the axis: near it their products are all rounding.
+struct Turn {
+  double angle_rad = 0.0;
+  SinCos turn;
+};
+
+/// The turn about a unit axis, its angle in (-pi, pi], that takes u towards v; components along the axis do not count.
+/// None where one of them lies on the axis. Both are first taken across the axis: near it their products are all
+/// rounding.
+inline Turn turnAbout(const Vec3& axis, const Vec3& u, const Vec3& v) noexcept UNDERACT_REAL_TIME {
+  const Vec3 a = axis.cross(u), b = axis.cross(v);
+  const double sine = axis.dot(a.cross(b)), cosine = a.dot(b), length = std::sqrt(sine * sine + cosine * cosine);
+  if (!(length > 0.0)) return {};
+  const double angle_rad = atan2Of(sine, cosine);
+  return {angle_rad > -kPi ? angle_rad : kPi, {sine / length, cosine / length}};
+}
+
+/// Its angle alone.
 inline double angleAbout(const Vec3& axis, const Vec3& u, const Vec3& v) noexcept UNDERACT_REAL_TIME {
   const Vec3 a = axis.cross(u), b = axis.cross(v);
   const double angle_rad = atan2Of(axis.dot(a.cross(b)), a.dot(b));

@@ -113,6 +113,7 @@ void Checker::checkControl(const std::string& key, const Control& control) {
 /// makeConstraint().
 void Checker::checkMetric(const std::string& key, const Control& control, const Shape& shape) {
   const Vec3& kp = control.gains.kp_N_per_mm;
+  if (control.space == tick::Space::Joint) return;  // gains of joints make no metric of the workspace
   if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape)) return;
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
   Eigen::Index axis = 0;

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/arm/inverse.h"
+#include "core/arm/jacobian.h"
 #include "core/base/units.h"
 #include "core/scene/read.h"
 
@@ -50,10 +52,19 @@ Result<shape::Shape> shapeOf(const Constraint& constraint) {
       constraint.shape);
 }
 
-control::Law lawOf(const Control& control, double integral_limit_N) {
-  const Vec3 kp_N_per_m = kNewtonPerMetre * control.gains.kp_N_per_mm;
-  const Vec3 kd_N_s_per_m = kNewtonPerMetre * control.gains.kd_N_s_per_mm;
-  const Vec3 ki_N_per_m_s = kNewtonPerMetre * control.gains.ki_N_per_mm_s;
+/// For each joint the way of the tip for a turn of 1 rad, m, with the tip in the middle of the workspace.
+Vec3 leversOf(const arm::Geometry& geometry) {
+  return arm::positionJacobian(geometry, arm::reach(geometry, Vec3::Zero()).q_rad).colwise().norm();
+}
+
+/// lever_m: 1 where the law works in Cartesian space. A joint's gain is that of the file where its lever is the one in
+/// the middle of the workspace: kp of 0.5 N/mm on a lever of 0.176 m is 15.5 N m/rad.
+control::Law lawOf(const Control& control, double max_force_N, const Vec3& lever_m) {
+  const Vec3 per_turn = kNewtonPerMetre * lever_m.cwiseAbs2();
+  const Vec3 kp_N_per_m = per_turn.cwiseProduct(control.gains.kp_N_per_mm);
+  const Vec3 kd_N_s_per_m = per_turn.cwiseProduct(control.gains.kd_N_s_per_mm);
+  const Vec3 ki_N_per_m_s = per_turn.cwiseProduct(control.gains.ki_N_per_mm_s);
+  const double integral_limit_N = max_force_N * lever_m.minCoeff();
   switch (control.law) {
     case LawType::P:
       return control::P{kp_N_per_m};
@@ -65,9 +76,10 @@ control::Law lawOf(const Control& control, double integral_limit_N) {
   return control::P{};
 }
 
-/// The gains whose metric says what is nearest; equal ones mean the Euclidean metric.
+/// The gains whose metric says what is nearest; equal ones mean the Euclidean metric, and so do gains of joints.
 Vec3 metricOf(const Control& control) {
-  return control.anisotropy == Anisotropy::Weighted ? control.gains.kp_N_per_mm : Vec3::Ones();
+  const bool weighted = control.anisotropy == Anisotropy::Weighted && control.space == tick::Space::Cartesian;
+  return weighted ? control.gains.kp_N_per_mm : Vec3::Ones();
 }
 
 }  // namespace
@@ -85,13 +97,14 @@ Result<tick::TickProgram> compile(const Description& scene) {
       problems.insert(problems.end(), made.problems().begin(), made.problems().end());
       continue;
     }
+    const Vec3 lever_m = control.space == tick::Space::Joint ? leversOf(preset.geometry) : Vec3::Ones();
     entries.push_back({target::makeConstraint(made.value(), constraint.side, metricOf(control)),
-                       lawOf(control, preset.continuous_force_N)});
+                       lawOf(control, preset.continuous_force_N, lever_m), control.space});
   }
   if (!problems.empty()) return problems;
   safety::Limits limits;
   limits.max_force_N = preset.continuous_force_N;
-  return tick::makeProgram(preset.geometry, std::move(entries), scene.combine, limits);
+  return tick::makeProgram(preset.geometry, std::move(entries), scene.combine, limits, preset.limits);
 }
 
 }  // namespace underact::scene

@@ -65,6 +65,7 @@ struct Control {
   LawType law = LawType::P;
   Gains gains;
   Anisotropy anisotropy = Anisotropy::Weighted;
+  tick::Space space = tick::Space::Cartesian;
   bool operator==(const Control&) const = default;
 };
 

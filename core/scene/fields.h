@@ -105,6 +105,8 @@ using json::Word;
 inline constexpr Word<LawType> kLawWords[] = {{"P", LawType::P}, {"PD", LawType::PD}, {"PID", LawType::PID}};
 inline constexpr Word<Anisotropy> kAnisotropyWords[] = {{"weighted", Anisotropy::Weighted},
                                                         {"euclidean", Anisotropy::Euclidean}};
+inline constexpr Word<tick::Space> kSpaceWords[] = {{"cartesian", tick::Space::Cartesian},
+                                                    {"joint", tick::Space::Joint}};
 inline constexpr Word<target::Side> kSideWords[] = {
     {"both", target::Side::Both}, {"outside", target::Side::Outside}, {"inside", target::Side::Inside}};
 inline constexpr Word<tick::Combine> kCombineWords[] = {{"sum", tick::Combine::Sum},

@@ -16,13 +16,6 @@ void readGain(const json::Value& value, const std::string& path, Vec3& into, Fin
   }
 }
 
-void readSpace(const json::Value& value, const std::string& path, Findings& findings) {
-  if (!isKind(value, json::Kind::String, path, "\"cartesian\"", findings) || value.text == "cartesian") return;
-  findings.add(value, path,
-               value.text == "joint" ? notYet("The space \"joint\"")
-                                     : "This must be \"cartesian\"; here it is " + shown(value.text) + ".");
-}
-
 }  // namespace
 
 Control readControl(const json::Value& value, const std::string& path, Findings& findings) {
@@ -42,7 +35,9 @@ Control readControl(const json::Value& value, const std::string& path, Findings&
   if (const json::Value* anisotropy = object.find("anisotropy")) {
     readWord(*anisotropy, object.pathOf("anisotropy"), kAnisotropyWords, control.anisotropy, findings);
   }
-  if (const json::Value* space = object.find("space")) readSpace(*space, object.pathOf("space"), findings);
+  if (const json::Value* space = object.find("space")) {
+    readWord(*space, object.pathOf("space"), kSpaceWords, control.space, findings);
+  }
   object.refuseLater(kLaterKeys);
   object.finish();
   return control;

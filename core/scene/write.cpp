@@ -62,12 +62,13 @@ std::string controlText(const Control& control, std::size_t indent) {
   if (control.anisotropy != usual.anisotropy) {
     members.emplace_back("anisotropy", json::quoted(wordOf(kAnisotropyWords, control.anisotropy)));
   }
+  if (control.space != usual.space) members.emplace_back("space", json::quoted(wordOf(kSpaceWords, control.space)));
   return objectText(members, indent);
 }
 
 bool isUsual(const Control& control) {
   const Control usual;
-  bool same = control.law == usual.law && control.anisotropy == usual.anisotropy;
+  bool same = control.law == usual.law && control.anisotropy == usual.anisotropy && control.space == usual.space;
   for (const GainField& field : kGainFields) {
     same = same && sameBits(control.gains.*field.member, usual.gains.*field.member);
   }

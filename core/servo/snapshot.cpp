@@ -22,6 +22,8 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.level = report.level;
   record.cut_N = report.cut_N;
   record.fault = report.fault.kind;
+  record.branch_changes = report.branch_changes;
+  record.out_of_reach = report.out_of_reach;
   record.revision = snapshot.revision;
   record.lateness_ns = snapshot.lateness_ns;
   record.tick_ns = snapshot.tick_ns;

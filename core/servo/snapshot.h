@@ -34,6 +34,8 @@ struct TickRecord {
   double level = 0.0;
   double cut_N = 0.0;
   FaultKind fault = FaultKind::None;
+  int branch_changes = 0;     // see tick::TickReport
+  bool out_of_reach = false;  // see tick::TickReport
   std::uint64_t revision = 0;
   std::int64_t lateness_ns = 0;
   std::int64_t tick_ns = 0;

@@ -5,12 +5,13 @@
 namespace underact::tick {
 
 TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entries, Combine combine,
-                        const safety::Limits& limits) {
-  TickProgram program{Needs{}, geometry, std::move(entries), combine, limits};
+                        const safety::Limits& limits, const arm::JointLimits& joint_limits) {
+  TickProgram program{Needs{}, geometry, joint_limits, std::move(entries), combine, limits};
   for (const Entry& entry : program.entries) {
     program.needs.rate |= control::needsRate(entry.law);
     program.needs.integral |= control::needsIntegral(entry.law);
     program.needs.metric |= entry.constraint.weighted;
+    program.needs.joints |= entry.space == Space::Joint;
   }
   program.needs.choice = combine == Combine::Nearest && program.entries.size() > 1;
   return program;
@@ -19,11 +20,13 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
 TickState makeState(const TickProgram& program) {
   TickState state;
   if (program.needs.rate) state.laws.resize(program.entries.size());
+  if (program.needs.joints) state.followers.resize(program.entries.size());
   return state;
 }
 
 std::size_t bytesOf(const TickState& state) {
-  return sizeof(TickState) + state.laws.size() * sizeof(control::LawState);
+  return sizeof(TickState) + state.laws.size() * sizeof(control::LawState) +
+         state.followers.size() * sizeof(arm::FollowerState);
 }
 
 void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
@@ -32,8 +35,13 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.p_WT = last.p_WT;
   next.limited = last.limited;
   next.gate = last.gate;
-  if (what == Carry::Arm || last.laws.size() != next.laws.size()) return;
-  for (std::size_t index = 0; index < next.laws.size(); ++index) next.laws[index] = last.laws[index];
+  if (what == Carry::Arm) return;
+  if (last.laws.size() == next.laws.size()) {
+    for (std::size_t index = 0; index < next.laws.size(); ++index) next.laws[index] = last.laws[index];
+  }
+  if (last.followers.size() == next.followers.size()) {
+    for (std::size_t index = 0; index < next.followers.size(); ++index) next.followers[index] = last.followers[index];
+  }
 }
 
 }  // namespace underact::tick

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/arm/follower.h"
 #include "core/arm/preset.h"
 #include "core/control/law.h"
 #include "core/safety/gate.h"
@@ -21,17 +22,24 @@ struct Needs {
   bool integral = false;  // of the error (PID)
   bool metric = false;    // nearest in the gains' own metric (unequal gains)
   bool choice = false;    // which constraint is nearest (combine: nearest)
+  bool joints = false;    // the joints that the target asks for, and J_p (space: joint)
 };
+
+/// Where a law works. Cartesian: force from the error, N from m. Joint: torques of joints 1 to 3 from their errors,
+/// N m from rad, and the force that these torques put on the tip.
+enum class Space : std::uint8_t { Cartesian, Joint };
 
 struct Entry {
   target::Constraint constraint;
-  control::Law law;
+  control::Law law;  // in N and m, or in N m and rad, as the space says
+  Space space = Space::Cartesian;
 };
 
 /// What a scene compiles to; const from then on, so that any thread may read it. Made by makeProgram().
 struct TickProgram {
   Needs needs;
   arm::Geometry geometry;
+  arm::JointLimits joint_limits;
   std::vector<Entry> entries;  // 1 to kMaxConstraints
   Combine combine = Combine::Sum;
   safety::Limits limits;
@@ -39,7 +47,7 @@ struct TickProgram {
 
 /// entries: 1 to kMaxConstraints. The needs follow from the entries.
 TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entries, Combine combine,
-                        const safety::Limits& limits);
+                        const safety::Limits& limits, const arm::JointLimits& joint_limits = arm::kNoJointLimits);
 
 /// All memory there is between two ticks. Made by makeState(), outside the tick.
 struct TickState {
@@ -48,7 +56,8 @@ struct TickState {
   Vec3 p_WT = Vec3::Zero();  // the last tip that was known
   bool limited = false;      // the gate cut or ramped the last force
   safety::GateState gate;
-  std::vector<control::LawState> laws;  // one for each entry; none where no law remembers anything
+  std::vector<control::LawState> laws;        // one for each entry; none where no law remembers anything
+  std::vector<arm::FollowerState> followers;  // one for each entry; none where no law works on joints
 };
 
 TickState makeState(const TickProgram& program);

@@ -51,6 +51,9 @@ struct TickReport {
   double level = 0.0;         // share that the ramps let through
   double cut_N = 0.0;         // what the clamp took away
   Fault fault;                // why the force is zero, if a fault is why
+  int branch_changes = 0;     // space joint: joints asked for that went over to another branch of the arm this tick
+  bool out_of_reach = false;  // space joint: a target that the arm cannot reach; its joints are the nearest ones
+  double damping_m = 0.0;     // space joint: how far torques were damped near a singularity; 0: exact
 };
 
 /// The distance between tip and target over the constraints that act: root of the sum of squares, m. 0 where none does.

@@ -1,17 +1,23 @@
 #include "core/tick/rest.h"
 
+#include "core/arm/inverse.h"
 #include "core/tick/step.h"
 
 namespace underact::tick {
 
 TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT) {
-  // An arm without length whose base stands where the tip is meant to be: its tip is there to the last bit, for places
-  // that the real arm cannot reach, too.
   TickProgram there = program;
-  there.geometry = {0.0, 0.0, p_WT};
+  TickInput input;
+  if (program.needs.joints) {
+    input.sample.q_rad = arm::reach(program.geometry, p_WT).q_rad;
+  } else {
+    // An arm without length whose base stands where the tip is meant to be: its tip is there to the last bit, for
+    // places that the real arm cannot reach, too.
+    there.geometry = {0.0, 0.0, p_WT};
+  }
   TickState state = makeState(there);
   TickReport report;
-  step(there, TickInput{}, state, report);
+  step(there, input, state, report);
   return report;
 }
 

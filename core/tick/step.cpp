@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
+#include "core/arm/inverse.h"
+#include "core/arm/statics.h"
 #include "core/base/units.h"
 
 namespace underact::tick {
@@ -11,8 +13,9 @@ namespace {
 /// A law is not let loose on a longer pause than this: after one, rate and integral start as on a first tick.
 constexpr double kLongestTick_s = 0.1;
 
-void forget(std::vector<control::LawState>& laws) noexcept UNDERACT_REAL_TIME {
-  for (control::LawState& law : laws) law = control::LawState{};
+void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
+  for (control::LawState& law : state.laws) law = control::LawState{};
+  for (arm::FollowerState& follower : state.followers) follower.begun = false;
 }
 
 /// 0 at the first tick. The difference wraps instead of overflowing; what wraps is stale.
@@ -52,22 +55,49 @@ void keepNearest(HeldList& held) noexcept UNDERACT_REAL_TIME {
   if (nearest < held.size()) held[nearest].acts = true;
 }
 
+/// What a tick hands down to each of its constraints.
+struct Around {
+  const TickProgram& program;
+  const control::Moment& moment;
+  TickReport& report;
+};
+
+/// The force of the torques that draw joints 1 to 3 to those that the target asks for.
+/// Source: Beckman 2007, section 4.1 (its joint-space scheme), with errata section 2's inverse; tau = J_p^T f.
+Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, control::LawState& law,
+                   arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
+  const arm::JointAngles& q_rad = around.report.sample.q_rad;
+  if (!follower.begun) follower.q_rad = q_rad;
+  const arm::Followed asked = arm::followPosition(around.program.geometry, follower, p_WP);
+  follower = asked.next;
+  const arm::JointAngles wanted_rad = arm::withinLimits(around.program.joint_limits, asked.next.q_rad);
+  const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
+  const arm::ForceOfTorque pushed =
+      arm::forceOf(around.program.geometry, q_rad, control::force(entry.law, law, e_rad, around.moment));
+  around.report.branch_changes += asked.changed ? 1 : 0;
+  around.report.out_of_reach |= !asked.reachable;
+  around.report.damping_m = std::fmax(around.report.damping_m, pushed.damping_m);
+  return pushed.f_T_W;
+}
+
 /// What the law asks for; a wall never pulls.
-Vec3 pushOf(const Entry& entry, const Held& held, control::LawState& law, const Vec3& p_WT,
-            const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
-  const Vec3 e_W = held.p_WP - p_WT;
-  const Vec3 f_T_W = control::force(entry.law, law, e_W, moment);
+Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, control::LawState& law,
+            arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
+  const Vec3 e_W = held.p_WP - around.report.p_WT;
+  const Vec3 f_T_W = entry.space == Space::Joint ? forceByJoints(around, entry, held.p_WP, law, follower)
+                                                 : control::force(entry.law, law, e_W, around.moment);
   if (entry.constraint.side != target::Side::Both && f_T_W.dot(e_W) < 0.0) return Vec3::Zero();
   return f_T_W;
 }
 
 /// The force of one constraint; zero where it is free, degenerate or not chosen.
-Vec3 forceOf(const Entry& entry, const Held& held, control::LawState& law, const Vec3& p_WT,
-             const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
-  if (held.status == target::Status::Unique && held.acts) return pushOf(entry, held, law, p_WT, moment);
+Vec3 forceOf(const Around& around, const Entry& entry, const Held& held, control::LawState& law,
+             arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
+  if (held.status == target::Status::Unique && held.acts) return pushOf(around, entry, held, law, follower);
+  follower.begun = false;
   if (held.status == target::Status::Free || held.acts) {
     control::rest(law, held.status == target::Status::Degenerate);
-    if (moment.idle) law.integral_T_W.setZero();
+    if (around.moment.idle) law.integral_T_W.setZero();
   } else {
     law = control::LawState{};  // another is nearer: an old integral would come back as a jump
   }
@@ -76,12 +106,15 @@ Vec3 forceOf(const Entry& entry, const Held& held, control::LawState& law, const
 
 Vec3 sumForces(const TickProgram& program, TickState& state, TickReport& report,
                const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
+  const Around around{program, moment, report};
   Vec3 sum_T_W = Vec3::Zero();
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    control::LawState none;
-    control::LawState& law = index < state.laws.size() ? state.laws[index] : none;
+    control::LawState no_law;
+    arm::FollowerState no_follower;
+    control::LawState& law = index < state.laws.size() ? state.laws[index] : no_law;
+    arm::FollowerState& follower = index < state.followers.size() ? state.followers[index] : no_follower;
     Held& held = report.held[index];
-    held.f_T_W = forceOf(program.entries[index], held, law, report.p_WT, moment);
+    held.f_T_W = forceOf(around, program.entries[index], held, law, follower);
     sum_T_W += held.f_T_W;
   }
   return sum_T_W;
@@ -92,17 +125,20 @@ Vec3 sumForces(const TickProgram& program, TickState& state, TickReport& report,
 void step(const TickProgram& program, const TickInput& input, TickState& state, TickReport& report) noexcept {
   if (input.restart) {  // begins anew in all: an arm that was unplugged counts its time from 0 again
     state.has_time = false;
-    forget(state.laws);
+    forget(state);
   }
   const double dt_s = secondsSince(state, input.sample.time_ns);
   const Fault fault = judge(input, state, dt_s);
   report.sample = input.sample;
   report.held.resize(0);
   report.f_T_W.setZero();
+  report.branch_changes = 0;
+  report.out_of_reach = false;
+  report.damping_m = 0.0;
   double gate_dt_s = 0.0;
   if (fault.kind == FaultKind::None) {
     const double law_dt_s = dt_s <= kLongestTick_s ? dt_s : 0.0;
-    if (dt_s > kLongestTick_s) forget(state.laws);
+    if (dt_s > kLongestTick_s) forget(state);
     gate_dt_s = law_dt_s;
     state.p_WT = arm::tipPosition(program.geometry, input.sample.q_rad);
     report.p_WT = state.p_WT;  // the targets are found from it

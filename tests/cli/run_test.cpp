@@ -173,5 +173,19 @@ TEST(Run, ABadSceneOrHandGivesStatus1) {
   EXPECT_EQ(run({"--hand", hand.path(), "--seconds", "1", "--fast"}).exit, Exit::BadInput);
 }
 
+TEST(Run, InJointSpaceTheSameHandIsHeldWithOtherForcesAndTheWorkIsTold) {
+  const std::vector<std::string> common{"--hand", "sweep", "--seconds", "4", "--fast"};
+  std::vector<std::string> joint = common, cartesian = common;
+  joint.insert(joint.end(), {"--space", "joint"});
+  cartesian.insert(cartesian.end(), {"--space", "cartesian"});
+  const Value in_joints = summary(joint), in_space = summary(cartesian), as_written = summary(common);
+  EXPECT_EQ(numberAt(in_space, "rms_error_mm"), numberAt(as_written, "rms_error_mm"));
+  EXPECT_NE(numberAt(in_joints, "rms_error_mm"), numberAt(in_space, "rms_error_mm"));
+  EXPECT_EQ(numberAt(in_joints, "branch_changes"), 0.0);
+  EXPECT_EQ(numberAt(in_joints, "out_of_reach_ticks"), 0.0);
+  EXPECT_LE(numberAt(in_joints, "work_mJ"), numberAt(in_joints, "most_work_mJ"));
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--space", "tool"}).exit, Exit::Usage);
+}
+
 }  // namespace
 }  // namespace underact::test

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/scene/compile.h"
 #include "core/json/text.h"
+#include "core/scene/compile.h"
 #include "core/scene/write.h"
 #include "core/tick/step.h"
 #include "tests/core/scene/scene_support.h"

@@ -27,7 +27,8 @@ class PlantedHouse : public testing::Test {
     write("CMakeLists.txt",
           "underact_room(core/base SHOWS Eigen3::Eigen)  # underact_room(core/ghost)\n"
           "underact_room(core/safety LINKS base)\n"
-          "underact_room(core/scene LINKS base USES rapidjson)\n"
+          "underact_room(core/json LINKS base USES rapidjson)\n"
+          "underact_room(core/scene LINKS json)\n"
           "underact_room(core/tick LINKS safety)\n"
           "underact_room(device LINKS tick)\n"
           "underact_room(app/gui LINKS device SHOWS Qt6::Widgets)\n");
@@ -93,9 +94,9 @@ TEST_F(PlantedHouse, VtkInCoreIsFound) {
 }
 
 TEST_F(PlantedHouse, RapidJsonInAHeaderIsFoundAndInItsRoomsSourceIsNot) {
-  write("core/scene/json.cpp", "#include <rapidjson/reader.h>\n");
+  write("core/json/json.cpp", "#include <rapidjson/reader.h>\n");
   write("core/json/json.h", "#include <rapidjson/reader.h>\n");
-  expectFound("core/scene/json.h:1: RapidJSON may not show in a header");
+  expectFound("core/json/json.h:1: RapidJSON may not show in a header");
 }
 
 TEST_F(PlantedHouse, AForceMadeOutsideTheGateIsFound) {

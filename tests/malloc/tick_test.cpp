@@ -98,6 +98,14 @@ TEST(Tick, AllocatesFreesAndLocksNothingWhateverTheScene) {
   }
 }
 
+TEST(Tick, InJointSpaceToo) {
+  for (const shape::Shape& shape : test::middleShapes()) {
+    Entry entry = hold(shape, test::everyLaw()[4]);
+    entry.space = Space::Joint;
+    expectQuiet(makeProgram(test::thesisGeometry(), {entry}, Combine::Sum, test::kTestLimits));
+  }
+}
+
 TEST(Tick, WithSixtyFourConstraintsToo) {
   std::vector<Entry> entries;
   while (entries.size() < kMaxConstraints) {

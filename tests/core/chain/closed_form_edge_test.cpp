@@ -44,12 +44,12 @@ double apart(const Angles& a, const Angles& b) {
 }
 
 /// How far the answers, taken as a set, are from those of a golden case; rad.
-double setDistance(const Solutions& found, const arm::test::Value& solutions) {
+double setDistance(const Solutions& found, const underact::test::Value& solutions) {
   double most_rad = 0.0;
-  for (const arm::test::Value& expected : solutions.items) {
+  for (const underact::test::Value& expected : solutions.items) {
     double least_rad = kInfinity;
     for (std::size_t i = 0; i < found.exact; ++i) {
-      least_rad = std::min(least_rad, apart(found.all[i].q, arm::test::anglesOf(*expected.find("q"))));
+      least_rad = std::min(least_rad, apart(found.all[i].q, underact::test::anglesOf(*expected.find("q"))));
     }
     most_rad = std::max(most_rad, least_rad);
   }
@@ -57,8 +57,8 @@ double setDistance(const Solutions& found, const arm::test::Value& solutions) {
 }
 
 TEST(ClosedFormGolden, HasTheSolutionsOfEveryCaseAndNoOthers) {
-  const arm::test::Value file = arm::test::golden("ik.json");
-  const arm::test::Value* const cases = file.find("cases");
+  const underact::test::Value file = underact::test::golden("ik.json");
+  const underact::test::Value* const cases = file.find("cases");
   ASSERT_NE(cases, nullptr);
   // On an edge the pose's rounding moves an angle by the root of it. Regular cases lose digits to sin q5, cos q3 and
   // the distance from axis 1.
@@ -68,9 +68,9 @@ TEST(ClosedFormGolden, HasTheSolutionsOfEveryCaseAndNoOthers) {
                                                  {"elbow_boundary+wrist_singular", 2e-6},
                                                  {"shoulder_singular", 1e-9}};
   std::map<std::string, int> met;
-  for (const arm::test::Value& one : cases->items) {
+  for (const underact::test::Value& one : cases->items) {
     const std::string status = one.find("status")->text;
-    const Pose X_WT = arm::test::poseOf(*one.find("T"));
+    const Pose X_WT = underact::test::poseOf(*one.find("T"));
     const Solutions found = solveAll(omniArm(), X_WT);
     ++met[status];
     ASSERT_TRUE(finite(found)) << "line " << one.line;
@@ -196,6 +196,29 @@ TEST(ClosedFormEdge, WristOfLeaningAxesMayBeInLineToo) {  // axes 4 and 6 at 40 
   const Solutions found = solveAll(leaning, beyond);
   EXPECT_TRUE(finite(found));
   EXPECT_GT(found.count, found.exact);  // more than 80 degrees from axis 4 axis 6 cannot lean
+}
+
+TEST(ClosedFormEdge, WristOfLeaningAxesHasAnEdgeOfItsOwn) {  // axis 6 as near to axis 4 as 60 and 40 degrees let it
+  test::Arm arm = test::omni();
+  arm.rows[4].alpha_rad = -40 * kRadPerDegree;
+  arm.rows[5].alpha_rad = 60 * kRadPerDegree;
+  const Chain chain = arm.chain();
+  const SphericalWristArm leaning = recognise(chain).value();
+  test::property::Random random({31});
+  for (int draw = 0; draw < 200; ++draw) {
+    Angles q{};
+    for (double& angle_rad : q) angle_rad = random.between(-1.4, 1.4);
+    q[4] = leaning.wrist_middle_rad;
+    const Pose X_WT = forward(chain, q);
+    const Solutions found = solveAll(leaning, X_WT);
+    int same_arm = 0;
+    for (std::size_t i = 0; i < found.exact; ++i) {
+      const Angles& other = found.all[i].q;
+      if (apart({other[0], other[1], other[2]}, {q[0], q[1], q[2]}) < 1e-6) ++same_arm;
+    }
+    ASSERT_EQ(same_arm, 1) << "draw " << draw;
+    ASSERT_LE(worst(chain, found, X_WT), 1e-12);
+  }
 }
 
 TEST(ClosedFormEdge, WhatIsNoPoseHasNoAnswers) {

@@ -43,13 +43,13 @@ TEST(ChainForward, IsThatOfTheTable) {  // oracle: the DH frames, which share on
 
 TEST(ChainForward, OfTheOmniMeetsTheGoldenPoses) {
   const Chain omni = test::omni().chain();
-  const arm::test::Value file = arm::test::golden("fk.json");
-  const arm::test::Value* const cases = file.find("cases");
+  const underact::test::Value file = underact::test::golden("fk.json");
+  const underact::test::Value* const cases = file.find("cases");
   ASSERT_NE(cases, nullptr);
   ASSERT_EQ(cases->items.size(), 200U);
-  for (const arm::test::Value& one : cases->items) {
-    const Pose expected = arm::test::poseOf(*one.find("T"));
-    const Pose X_WT = forward(omni, arm::test::anglesOf(*one.find("q")));
+  for (const underact::test::Value& one : cases->items) {
+    const Pose expected = underact::test::poseOf(*one.find("T"));
+    const Pose X_WT = forward(omni, underact::test::anglesOf(*one.find("q")));
     ASSERT_LE(test::wayBetween(X_WT, expected), 1e-13) << "line " << one.line;
     ASSERT_LE(test::turnBetween(X_WT, expected), 4e-15) << "line " << one.line;
   }

@@ -94,6 +94,7 @@ class RandomScene {
     scene::Control made;
     made.law = static_cast<scene::LawType>(random_.below(3));
     if (chance(3)) made.anisotropy = scene::Anisotropy::Euclidean;
+    if (chance(4)) made.space = tick::Space::Joint;
     if (!chance(4)) made.gains.kp_N_per_mm = gain();
     if (made.law != scene::LawType::P) made.gains.kd_N_s_per_mm = gain();
     if (made.law == scene::LawType::PID) made.gains.ki_N_per_mm_s = gain();

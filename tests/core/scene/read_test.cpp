@@ -235,10 +235,9 @@ TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
     EXPECT_EQ(problemWith("\"control\": {\"" + std::string(key) + "\": 1},"),
               "1:14: control." + std::string(key) + sentence);
   }
-  EXPECT_EQ(problemWith(R"("control": {"space": "joint"},)"),
-            "1:23: control.space: The space \"joint\" is not in this version of Underact.\n");
+  EXPECT_EQ(problemWith(R"("control": {"space": "joint"},)"), "");
   EXPECT_EQ(problemWith(R"("control": {"space": "tool"},)"),
-            "1:23: control.space: This must be \"cartesian\"; here it is \"tool\".\n");
+            "1:23: control.space: This must be \"cartesian\" or \"joint\"; here it is \"tool\".\n");
 }
 
 TEST(ReadScene, WrongKindsSayWhatIsAllowed) {

@@ -1,0 +1,67 @@
+#include <benchmark/benchmark.h>
+
+#include "core/chain/closed_form.h"
+#include "core/chain/numeric_inverse.h"
+#include "tests/bench/kinematics/table.h"
+
+namespace underact::bench {
+namespace {
+
+Line closedForm(const Cases& cases) {
+  Line line{cases.arm.name, "inverse, all branches", "underact"};
+  const chain::SphericalWristArm arm = chain::recognise(cases.chain).value();
+  line.median_ns =
+      medianOf(cases.q.size(), [&](std::size_t i) { benchmark::DoNotOptimize(chain::solveAll(arm, cases.X_WT[i])); });
+  Score score;
+  std::size_t answers = 0;
+  for (const Pose& X_WT : cases.X_WT) {
+    const chain::Solutions found = chain::solveAll(arm, X_WT);
+    for (std::size_t i = 0; i < found.exact; ++i) score.add(chain::forward(cases.chain, found.all[i].q), X_WT);
+    answers += found.exact;
+  }
+  score.into(line);
+  line.note = std::to_string(answers) + " answers";
+  return line;
+}
+
+Line numeric(const Cases& cases, const std::vector<std::vector<double>>& seeds, int restarts, const char* task) {
+  Line line{cases.arm.name, task, "underact"};
+  chain::NumericOptions options;
+  options.restarts = restarts;
+  const auto solve = [&](std::size_t i) {
+    return chain::solveNumerically(cases.chain, cases.X_WT[i], seeds[i], options);
+  };
+  line.median_ns = medianOf(cases.q.size(), [&](std::size_t i) { benchmark::DoNotOptimize(solve(i)); });
+  Score score;
+  int steps = 0, starts = 0;
+  for (std::size_t i = 0; i < cases.q.size(); ++i) {
+    const chain::NumericSolution found = solve(i);
+    score.add(chain::forward(cases.chain, std::span<const double>(found.q).first(6)), cases.X_WT[i]);
+    steps += found.steps;
+    starts += 1 + found.restarts_used;
+  }
+  score.into(line);
+  const double count = static_cast<double>(cases.q.size());
+  line.note = std::to_string(steps / count).substr(0, 4) + " steps, " + std::to_string(starts / count).substr(0, 4) +
+              " starts each";
+  return line;
+}
+
+}  // namespace
+
+Lines ours(const Cases& cases) {
+  const std::size_t count = cases.q.size();
+  Line forward{cases.arm.name, "forward", "underact"}, both{cases.arm.name, "forward and Jacobian", "underact"};
+  forward.median_ns =
+      medianOf(count, [&](std::size_t i) { benchmark::DoNotOptimize(chain::forward(cases.chain, cases.q[i])); });
+  both.median_ns =
+      medianOf(count, [&](std::size_t i) { benchmark::DoNotOptimize(chain::kinematics(cases.chain, cases.q[i])); });
+  return {forward,
+          both,
+          closedForm(cases),
+          numeric(cases, cases.near, 0, "inverse, one, from 0.1 rad off"),
+          numeric(cases, cases.far, 0, "inverse, one, from anywhere"),
+          numeric(cases, cases.far, kRestarts, "inverse, one, with 20 restarts")};
+}
+
+}  // namespace underact::bench
