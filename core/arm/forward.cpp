@@ -1,5 +1,6 @@
 #include "core/arm/forward.h"
 
+#include "core/arm/axes.h"
 #include "core/base/trig.h"
 
 namespace underact::arm {
@@ -14,11 +15,8 @@ Vec3 inWorkspace(const Geometry& geometry, const SinCos& turret, double reach_m,
 }  // namespace
 
 Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept {
-  const auto [turret, thigh] = sinCosOfTwo(q_rad[0], q_rad[1]);
-  const SinCos shin = sinCosOfTwo(q_rad[1] + q_rad[2], 0.0).first;
-  const double reach_m = geometry.upper_m * thigh.cos + geometry.fore_m * shin.sin;   // eq. 3.5
-  const double height_m = geometry.upper_m * thigh.sin - geometry.fore_m * shin.cos;  // eq. 3.5
-  return inWorkspace(geometry, turret, reach_m, height_m);
+  const Plane at = planeOf(geometry, q_rad);
+  return inWorkspace(geometry, at.turret, at.out_m, at.up_m);
 }
 
 Skeleton skeleton(const Geometry& geometry, const JointAngles& q_rad) noexcept {
@@ -43,17 +41,10 @@ Mat3 baseFromForearm(const JointAngles& q_rad) noexcept {
 }
 
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept {
-  const SinCos four = sinCos(q_rad[3]), five = sinCos(q_rad[4]), six = sinCos(q_rad[5]);
-  Mat3 R_36;  // eq. 3.6 with its erratum
-  R_36 << four.cos * five.cos * six.cos - four.sin * six.sin, -four.cos * five.cos * six.sin - four.sin * six.cos,
-      four.cos * five.sin,  //
-      four.sin * five.cos * six.cos + four.cos * six.sin, -four.sin * five.cos * six.sin + four.cos * six.cos,
-      four.sin * five.sin,  //
-      -five.sin * six.cos, five.sin * six.sin, five.cos;
-  const Mat3 R_BT = baseFromForearm(q_rad) * R_36;
+  const Plane at = planeOf(geometry, q_rad);
   Pose X_WT = Pose::Identity();
-  X_WT.linear() << R_BT.row(1), R_BT.row(2), R_BT.row(0);  // R_WB, a permutation
-  X_WT.translation() = tipPosition(geometry, q_rad);
+  X_WT.linear() = axesOf(at, q_rad).R_WT;
+  X_WT.translation() = inWorkspace(geometry, at.turret, at.out_m, at.up_m);
   return X_WT;
 }
 

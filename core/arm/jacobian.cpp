@@ -3,27 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arm/axes.h"
 #include "core/base/trig.h"
 #include "core/base/units.h"
 
 namespace underact::arm {
 namespace {
-
-/// The arm in its own plane, and how joints 2 and 3 move the tip there.
-struct Plane {
-  SinCos turret, thigh, shin;  // of q1, q2, q2 + q3
-  double out_m, up_m;          // the tip from axis 1 and above the shoulder, eq. 3.5
-  double out_3_m, up_3_m;      // by joint 3; by joint 2: -up_m, out_m
-};
-
-Plane planeOf(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  const auto [turret, thigh] = sinCosOfTwo(q_rad[0], q_rad[1]);
-  const SinCos shin = sinCosOfTwo(q_rad[1] + q_rad[2], 0.0).first;
-  const double upper = geometry.upper_m, fore = geometry.fore_m;
-  return {
-      turret,          thigh,          shin, upper * thigh.cos + fore * shin.sin, upper * thigh.sin - fore * shin.cos,
-      fore * shin.cos, fore * shin.sin};
-}
 
 /// In W: x_W = y_B, y_W = z_B, z_W = x_B.
 Mat3 positionJacobian(const Plane& at) noexcept UNDERACT_REAL_TIME {
@@ -61,25 +46,12 @@ Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexce
 
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept {
   const Plane at = planeOf(geometry, q_rad);
-  const auto [four, five] = sinCosOfTwo(q_rad[3], q_rad[4]);
-  const SinCos six = sinCosOfTwo(q_rad[5], 0.0).first;
-  const double c1 = at.turret.cos, s1 = at.turret.sin;
-  // Axes in W: forearm across (frame 3's x with the twist taken in) and along, and joint 2's.
-  const Vec3 across_W(s1 * at.shin.cos, at.shin.sin, c1 * at.shin.cos);
-  const Vec3 along_W(s1 * at.shin.sin, -at.shin.cos, c1 * at.shin.sin);
-  const Vec3 side_W(-c1, 0.0, s1);
-  const Vec3 bent_W = four.cos * across_W + four.sin * side_W;  // x of frame 4
-  const Vec3 five_W = four.cos * side_W - four.sin * across_W;  // axis 5
-  const Vec3 x5_W = five.cos * bent_W - five.sin * along_W;
-  const Vec3 six_W = five.sin * bent_W + five.cos * along_W;  // axis 6, the stylus
-
+  const Axes axes = axesOf(at, q_rad);
   Kinematics result;
-  result.X_WT.linear().col(0) = six.cos * x5_W + six.sin * five_W;
-  result.X_WT.linear().col(1) = six.cos * five_W - six.sin * x5_W;
-  result.X_WT.linear().col(2) = six_W;
-  result.X_WT.translation() = geometry.p_WB + Vec3(s1 * at.out_m, at.up_m, c1 * at.out_m);
+  result.X_WT.linear() = axes.R_WT;
+  result.X_WT.translation() = geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m);
   result.J.topLeftCorner<3, 3>() = positionJacobian(at);
-  result.J.bottomRows<3>() << Vec3::UnitY(), side_W, side_W, along_W, five_W, six_W;
+  result.J.bottomRows<3>() << Vec3::UnitY(), axes.side_W, axes.side_W, axes.along_W, axes.five_W, axes.R_WT.col(2);
   return result;
 }
 
