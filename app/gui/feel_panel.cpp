@@ -24,6 +24,11 @@ bool allEqual(const Vec3& v) {
   return v.x() == v.y() && v.y() == v.z();
 }
 
+/// "x", or "q1" where the control works on the joints.
+QString axisName(const scene::Control& control, int axis) {
+  return control.space == tick::Space::Joint ? QString("q%1").arg(axis + 1) : QString(QChar('x' + axis));
+}
+
 }  // namespace
 
 bool FeelPanel::hasScene() const {
@@ -43,6 +48,10 @@ void FeelPanel::addActions() {
   parts_.actions.addCommand("law.set", [this](const QVariantList& values) {
     const auto law = static_cast<int>(QStringList{"P", "PD", "PID"}.indexOf(values.value(0).toString()));
     return law >= 0 && setLaw(static_cast<scene::LawType>(law));
+  });
+  parts_.actions.addCommand("space.set", [this](const QVariantList& values) {
+    const auto space = static_cast<int>(QStringList{"cartesian", "joint"}.indexOf(values.value(0).toString()));
+    return space >= 0 && setSpace(static_cast<tick::Space>(space));
   });
 }
 
@@ -66,7 +75,7 @@ bool FeelPanel::setGain(int gain, int axis, double value, bool fresh) {
   else
     axes[axis] = value;
   const QString name = QCoreApplication::translate("gain", gainKind(gain).name).toLower();
-  return send(control, linked ? name : QString("%1 %2").arg(name, QChar('x' + axis)), fresh);
+  return send(control, linked ? name : QString("%1 %2").arg(name, axisName(control, axis)), fresh);
 }
 
 bool FeelPanel::setLaw(scene::LawType law) {
@@ -74,6 +83,13 @@ bool FeelPanel::setLaw(scene::LawType law) {
   scene::Control control = scene::controlOf(parts_.document.scene(), index_);
   control.law = law;
   return send(control, tr("law"), true);
+}
+
+bool FeelPanel::setSpace(tick::Space space) {
+  if (!hasScene()) return false;
+  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
+  control.space = space;
+  return send(control, tr("where the control works"), true);
 }
 
 bool FeelPanel::resetToScene() {
@@ -118,16 +134,21 @@ void FeelPanel::refresh() {
   bool equal = true;
   for (int gain = 0; gain < kGainKinds; ++gain) {
     for (int axis = 0; axis < 3; ++axis) {
-      rows_[static_cast<std::size_t>(gain)][static_cast<std::size_t>(axis)]->present(gainOf(shown, gain)[axis],
-                                                                                     gainOf(marked, gain)[axis]);
+      GainRow* row = rows_[static_cast<std::size_t>(gain)][static_cast<std::size_t>(axis)];
+      row->setAxisName(axisName(control, axis));
+      row->present(gainOf(shown, gain)[axis], gainOf(marked, gain)[axis]);
     }
     equal = equal && allEqual(gainOf(shown, gain));
   }
   if (!equal) link_->setChecked(false);  // the next change of one axis must not wipe out the others
-  const QSignalBlocker silent_law(law_), silent_choice(anisotropy_);
+  const QSignalBlocker silent_law(law_), silent_choice(anisotropy_), silent_space(space_);
   law_->setCurrentIndex(static_cast<int>(control.law));
   anisotropy_->setCurrentIndex(static_cast<int>(control.anisotropy));
-  choices_->setRowVisible(anisotropy_, !allEqual(shown.kp_N_per_mm));
+  const bool in_joints = control.space == tick::Space::Joint;
+  space_->setCurrentIndex(static_cast<int>(control.space));
+  choices_->setRowVisible(anisotropy_, !in_joints && !allEqual(shown.kp_N_per_mm));
+  link_->setText(in_joints ? tr("L&ink q1, q2 and q3") : tr("L&ink x, y and z"));
+  link_->setAccessibleName(link_->text().remove('&'));
   sections_[1]->setVisible(control.law != scene::LawType::P);
   sections_[2]->setVisible(control.law == scene::LawType::PID);
   parts_.actions.find("gains.reset")->setEnabled(!(control == own));

@@ -25,6 +25,7 @@ class FeelPanel : public Panel {
   /// false: refused.
   bool setGain(int gain, int axis, double value, bool fresh);
   bool setLaw(scene::LawType law);
+  bool setSpace(tick::Space space);
   /// The whole control of the constraint shown, as the file has it.
   bool resetToScene();
 
@@ -47,6 +48,7 @@ class FeelPanel : public Panel {
   QComboBox* constraint_ = nullptr;
   QComboBox* law_ = nullptr;
   QComboBox* anisotropy_ = nullptr;
+  QComboBox* space_ = nullptr;
   QCheckBox* link_ = nullptr;
   QLabel* refusal_ = nullptr;
   QLabel* warning_ = nullptr;

@@ -83,8 +83,15 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
                  "stylus stays where it is put; by distance, as in the thesis, it may creep."),
               this);
   anisotropy_->addItems({tr("by effort (weighted)"), tr("by distance (euclidean)")});
+  space_ = chooser(
+      "panel.feel.space", tr("Where the control works"),
+      tr("On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, "
+         "tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace."),
+      this);
+  space_->addItems({tr("the tip (Cartesian)"), tr("the joints")});
   choices_->addRow(tr("&Constraint"), constraint_);
   choices_->addRow(tr("&Law"), law_);
+  choices_->addRow(tr("&Works on"), space_);
   choices_->addRow(tr("&Nearest"), anisotropy_);
   column->addLayout(choices_);
   link_ = new QCheckBox(tr("L&ink x, y and z"), this);
@@ -99,6 +106,7 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
     refresh();
   });
   connect(law_, &QComboBox::currentIndexChanged, this, [this](int row) { setLaw(static_cast<scene::LawType>(row)); });
+  connect(space_, &QComboBox::currentIndexChanged, this, [this](int row) { setSpace(static_cast<tick::Space>(row)); });
   connect(anisotropy_, &QComboBox::currentIndexChanged, this, [this](int row) {
     scene::Control control = scene::controlOf(parts_.document.scene(), index_);
     control.anisotropy = static_cast<scene::Anisotropy>(row);

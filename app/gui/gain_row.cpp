@@ -76,31 +76,32 @@ void MarkedSlider::wheelEvent(QWheelEvent* event) {
 }
 
 GainRow::GainRow(int gain, int axis, QWidget* parent)
-    : QWidget(parent), kind_(gainKind(gain)), slider_(new MarkedSlider(this)), number_(new QDoubleSpinBox(this)) {
+    : QWidget(parent),
+      kind_(gainKind(gain)),
+      label_(new QLabel(this)),
+      slider_(new MarkedSlider(this)),
+      number_(new QDoubleSpinBox(this)) {
   const QChar letter('x' + axis);
   const QString name = QString("panel.gains.%1.%2").arg(kind_.key).arg(letter);
   setObjectName(name);
-  auto* label = new QLabel(letter, this);
-  label->setBuddy(number_);
+  label_->setBuddy(number_);
+  label_->setMinimumWidth(fontMetrics().horizontalAdvance("q1"));  // x and q1: the sliders stay where they are
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  row->addWidget(label);
+  row->addWidget(label_);
   row->addWidget(slider_, 1);
   row->addWidget(number_);
 
-  const QString spoken = QString("%1 %2").arg(translated(kind_.name), letter);
   const QString tip =
       translated(kind_.tip) + "\n" + tr("The mark is the scene's own value; a double click goes back to it.");
   slider_->setObjectName(name + ".slider");
-  slider_->setAccessibleName(tr("%1, slider").arg(spoken));
   slider_->setFocusPolicy(Qt::StrongFocus);
   slider_->setRange(0, kind_.slider_steps);
   slider_->setPageStep(kind_.slider_steps / 20);
   slider_->setMinimumHeight(24);
   slider_->setMinimumWidth(64);
   number_->setObjectName(name + ".number");
-  number_->setAccessibleName(tr("%1, %2").arg(spoken, kind_.unit));
   number_->setDecimals(kind_.decimals);
   number_->setRange(0.0, kLargest);
   number_->setSingleStep(1.0 / kind_.steps_per_unit);
@@ -112,10 +113,11 @@ GainRow::GainRow(int gain, int axis, QWidget* parent)
   // Not as wide as kLargest would need: the same for all gains, so that their sliders end in one line.
   number_->setFixedWidth(fontMetrics().horizontalAdvance("00.000 N/(mm s)") + 16);
   for (QWidget* widget :
-       {static_cast<QWidget*>(label), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_)}) {
+       {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_)}) {
     widget->setToolTip(tip);
   }
   number_->installEventFilter(this);
+  setAxisName(letter);
 
   connect(slider_, &QSlider::sliderPressed, this, [this] { new_drag_ = true; });
   connect(slider_, &QSlider::sliderReleased, this, [this] { new_drag_ = true; });
@@ -135,6 +137,13 @@ void GainRow::present(double value, double own) {
   if (!slider_->isSliderDown())
     slider_->setValue(static_cast<int>(std::min(std::round(value * kind_.steps_per_unit), 1e9)));
   number_->setValue(value);
+}
+
+void GainRow::setAxisName(const QString& axis) {
+  const QString spoken = QString("%1 %2").arg(translated(kind_.name), axis);
+  label_->setText(axis);
+  slider_->setAccessibleName(tr("%1, slider").arg(spoken));
+  number_->setAccessibleName(tr("%1, %2").arg(spoken, kind_.unit));
 }
 
 void GainRow::setWarning(const QString& reason) {

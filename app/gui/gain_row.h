@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QDoubleSpinBox;
+class QLabel;
 
 namespace underact::gui {
 
@@ -39,13 +40,15 @@ class MarkedSlider : public QSlider {
   double mark_ = 0.0;
 };
 
-/// One gain of one axis: its letter, a slider, a number with its unit.
+/// One gain of one axis (or joint): its name, a slider, a number with its unit.
 class GainRow : public QWidget {
   Q_OBJECT
  public:
   GainRow(int gain, int axis, QWidget* parent = nullptr);
   /// own: the scene's value. The hand on the slider wins over the echo of its own command.
   void present(double value, double own);
+  /// What the row is called: "x", or "q1".
+  void setAxisName(const QString& axis);
   /// Amber, with the reason; empty: calm.
   void setWarning(const QString& reason);
   bool isHeld() const { return slider_->isSliderDown(); }
@@ -61,6 +64,7 @@ class GainRow : public QWidget {
   void send(double value);
 
   const GainKind& kind_;
+  QLabel* label_;
   MarkedSlider* slider_;
   QDoubleSpinBox* number_;
   double own_ = 0.0;

@@ -9,9 +9,13 @@
 
 namespace underact::gui {
 
-// facts/omni.md, section 3: the exact limit of a wall with one tick of delay is K T = (b + B) / 1.5 where B is small.
-// The arm itself has none of that delay in the simulation, so this errs on the calm side by a factor of three.
+// The limit of a wall with one tick of delay is K T = (b + B) / 1.5 where B is small (Gil et al. 2009). The arm itself
+// has none of that delay in the simulation, so this errs on the calm side by a factor of three.
 constexpr double kHalfATickAndOneOfDelay = 1.5;
+
+// Gains of joints are as felt in the middle of the workspace along each joint's own way; the stiffest way of the tip in
+// the workspace is 7.5 times as stiff (guide, "Control in joint space": 3.74 N/mm of 0.5).
+constexpr double kStiffestByJoints = 7.5;
 
 double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rate_hz) {
   const double period_s = 1.0 / rate_hz;
@@ -21,11 +25,18 @@ double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rat
 }
 
 QString whyItMayBuzz(const scene::Control& control, int axis, int rate_hz) {
-  const double kp = control.gains.kp_N_per_mm[axis];
+  const bool in_joints = control.space == tick::Space::Joint;
+  const double kp = control.gains.kp_N_per_mm[axis] * (in_joints ? kStiffestByJoints : 1.0);
   const double kd = control.law == scene::LawType::P ? 0.0 : control.gains.kd_N_s_per_mm[axis] * kNewtonPerMetre;
   const double hand = sim::HandModel{}.damping_N_s_per_m;
   const double calm = calmStiffness(kd, hand, rate_hz) / kNewtonPerMetre;
   if (kp <= calm) return {};
+  if (in_joints) {
+    return QObject::tr("q%1: above %2 N/mm at %3 Hz the stylus may buzz somewhere in the workspace.")
+        .arg(axis + 1)
+        .arg(calm / kStiffestByJoints, 0, 'f', 2)
+        .arg(rate_hz);
+  }
   return QObject::tr("%1: above %2 N/mm at %3 Hz the stylus may buzz in a hand with %4 N s/m of damping.")
       .arg(QChar('x' + axis))
       .arg(calm, 0, 'f', 2)

@@ -60,8 +60,10 @@ Problems Host::setControl(std::size_t index, const scene::Control& control) {
   scene::Description edited = impl_->scene;
   if (index >= edited.constraints.size()) return {{"The scene has no such constraint.", {}}};
   const bool only_one = edited.constraints.size() == 1 && !edited.constraints[index].control;
+  // What a law remembers of a tip says nothing to joints: there the new one begins anew, ramped up like a scene.
+  const bool same_space = scene::controlOf(edited, index).space == control.space;
   (only_one ? edited.control : edited.constraints[index].control.emplace()) = control;
-  return impl_->put(edited, Order::Retune);
+  return impl_->put(edited, same_space ? Order::Retune : Order::Load);
 }
 
 const scene::Description& Host::scene() const {

@@ -41,7 +41,8 @@ class Host {
   Problems load(const scene::Description& scene);
   /// Puts an edited control in place of the one at index (see scene::controlOf): taken up by the next tick, without a
   /// ramp; the law keeps what it remembers. Where the scene's control is that of a single constraint, it is the scene's
-  /// that is edited. Problems: as load(); then the old one stays.
+  /// that is edited. A change of its space is ramped down and up like a scene. Problems: as load(); then the old one
+  /// stays.
   Problems setControl(std::size_t index, const scene::Control& control);
   /// The scene as loaded and edited.
   const scene::Description& scene() const;

@@ -138,4 +138,23 @@ TEST(FeelStory, TheLawBringsItsGains) {
   EXPECT_TRUE(story.find("panel.gains.ki.x")->isVisible());
 }
 
+TEST(FeelStory, TheSameGainsOnTheJointsFeelAndReadOtherwise) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("session.start"));
+  story.arm().wish({Vec3(0.02, 0.01, 0.055), Vec3::Zero(), Mat3::Identity(), false});
+  story.run(1500);
+  const Vec3 on_the_tip = story.snapshot().report.f_T_W;
+  ASSERT_TRUE(story.perform("space.set", "joint"));
+  story.run(1500);
+  EXPECT_EQ(story.snapshot().revision, story.host().revision());
+  EXPECT_GT((story.snapshot().report.f_T_W - on_the_tip).norm(), 0.05);
+  auto* row = story.find<QWidget>("panel.gains.kp.x");
+  ASSERT_NE(row, nullptr);
+  EXPECT_EQ(row->findChild<QLabel*>()->text(), "q1");
+  EXPECT_TRUE(story.find<QDoubleSpinBox>("panel.gains.kp.x.number")->accessibleName().contains("q1"));
+  ASSERT_TRUE(story.perform("edit.undo"));
+  story.run(1500);
+  EXPECT_EQ(row->findChild<QLabel*>()->text(), "x");
+}
+
 }  // namespace underact::gui::test

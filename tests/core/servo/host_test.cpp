@@ -177,6 +177,22 @@ TEST(Host, DrainGivesEveryTickOnceAndInOrderAndCountsWhatFoundNoRoom) {
   EXPECT_EQ(rows + rig.host->snapshot().dropped, 40'000);
 }
 
+TEST(Host, AChangeOfSpaceIsRampedLikeAScene) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->start();
+  rig.host->run(1000);
+  scene::Control control = rig.host->scene().control;
+  control.space = tick::Space::Joint;
+  ASSERT_TRUE(rig.host->setControl(0, control).empty());
+  rig.host->run(1);
+  EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision() - 1);  // not before the force is zero
+  rig.host->run(500);
+  EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision());
+  EXPECT_GT(rig.seen.last_size_N, 0.1);
+  EXPECT_LE(largestStep(rig.seen.forces), 0.5 / 50 + 1e-6);  // the ramp down: 0.5 N in 50 ticks
+}
+
 TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the thread sanitizer: a storm of commands
   ScriptedPort::Seen seen;
   {
