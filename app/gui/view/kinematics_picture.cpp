@@ -51,7 +51,7 @@ Figure figureOf(const arm::Model& model, const arm::Geometry& geometry, const ar
 
 KinematicsPicture::KinematicsPicture()
     : thin_actor_(makeActor(thin_.data(), Kind::Line)),
-      frame_actor_(makeActor(frame_.data(), Kind::Line)),
+      frame_actor_(makeActor(frame_.data(), Kind::Mark)),
       mark_actor_(makeActor(mark_.data(), Kind::Mark)) {
   setArm(*arm::findPreset(arm::kDefaultArm));
 }

@@ -39,8 +39,9 @@ class KinematicsPicture {
   /// As the camera sees it; builds lines and labels.
   void update(const OrbitCamera& camera);
 
-  std::vector<vtkActor*> lines() const { return {thin_actor_, frame_actor_}; }
-  vtkActor* mark() const { return mark_actor_; }  // the ghost that stands out: nothing hides it
+  std::vector<vtkActor*> lines() const { return {thin_actor_}; }
+  // Link frames, whose axes lie in the links and in the stylus, and the ghost that stands out: nothing hides them.
+  std::vector<vtkActor*> marks() const { return {frame_actor_, mark_actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
   std::vector<Vec3> extent_mm() const;
   std::size_t ghostsDrawn() const { return ghosts_ ? solutions_.count : 0; }

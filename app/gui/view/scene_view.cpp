@@ -79,7 +79,7 @@ void SceneView::Impl::before(QSize pixels) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
-    renderer.AddActor(kinematics.mark());
+    for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
     renderer.AddActor(hand.mark());
   }
   constraint.setLineWidth(scale);
