@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -173,7 +174,8 @@ bool KinematicsPanel::showSolution(int number) {
 
 void KinematicsPanel::hideEvent(QHideEvent* event) {
   Panel::hideEvent(event);
-  solutions_->choose(0);  // its ghost goes with the panel that said what it is
+  if (event->spontaneous()) return;  // the whole window was put away
+  solutions_->choose(0);             // its ghost goes with the panel that said what it is
   shown_ns_ = -1;
 }
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSlider>
@@ -283,6 +285,40 @@ TEST(KinematicsStory, NothingInThePanelMovesWhenNumbersChange) {
   story.run(500);
   story.settle();
   EXPECT_EQ(places(), before);
+}
+
+TEST(KinematicsStory, NoNumberIsCutAtTheUsualTextNorAtTwiceIt) {
+  const QFont usual = QApplication::font();
+  for (const double share : {1.0, 2.0}) {
+    QFont font = usual;
+    font.setPointSizeF(share * usual.pointSizeF());
+    QApplication::setFont(font);
+    {
+      Lesson story({.size = {1920, 1080}});
+      story.moveJoint(6, -130.0);
+      story.moveJoint(4, 120.0);
+      int seen = 0;
+      for (const QLabel* label : story.find("panel.kinematics")->findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty() || label->wordWrap()) continue;
+        EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text()))
+            << label->objectName().toStdString() << ' ' << label->text().toStdString();
+        EXPECT_GE(label->height(), label->fontMetrics().height()) << label->objectName().toStdString();
+        ++seen;
+      }
+      EXPECT_GT(seen, 90);
+      const auto* number = story.find<QDoubleSpinBox>("panel.kinematics.joint.6.number");
+      ASSERT_TRUE(number->text().startsWith(QChar(0x2212))) << number->text().toStdString();
+      EXPECT_GE(number->width(), number->fontMetrics().horizontalAdvance(number->text()) + 16);
+      const QTableWidget* table = story.table();
+      for (int column = 0; column < 4; ++column) {
+        EXPECT_GE(table->columnWidth(column),
+                  table->fontMetrics().horizontalAdvance(table->horizontalHeaderItem(column)->text()));
+      }
+      EXPECT_TRUE(
+          story.picture().save(QString("%1/pictures/window_kinematics_text_%2.png").arg(UNDERACT_BINARY).arg(share)));
+    }
+  }
+  QApplication::setFont(usual);
 }
 
 TEST(KinematicsStory, LayersAndThePanelAreRemembered) {

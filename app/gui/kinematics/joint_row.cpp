@@ -101,7 +101,7 @@ JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* 
   number_->setFocusPolicy(Qt::StrongFocus);
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  number_->setFixedWidth(fontMetrics().horizontalAdvance("-000.0°") + 16);
+  number_->setFixedWidth(fontMetrics().horizontalAdvance("−000.0°") + 20);
   state_->setObjectName(object_name + ".state");
   state_->setAccessibleName(tr("Joint %1, limits").arg(joint + 1));
   state_->setFixedSize(fontMetrics().horizontalAdvance(tr("outside")) + 12, fontMetrics().lineSpacing());

@@ -67,7 +67,7 @@ AnglesSection::AnglesSection(QWidget* parent)
               parent),
       table_(new NumberTable(
           "panel.kinematics.angles",
-          {{tr("DH [°]"), kWideAngle}, {tr("device [°]"), "device [°]"}, {{}, "  q6 = −g3 − 90°", true}}, this)) {
+          {{tr("DH [°]"), kWideAngle}, {tr("device [°]"), "device [°]"}, {{}, "  q3 = shin − thigh ", true}}, this)) {
   const std::array<std::array<QString, 2>, 6> words{{{tr("turret"), tr("q1 = −turret")},
                                                      {tr("thigh"), tr("q2 = thigh")},
                                                      {tr("shin"), tr("q3 = shin − thigh")},
