@@ -24,7 +24,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 1;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 2;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
@@ -167,7 +167,7 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    Panel* panel = row.make(PanelParts{parts_.host, *document_, *recent_, *actions_}, dock);
+    Panel* panel = row.make(PanelParts{parts_.host, *document_, *recent_, *actions_, *view_, parts_.arm}, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
     dock->setWidget(panel);
@@ -181,9 +181,14 @@ void MainWindow::buildDocks() {
                                      true},
                                     [dock](const QVariantList& on) {
                                       dock->setVisible(on.value(0).toBool());
+                                      dock->raise();  // to the front, where others stand in its place
                                       return true;
                                     });
     connect(dock, &QDockWidget::visibilityChanged, action, [dock, action] { action->setChecked(!dock->isHidden()); });
+    if (row.behind != nullptr) {
+      tabifyDockWidget(docks_.value(row.behind), dock);
+      dock->hide();
+    }
     docks_.insert(row.key, dock);
     panels_.insert(row.key, panel);
   }
@@ -212,7 +217,8 @@ void MainWindow::arrangeDocks() {
     QDockWidget* dock = docks_.value(row.key);
     dock->setFloating(false);
     addDockWidget(row.area, dock);
-    dock->show();
+    if (row.behind != nullptr) tabifyDockWidget(docks_.value(row.behind), dock);
+    dock->setVisible(row.behind == nullptr);
   }
   const int line = fontMetrics().lineSpacing();
   resizeDocks({docks_["scenes"], docks_["feel"]}, {15 * line, 20 * line}, Qt::Horizontal);

@@ -47,7 +47,18 @@ void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
 }
 
 QStringList layerNames() {
-  return {"layer.workspace", "layer.triads", "layer.arm", "layer.target", "layer.force"};
+  return {"layer.workspace",
+          "layer.triads",
+          "layer.arm",
+          "layer.target",
+          "layer.force",
+          "-",
+          "layer.link_frames",
+          "layer.ghosts",
+          "layer.motion_ellipsoid",
+          "layer.force_ellipsoid",
+          "-",
+          "view.kinematics"};
 }
 
 }  // namespace

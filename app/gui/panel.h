@@ -4,11 +4,16 @@
 #include "app/gui/theme.h"
 #include "core/servo/host.h"
 
+namespace underact::device {
+class SimulatedArm;
+}
+
 namespace underact::gui {
 
 class Actions;
 class Document;
 class RecentFiles;
+class SceneView;
 
 /// What a panel may use. Commands go through actions and document; what is shown comes by present().
 struct PanelParts {
@@ -16,6 +21,8 @@ struct PanelParts {
   Document& document;
   RecentFiles& recent;
   Actions& actions;
+  SceneView& view;
+  device::SimulatedArm* arm;  // the host's device, where it is the simulated one; else null
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

@@ -5,6 +5,7 @@
 
 #include "app/gui/arm_panel.h"
 #include "app/gui/feel_panel.h"
+#include "app/gui/kinematics_panel.h"
 #include "app/gui/plots_panel.h"
 #include "app/gui/scenes_panel.h"
 #include "app/gui/shape_panel.h"
@@ -20,7 +21,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 5> kRows{{
+  static const std::array<PanelRow, 6> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -32,6 +33,9 @@ std::span<const PanelRow> panels() {
       {"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+5",
        QT_TRANSLATE_NOOP("panel", "Error and force over the last 10 s, and one axis' displacement against its force."),
        make<PlotsPanel>},
+      {"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea, "Ctrl+Alt+6",
+       QT_TRANSLATE_NOOP("panel", "Joints, DH table, inverse solutions, Jacobian and singularities."),
+       make<KinematicsPanel>, "scenes"},
   }};
   return kRows;
 }

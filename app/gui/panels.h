@@ -14,6 +14,7 @@ struct PanelRow {
   const char* shortcut;
   const char* tip;
   Panel* (*make)(const PanelParts& parts, QWidget* parent);
+  const char* behind = nullptr;  // the key of the panel whose place it takes when it is opened; closed at first
 };
 
 std::span<const PanelRow> panels();

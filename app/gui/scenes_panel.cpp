@@ -1,6 +1,7 @@
 #include "app/gui/scenes_panel.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -70,6 +71,10 @@ ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
   parts_.actions.add(
       {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Puts the cursor into the filter.")},
       [this](const QVariantList&) {
+        if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {  // closed, or behind another panel
+          dock->show();
+          dock->raise();
+        }
         filter_->setFocus(Qt::ShortcutFocusReason);
         filter_->selectAll();
         return true;

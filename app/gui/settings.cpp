@@ -4,6 +4,24 @@
 #include <algorithm>
 
 namespace underact::gui {
+namespace {
+
+struct LayerKey {
+  const char* key;
+  bool Layers::*layer;
+};
+
+constexpr LayerKey kLayerKeys[] = {{"layers/workspace", &Layers::workspace},
+                                   {"layers/triads", &Layers::triads},
+                                   {"layers/arm", &Layers::arm},
+                                   {"layers/target", &Layers::target},
+                                   {"layers/force", &Layers::force},
+                                   {"layers/link_frames", &Layers::link_frames},
+                                   {"layers/ghosts", &Layers::ghosts},
+                                   {"layers/motion_ellipsoid", &Layers::motion_ellipsoid},
+                                   {"layers/force_ellipsoid", &Layers::force_ellipsoid}};
+
+}  // namespace
 
 Settings readSettings() {
   const QSettings stored;
@@ -13,11 +31,9 @@ Settings readSettings() {
   settings.layout = stored.value("window/layout").toByteArray();
   const QString theme = stored.value("window/theme").toString();
   settings.theme = theme == "light" ? ThemeChoice::Light : theme == "dark" ? ThemeChoice::Dark : ThemeChoice::System;
-  settings.layers.workspace = stored.value("layers/workspace", fresh.layers.workspace).toBool();
-  settings.layers.triads = stored.value("layers/triads", fresh.layers.triads).toBool();
-  settings.layers.arm = stored.value("layers/arm", fresh.layers.arm).toBool();
-  settings.layers.target = stored.value("layers/target", fresh.layers.target).toBool();
-  settings.layers.force = stored.value("layers/force", fresh.layers.force).toBool();
+  for (const LayerKey& row : kLayerKeys) {
+    settings.layers.*row.layer = stored.value(row.key, fresh.layers.*row.layer).toBool();
+  }
   settings.recent = stored.value("files/recent").toStringList();
   settings.last_scene = stored.value("files/last").toString();
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
@@ -32,11 +48,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("window/theme", settings.theme == ThemeChoice::Light  ? "light"
                                   : settings.theme == ThemeChoice::Dark ? "dark"
                                                                         : "system");
-  stored.setValue("layers/workspace", settings.layers.workspace);
-  stored.setValue("layers/triads", settings.layers.triads);
-  stored.setValue("layers/arm", settings.layers.arm);
-  stored.setValue("layers/target", settings.layers.target);
-  stored.setValue("layers/force", settings.layers.force);
+  for (const LayerKey& row : kLayerKeys) stored.setValue(row.key, settings.layers.*row.layer);
   stored.setValue("files/recent", settings.recent);
   stored.setValue("files/last", settings.last_scene);
   stored.setValue("plots/axis", settings.plot_axis);

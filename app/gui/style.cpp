@@ -44,10 +44,19 @@ QLabel[role="quiet"] { color: %quiet; }
 QLabel[role="section"] { font-weight: 600; padding-top: 4px; }
 QLabel[role="running"] { color: %green; font-weight: 600; }
 QLabel[role="alarm-text"] { color: %red; font-weight: 600; }
+QLabel[role="amber-text"] { color: %warm; font-weight: 600; }
 QLabel[role="alarm"] { color: %ink; background: %redground; border-left: 3px solid %red; padding: 6px 8px; }
 QLabel[role="amber"] { color: %ink; background: %warmground; border-left: 3px solid %warm; padding: 6px 8px; }
 QDoubleSpinBox[amber="true"] { border: 2px solid %warm; border-radius: 3px; background: %warmground; color: %ink; }
-QListWidget { background: transparent; }
+QToolButton[role="fold"] { border: none; font-weight: 600; padding: 4px 0; text-align: left; }
+QToolButton[role="fold"]:hover { background: %hover; }
+QToolButton[role="fold"]:focus { background: %line; }
+QListWidget, QTableWidget { background: transparent; }
+QTableWidget::item { color: %ink; }
+QTableWidget::item:hover { background: %hover; }
+QTableWidget::item:selected { background: %selected; color: %ink; }
+QTableWidget QHeaderView { background: transparent; }
+QTableWidget QHeaderView::section { background: transparent; color: %quiet; border: none; padding: 2px; }
 QListWidget::item { padding: 3px 4px; border-radius: 4px; }
 QListWidget::item { color: %ink; }
 QListWidget::item:disabled { color: %quiet; }

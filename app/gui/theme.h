@@ -17,7 +17,9 @@ struct Theme {
   QColor target{0x00, 0x9E, 0x73};
   QColor force{0xE6, 0x9F, 0x00};
   QColor force_limited{0xD5, 0x5E, 0x00};
-  QColor x_axis, y_axis, z_axis;  // muted red, green, blue
+  QColor virtual_robot{0xCC, 0x79, 0xA7};  // ghosts of the arm among them
+  QColor motion{0x56, 0xB4, 0xE9};         // how far the tip goes
+  QColor x_axis, y_axis, z_axis;           // muted red, green, blue
 
   static Theme light();
   static Theme dark_theme();

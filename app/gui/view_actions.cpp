@@ -50,14 +50,26 @@ void addLayers(Actions& actions, SceneView& view) {
     const char *name, *text, *shortcut, *tip;
     bool Layers::*layer;
   };
-  const Row rows[] = {{"layer.workspace", "&Workspace box", "Alt+1",
-                       "The box the arm can reach, with ticks every 20 mm.", &Layers::workspace},
-                      {"layer.triads", "&Axes of W and B", "Alt+2", "The axes of the workspace and of the arm's base.",
-                       &Layers::triads},
-                      {"layer.arm", "A&rm", "Alt+3", "The arm's links.", &Layers::arm},
-                      {"layer.target", "&Target and error", "Alt+4",
-                       "The point the stylus is drawn to, and the line to it.", &Layers::target},
-                      {"layer.force", "&Force", "Alt+5", "The arrow of the force sent.", &Layers::force}};
+  const Row rows[] = {
+      {"layer.workspace", "&Workspace box", "Alt+1", "The box the arm can reach, with ticks every 20 mm.",
+       &Layers::workspace},
+      {"layer.triads", "&Axes of W and B", "Alt+2", "The axes of the workspace and of the arm's base.",
+       &Layers::triads},
+      {"layer.arm", "A&rm", "Alt+3", "The arm's links.", &Layers::arm},
+      {"layer.target", "&Target and error", "Alt+4", "The point the stylus is drawn to, and the line to it.",
+       &Layers::target},
+      {"layer.force", "&Force", "Alt+5", "The arrow of the force sent.", &Layers::force},
+      {"layer.link_frames", "&Link frames", "Alt+6",
+       "The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.",
+       &Layers::link_frames},
+      {"layer.ghosts", "&Inverse solutions", "Alt+7",
+       "All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits.", &Layers::ghosts},
+      {"layer.motion_ellipsoid", "&Motion ellipsoid (v)", "Alt+8",
+       "Where the tip gets to by a joint turn of 0.25 rad in all (manipulability ellipsoid).",
+       &Layers::motion_ellipsoid},
+      {"layer.force_ellipsoid", "F&orce ellipsoid (f)", "Alt+9",
+       "The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.",
+       &Layers::force_ellipsoid}};
   for (const Row& row : rows) {
     QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
                                   [&view, layer = row.layer](const QVariantList& on) {

@@ -14,7 +14,7 @@ namespace {
 
 bool isUtf8(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
-    length = scene::codePointLength(text, at);
+    length = json::codePointLength(text, at);
     if (length == 0) return false;
   }
   return true;

@@ -16,7 +16,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLook_ms = 200;
+constexpr int kLook_ms = 200, kGhost_ms = 800;
 const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // the hint stands at the top
 
 /// From the front, a little from the right and above: the sphere, the stylus and the arm behind it stand apart.
@@ -57,6 +57,14 @@ SceneView::Impl::Impl(SceneView* owner) : view(owner), camera(firstLook()) {
     camera = between(from, to, share.toDouble());
     surface->update();
   });
+  ghost_way.setDuration(kGhost_ms);
+  ghost_way.setStartValue(0.0);
+  ghost_way.setEndValue(1.0);
+  ghost_way.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&ghost_way, &QVariantAnimation::valueChanged, view, [this](const QVariant& share) {
+    kinematics.setShare(share.toDouble());
+    surface->update();
+  });
 }
 
 void SceneView::Impl::before(QSize pixels) {
@@ -67,18 +75,21 @@ void SceneView::Impl::before(QSize pixels) {
     renderer.RemoveAllViewProps();
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
     for (const auto& target : hand.targets()) renderer.AddActor(target);
-    for (const auto& lines : {workspace.lines(), constraint.lines(), hand.lines()}) {
+    for (const auto& lines : {workspace.lines(), constraint.lines(), hand.lines(), kinematics.lines()}) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
+    for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
     renderer.AddActor(hand.mark());
   }
   constraint.setLineWidth(scale);
   workspace.setLineWidth(scale);
   hand.setLineWidth(scale);
+  kinematics.setLineWidth(scale);
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
+  kinematics.update(camera);
   vtkCamera* eye = surface->renderer().GetActiveCamera();
   const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
   eye->SetPosition(eye_mm.data());
@@ -87,6 +98,11 @@ void SceneView::Impl::before(QSize pixels) {
   eye->SetViewAngle(OrbitCamera::kViewAngle_rad / kRadPerDegree);
   const double far_mm = camera.distance_mm + camera.focus_mm.norm() + 600.0;
   eye->SetClippingRange(std::max(0.01 * far_mm, camera.distance_mm - camera.focus_mm.norm() - 600.0), far_mm);
+}
+
+void SceneView::Impl::showArm() {
+  hand.present(*shown);
+  kinematics.present(shown->report.sample.q_rad);
 }
 
 void SceneView::Impl::paintWords(QPainter& painter) {
@@ -104,7 +120,9 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   state.force_limit_N = force_limit_N;
   state.limited = hand.limited();
   state.focus = view->hasFocus();
-  words.paint(painter, state, workspace.labels());
+  std::vector<Label> labels = workspace.labels();
+  labels.insert(labels.end(), kinematics.labels().begin(), kinematics.labels().end());
+  words.paint(painter, state, labels);
 }
 
 std::vector<Vec3> SceneView::Impl::extent() const {
@@ -121,6 +139,8 @@ std::vector<Vec3> SceneView::Impl::extent() const {
       points.push_back(kMillimetrePerMetre * hand.skeleton().p_WShoulder);
       points.push_back(kMillimetrePerMetre * hand.skeleton().p_WElbow);
     }
+    const std::vector<Vec3> ghosts = kinematics.extent_mm();
+    points.insert(points.end(), ghosts.begin(), ghosts.end());
   }
   return points;
 }
@@ -159,6 +179,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<
 
 SceneView::~SceneView() {
   impl_->movement.stop();
+  impl_->ghost_way.stop();
   delete impl_->surface;  // while what it draws is still there
 }
 
@@ -166,12 +187,13 @@ void SceneView::setScene(const scene::Description& scene) {
   const arm::Preset* preset = arm::findPreset(scene.arm);
   if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
   impl_->hand.setGeometry(preset->geometry);
+  impl_->kinematics.setArm(*preset);
   impl_->hand.setConstraints(scene.constraints.size());
   impl_->constraint.setScene(scene);
   impl_->workspace.setBase(kMillimetrePerMetre * preset->geometry.p_WB);
   impl_->actors_changed = true;
   setForceLimit(preset->continuous_force_N);
-  if (impl_->shown) impl_->hand.present(*impl_->shown);
+  if (impl_->shown) impl_->showArm();
   if (impl_->camera_is_mine) impl_->fit();
   impl_->surface->update();
 }
@@ -180,7 +202,7 @@ void SceneView::present(const servo::Snapshot& snapshot) {
   if (impl_->shown && looksAlike(*impl_->shown, snapshot)) return;
   const bool first = !impl_->hand.known();
   impl_->shown = snapshot;
-  impl_->hand.present(snapshot);
+  impl_->showArm();
   if (first && impl_->camera_is_mine) impl_->fit();
   impl_->surface->update();
 }
@@ -191,15 +213,42 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->constraint.setTheme(theme);
   impl_->workspace.setTheme(theme);
   impl_->hand.setTheme(theme);
+  impl_->kinematics.setTheme(theme);
   impl_->actors_changed = true;
   impl_->surface->update();
 }
 
 void SceneView::setLayers(const Layers& layers) {
+  const bool more = layers.ghosts && !impl_->layers.ghosts;
   impl_->layers = layers;
   impl_->workspace.show(layers.workspace, layers.triads);
   impl_->hand.show(layers.arm, layers.target, layers.force);
+  impl_->kinematics.show(layers.link_frames, layers.ghosts, layers.motion_ellipsoid, layers.force_ellipsoid);
+  if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
+}
+
+void SceneView::chooseSolution(const std::optional<arm::Branch>& branch) {
+  impl_->ghost_way.stop();
+  impl_->kinematics.choose(branch);
+  if (branch && isVisible()) {
+    impl_->ghost_way.start();
+  } else {
+    impl_->kinematics.setShare(1.0);
+  }
+  impl_->surface->update();
+}
+
+bool SceneView::ghostMoving() const {
+  return impl_->ghost_way.state() == QAbstractAnimation::Running;
+}
+
+std::size_t SceneView::ghostsDrawn() const {
+  return impl_->kinematics.ghostsDrawn();
+}
+
+std::optional<arm::JointAngles> SceneView::chosenGhost_rad() const {
+  return impl_->kinematics.chosen_rad();
 }
 
 const Layers& SceneView::layers() const {
@@ -254,7 +303,8 @@ void SceneView::setHint(const QString& text) {
 void SceneView::setForceLimit(double continuous_N) {
   impl_->force_limit_N = continuous_N;
   impl_->hand.setForceLimit(continuous_N);
-  if (impl_->shown) impl_->hand.present(*impl_->shown);
+  impl_->kinematics.setForceLimit(continuous_N);
+  if (impl_->shown) impl_->showArm();
   impl_->surface->update();
 }
 

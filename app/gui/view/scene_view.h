@@ -2,8 +2,10 @@
 #include <QString>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "app/gui/theme.h"
+#include "core/arm/branches.h"
 #include "core/scene/description.h"
 #include "core/servo/snapshot.h"
 #include "core/sim/hand.h"
@@ -19,6 +21,11 @@ struct Layers {
   bool arm = true;        // the arm's links, thin
   bool target = true;     // the target point and the error line
   bool force = true;      // the force arrow
+  // For teaching, see KinematicsPicture.
+  bool link_frames = false;
+  bool ghosts = false;            // the inverse solutions
+  bool motion_ellipsoid = false;  // of manipulability
+  bool force_ellipsoid = false;
 };
 
 /// The picture of the hand's world: constraint, stylus, target, error line, force arrow, workspace box and triads, in
@@ -37,6 +44,13 @@ class SceneView : public QWidget {
   const Layers& layers() const;
   void look(Camera camera);  // moves in 0.2 s; Fit keeps the direction
   bool moving() const;       // a look() is on its way
+  /// The inverse solution that stands out, whatever the layers are; none: no one. A ghost of the arm goes there from
+  /// where the joints are, in 0.8 s, each time this is called, and stays.
+  void chooseSolution(const std::optional<arm::Branch>& branch);
+  bool ghostMoving() const;  // it is on its way
+  /// How many inverse solutions are drawn, and the joints of the one that stands out.
+  std::size_t ghostsDrawn() const;
+  std::optional<arm::JointAngles> chosenGhost_rad() const;
   /// One line over the view; empty: none.
   void setHint(const QString& text);
   /// The largest force of the gauge and the arrow's scale, N.

@@ -8,6 +8,7 @@
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/hand_grip.h"
 #include "app/gui/view/hand_picture.h"
+#include "app/gui/view/kinematics_picture.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/view_words.h"
 #include "app/gui/view/workspace_picture.h"
@@ -27,6 +28,7 @@ struct SceneView::Impl {
 
   /// Just before a picture, with the context current: the only place where actors come and go.
   void before(QSize pixels);
+  void showArm();  // as the snapshot that is shown says
   void paintWords(QPainter& painter);
   std::vector<Vec3> extent() const;
   void fit();
@@ -42,6 +44,7 @@ struct SceneView::Impl {
   ConstraintPicture constraint;
   WorkspacePicture workspace;
   HandPicture hand;
+  KinematicsPicture kinematics;
   ViewWords words;
   Theme theme = Theme::light();
   Layers layers;
@@ -53,6 +56,7 @@ struct SceneView::Impl {
   OrbitCamera camera, from, to;
   bool camera_is_mine = true;  // nobody has moved it: it keeps everything in the picture
   QVariantAnimation movement;
+  QVariantAnimation ghost_way;  // of the chosen solution's ghost
 
   HandGrip grip;
   bool hand_available = false;

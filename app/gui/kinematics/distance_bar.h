@@ -1,0 +1,39 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/theme.h"
+
+class QLabel;
+
+namespace underact::gui {
+
+/// How far something is, as a bar from 0 (on it) to the farthest, with a mark where near begins, the number and, under
+/// the mark, the word "near" and amber.
+class DistanceBar : public QWidget {
+  Q_OBJECT
+ public:
+  struct Scale {
+    double near_below = 0.0;  // "near" is a macro of Windows
+    double farthest = 1.0;
+    int decimals = 1;
+    QString unit;  // " mm"
+  };
+  DistanceBar(const QString& object_name, const QString& name, const QString& tip, const Scale& scale,
+              QWidget* parent = nullptr);
+  void setFarthest(double farthest);
+  void setTheme(const Theme& theme);
+  void present(double distance);
+  bool isNear() const { return distance_ < scale_.near_below; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString name_;
+  Scale scale_;
+  Theme theme_ = Theme::light();
+  double distance_ = 0.0;
+  QLabel *track_, *value_, *word_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,65 @@
+#pragma once
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QWidget>
+
+class QLabel;
+
+namespace underact::gui {
+
+/// A slider of tenths of a degree that marks the joint's limits. The wheel turns it only once it has the focus.
+class LimitSlider : public QSlider {
+  Q_OBJECT
+ public:
+  explicit LimitSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {}
+  void setLimits(double min_deg, double max_deg);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  double min_deg_ = 0.0, max_deg_ = 0.0;
+};
+
+/// A number whose steps are told apart from what is typed.
+class AngleBox : public QDoubleSpinBox {
+  Q_OBJECT
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+  void stepBy(int steps) override { emit stepped(steps * singleStep()); }
+  // With the minus sign of all other numbers; the keyboard's own is understood, too.
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+ signals:
+  void stepped(double by_deg);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+};
+
+/// One joint: its name, a slider between marks at its limits, the angle, and a word where it is at a limit or beyond.
+class JointRow : public QWidget {
+  Q_OBJECT
+ public:
+  JointRow(int joint, const QString& name, const QString& tip, QWidget* parent = nullptr);
+  void setLimits(double min_deg, double max_deg);
+  /// The hand on the slider, and a number half typed, win over what is shown.
+  void present(double angle_deg);
+
+ signals:
+  void asked(double angle_deg);  // dragged or typed
+  void stepped(double by_deg);   // by key or wheel: from where the joint is wished, not from where friction left it
+
+ private:
+  void showState(double angle_deg);
+
+  LimitSlider* slider_;
+  AngleBox* number_;
+  QLabel* state_;
+  double min_deg_ = -180.0, max_deg_ = 180.0;
+  int shown_ = 0;  // tenths of a degree, on the slider
+};
+
+}  // namespace underact::gui

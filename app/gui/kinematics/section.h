@@ -1,0 +1,22 @@
+#pragma once
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace underact::gui {
+
+/// A heading that folds what stands below it.
+class Section : public QWidget {
+  Q_OBJECT
+ public:
+  /// key: "joints"; the heading is called panel.kinematics.joints.fold.
+  Section(const QString& key, const QString& title, const QString& tip, QWidget* parent = nullptr);
+  QVBoxLayout& column() { return *column_; }
+  bool isOpen() const { return !content_->isHidden(); }
+
+ private:
+  QWidget* content_;
+  QVBoxLayout* column_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,107 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "app/gui/kinematics/now.h"
+#include "app/gui/kinematics/section.h"
+#include "app/gui/theme.h"
+#include "core/arm/model.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTableWidget;
+
+namespace underact::gui {
+
+class DistanceBar;
+class JointRow;
+class NumberTable;
+
+/// The six joints: where they are, and sliders that move the simulated arm.
+class JointsSection : public Section {
+  Q_OBJECT
+ public:
+  explicit JointsSection(QWidget* parent = nullptr);
+  void setLimits(const arm::JointLimits& limits);
+  /// why_not: a sentence; empty: the sliders move the arm.
+  void setMovable(const QString& why_not);
+  void present(const KinematicsNow& now);
+ signals:
+  void asked(int joint, double angle_deg);
+  void stepped(int joint, double by_deg);
+
+ private:
+  std::array<JointRow*, 6> rows_{};
+  QLabel* note_;
+};
+
+/// How far each singularity is.
+class SingularitiesSection : public Section {
+  Q_OBJECT
+ public:
+  explicit SingularitiesSection(QWidget* parent = nullptr);
+  void setReach(double reach_m);
+  void setTheme(const Theme& theme);
+  void present(const KinematicsNow& now);
+
+ private:
+  DistanceBar *shoulder_, *elbow_, *wrist_;
+};
+
+/// All ways the arm can reach the stylus; one can be chosen.
+class SolutionsSection : public Section {
+  Q_OBJECT
+ public:
+  explicit SolutionsSection(QWidget* parent = nullptr);
+  void present(const KinematicsNow& now);
+  /// number: 1 to 8; 0: none.
+  void choose(int number);
+  int chosen() const;
+ signals:
+  void wanted(int number);  // also the same once more; 0: none
+
+ private:
+  void buildTable();
+  void showChosen();
+
+  QLabel *status_, *angles_;
+  QTableWidget* table_;
+  QPushButton *again_, *none_;
+  arm::Solutions solutions_;
+  arm::JointAngles q_rad_{};
+};
+
+/// The DH table with the angles of now, and the same posture in the device's own angles.
+class DhSection : public Section {
+  Q_OBJECT
+ public:
+  explicit DhSection(QWidget* parent = nullptr);
+  void present(const KinematicsNow& now, const arm::Model& model);
+
+ private:
+  NumberTable* table_;
+};
+class AnglesSection : public Section {
+  Q_OBJECT
+ public:
+  explicit AnglesSection(QWidget* parent = nullptr);
+  void present(const KinematicsNow& now);
+
+ private:
+  NumberTable* table_;
+};
+
+/// The Jacobian in numbers, and what it says of the posture.
+class JacobianSection : public Section {
+  Q_OBJECT
+ public:
+  explicit JacobianSection(QWidget* parent = nullptr);
+  void present(const KinematicsNow& now);
+
+ private:
+  QStackedWidget* tables_;
+  NumberTable *whole_, *position_, *figures_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,150 @@
+// The sections that are numbers: DH table, angle conventions, Jacobian.
+#include <QCheckBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kinematics/sections.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+const QString kWideAngle = "−000.0", kWideLength = "−000.0", kWideGain = "−0.000";
+
+QString degrees(double angle_rad) {
+  return numberText(angle_rad / kRadPerDegree, 1);
+}
+
+QString millimetreNumber(double length_m) {
+  return numberText(length_m * kMillimetrePerMetre, 1);
+}
+
+template <class Matrix>
+void setAll(NumberTable& table, const Matrix& J) {
+  for (int row = 0; row < J.rows(); ++row) {
+    for (int column = 0; column < J.cols(); ++column) table.set(row, column, numberText(J(row, column), 3));
+  }
+}
+
+}  // namespace
+
+DhSection::DhSection(QWidget* parent)
+    : Section(
+          "dh", tr("DH table"),
+          tr("Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d), with the angle of now in "
+             "θ. Thesis table 3.1; Craig, eq. 3.6."),
+          parent),
+      table_(new NumberTable("panel.kinematics.dh",
+                             {{tr("α [°]"), kWideAngle},
+                              {tr("a [mm]"), kWideLength},
+                              {tr("θ [°]"), kWideAngle},
+                              {tr("d [mm]"), kWideLength}},
+                             this)) {
+  for (int row = 1; row <= 6; ++row) {
+    table_->addRow(QString("i = %1").arg(row),
+                   tr("Twist α and length a of link %1, angle θ and offset d of joint %2.").arg(row - 1).arg(row));
+  }
+  column().addWidget(table_);
+}
+
+void DhSection::present(const KinematicsNow& now, const arm::Model& model) {
+  for (std::size_t index = 0; index < model.rows.size(); ++index) {
+    const chain::DhRow& row = model.rows[index];
+    const auto line = static_cast<int>(index);
+    table_->set(line, 0, degrees(row.alpha_rad));
+    table_->set(line, 1, millimetreNumber(row.a_m));
+    table_->set(line, 2, degrees(row.theta_rad + now.q_rad[index]));
+    table_->set(line, 3, millimetreNumber(row.d_m));
+  }
+}
+
+AnglesSection::AnglesSection(QWidget* parent)
+    : Section("angles", tr("Angle conventions"),
+              tr("The same posture as the DH table counts it and as the device does. The device measures the shin from "
+                 "the base, not from the thigh. Thesis figure 3.5; the signs were never verified on hardware."),
+              parent),
+      table_(new NumberTable(
+          "panel.kinematics.angles",
+          {{tr("DH [°]"), kWideAngle}, {tr("device [°]"), "device [°]"}, {{}, "  q3 = shin − thigh ", true}}, this)) {
+  const std::array<std::array<QString, 2>, 6> words{{{tr("turret"), tr("q1 = −turret")},
+                                                     {tr("thigh"), tr("q2 = thigh")},
+                                                     {tr("shin"), tr("q3 = shin − thigh")},
+                                                     {tr("gimbal 1"), tr("q4 = −g1")},
+                                                     {tr("gimbal 2"), tr("q5 = g2 + 90°")},
+                                                     {tr("gimbal 3"), tr("q6 = −g3 − 90°")}}};
+  for (int row = 0; row < 6; ++row) {
+    const auto& [name, relation] = words[static_cast<std::size_t>(row)];
+    table_->addRow(QString("q%1 %2").arg(row + 1).arg(name), tr("%1 (thesis figure 3.5).").arg(relation));
+    table_->set(row, 2, "  " + relation);
+  }
+  column().addWidget(table_);
+}
+
+void AnglesSection::present(const KinematicsNow& now) {
+  for (std::size_t joint = 0; joint < 6; ++joint) {
+    table_->set(static_cast<int>(joint), 0, degrees(now.q_rad[joint]));
+    table_->set(static_cast<int>(joint), 1, degrees(now.device_rad[joint]));
+  }
+}
+
+JacobianSection::JacobianSection(QWidget* parent)
+    : Section(
+          "jacobian", tr("Jacobian"),
+          tr("How fast the tip moves (v, m/rad) and turns (ω, rad/rad) for each joint's rate, in the workspace frame: "
+             "(v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Eq. 3.5 derived."),
+          parent),
+      tables_(new QStackedWidget(this)) {
+  std::vector<NumberTable::Column> columns;
+  for (int joint = 1; joint <= 6; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
+  whole_ = new NumberTable("panel.kinematics.jacobian.whole", columns, this);
+  position_ = new NumberTable("panel.kinematics.jacobian.position", {columns.begin(), columns.begin() + 3}, this);
+  for (const char axis : {'x', 'y', 'z'}) {
+    const QString tip = tr("Speed of the tip along %1 of W for each joint's rate, m/rad.").arg(QChar(axis));
+    whole_->addRow(QString("v%1").arg(QChar(axis)), tip);
+    position_->addRow(QString("v%1").arg(QChar(axis)), tip);
+  }
+  for (const char axis : {'x', 'y', 'z'}) {
+    whole_->addRow(QString("ω%1").arg(QChar(axis)),
+                   tr("Turning of the stylus about %1 of W for each joint's rate, rad/rad.").arg(QChar(axis)));
+  }
+  tables_->addWidget(whole_);
+  auto* upper = new QWidget(this);  // the small one stands at the top, where the large one begins
+  auto* upper_column = new QVBoxLayout(upper);
+  upper_column->setContentsMargins(0, 0, 0, 0);
+  upper_column->addWidget(position_);
+  upper_column->addStretch(1);
+  tables_->addWidget(upper);
+  auto* only_position = new QCheckBox(tr("&Position only, J_p (3 × 3)"), this);
+  only_position->setObjectName("panel.kinematics.jacobian.position_only");
+  only_position->setAccessibleName(tr("Only the position part of the Jacobian"));
+  only_position->setToolTip(
+      tr("Joints 4 to 6 turn the stylus about its tip and do not move it: v = J_p (q1, q2, q3)'."));
+  connect(only_position, &QCheckBox::toggled, this, [this](bool on) { tables_->setCurrentIndex(on ? 1 : 0); });
+  figures_ = new NumberTable("panel.kinematics.figures", {{{}, "0.000, 0.000, 0.000 m/rad", true}}, this);
+  figures_->addRow(tr("det J_p"), tr("L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)), per rad³; 0 at a singularity."));
+  figures_->addRow(tr("Manipulability"), tr("Yoshikawa's measure of J_p, |det J_p|."));
+  figures_->addRow(tr("Condition"), tr("Largest over smallest singular value of J_p: 1 is alike in all directions."));
+  figures_->addRow(tr("Singular values"),
+                   tr("Of J_p: how far the tip goes along the motion ellipsoid's axes, for each rad of joint turn. A "
+                      "force along the same axis is one over it for each N m of joint torque."));
+  column().addWidget(only_position);
+  column().addWidget(tables_);
+  column().addWidget(figures_);
+}
+
+void JacobianSection::present(const KinematicsNow& now) {
+  setAll(*whole_, now.kinematics.J);
+  setAll(*position_, now.J_p);
+  const arm::Dexterity& dexterity = now.dexterity;
+  figures_->set(0, 0, tr("%1 m³").arg(numberText(dexterity.det_m3, 6)));
+  figures_->set(1, 0, tr("%1 m³").arg(numberText(dexterity.manipulability_m3, 6)));
+  figures_->set(2, 0, numberText(dexterity.condition, 2));
+  figures_->set(3, 0,
+                tr("%1, %2, %3 m/rad")
+                    .arg(numberText(dexterity.gain_m[0], 3), numberText(dexterity.gain_m[1], 3),
+                         numberText(dexterity.gain_m[2], 3)));
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,247 @@
+#include "app/gui/view/kinematics_picture.h"
+
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/gui/kinematics/now.h"
+#include "app/gui/view/hand_picture.h"
+#include "core/arm/way.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+// Frames 1 and 2 share their origin, and so do 4, 5 and 6: each a little smaller than the one before.
+constexpr std::array<double, 6> kAxis_mm{30.0, 24.0, 24.0, 30.0, 24.0, 18.0};
+constexpr double kBeyond_mm = 5.0;   // of a label
+constexpr double kFacing_mm = 18.0;  // a ghost's turret: the way it faces
+constexpr double kBend_mm = 14.0;    // a ghost's wrist: its axis 5
+constexpr double kDash_mm = 5.0;     // and as long a gap
+constexpr double kHollow_mm = 3.6;   // the joints of the ghost that stands out
+constexpr double kStylus_mm = 84.0;
+constexpr double kNumber_mm = 16.0;  // of a ghost's number from its elbow
+constexpr double kSamePlace_mm = 0.5;
+constexpr int kEllipseParts = 72;
+
+void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, const QColor& colour) {
+  const Vec3 way_mm = b_mm - a_mm;
+  const int pieces = std::max(1, static_cast<int>(way_mm.norm() / (2.0 * kDash_mm)));
+  for (int piece = 0; piece < pieces; ++piece) {
+    lines.segment(a_mm + way_mm * ((piece + 0.25) / pieces), a_mm + way_mm * ((piece + 0.75) / pieces), colour);
+  }
+}
+
+/// Shoulder, elbow and tip of the arm at q_rad, mm, which way its turret faces and its wrist's axis 5 points.
+struct Figure {
+  Vec3 shoulder_mm, elbow_mm, tip_mm, facing_W, bend_W;
+};
+
+Figure figureOf(const arm::Model& model, const arm::Geometry& geometry, const arm::JointAngles& q_rad) {
+  const arm::Skeleton skeleton = arm::skeleton(geometry, q_rad);
+  const std::array<Pose, 6> frames = arm::linkFrames(model, q_rad);
+  return {kMillimetrePerMetre * skeleton.p_WShoulder, kMillimetrePerMetre * skeleton.p_WElbow,
+          kMillimetrePerMetre * skeleton.p_WTip, frames[0].linear().col(0), frames[4].linear().col(2)};
+}
+
+}  // namespace
+
+KinematicsPicture::KinematicsPicture()
+    : thin_actor_(makeActor(thin_.data(), Kind::Line)),
+      frame_actor_(makeActor(frame_.data(), Kind::Mark)),
+      mark_actor_(makeActor(mark_.data(), Kind::Mark)) {
+  setArm(*arm::findPreset(arm::kDefaultArm));
+}
+
+void KinematicsPicture::setTheme(const Theme& theme) {
+  theme_ = theme;
+}
+
+void KinematicsPicture::setArm(const arm::Preset& preset) {
+  geometry_ = preset.geometry;
+  limits_ = preset.limits;
+  model_ = arm::findModel(preset.name);
+}
+
+void KinematicsPicture::setLineWidth(double scale) {
+  thin_actor_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));
+  frame_actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));
+  mark_actor_->GetProperty()->SetLineWidth(static_cast<float>(3.0 * scale));
+}
+
+void KinematicsPicture::show(bool link_frames, bool ghosts, bool motion_ellipsoid, bool force_ellipsoid) {
+  frames_ = link_frames;
+  ghosts_ = ghosts;
+  motion_ = motion_ellipsoid;
+  force_ = force_ellipsoid;
+}
+
+void KinematicsPicture::present(const arm::JointAngles& q_rad) {
+  if (!std::all_of(q_rad.begin(), q_rad.end(), [](double angle) { return std::isfinite(angle); })) return;
+  q_rad_ = q_rad;
+  X_WT_ = arm::tipPose(geometry_, q_rad);
+  solutions_ = arm::solveAll(geometry_, limits_, X_WT_);
+  known_ = true;
+}
+
+std::optional<arm::JointAngles> KinematicsPicture::chosen_rad() const {
+  const arm::Solution* found = std::find_if(solutions_.begin(), solutions_.end(),
+                                            [this](const arm::Solution& one) { return chosen_ == one.branch; });
+  if (!known_ || found == solutions_.end()) return {};
+  return arm::onTheWay(q_rad_, found->q_rad, share_);
+}
+
+std::vector<Vec3> KinematicsPicture::extent_mm() const {
+  std::vector<Vec3> points;
+  if (!known_ || !ghosts_) return points;
+  for (const arm::Solution& solution : solutions_) {
+    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q_rad).p_WElbow;
+    points.push_back(elbow_mm + kNumber_mm * outwards(elbow_mm));
+  }
+  return points;
+}
+
+void KinematicsPicture::update(const OrbitCamera& camera) {
+  thin_.clear();
+  frame_.clear();
+  mark_.clear();
+  labels_.clear();
+  if (known_ && model_ != nullptr) {
+    if (ghosts_) addGhosts();
+    addEllipsoids();
+    if (frames_) addFrames();
+    if (const std::optional<arm::JointAngles> at_rad = chosen_rad()) addChosen(*at_rad, camera);
+  }
+  thin_.done();
+  frame_.done();
+  mark_.done();
+}
+
+void KinematicsPicture::addFrames() {
+  const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
+  const std::array<Pose, 6> frames = arm::linkFrames(*model_, q_rad_);
+  for (std::size_t index = 0; index < frames.size(); ++index) {
+    const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Vec3 direction = frames[index].linear().col(static_cast<Eigen::Index>(axis));
+      frame_.segment(origin_mm, origin_mm + kAxis_mm[index] * direction, colours[axis]);
+    }
+    const Vec3 z_W = frames[index].linear().col(2);  // the joint turns about it
+    // Frame 6 stands in the stylus, along it: its name at the stylus' end.
+    const double name_mm = kBeyond_mm + (index == 5 ? kStylus_mm : kAxis_mm[index]);
+    labels_.push_back({QString("{%1}").arg(index + 1), origin_mm + name_mm * z_W, theme_.ink, true});
+  }
+}
+
+void KinematicsPicture::addGhosts() {
+  // What lies outside the limits first, so that a line that is both is seen as a whole one.
+  for (const bool within : {false, true}) {
+    for (const arm::Solution& solution : solutions_) {
+      if (solution.within_limits == within) addGhost(solution);
+    }
+  }
+  addElbowNumbers();
+}
+
+void KinematicsPicture::addGhost(const arm::Solution& solution) {
+  const Figure at = figureOf(*model_, geometry_, solution.q_rad);
+  const std::array<std::array<Vec3, 2>, 4> strokes{{{at.shoulder_mm, at.elbow_mm},
+                                                    {at.elbow_mm, at.tip_mm},
+                                                    {at.shoulder_mm, at.shoulder_mm + kFacing_mm * at.facing_W},
+                                                    {at.tip_mm, at.tip_mm + kBend_mm * at.bend_W}}};
+  const QColor faint = mixed(theme_.background, theme_.virtual_robot, 0.75);
+  for (const auto& [a_mm, b_mm] : strokes) {
+    if (solution.within_limits)
+      thin_.segment(a_mm, b_mm, theme_.virtual_robot);
+    else
+      addDashes(thin_, a_mm, b_mm, faint);
+  }
+}
+
+// The eight have two elbows between them: a turret that faces away reaches the same place with the other elbow.
+void KinematicsPicture::addElbowNumbers() {
+  std::vector<Vec3> elbows_mm;
+  std::vector<QStringList> numbers;
+  for (const arm::Solution& solution : solutions_) {
+    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q_rad).p_WElbow;
+    std::size_t place = 0;
+    while (place < elbows_mm.size() && (elbows_mm[place] - elbow_mm).norm() > kSamePlace_mm) ++place;
+    if (place == elbows_mm.size()) {
+      elbows_mm.push_back(elbow_mm);
+      numbers.emplace_back();
+    }
+    numbers[place] << QString::number(numberOf(solution.branch));
+  }
+  for (std::size_t place = 0; place < elbows_mm.size(); ++place) {
+    labels_.push_back({QStringLiteral("no. ") + numbers[place].join(QLatin1Char(' ')),
+                       elbows_mm[place] + kNumber_mm * outwards(elbows_mm[place]),
+                       mixed(theme_.virtual_robot, theme_.ink, 0.35), false});
+  }
+}
+
+Vec3 KinematicsPicture::outwards(const Vec3& elbow_mm) const {
+  const Vec3 away_mm = elbow_mm - 0.5 * kMillimetrePerMetre * (geometry_.p_WB + X_WT_.translation());
+  return away_mm.norm() > 1e-6 ? Vec3(away_mm.normalized()) : Vec3::UnitY();
+}
+
+void KinematicsPicture::addChosen(const arm::JointAngles& q_rad, const OrbitCamera& camera) {
+  const Figure at = figureOf(*model_, geometry_, q_rad);
+  const QColor colour = theme_.virtual_robot;
+  const auto link = [&](const Vec3& a_mm, const Vec3& b_mm) {  // up to the rims of its hollow joints
+    const Vec3 way_mm = b_mm - a_mm;
+    if (way_mm.norm() < 2.0 * kHollow_mm) return;
+    const Vec3 rim_mm = kHollow_mm * way_mm.normalized();
+    mark_.segment(a_mm + rim_mm, b_mm - rim_mm, colour);
+  };
+  link(at.shoulder_mm, at.elbow_mm);
+  link(at.elbow_mm, at.tip_mm);
+  for (const Vec3& joint_mm : {at.shoulder_mm, at.elbow_mm, at.tip_mm}) {
+    mark_.circle(joint_mm, camera.right_W(), camera.up_W(), kHollow_mm, colour);
+  }
+  const Vec3 along_W = arm::tipPose(geometry_, q_rad).linear().col(2);
+  mark_.segment(at.tip_mm + kHollow_mm * along_W, at.tip_mm + kStylus_mm * along_W, colour);
+  mark_.segment(at.shoulder_mm + kHollow_mm * at.facing_W, at.shoulder_mm + kFacing_mm * at.facing_W, colour);
+  mark_.segment(at.tip_mm + kHollow_mm * at.bend_W, at.tip_mm + kBend_mm * at.bend_W, colour);
+}
+
+void KinematicsPicture::addEllipsoids() {
+  if (!motion_ && !force_) return;
+  const arm::Dexterity dexterity = arm::dexterity(geometry_, q_rad_);
+  if (motion_) {
+    const QColor colour = theme_.dark ? theme_.motion : mixed(theme_.motion, theme_.ink, 0.25);
+    addEllipsoid(dexterity, kMillimetrePerMetre * kTurn_rad * dexterity.gain_m, colour, QStringLiteral("v"));
+  }
+  if (force_ && force_limit_N_ > 0.0) {
+    const double scale_mm = kTorque_N_m * HandPicture::kArrow_mm / force_limit_N_;
+    Vec3 half_mm;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double gain_m = dexterity.gain_m[axis];
+      half_mm[axis] = gain_m * kLongest_mm > scale_mm ? scale_mm / gain_m : kLongest_mm;
+    }
+    addEllipsoid(dexterity, half_mm, theme_.force, QStringLiteral("f"));
+  }
+}
+
+void KinematicsPicture::addEllipsoid(const arm::Dexterity& dexterity, const Vec3& half_mm, const QColor& colour,
+                                     const QString& letter) {
+  const Vec3 tip_mm = kMillimetrePerMetre * X_WT_.translation();
+  std::array<Vec3, kEllipseParts> points;
+  for (int axis = 0; axis < 3; ++axis) {  // the ellipse in the plane of the other two
+    const int one = (axis + 1) % 3, other = (axis + 2) % 3;
+    for (int part = 0; part < kEllipseParts; ++part) {
+      const double angle = 2.0 * kPi * part / kEllipseParts;
+      points[static_cast<std::size_t>(part)] = tip_mm + half_mm[one] * std::cos(angle) * dexterity.axes_W.col(one) +
+                                               half_mm[other] * std::sin(angle) * dexterity.axes_W.col(other);
+    }
+    thin_.chain(points, colour, true);
+  }
+  Eigen::Index longest = 0;
+  half_mm.maxCoeff(&longest);
+  const Vec3 end_mm = tip_mm + (half_mm[longest] + kBeyond_mm) * dexterity.axes_W.col(longest);
+  labels_.push_back({letter, end_mm, colour, true});
+}
+
+}  // namespace underact::gui

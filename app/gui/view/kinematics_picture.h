@@ -1,0 +1,79 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/orbit_camera.h"
+#include "app/gui/view/pieces.h"
+#include "app/gui/view/workspace_picture.h"
+#include "core/arm/branches.h"
+#include "core/arm/forward.h"
+#include "core/arm/jacobian.h"
+#include "core/arm/model.h"
+
+namespace underact::gui {
+
+/// For teaching: the link frames, the inverse solutions as ghosts of the arm, and the ellipsoids that a ball of joint
+/// turns and one of joint torques become at the tip. A function of the arm, its joints, the chosen solution and the
+/// theme. All in lines: a see-through surface halves the frame rate of software GL.
+class KinematicsPicture {
+ public:
+  static constexpr double kTurn_rad = 0.25;     // motion ellipsoid: where the tip gets to by so much joint turn
+  static constexpr double kTorque_N_m = 0.05;   // force ellipsoid: the forces of so much torque, drawn as the arrow is
+  static constexpr double kLongest_mm = 160.0;  // at a singularity the force ellipsoid has no end: cut here
+
+  KinematicsPicture();
+  void setTheme(const Theme& theme);
+  void setArm(const arm::Preset& preset);
+  void setForceLimit(double continuous_N) { force_limit_N_ = continuous_N; }
+  void setLineWidth(double device_pixels_per_pixel);
+  void show(bool link_frames, bool ghosts, bool motion_ellipsoid, bool force_ellipsoid);
+  /// The solution that stands out, and how far its ghost has come from where the arm is: share 0 to 1.
+  void choose(const std::optional<arm::Branch>& branch) { chosen_ = branch; }
+  void setShare(double share) { share_ = share; }
+  /// Angles that are not finite: the last ones stay.
+  void present(const arm::JointAngles& q_rad);
+  /// As the camera sees it; builds lines and labels.
+  void update(const OrbitCamera& camera);
+
+  std::vector<vtkActor*> lines() const { return {thin_actor_}; }
+  // Link frames, whose axes lie in the links and in the stylus, and the ghost that stands out: nothing hides them.
+  std::vector<vtkActor*> marks() const { return {frame_actor_, mark_actor_}; }
+  const std::vector<Label>& labels() const { return labels_; }
+  std::vector<Vec3> extent_mm() const;
+  std::size_t ghostsDrawn() const { return ghosts_ ? solutions_.count : 0; }
+  std::optional<arm::JointAngles> chosen_rad() const;
+
+ private:
+  void addFrames();
+  void addGhosts();
+  void addGhost(const arm::Solution& solution);
+  void addChosen(const arm::JointAngles& q_rad, const OrbitCamera& camera);
+  void addEllipsoids();
+  void addEllipsoid(const arm::Dexterity& dexterity, const Vec3& half_mm, const QColor& colour, const QString& letter);
+  void addElbowNumbers();
+  Vec3 outwards(const Vec3& elbow_mm) const;  // a direction, away from the middle of shoulder and tip
+
+  Theme theme_ = Theme::light();
+  arm::Geometry geometry_;
+  arm::JointLimits limits_;
+  const arm::Model* model_ = nullptr;
+  double force_limit_N_ = 0.88;
+  bool frames_ = false, ghosts_ = false, motion_ = false, force_ = false;
+  std::optional<arm::Branch> chosen_;
+  double share_ = 1.0;
+
+  bool known_ = false;
+  arm::JointAngles q_rad_{};
+  Pose X_WT_ = Pose::Identity();
+  arm::Solutions solutions_;
+
+  Lines thin_, frame_, mark_;
+  vtkSmartPointer<vtkActor> thin_actor_, frame_actor_, mark_actor_;
+  std::vector<Label> labels_;
+};
+
+}  // namespace underact::gui
