@@ -111,17 +111,29 @@ TEST(KinematicsStory, TheSlidersMoveTheArmOnlyWhileTheServoIsStopped) {
   EXPECT_NEAR(degreesOf(joints_rad(story)[0]), 5.0, 0.5);  // and the others stay
 }
 
-TEST(KinematicsStory, SmallStepsAddUpAgainstFriction) {
+TEST(KinematicsStory, StepsAddUpFromWhatWasWishedAndNotFromWhereFrictionLeftTheArm) {
   Lesson story;
-  story.moveJoint(2, 40.0);
-  const double before_deg = degreesOf(joints_rad(story)[1]);
+  arm::JointAngles wished_rad = joints_rad(story);
+  story.moveJoint(1, 20.0);
+  story.moveJoint(3, 35.0);
   story.find("panel.kinematics.joint.2.number")->setFocus();
-  for (int step = 0; step < 4; ++step) {
+  for (int step = 0; step < 3; ++step) {
     story.key(Qt::Key_Up);  // 1 degree
     story.run(500);
   }
-  story.run(2000);
-  EXPECT_NEAR(degreesOf(joints_rad(story)[1]) - before_deg, 4.0, 0.7);
+  wished_rad[0] = 20.0 * kRadPerDegree;
+  wished_rad[1] += 3.0 * kRadPerDegree;
+  wished_rad[2] = 35.0 * kRadPerDegree;
+  const Pose X_WT = arm::tipPose(preset().geometry, wished_rad);
+  EXPECT_LT((story.arm().wished().p_WT - X_WT.translation()).norm(), 1e-9);
+  EXPECT_TRUE(story.arm().wished().R_WT.isApprox(X_WT.linear(), 1e-9));
+
+  story.arm().wish({Vec3(0.0, 0.0, 0.05), Vec3::Zero(), Mat3::Identity(), false});  // somebody else takes the hand
+  story.run(3000);
+  wished_rad = joints_rad(story);
+  wished_rad[0] = -10.0 * kRadPerDegree;
+  ASSERT_TRUE(story.perform("joint.set", 1, -10.0));
+  EXPECT_LT((story.arm().wished().p_WT - arm::tipPosition(preset().geometry, wished_rad)).norm(), 1e-9);
 }
 
 TEST(KinematicsStory, AJointAtItsLimitSaysSoAndGoesNoFurther) {
