@@ -1,0 +1,164 @@
+#include "core/target/influence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/trig.h"
+#include "core/base/units.h"
+
+namespace underact::target {
+namespace {
+
+/// Under this a cross product of unit vectors has no direction left.
+constexpr double kNoDirection = 8 * 0x1p-52;
+
+/// v without its part along the unit axis_W; twice, since near the axis the first pass leaves an error of its own size.
+Vec3 across(const Vec3& axis_W, Vec3 v) noexcept UNDERACT_REAL_TIME {
+  v -= v.dot(axis_W) * axis_W;
+  v -= v.dot(axis_W) * axis_W;
+  return v;
+}
+
+/// 0 to 1 over [0, 1] with no slope at both ends.
+double smooth(double share) noexcept UNDERACT_REAL_TIME {
+  const double x = std::clamp(share, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+/// How much the stylus's direction counts, 1 or less: by its angle from the shape's axis.
+double weightOf(const Influence& influence, double across_axis, double along_axis) noexcept UNDERACT_REAL_TIME {
+  if (across_axis <= kNoDirection) return 0.0;
+  if (!(influence.blend_rad > 0.0)) return 1.0;
+  return smooth(atan2Of(across_axis, std::abs(along_axis)) / influence.blend_rad);
+}
+
+/// delta on the side where the last one was, if both are near half a turn.
+double onTheSameSide(double delta_rad, const InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+  const bool near_tie = std::abs(delta_rad) > kPi - kTie_rad && std::abs(state.delta_rad) > 0.5 * kPi;
+  if (!state.begun || !near_tie || delta_rad * state.delta_rad >= 0.0) return delta_rad;
+  return delta_rad + std::copysign(2.0 * kPi, state.delta_rad);
+}
+
+/// The direction across the axis from the centre to the target, and what is known of it. on_axis: the tip's says
+/// nothing.
+struct Around {
+  Vec3 n_W = Vec3::Zero();
+  Angles angles;
+  bool is_unique = false;
+};
+
+Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W, bool on_axis, const Vec3& stylus_W,
+              InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+  const Vec3 turned_W = across(axis_W, influence.stylus_sign * stylus_W);
+  const double turned = turned_W.norm();
+  const double weight = weightOf(influence, turned, stylus_W.dot(axis_W));
+  Around result;
+  if (on_axis && weight <= 0.0) {
+    state.begun = false;
+    return result;
+  }
+  const Vec3 u_W = referenceAcross(axis_W), v_W = axis_W.cross(u_W);
+  const auto angleOf = [&](const Vec3& n_W) { return atan2Of(n_W.dot(v_W), n_W.dot(u_W)); };
+  const Vec3 stylus_n_W = turned > kNoDirection ? Vec3(turned_W / turned) : Vec3::Zero();
+  result.is_unique = true;
+  if (turned > kNoDirection) result.angles.alpha_rad = angleOf(stylus_n_W);
+  if (!on_axis) result.angles.beta_rad = angleOf(tip_W);
+  if (on_axis) {
+    result.n_W = stylus_n_W;
+    state.begun = false;
+  } else if (weight <= 0.0) {
+    result.n_W = tip_W;
+    state.begun = false;
+  } else {
+    const double delta_rad = onTheSameSide(atan2Of(axis_W.dot(stylus_n_W.cross(tip_W)), stylus_n_W.dot(tip_W)), state);
+    state = {delta_rad, Vec3::Zero(), true};
+    // Counted from the tip: position alone is then exact, and so is what the blend goes over to.
+    const double back_rad = weight * (1.0 - influence.t) * delta_rad;
+    const SinCos back = sinCos(-back_rad);
+    result.n_W = back.cos * tip_W + back.sin * axis_W.cross(tip_W);
+  }
+  result.angles.theta_rad = angleOf(result.n_W);
+  return result;
+}
+
+Influenced onCircle(const shape::Circle& circle, const Influence& influence, const Vec3& p_WT, const Vec3& stylus_W,
+                    InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+  const Vec3 p_CT_W = p_WT - circle.p_WC, radial_W = across(circle.axis_W, p_CT_W);
+  const double off_axis_m = radial_W.norm(), along_m = p_CT_W.dot(circle.axis_W);
+  const bool on_axis = shape::isOnAxis(off_axis_m, circle.p_WC, p_WT);
+  const Vec3 tip_W = on_axis ? Vec3::Zero() : Vec3(radial_W / off_axis_m);
+  const Around at = around(circle.axis_W, influence, tip_W, on_axis, stylus_W, state);
+  const double from_rim_m = off_axis_m - circle.radius_m;
+  const double distance_m = std::sqrt(along_m * along_m + from_rim_m * from_rim_m);
+  if (!at.is_unique) return {p_WT, at.angles, false, distance_m};
+  return {circle.p_WC + circle.radius_m * at.n_W, at.angles, true, distance_m};
+}
+
+Influenced onCylinder(const shape::Cylinder& cylinder, const Influence& influence, const Vec3& p_WT,
+                      const Vec3& stylus_W, InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+  const Vec3 p_CT_W = p_WT - cylinder.p_WC, radial_W = across(cylinder.axis_W, p_CT_W);
+  const double off_axis_m = radial_W.norm();
+  const bool on_axis = shape::isOnAxis(off_axis_m, cylinder.p_WC, p_WT);
+  const Vec3 tip_W = on_axis ? Vec3::Zero() : Vec3(radial_W / off_axis_m);
+  const Around at = around(cylinder.axis_W, influence, tip_W, on_axis, stylus_W, state);
+  const double distance_m = std::abs(off_axis_m - cylinder.radius_m);
+  if (!at.is_unique) return {p_WT, at.angles, false, distance_m};
+  const Vec3 p_WU = cylinder.p_WC + p_CT_W.dot(cylinder.axis_W) * cylinder.axis_W;
+  return {p_WU + cylinder.radius_m * at.n_W, at.angles, true, distance_m};
+}
+
+/// The axis of the arc from the stylus's direction to the tip's: theirs, or, where they are opposite, the last one.
+Vec3 arcAxis(const Vec3& from_W, const Vec3& to_W, const InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+  const Vec3 normal_W = from_W.cross(to_W);
+  const double sine = normal_W.norm();
+  if (sine > kNoDirection) return normal_W / sine;
+  const Vec3 last_W = state.begun ? across(from_W, state.about_W) : Vec3::Zero();
+  const double length = last_W.norm();
+  return length > 0.5 ? Vec3(last_W / length) : referenceAcross(from_W);
+}
+
+Influenced onSphere(const shape::Sphere& sphere, const Influence& influence, const Vec3& p_WT, const Vec3& stylus_W,
+                    InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+  const Vec3 p_CT_W = p_WT - sphere.p_WC, from_W = influence.stylus_sign * stylus_W;
+  const double off_m = p_CT_W.norm(), distance_m = std::abs(off_m - sphere.radius_m);
+  if (shape::isOnAxis(off_m, sphere.p_WC, p_WT)) {  // the centre: orientation alone
+    state.begun = false;
+    return {sphere.p_WC + sphere.radius_m * from_W, {0.0, kNotANumber, 0.0}, true, distance_m};
+  }
+  const Vec3 to_W = p_CT_W / off_m;
+  const double beta_rad = atan2Of(from_W.cross(to_W).norm(), from_W.dot(to_W));
+  const Vec3 about_W = arcAxis(from_W, to_W, state);
+  state = {beta_rad, about_W, true};
+  const SinCos back = sinCos(-(1.0 - influence.t) * beta_rad);
+  const Vec3 n_W = back.cos * to_W + back.sin * about_W.cross(to_W);
+  return {sphere.p_WC + sphere.radius_m * n_W, {0.0, beta_rad, influence.t * beta_rad}, true, distance_m};
+}
+
+}  // namespace
+
+Vec3 referenceAcross(const Vec3& axis_W) noexcept {
+  Eigen::Index most = 0;
+  for (Eigen::Index axis = 1; axis < 3; ++axis) {
+    if (std::abs(axis_W[axis]) < std::abs(axis_W[most])) most = axis;
+  }
+  Vec3 direction_W = Vec3::Zero();
+  direction_W[most] = 1.0;
+  const Vec3 perpendicular_W = across(axis_W, direction_W);
+  return perpendicular_W / perpendicular_W.norm();
+}
+
+Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
+                            const Vec3& stylus_W, InfluenceState& state) noexcept {
+  if (const auto* circle = std::get_if<shape::Circle>(&shape)) {
+    return onCircle(*circle, influence, p_WT, stylus_W, state);
+  }
+  if (const auto* cylinder = std::get_if<shape::Cylinder>(&shape)) {
+    return onCylinder(*cylinder, influence, p_WT, stylus_W, state);
+  }
+  if (const auto* sphere = std::get_if<shape::Sphere>(&shape)) {
+    return onSphere(*sphere, influence, p_WT, stylus_W, state);
+  }
+  return {p_WT, {}, false, 0.0};
+}
+
+}  // namespace underact::target

@@ -1,0 +1,52 @@
+#pragma once
+#include "core/base/real_time.h"
+#include "core/shape/shape.h"
+
+namespace underact::target {
+
+/// How much of the stylus's turn goes into the target on a circle, a cylinder or a sphere.
+struct Influence {
+  double t = 1.0;            // 0: the orientation-nearest point alone, 1: the position-nearest point alone
+  double stylus_sign = 1.0;  // the stylus's direction is +z of frame 6, or -z
+  double blend_rad = 0.0;    // within it of the shape's axis the stylus's direction says less and less
+};
+
+/// The angles of figure 5.7 about the shape's axis, rad, from the reference direction referenceAcross(); for a sphere
+/// alpha is 0, beta the angle from the stylus's direction to the tip's, theta the target's between them. NaN:
+/// undefined.
+struct Angles {
+  double alpha_rad = kNotANumber;  // of the stylus
+  double beta_rad = kNotANumber;   // of the tip
+  double theta_rad = kNotANumber;  // of the target
+};
+
+/// All memory: which way round the last target went.
+struct InfluenceState {
+  double delta_rad = 0.0;       // from alpha to beta, unwrapped by up to kTie_rad
+  Vec3 about_W = Vec3::Zero();  // of a sphere: the axis of the last arc
+  bool begun = false;
+};
+
+/// Past half a turn the target goes on along the arc it is on by as much as this, so that a tremble about the tie does
+/// not throw it to the other side.
+inline constexpr double kTie_rad = 0.2;
+
+struct Influenced {
+  Vec3 p_WP = Vec3::Zero();
+  Angles angles;
+  bool is_unique = false;   // false: neither the tip nor the stylus says where; p_WP is the tip
+  double distance_m = 0.0;  // of the tip from the shape
+};
+
+/// A direction across the axis, the same for all who ask: the coordinate axis that is most across it (the first of
+/// equals), made perpendicular.
+Vec3 referenceAcross(const Vec3& axis_W) noexcept UNDERACT_REAL_TIME;
+
+/// The target between orientation- and position-nearest point, along the shorter arc: theta = alpha + t wrap(beta -
+/// alpha). p_WT: m, finite; stylus_W: z of frame 6, unit. Along the axis the stylus says nothing, and the target goes
+/// over to position smoothly within blend_rad; tip on the axis: orientation alone; both: not unique. Any other shape:
+/// not unique. Cost: constant. Source: Beckman 2007, eq. 5.1-5.4 (errata 5.3, 5.4; 3-D form of errata section 4).
+Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
+                            const Vec3& stylus_W, InfluenceState& state) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::target
