@@ -26,8 +26,9 @@ Exit check(const std::vector<std::string>& paths, const Streams& streams) {
 }
 
 /// The quantities that a tick may need, in the words of scene show.
-std::array<std::pair<const char*, bool>, 6> needsOf(const tick::Needs& needs) {
+std::array<std::pair<const char*, bool>, 7> needsOf(const tick::Needs& needs) {
   return {{{"position", true},
+           {"orientation", needs.orientation},
            {"error_rate", needs.rate},
            {"error_integral", needs.integral},
            {"gain_metric", needs.metric},

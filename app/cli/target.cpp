@@ -37,8 +37,8 @@ Status statusOf(const tick::HeldList& held) {
   return status;
 }
 
-JsonObject answer(const LoadedScene& loaded, const Vec3& p_WT) {
-  const tick::TickReport report = tick::answerAtRest(loaded.program, p_WT);
+JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
+  const tick::TickReport report = tick::answerAtRest(loaded.program, pose.p_WT, pose.R_WT);
   const double max_force_N = loaded.program.limits.max_force_N;
   std::vector<JsonObject> constraints;
   for (std::size_t index = 0; index < report.held.size(); ++index) {
@@ -68,7 +68,7 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
     if (program.needs.joints && !arm::reach(program.geometry, pose.value().p_WT).reachable) {
       return Problems{{"The arm cannot reach this place, and the scene's control works on its joints.", {}}};
     }
-    return answer(loaded.value(), pose.value().p_WT);
+    return answer(loaded.value(), pose.value());
   });
 }
 

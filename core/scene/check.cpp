@@ -19,6 +19,7 @@ constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: 
 constexpr double kHighestGain = 1e12;    // far beyond any arm; keeps newtons finite wherever the tip is
 constexpr double kRotationError = 1e-6;  // as shape::makeBox
 // Half axes of the shape in the gains' own metric go with the root of the ratio.
+constexpr double kWidestBlend_deg = 30.0;
 constexpr double kSmallestGainRatio = 1e-12;
 
 using json::numberText;
@@ -65,6 +66,7 @@ class Checker {
   void checkControl(const std::string& key, const Control& control);
   void checkConstraint(std::size_t index);
   void checkMetric(const std::string& key, const Control& control, const Shape& shape);
+  void checkInfluence(const Constraint& constraint, const Control& control);
   void checkName(const std::string& key, const std::string& name);
 
   const Description& scene_;
@@ -134,6 +136,31 @@ void Checker::checkName(const std::string& key, const std::string& name) {
   if (!is_new) add(key, "The name " + json::shown(name) + " is taken by " + first->second + "; names must differ.");
 }
 
+void Checker::checkInfluence(const Constraint& constraint, const Control& control) {
+  const std::string key = path_ + ".influence";
+  const Influence& influence = *constraint.influence;
+  if (!takesInfluence(constraint.shape)) {
+    add(key, std::string("A ") + typeName(constraint.shape) + " has no influence.");
+  }
+  if (!(influence.t >= 0.0 && influence.t <= 1.0)) {
+    add(key + ".t",
+        "This must be from 0 (orientation only) to 1 (position only); here it is " + numberText(influence.t) + ".");
+  }
+  if (!(influence.blend_deg >= 0.0 && influence.blend_deg <= kWidestBlend_deg)) {
+    add(key + ".blend_deg", "This must be from 0 to 30 degrees; here it is " + numberText(influence.blend_deg) + ".");
+  }
+  if (constraint.side != target::Side::Both) {
+    add(key,
+        "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" or \"influence\" away.");
+  }
+  const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
+  if (weighted && !allSame(control.gains.kp_N_per_mm)) {
+    add(key,
+        "With influence the target is not the nearest point of the gains' own metric. Set \"anisotropy\" to "
+        "\"euclidean\" in the control, or give every axis the same kp.");
+  }
+}
+
 void Checker::checkConstraint(std::size_t index) {
   const Constraint& constraint = scene_.constraints[index];
   line_ = constraint.place.line;
@@ -150,6 +177,7 @@ void Checker::checkConstraint(std::size_t index) {
   if (constraint.side != target::Side::Both && !hasSides(constraint.shape)) {
     add(path_ + ".side", std::string("A ") + typeName(constraint.shape) + " has no inside and no outside.");
   }
+  if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);
   checkMetric(path_, controlOf(scene_, index), constraint.shape);
 }

@@ -98,8 +98,13 @@ Result<tick::TickProgram> compile(const Description& scene) {
       continue;
     }
     const Vec3 lever_m = control.space == tick::Space::Joint ? leversOf(preset.geometry) : Vec3::Ones();
-    entries.push_back({target::makeConstraint(made.value(), constraint.side, metricOf(control)),
-                       lawOf(control, preset.continuous_force_N, lever_m), control.space});
+    target::Constraint held = target::makeConstraint(made.value(), constraint.side, metricOf(control));
+    if (constraint.influence) {
+      const double sign = constraint.influence->stylus_axis == StylusAxis::PlusZ ? 1.0 : -1.0;
+      held.influence = {constraint.influence->t, sign, kRadPerDegree * constraint.influence->blend_deg};
+      held.influenced = true;
+    }
+    entries.push_back({held, lawOf(control, preset.continuous_force_N, lever_m), control.space});
   }
   if (!problems.empty()) return problems;
   safety::Limits limits;

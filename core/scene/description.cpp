@@ -19,6 +19,11 @@ bool hasSides(const Shape& shape) {
   return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kHasSides; }, shape);
 }
 
+bool takesInfluence(const Shape& shape) {
+  return std::holds_alternative<Circle>(shape) || std::holds_alternative<Cylinder>(shape) ||
+         std::holds_alternative<Sphere>(shape);
+}
+
 std::string madeUpName(const Constraint& constraint, std::size_t index) {
   return std::string(typeName(constraint.shape)) + " " + std::to_string(index + 1);
 }

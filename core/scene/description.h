@@ -69,12 +69,22 @@ struct Control {
   bool operator==(const Control&) const = default;
 };
 
+/// How much of the stylus's turn goes into the target; circle, cylinder and sphere.
+enum class StylusAxis : std::uint8_t { PlusZ, MinusZ };
+struct Influence {
+  double t = 0.5;  // 0: orientation only, 1: position only
+  StylusAxis stylus_axis = StylusAxis::PlusZ;
+  double blend_deg = 5.0;
+  bool operator==(const Influence&) const = default;
+};
+
 struct Constraint {
   std::string name;  // unique in the scene; made up from type and number where the file gives none
   Shape shape;
   target::Side side = target::Side::Both;
-  std::optional<Control> control;  // its own; else the scene's
-  Place place = {};                // of the constraint in its file
+  std::optional<Control> control;           // its own; else the scene's
+  Place place = {};                         // of the constraint in its file
+  std::optional<Influence> influence = {};  // none: position only
 };
 
 struct Description {

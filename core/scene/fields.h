@@ -107,10 +107,14 @@ inline constexpr Word<Anisotropy> kAnisotropyWords[] = {{"weighted", Anisotropy:
                                                         {"euclidean", Anisotropy::Euclidean}};
 inline constexpr Word<tick::Space> kSpaceWords[] = {{"cartesian", tick::Space::Cartesian},
                                                     {"joint", tick::Space::Joint}};
+inline constexpr Word<StylusAxis> kStylusAxisWords[] = {{"+z", StylusAxis::PlusZ}, {"-z", StylusAxis::MinusZ}};
 inline constexpr Word<target::Side> kSideWords[] = {
     {"both", target::Side::Both}, {"outside", target::Side::Outside}, {"inside", target::Side::Inside}};
 inline constexpr Word<tick::Combine> kCombineWords[] = {{"sum", tick::Combine::Sum},
                                                         {"nearest", tick::Combine::Nearest}};
+
+/// Whether the type takes an influence: a circle, a cylinder, a sphere.
+bool takesInfluence(const Shape& shape);
 
 /// Whether the type parts the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);

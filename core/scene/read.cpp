@@ -11,7 +11,7 @@ namespace underact::scene {
 namespace {
 
 constexpr double kVersion = 1.0;
-const std::vector<std::string> kLaterKeys{"influence", "velocity", "friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
 
 void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);

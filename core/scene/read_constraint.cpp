@@ -9,7 +9,7 @@ namespace {
 
 // In the contract, but not in this version.
 const std::vector<std::string> kLaterTypes{"mesh", "virtual_manipulator", "curve"};
-const std::vector<std::string> kLaterKeys{"influence", "velocity", "friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
 
 template <std::size_t... kIndex>
 std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
@@ -83,6 +83,30 @@ void readSide(ObjectReader& object, Constraint& into) {
   }
 }
 
+void readInfluence(ObjectReader& object, Constraint& into) {
+  if (!takesInfluence(into.shape)) {
+    object.refuse("influence", std::string("A ") + typeName(into.shape) +
+                                   " has no influence; a circle, a cylinder and a sphere have. Take it away.");
+    return;
+  }
+  const json::Value* const value = object.find("influence");
+  if (value == nullptr) return;
+  const std::string path = object.pathOf("influence");
+  into.influence.emplace();
+  if (!isKind(*value, json::Kind::Object, path, "an object, as in {\"t\": 0.5}", object.findings())) return;
+  ObjectReader reader(*value, path, "an influence", object.findings());
+  if (const json::Value* t = reader.find("t", true)) {
+    readNumber(*t, reader.pathOf("t"), into.influence->t, object.findings());
+  }
+  if (const json::Value* axis = reader.find("stylus_axis")) {
+    readWord(*axis, reader.pathOf("stylus_axis"), kStylusAxisWords, into.influence->stylus_axis, object.findings());
+  }
+  if (const json::Value* blend = reader.find("blend_deg")) {
+    readNumber(*blend, reader.pathOf("blend_deg"), into.influence->blend_deg, object.findings());
+  }
+  reader.finish();
+}
+
 }  // namespace
 
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
@@ -101,6 +125,7 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
     object.setWhat(std::string("a ") + typeName(into.shape));
     readFields(object, into.shape);
     readSide(object, into);
+    readInfluence(object, into);
   }
   if (const json::Value* control = object.find("control")) {
     into.control = readControl(*control, object.pathOf("control"), findings);

@@ -75,6 +75,16 @@ bool isUsual(const Control& control) {
   return same;
 }
 
+std::string influenceText(const Influence& influence) {
+  const Influence usual;
+  Members members{{"t", text(influence.t)}};
+  if (influence.stylus_axis != usual.stylus_axis) {
+    members.emplace_back("stylus_axis", json::quoted(wordOf(kStylusAxisWords, influence.stylus_axis)));
+  }
+  if (influence.blend_deg != usual.blend_deg) members.emplace_back("blend_deg", text(influence.blend_deg));
+  return objectText(members, 6);
+}
+
 std::string constraintText(const Constraint& constraint, std::size_t index) {
   Members members;
   if (constraint.name != madeUpName(constraint, index)) members.emplace_back("name", json::quoted(constraint.name));
@@ -93,6 +103,7 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
   if (constraint.side != target::Side::Both) {
     members.emplace_back("side", json::quoted(wordOf(kSideWords, constraint.side)));
   }
+  if (constraint.influence) members.emplace_back("influence", influenceText(*constraint.influence));
   if (constraint.control) members.emplace_back("control", controlText(*constraint.control, 6));
   return objectText(members, 4);
 }

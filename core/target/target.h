@@ -3,6 +3,7 @@
 
 #include "core/base/real_time.h"
 #include "core/shape/shape.h"
+#include "core/target/influence.h"
 
 namespace underact::target {
 
@@ -15,6 +16,8 @@ struct Constraint {
   Side side = Side::Both;
   bool weighted = false;  // nearest in the metric of scale^2, not of lengths
   Vec3 scale = Vec3::Ones();
+  bool influenced = false;  // the stylus's turn has a part in the target: influence (both sides, not weighted)
+  Influence influence = {};
 };
 
 /// Free: an untouched wall. Degenerate: several points are equally near, so nothing says where to pull.
@@ -25,6 +28,7 @@ struct Target {
   Vec3 p_WP = Vec3::Zero();  // m; the tip itself unless Unique, so that the error is zero
   Status status = Status::Degenerate;
   double distance_m = 0.0;  // from the shape, in W (Degenerate and weighted: in the metric); 0 for a free wall
+  Angles angles = {};       // of an influenced one
 };
 
 /// stiffness: the gains, any unit, whose metric decides what is nearest; all equal means the Euclidean metric. Each
@@ -34,6 +38,10 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 /// p_WT: m, finite. Cost: constant for each shape.
 /// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
 Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
+
+/// The same for an influenced constraint; stylus_W: z of frame 6, unit.
+Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W,
+                        InfluenceState& state) noexcept UNDERACT_REAL_TIME;
 
 /// "unique", "degenerate", "free": the words of the command line.
 const char* name(Status status);

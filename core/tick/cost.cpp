@@ -17,7 +17,8 @@ constexpr double kByIteration_ns = 135.0;  // what unequal gains make of sphere,
 constexpr double kP_ns = 1.0;
 constexpr double kPD_ns = 12.0;
 constexpr double kPID_ns = 18.0;
-constexpr double kJoints_ns = 250.0;  // the joints that a target asks for, and the force of their torques
+constexpr double kInfluence_ns = 130.0;  // the wrist, and the target between orientation and position
+constexpr double kJoints_ns = 250.0;     // the joints that a target asks for, and the force of their torques
 
 struct ShapeCost {
   double operator()(const shape::Point&) const { return kPoint_ns; }
@@ -45,6 +46,7 @@ double predictedCost_ns(const TickProgram& program) {
   double cost_ns = kKinematics_ns + kGateAndReport_ns;
   for (const Entry& entry : program.entries) {
     cost_ns += std::visit(ShapeCost{}, entry.constraint.shape) + std::visit(LawCost{}, entry.law);
+    if (entry.constraint.influenced) cost_ns += kInfluence_ns;
     if (entry.space == Space::Joint) cost_ns += kJoints_ns;
   }
   return cost_ns;

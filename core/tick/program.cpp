@@ -10,6 +10,7 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
   for (const Entry& entry : program.entries) {
     program.needs.rate |= control::needsRate(entry.law);
     program.needs.integral |= control::needsIntegral(entry.law);
+    program.needs.orientation |= entry.constraint.influenced;
     program.needs.metric |= entry.constraint.weighted;
     program.needs.joints |= entry.space == Space::Joint;
   }
@@ -20,13 +21,14 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
 TickState makeState(const TickProgram& program) {
   TickState state;
   if (program.needs.rate) state.laws.resize(program.entries.size());
+  if (program.needs.orientation) state.influences.resize(program.entries.size());
   if (program.needs.joints) state.followers.resize(program.entries.size());
   return state;
 }
 
 std::size_t bytesOf(const TickState& state) {
   return sizeof(TickState) + state.laws.size() * sizeof(control::LawState) +
-         state.followers.size() * sizeof(arm::FollowerState);
+         state.influences.size() * sizeof(target::InfluenceState) + state.followers.size() * sizeof(arm::FollowerState);
 }
 
 void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
@@ -38,6 +40,10 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   if (what == Carry::Arm) return;
   if (last.laws.size() == next.laws.size()) {
     for (std::size_t index = 0; index < next.laws.size(); ++index) next.laws[index] = last.laws[index];
+  }
+  if (last.influences.size() == next.influences.size()) {
+    for (std::size_t index = 0; index < next.influences.size(); ++index)
+      next.influences[index] = last.influences[index];
   }
   if (last.followers.size() == next.followers.size()) {
     for (std::size_t index = 0; index < next.followers.size(); ++index) next.followers[index] = last.followers[index];

@@ -16,13 +16,14 @@ inline constexpr std::size_t kMaxConstraints = 64;
 /// How several constraints become one force.
 enum class Combine : std::uint8_t { Sum, Nearest };
 
-/// What a tick computes: these quantities and no others. The tip's position is always there; the wrist never yet.
+/// What a tick computes: these quantities and no others. The tip's position is always there.
 struct Needs {
-  bool rate = false;      // of the error (PD, PID)
-  bool integral = false;  // of the error (PID)
-  bool metric = false;    // nearest in the gains' own metric (unequal gains)
-  bool choice = false;    // which constraint is nearest (combine: nearest)
-  bool joints = false;    // the joints that the target asks for, and J_p (space: joint)
+  bool orientation = false;  // of the stylus: the wrist (influence)
+  bool rate = false;         // of the error (PD, PID)
+  bool integral = false;     // of the error (PID)
+  bool metric = false;       // nearest in the gains' own metric (unequal gains)
+  bool choice = false;       // which constraint is nearest (combine: nearest)
+  bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
 };
 
 /// Where a law works. Cartesian: force from the error, N from m. Joint: torques of joints 1 to 3 from their errors,
@@ -56,8 +57,9 @@ struct TickState {
   Vec3 p_WT = Vec3::Zero();  // the last tip that was known
   bool limited = false;      // the gate cut or ramped the last force
   safety::GateState gate;
-  std::vector<control::LawState> laws;        // one for each entry; none where no law remembers anything
-  std::vector<arm::FollowerState> followers;  // one for each entry; none where no law works on joints
+  std::vector<control::LawState> laws;             // one for each entry; none where no law remembers anything
+  std::vector<target::InfluenceState> influences;  // one for each entry; none where no target is influenced
+  std::vector<arm::FollowerState> followers;       // one for each entry; none where no law works on joints
 };
 
 TickState makeState(const TickProgram& program);

@@ -15,7 +15,8 @@ struct Held {
   Vec3 f_T_W = Vec3::Zero();  // its own force, before the gate
   target::Status status = target::Status::Free;
   double distance_m = 0.0;
-  bool acts = false;  // it has a part in the force (not where it is free or another is nearer)
+  bool acts = false;           // it has a part in the force (not where it is free or another is nearer)
+  target::Angles angles = {};  // of an influenced target
 };
 
 /// Up to kMaxConstraints of them, in place; a copy copies only those in use.
@@ -44,16 +45,17 @@ class HeldList {
 /// All results of a tick: what view, plots and recorder know of it is in here.
 struct TickReport {
   arm::Sample sample;
-  Vec3 p_WT = Vec3::Zero();   // the tip
-  HeldList held;              // in the order of the scene
-  Vec3 f_T_W = Vec3::Zero();  // asked, before the gate
-  safety::GatedForce force;   // sent
-  double level = 0.0;         // share that the ramps let through
-  double cut_N = 0.0;         // what the clamp took away
-  Fault fault;                // why the force is zero, if a fault is why
-  int branch_changes = 0;     // space joint: joints asked for that went over to another branch of the arm this tick
-  bool out_of_reach = false;  // space joint: a target that the arm cannot reach; its joints are the nearest ones
-  double damping_m = 0.0;     // space joint: how far torques were damped near a singularity; 0: exact
+  Vec3 p_WT = Vec3::Zero();      // the tip
+  Vec3 stylus_W = Vec3::Zero();  // its direction, z of frame 6; zero where the program does not need it
+  HeldList held;                 // in the order of the scene
+  Vec3 f_T_W = Vec3::Zero();     // asked, before the gate
+  safety::GatedForce force;      // sent
+  double level = 0.0;            // share that the ramps let through
+  double cut_N = 0.0;            // what the clamp took away
+  Fault fault;                   // why the force is zero, if a fault is why
+  int branch_changes = 0;        // space joint: joints asked for that went over to another branch of the arm this tick
+  bool out_of_reach = false;     // space joint: a target that the arm cannot reach; its joints are the nearest ones
+  double damping_m = 0.0;        // space joint: how far torques were damped near a singularity; 0: exact
 };
 
 /// The distance between tip and target over the constraints that act: root of the sum of squares, m. 0 where none does.

@@ -5,7 +5,7 @@
 
 namespace underact::tick {
 
-TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT) {
+TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT) {
   TickProgram there = program;
   TickInput input;
   if (program.needs.joints) {
@@ -15,6 +15,7 @@ TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT) {
     // places that the real arm cannot reach, too.
     there.geometry = {0.0, 0.0, p_WT};
   }
+  if (program.needs.orientation) input.sample.q_rad = arm::withWrist(input.sample.q_rad, R_WT);
   TickState state = makeState(there);
   TickReport report;
   step(there, input, state, report);

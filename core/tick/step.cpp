@@ -15,6 +15,7 @@ constexpr double kLongestTick_s = 0.1;
 
 void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (control::LawState& law : state.laws) law = control::LawState{};
+  for (target::InfluenceState& influence : state.influences) influence.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
 }
 
@@ -36,11 +37,26 @@ Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcep
   return {};
 }
 
-void findTargets(const TickProgram& program, TickReport& report) noexcept UNDERACT_REAL_TIME {
+/// Where the tip is; and where the stylus points, if any target asks.
+void lookAtArm(const TickProgram& program, const arm::Sample& sample, TickState& state,
+               TickReport& report) noexcept UNDERACT_REAL_TIME {
+  if (!program.needs.orientation) {
+    state.p_WT = arm::tipPosition(program.geometry, sample.q_rad);
+    return;
+  }
+  const Pose X_WT = arm::tipPose(program.geometry, sample.q_rad);
+  state.p_WT = X_WT.translation();
+  report.stylus_W = X_WT.linear().col(2);
+}
+
+void findTargets(const TickProgram& program, TickState& state, TickReport& report) noexcept UNDERACT_REAL_TIME {
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    const target::Target target = nearestTarget(program.entries[index].constraint, report.p_WT);
+    const target::Constraint& constraint = program.entries[index].constraint;
+    const target::Target target =
+        constraint.influenced ? influencedTarget(constraint, report.p_WT, report.stylus_W, state.influences[index])
+                              : nearestTarget(constraint, report.p_WT);
     const bool acts = target.status != target::Status::Free;
-    report.held[index] = {target.p_WP, Vec3::Zero(), target.status, target.distance_m, acts};
+    report.held[index] = {target.p_WP, Vec3::Zero(), target.status, target.distance_m, acts, target.angles};
   }
 }
 
@@ -131,6 +147,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   const Fault fault = judge(input, state, dt_s);
   report.sample = input.sample;
   report.held.resize(0);
+  report.stylus_W.setZero();
   report.f_T_W.setZero();
   report.branch_changes = 0;
   report.out_of_reach = false;
@@ -140,10 +157,10 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     const double law_dt_s = dt_s <= kLongestTick_s ? dt_s : 0.0;
     if (dt_s > kLongestTick_s) forget(state);
     gate_dt_s = law_dt_s;
-    state.p_WT = arm::tipPosition(program.geometry, input.sample.q_rad);
+    lookAtArm(program, input.sample, state, report);
     report.p_WT = state.p_WT;  // the targets are found from it
     report.held.resize(program.entries.size());
-    findTargets(program, report);
+    findTargets(program, state, report);
     if (program.needs.choice) keepNearest(report.held);
     const bool stopped = state.gate.fault.kind != FaultKind::None && !input.restart;
     const bool idle = stopped || (!input.engage && state.gate.level == 0.0);

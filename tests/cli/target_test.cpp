@@ -231,5 +231,16 @@ TEST(Target, RefusesEveryInvalidGoldenShape) {
   }
 }
 
+TEST(Target, WithInfluenceTheTurnOfTheStylusSaysWhere) {
+  const std::string ring =
+      R"({"type": "circle", "center_mm": [0, 0, 0], "normal": [0, 0, 1], "radius_mm": 50, "influence": {"t": 0.5}})";
+  // The first case of the golden file: tip along x, stylus along y, so half way between them.
+  const Value one = answer(sceneText(ring), R"({"p_mm": [60, 0, 0], "R_WT": [[0, 1, 0], [0, 0, 1], [1, 0, 0]]})");
+  EXPECT_LE((vectorAt(one, "q_mm") - Vec3(35.35533905932738, 35.35533905932738, 0.0)).norm(), 1e-12);
+  EXPECT_LE((vectorAt(one, "force_N") - Vec3(-12.322330470336311, 17.67766952966369, 0.0)).norm(), 1e-12);
+  // Without a turn the stylus stands along the axis: position alone.
+  EXPECT_LE((vectorAt(answer(sceneText(ring), R"({"p_mm": [60, 0, 0]})"), "q_mm") - Vec3(50, 0, 0)).norm(), 1e-13);
+}
+
 }  // namespace
 }  // namespace underact::test

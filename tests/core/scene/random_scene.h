@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/scene/fields.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::test {
@@ -27,6 +28,16 @@ class RandomScene {
       const std::size_t type = constraint.shape.index();
       if (type != 0 && type != 2 && type != 4) constraint.side = static_cast<target::Side>(random_.below(3));
       if (chance(3)) constraint.control = control();
+      const scene::Control& held = constraint.control ? *constraint.control : made.control;
+      const Vec3& kp = held.gains.kp_N_per_mm;
+      const bool own_metric = held.anisotropy == scene::Anisotropy::Weighted && held.space == tick::Space::Cartesian &&
+                              !(kp.x() == kp.y() && kp.y() == kp.z());
+      if (scene::takesInfluence(constraint.shape) && constraint.side == target::Side::Both && !own_metric &&
+          chance(3)) {
+        constraint.influence = scene::Influence{random_.between(0.0, 1.0),
+                                                chance(2) ? scene::StylusAxis::PlusZ : scene::StylusAxis::MinusZ,
+                                                chance(2) ? 5.0 : random_.between(0.0, 30.0)};
+      }
     }
     return made;
   }

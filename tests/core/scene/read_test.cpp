@@ -228,7 +228,8 @@ TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
         std::string("2:10: constraints[0].type: The type \"") + type + "\" is not in this version of Underact.\n");
   }
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "influence": {"t": 0.5}})"),
-            "2:45: constraints[0].influence: \"influence\" is not in this version of Underact.\n");
+            "2:45: constraints[0].influence: A point has no influence; a circle, a cylinder and a sphere have. Take it "
+            "away.\n");
   for (const char* key : {"velocity", "friction", "search", "damping"}) {
     const std::string sentence = std::string(": \"") + key + "\" is not in this version of Underact.\n";
     EXPECT_EQ(problemWith("\"" + std::string(key) + "\": {},"), "1:2: " + std::string(key) + sentence);
@@ -307,6 +308,33 @@ TEST(ReadSceneFile, RefusesWhatIsTooLargeToBeAScene) {
   EXPECT_EQ(large.problems()[0].sentence, "The file is larger than 16 MiB; a scene is far smaller.");
   const Result<Description> endless = readSceneFile("/dev/zero");
   ASSERT_FALSE(endless);
+}
+
+const std::string kRing = R"({"type": "circle", "center_mm": [0, 0, 0], "normal": [0, 0, 1], "radius_mm": 50, )";
+
+TEST(ReadScene, AnInfluenceIsReadWithItsDefaults) {
+  const Result<Description> read =
+      readScene(test::sceneWith(kRing + R"("influence": {"t": 0.25, "stylus_axis": "-z"}})"), "test.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read.value().constraints[0].influence, (Influence{0.25, StylusAxis::MinusZ, 5.0}));
+}
+
+TEST(ReadScene, WhatIsWrongWithAnInfluenceIsSaid) {
+  const auto problem = [](const std::string& rest) { return problemOf(kRing + rest + "}"); };
+  EXPECT_NE(problem(R"("influence": {})").find("influence.t: The key \"t\" is missing"), std::string::npos);
+  EXPECT_NE(problem(R"("influence": {"t": 1.5})").find("from 0 (orientation only) to 1"), std::string::npos);
+  EXPECT_NE(problem(R"("influence": {"t": 0, "blend_deg": 31})").find("from 0 to 30 degrees"), std::string::npos);
+  EXPECT_NE(problem(R"("influence": {"t": 0, "stylus_axis": "x"})").find("\"+z\" or \"-z\""), std::string::npos);
+  EXPECT_NE(problem(R"("influence": 0.5)").find("an object"), std::string::npos);
+  EXPECT_NE(problem(R"("influence": {"t": 0, "T": 1})").find("not known in an influence"), std::string::npos);
+  EXPECT_NE(problem(R"("influence": {"t": 0}, "control": {"kp_N_per_mm": [1, 2, 3]})").find("gains' own metric"),
+            std::string::npos);
+  EXPECT_EQ(problem(R"("influence": {"t": 0}, "control": {"kp_N_per_mm": [1, 2, 3], "anisotropy": "euclidean"})"), "");
+  EXPECT_NE(
+      problemOf(
+          R"({"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 5, "side": "outside", "influence": {"t": 1}})")
+          .find("A wall has no influence"),
+      std::string::npos);
 }
 
 }  // namespace
