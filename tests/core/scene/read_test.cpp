@@ -199,9 +199,10 @@ TEST(ReadScene, AnUnknownKeyIsTakenForTheNearestKnownOne) {
     EXPECT_EQ(meant(slip),
               at + slip + ": The key \"" + slip + "\" is not known in a sphere. Did you mean \"radius_mm\"?\n");
   }
-  EXPECT_NE(meant("position_of_it")
-                .find("Known are \"name\", \"type\", \"center_mm\", \"radius_mm\", \"side\" and \"control\"."),
-            std::string::npos);
+  EXPECT_NE(
+      meant("position_of_it")
+          .find("Known are \"name\", \"type\", \"center_mm\", \"radius_mm\", \"side\", \"influence\" and \"control\"."),
+      std::string::npos);
   EXPECT_NE(problemWith(R"("control": {"kp": 1},)").find("Did you mean \"kp_N_per_mm\"?"), std::string::npos);
   EXPECT_NE(problemWith(R"("control": {"kd_N_per_mm": 1},)").find("Did you mean \"kd_N_s_per_mm\"?"),
             std::string::npos);
