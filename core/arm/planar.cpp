@@ -29,7 +29,9 @@ PlanarReach planarReach(const Geometry& geometry, const Vec3& p_WT) noexcept {
   const double s3 = std::clamp(result.elbow_sin, -1.0, 1.0);
   result.elbow = {s3, std::sqrt((1.0 - s3) * (1.0 + s3))};
   result.off_axis_m = lengthOf(result.x_m, result.y_m);
-  result.reachable = std::abs(result.elbow_sin) <= 1.0 + kOnBoundary;
+  const double outer_m = upper + fore, inner_m = std::abs(upper - fore);
+  const double away_m = lengthOf(result.off_axis_m, result.z_m);
+  result.reachable = away_m <= (1.0 + kOnBoundary) * outer_m && away_m >= inner_m - kOnBoundary * outer_m;
   return result;
 }
 

@@ -201,14 +201,20 @@ TEST(Branches, NearEachSingularityStayFiniteAndReachThePose) {  // down to the l
 TEST(Branches, TheBoundaryOfTheReachCountsAsReached) {
   const Geometry& geometry = thesis().geometry;
   const double reach_m = geometry.upper_m + geometry.fore_m;
-  for (const double share : {1.0, 1.0 + 2e-10, 1.0 - 1e-13}) {
+  for (const double share : {1.0, 1.0 + 9.9e-10, 1.0 - 1e-13}) {
     Pose X_WT = Pose::Identity();
     X_WT.translation() = geometry.p_WB + share * reach_m * Vec3(0.36, 0.48, 0.8);
     EXPECT_TRUE(solve(X_WT).reachable) << share;
     EXPECT_TRUE(solve(X_WT).at_elbow) << share;
   }
+  Pose folded = Pose::Identity();
+  folded.translation() =
+      geometry.p_WB + (geometry.fore_m - geometry.upper_m - 0.9e-9 * reach_m) * Vec3(0.36, 0.48, 0.8);
+  EXPECT_TRUE(solve(folded).reachable);
+  folded.translation() = geometry.p_WB + (geometry.fore_m - geometry.upper_m - 2e-9 * reach_m) * Vec3(0.36, 0.48, 0.8);
+  EXPECT_FALSE(solve(folded).reachable);
   Pose beyond = Pose::Identity();
-  beyond.translation() = geometry.p_WB + (1.0 + 1e-8) * reach_m * Vec3(0.36, 0.48, 0.8);
+  beyond.translation() = geometry.p_WB + (1.0 + 1.2e-9) * reach_m * Vec3(0.36, 0.48, 0.8);
   EXPECT_FALSE(solve(beyond).reachable);
   EXPECT_EQ(solve(beyond).count, 0U);
 }
