@@ -41,7 +41,6 @@ TEST_P(SceneViewShape, IsBlueWhereItIs) {
   const QImage picture = shown.view.picture();
   EXPECT_GT(count(picture, shown.view.screenOf(1e-3 * GetParam().on_mm), 2.0, test::isBlue), 0);
   EXPECT_EQ(count(picture, shown.view.screenOf(1e-3 * GetParam().off_mm), 2.0, test::isBlue), 0);
-  picture.save(QStringLiteral("/tmp/view-test-%1.png").arg(QLatin1String(GetParam().name)));
 }
 
 INSTANTIATE_TEST_SUITE_P(

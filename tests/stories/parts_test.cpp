@@ -18,7 +18,7 @@ TEST(Parts, LatenessForgetsWhatIsOlderThanTenSeconds) {
 }
 
 TEST(Parts, CalmStiffnessIsBelowTheExactLimitsOfTheTable) {
-  // facts/omni.md, section 3: mass, damping, kd, rate -> exact limit with one tick of delay.
+  // Mass, damping, kd, rate -> exact limit with one tick of delay, by the spectral radius of the sampled loop.
   EXPECT_NEAR(calmStiffness(0.0, 0.1, 1000), 66.7, 0.1);
   EXPECT_NEAR(calmStiffness(0.0, 0.1, 4000), 266.7, 0.1);
   EXPECT_LE(calmStiffness(0.5, 0.1, 1000), 395.3);

@@ -304,7 +304,7 @@ TEST(Plant, HoweverLargeTheForceItStaysFinite) {
             kMiddle);
 }
 
-TEST(Encoders, OneStepOfThighOrShinMovesTheTipByAbout54Micrometres) {  // facts/omni.md section 1: about 0.0545 mm
+TEST(Encoders, OneStepOfThighOrShinMovesTheTipByAbout54Micrometres) {  // 15 400 steps a turn at 0.133 m: 0.0545 mm
   const arm::Preset& preset = *arm::findPreset("touch-measured");
   const arm::JointAngles rest_device =
       arm::deviceFromDh(throughEncoders(preset.counts_per_turn, restAt(plantOf("ideal"), kMiddle).q_rad));
