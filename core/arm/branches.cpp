@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/arm/planar.h"
+#include "core/arm/wrist.h"
 #include "core/base/trig.h"
 #include "core/base/units.h"
 
 namespace underact::arm {
 namespace {
 
-// Under this no direction is left in a sine: joint 4 (or 1) is set to 0, at an error of as many rad (or m).
+// Under this distance from axis 1 no direction is left, m: joint 1 is set to 0, at an error of as much.
 constexpr double kNoDirection = 1e-12;
 
 double half(double angle_rad) noexcept UNDERACT_REAL_TIME {  // a half turn on, in (-pi, pi]
@@ -28,39 +29,22 @@ struct Elbowed {
   SinCos turret, shin;  // of q1, of q2 + q3
 };
 
-/// R_B3^T R_BT = Rz(q4) Ry(q5) Rz(q6).
-Mat3 wristRotation(const Elbowed& at, const Mat3& R_BT) noexcept UNDERACT_REAL_TIME {
-  Mat3 R_B3;
-  R_B3 << at.turret.cos * at.shin.cos, at.turret.sin, at.turret.cos * at.shin.sin,  //
-      at.turret.sin * at.shin.cos, -at.turret.cos, at.turret.sin * at.shin.sin,     //
-      at.shin.sin, 0.0, -at.shin.cos;
-  return R_B3.transpose() * R_BT;
-}
-
 /// The wrist's two solutions for joints 1 to 3, one where it is singular.
 void addWrists(const Elbowed& at, const Mat3& R_BT, Branch branch, bool q1_free,
                Solutions& solutions) noexcept UNDERACT_REAL_TIME {
-  const Mat3 b = wristRotation(at, R_BT);
-  const double bend_sin = std::sqrt(b(0, 2) * b(0, 2) + b(1, 2) * b(1, 2));
-  // In line, joint 4 says nothing and is 0. Joint 6 follows from joint 4, not from the last row as in eq. 3.20: near a
-  // singularity both would carry an error of their own, and only their sum (or difference) is well known.
-  const bool says = bend_sin > kNoDirection;
-  const SinCos four = says ? SinCos{b(1, 2) / bend_sin, b(0, 2) / bend_sin} : SinCos{};
-  const auto [q5_rad, q6_rad] = atan2OfTwo(bend_sin, b(2, 2), four.cos * b(1, 0) - four.sin * b(0, 0),
-                                           four.cos * b(1, 1) - four.sin * b(0, 1));  // erratum 3.18
-  const double q4_rad = says ? atan2Of(four.sin, four.cos) : 0.0;                     // erratum 3.19
-  const bool in_line = bend_sin < kSingularSine;
+  const Wrist wrist = wristOf(forearmRotation(at.turret, at.shin).transpose() * R_BT);
+  const bool in_line = wrist.bend_sin < kSingularSine;
   Family family = Family::None;
-  if (in_line) family = b(2, 2) > 0.0 ? Family::Q4PlusQ6 : Family::Q6MinusQ4;
+  if (in_line) family = wrist.ahead ? Family::Q4PlusQ6 : Family::Q6MinusQ4;
   if (q1_free) family = Family::Q1Free;
   solutions.at_wrist |= in_line;
-  const auto add = [&](std::int8_t wrist, double four_rad, double five_rad, double six_rad) {
-    branch.wrist = wrist;
+  const auto add = [&](std::int8_t side, double four_rad, double five_rad, double six_rad) {
+    branch.wrist = side;
     Solution& one = solutions.all[solutions.count++];
     one = {{at.q1_rad, at.q2_rad, at.q3_rad, four_rad, five_rad, six_rad}, branch, family, false};
   };
-  add(1, q4_rad, q5_rad, q6_rad);
-  if (!in_line) add(-1, half(q4_rad), -q5_rad, half(q6_rad));
+  add(1, wrist.q4_rad, wrist.q5_rad, wrist.q6_rad);
+  if (!in_line) add(-1, half(wrist.q4_rad), -wrist.q5_rad, half(wrist.q6_rad));
 }
 
 }  // namespace

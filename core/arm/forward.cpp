@@ -1,6 +1,7 @@
 #include "core/arm/forward.h"
 
 #include "core/arm/axes.h"
+#include "core/arm/wrist.h"
 #include "core/base/trig.h"
 
 namespace underact::arm {
@@ -32,12 +33,7 @@ Mat3 workspaceFromBase() noexcept {
 }
 
 Mat3 baseFromForearm(const JointAngles& q_rad) noexcept {
-  const SinCos one = sinCos(q_rad[0]), shin = sinCos(q_rad[1] + q_rad[2]);
-  Mat3 R_B3;
-  R_B3 << one.cos * shin.cos, one.sin, one.cos * shin.sin,  //
-      one.sin * shin.cos, -one.cos, one.sin * shin.sin,     //
-      shin.sin, 0.0, -shin.cos;
-  return R_B3;
+  return forearmRotation(sinCos(q_rad[0]), sinCos(q_rad[1] + q_rad[2]));
 }
 
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept {

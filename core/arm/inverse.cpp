@@ -5,6 +5,7 @@
 
 #include "core/arm/forward.h"
 #include "core/arm/planar.h"
+#include "core/arm/wrist.h"
 #include "core/base/trig.h"
 
 namespace underact::arm {
@@ -22,16 +23,8 @@ Reach reach(const Geometry& geometry, const Vec3& p_WT) noexcept {
 
 JointAngles withWrist(JointAngles q_rad, const Mat3& R_WT) noexcept {
   const Mat3 R_BT = workspaceFromBase().transpose() * R_WT;
-  const Mat3 b = baseFromForearm(q_rad).transpose() * R_BT;
-  const double bend_sin = std::sqrt(b(0, 2) * b(0, 2) + b(1, 2) * b(1, 2));
-  q_rad[4] = atan2Of(bend_sin, b(2, 2));  // erratum 3.18
-  if (bend_sin > 1e-9) {
-    q_rad[3] = atan2Of(b(1, 2), b(0, 2));   // erratum 3.19
-    q_rad[5] = atan2Of(b(2, 1), -b(2, 0));  // erratum 3.20
-  } else {                                  // only q4 + q6 (or q6 - q4) is defined: all of it goes to joint 6
-    q_rad[3] = 0.0;
-    q_rad[5] = atan2Of(b(1, 0), b(1, 1));
-  }
+  const Wrist wrist = wristOf(baseFromForearm(q_rad).transpose() * R_BT);
+  q_rad[3] = wrist.q4_rad, q_rad[4] = wrist.q5_rad, q_rad[5] = wrist.q6_rad;
   return q_rad;
 }
 

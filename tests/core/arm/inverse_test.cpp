@@ -135,5 +135,18 @@ TEST(Inverse, FarOffIsNoReasonForNotANumber) {
   }
 }
 
+TEST(Inverse, TheWristFindsTheTurnAgainHoweverNearItIsToBeingInLine) {  // eq. 3.20 is 1e-7 rad off at 1e-9
+  test::Random random(test::Seed{20070461});
+  for (double off_rad = 1e-15; off_rad < 1e-2; off_rad *= 3.0) {
+    for (const double q5_rad : {off_rad, kPi - off_rad}) {
+      const JointAngles q_rad{0.2, 0.7, 0.3, random.between(-3.0, 3.0), q5_rad, random.between(-3.0, 3.0)};
+      const Mat3 R_WT = tipPose(thesis().geometry, q_rad).linear();
+      const JointAngles found = withWrist(q_rad, R_WT);
+      const Mat3 again = tipPose(thesis().geometry, found).linear();
+      ASSERT_LE((again - R_WT).cwiseAbs().maxCoeff(), 2e-12) << off_rad;  // joint 4 is 0 below 1e-12
+    }
+  }
+}
+
 }  // namespace
 }  // namespace underact::arm
