@@ -1,39 +1,13 @@
 #include "core/chain/normal_equations.h"
 
 #include <array>
-#include <cmath>
+
+#include "core/base/linear_system.h"
 
 namespace underact::chain {
 namespace {
 
-/// A symmetric system of up to 6 unknowns, its lower half. Eigen's own LLT asks for memory, as far as clang can see.
-struct System {
-  std::array<std::array<double, 6>, 6> a{};
-  std::array<double, 6> b{};
-  std::size_t size = 0;
-};
-
-/// b := a^-1 b, by Cholesky. False where a pivot is not positive.
-bool solve(System& s) noexcept {
-  const std::size_t n = s.size;
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = j; i < n; ++i) {
-      double sum = s.a[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= s.a[i][k] * s.a[j][k];
-      if (i == j && !(sum > 0.0)) return false;
-      s.a[i][j] = i == j ? std::sqrt(sum) : sum / s.a[j][j];
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) s.b[i] -= s.a[i][k] * s.b[k];
-    s.b[i] /= s.a[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) s.b[i] -= s.a[k][i] * s.b[k];
-    s.b[i] /= s.a[i][i];
-  }
-  return true;
-}
+using System = SymmetricSystem<6>;
 
 /// The columns of the joints that may move, close together.
 struct Columns {
@@ -57,8 +31,10 @@ System overJoints(const Columns& free, const Residual& e, std::size_t rows, doub
   System s;
   s.size = free.count;
   for (std::size_t i = 0; i < s.size; ++i) {
+    s.b[i] = 0.0;
     for (std::size_t k = 0; k < rows; ++k) s.b[i] += free.column[i][k] * e[static_cast<Eigen::Index>(k)];
     for (std::size_t j = 0; j <= i; ++j) {
+      s.a[i][j] = 0.0;
       for (std::size_t k = 0; k < rows; ++k) s.a[i][j] += free.column[i][k] * free.column[j][k];
     }
     s.a[i][i] += damping;
@@ -73,6 +49,7 @@ System overRows(const Columns& free, const Residual& e, std::size_t rows, double
   for (std::size_t i = 0; i < rows; ++i) {
     s.b[i] = e[static_cast<Eigen::Index>(i)];
     for (std::size_t j = 0; j <= i; ++j) {
+      s.a[i][j] = 0.0;
       for (std::size_t k = 0; k < free.count; ++k) s.a[i][j] += free.column[k][i] * free.column[k][j];
     }
     s.a[i][i] += damping;
@@ -88,7 +65,7 @@ bool dampedStep(const Jacobian& J, const Residual& e, std::size_t rows, double d
   const bool few = free.count <= rows;
   System s = few ? overJoints(free, e, rows, damping) : overRows(free, e, rows, damping);
   dq.setZero();
-  if (!solve(s)) return false;
+  if (!solveInPlace(s)) return false;
   for (std::size_t i = 0; i < free.count; ++i) {
     double& step = dq[free.joint[i]];
     if (few) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/trig.h"
+#include "core/base/rotation.h"
 #include "core/base/units.h"
 #include "core/chain/normal_equations.h"
 
@@ -21,23 +21,6 @@ double draw(std::uint64_t& state, double low, double high) noexcept UNDERACT_REA
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
   z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
   return low + (high - low) * (static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53);
-}
-
-/// The turn w, rad, |w| <= pi, with R_to = e^[w] R_from.
-Vec3 turnBetween(const Mat3& R_from, const Mat3& R_to) noexcept {
-  const Mat3 R = R_to * R_from.transpose();
-  const Vec3 twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-  const double twice_sin = twice_sine.norm(), twice_cos = R(0, 0) + R(1, 1) + R(2, 2) - 1.0;
-  const double angle_rad = atan2Of(twice_sin, twice_cos);
-  if (twice_cos > 0.0 || twice_sin > 1e-6) return (twice_sin > 0.0 ? angle_rad / twice_sin : 0.5) * twice_sine;
-  // Near half a turn the difference is lost: R + 1 is 2 axis axis^T, and its longest column the best seen.
-  const Mat3 doubled = R + Mat3::Identity();
-  Vec3 axis = doubled.col(0);
-  for (int i = 1; i < 3; ++i) {
-    if (doubled.col(i).squaredNorm() > axis.squaredNorm()) axis = doubled.col(i);
-  }
-  if (axis.dot(twice_sine) < 0.0) axis = -axis;
-  return angle_rad / axis.norm() * axis;
 }
 
 /// One start's state: joints, what is left to go, and the Jacobian there, with the turn scaled to a length.
@@ -71,7 +54,7 @@ class Search {
   void measure(Place& at) const noexcept UNDERACT_REAL_TIME {
     const Kinematics now = kinematics(chain_, std::span<const double>(at.q).first(joints_));
     const Vec3 way_W = X_WT_.translation() - now.X_WT.translation();
-    const Vec3 turn_W = turnBetween(now.X_WT.linear(), X_WT_.linear());
+    const Vec3 turn_W = rotationVector(X_WT_.linear() * now.X_WT.linear().transpose());
     at.residual_m = way_W.norm();
     at.residual_rad = turn_W.norm();
     at.e << way_W, (rows_ == 6 ? length_m_ : 0.0) * turn_W;

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "core/base/real_time.h"
+#include "core/manipulator/manipulator.h"
 #include "core/shape/shape.h"
 #include "core/target/influence.h"
 
@@ -18,6 +20,7 @@ struct Constraint {
   Vec3 scale = Vec3::Ones();
   bool influenced = false;  // the stylus's turn has a part in the target: influence (both sides, not weighted)
   Influence influence = {};
+  std::optional<manipulator::Manipulator> manipulator = {};  // its tip takes the place of the shape
 };
 
 /// Free: an untouched wall. Degenerate: several points are equally near, so nothing says where to pull.

@@ -3,6 +3,16 @@
 #include <utility>
 
 namespace underact::tick {
+namespace {
+
+/// Entry by entry, where both have as many.
+template <class State>
+void carryAll(const std::vector<State>& last, std::vector<State>& next) noexcept UNDERACT_REAL_TIME {
+  if (last.size() != next.size()) return;
+  for (std::size_t index = 0; index < next.size(); ++index) next[index] = last[index];
+}
+
+}  // namespace
 
 TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entries, Combine combine,
                         const safety::Limits& limits, const arm::JointLimits& joint_limits) {
@@ -10,7 +20,10 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
   for (const Entry& entry : program.entries) {
     program.needs.rate |= control::needsRate(entry.law);
     program.needs.integral |= control::needsIntegral(entry.law);
-    program.needs.orientation |= entry.constraint.influenced;
+    const std::optional<manipulator::Manipulator>& robot = entry.constraint.manipulator;
+    const bool turns = robot && robot->orientation != manipulator::Orientation::None;
+    program.needs.orientation |= entry.constraint.influenced || turns;
+    program.needs.robots |= robot.has_value();
     program.needs.metric |= entry.constraint.weighted;
     program.needs.joints |= entry.space == Space::Joint;
   }
@@ -22,13 +35,15 @@ TickState makeState(const TickProgram& program) {
   TickState state;
   if (program.needs.rate) state.laws.resize(program.entries.size());
   if (program.needs.orientation) state.influences.resize(program.entries.size());
+  if (program.needs.robots) state.robots.resize(program.entries.size());
   if (program.needs.joints) state.followers.resize(program.entries.size());
   return state;
 }
 
 std::size_t bytesOf(const TickState& state) {
   return sizeof(TickState) + state.laws.size() * sizeof(control::LawState) +
-         state.influences.size() * sizeof(target::InfluenceState) + state.followers.size() * sizeof(arm::FollowerState);
+         state.influences.size() * sizeof(target::InfluenceState) + state.robots.size() * sizeof(manipulator::State) +
+         state.followers.size() * sizeof(arm::FollowerState);
 }
 
 void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
@@ -38,16 +53,10 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.limited = last.limited;
   next.gate = last.gate;
   if (what == Carry::Arm) return;
-  if (last.laws.size() == next.laws.size()) {
-    for (std::size_t index = 0; index < next.laws.size(); ++index) next.laws[index] = last.laws[index];
-  }
-  if (last.influences.size() == next.influences.size()) {
-    for (std::size_t index = 0; index < next.influences.size(); ++index)
-      next.influences[index] = last.influences[index];
-  }
-  if (last.followers.size() == next.followers.size()) {
-    for (std::size_t index = 0; index < next.followers.size(); ++index) next.followers[index] = last.followers[index];
-  }
+  carryAll(last.laws, next.laws);
+  carryAll(last.influences, next.influences);
+  carryAll(last.robots, next.robots);
+  carryAll(last.followers, next.followers);
 }
 
 }  // namespace underact::tick

@@ -7,7 +7,7 @@
 #include "core/arm/preset.h"
 #include "core/control/law.h"
 #include "core/safety/gate.h"
-#include "core/target/target.h"
+#include "core/target/manipulated.h"
 
 namespace underact::tick {
 
@@ -18,11 +18,12 @@ enum class Combine : std::uint8_t { Sum, Nearest };
 
 /// What a tick computes: these quantities and no others. The tip's position is always there.
 struct Needs {
-  bool orientation = false;  // of the stylus: the wrist (influence)
+  bool orientation = false;  // of the stylus: the wrist (influence, virtual manipulators)
   bool rate = false;         // of the error (PD, PID)
   bool integral = false;     // of the error (PID)
   bool metric = false;       // nearest in the gains' own metric (unequal gains)
   bool choice = false;       // which constraint is nearest (combine: nearest)
+  bool robots = false;       // virtual manipulators' joints
   bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
 };
 
@@ -58,7 +59,8 @@ struct TickState {
   bool limited = false;      // the gate cut or ramped the last force
   safety::GateState gate;
   std::vector<control::LawState> laws;             // one for each entry; none where no law remembers anything
-  std::vector<target::InfluenceState> influences;  // one for each entry; none where no target is influenced
+  std::vector<target::InfluenceState> influences;  // one for each entry; none where the stylus's turn does not count
+  std::vector<manipulator::State> robots;          // one for each entry; none where there is no virtual manipulator
   std::vector<arm::FollowerState> followers;       // one for each entry; none where no law works on joints
 };
 

@@ -4,7 +4,7 @@
 
 #include "core/arm/sample.h"
 #include "core/safety/gate.h"
-#include "core/target/target.h"
+#include "core/target/manipulated.h"
 #include "core/tick/program.h"
 
 namespace underact::tick {
@@ -17,6 +17,7 @@ struct Held {
   double distance_m = 0.0;
   bool acts = false;           // it has a part in the force (not where it is free or another is nearer)
   target::Angles angles = {};  // of an influenced target
+  target::Robot robot = {};    // of a virtual manipulator
 };
 
 /// Up to kMaxConstraints of them, in place; a copy copies only those in use.
@@ -46,6 +47,7 @@ class HeldList {
 struct TickReport {
   arm::Sample sample;
   Vec3 p_WT = Vec3::Zero();      // the tip
+  Mat3 R_WT = Mat3::Identity();  // its turn; the identity where the program does not need it
   Vec3 stylus_W = Vec3::Zero();  // its direction, z of frame 6; zero where the program does not need it
   HeldList held;                 // in the order of the scene
   Vec3 f_T_W = Vec3::Zero();     // asked, before the gate

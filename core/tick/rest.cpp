@@ -17,8 +17,19 @@ TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3
   }
   if (program.needs.orientation) input.sample.q_rad = arm::withWrist(input.sample.q_rad, R_WT);
   TickState state = makeState(there);
+  Pose X_WT = Pose::Identity();
+  X_WT.linear() = R_WT;
+  X_WT.translation() = p_WT;
+  std::vector<int> steps(state.robots.size(), 0);
+  for (std::size_t index = 0; index < state.robots.size(); ++index) {
+    const std::optional<manipulator::Manipulator>& robot = program.entries[index].constraint.manipulator;
+    if (robot) state.robots[index] = standing(*robot, X_WT, steps[index]);
+  }
   TickReport report;
   step(there, input, state, report);
+  for (std::size_t index = 0; index < steps.size() && index < report.held.size(); ++index) {
+    report.held[index].robot.steps += steps[index];
+  }
   return report;
 }
 

@@ -16,6 +16,7 @@ constexpr double kLongestTick_s = 0.1;
 void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (control::LawState& law : state.laws) law = control::LawState{};
   for (target::InfluenceState& influence : state.influences) influence.begun = false;
+  for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
 }
 
@@ -46,17 +47,36 @@ void lookAtArm(const TickProgram& program, const arm::Sample& sample, TickState&
   }
   const Pose X_WT = arm::tipPose(program.geometry, sample.q_rad);
   state.p_WT = X_WT.translation();
+  report.R_WT = X_WT.linear();
   report.stylus_W = X_WT.linear().col(2);
 }
 
-void findTargets(const TickProgram& program, TickState& state, TickReport& report) noexcept UNDERACT_REAL_TIME {
+/// The target of the constraint at index.
+target::Target targetOf(const target::Constraint& constraint, std::size_t index, double dt_s, TickState& state,
+                        TickReport& report) noexcept UNDERACT_REAL_TIME {
+  if (constraint.manipulator) {
+    Pose X_WT = Pose::Identity();
+    X_WT.linear() = report.R_WT;
+    X_WT.translation() = report.p_WT;
+    return manipulatedTarget(constraint, X_WT, dt_s, state.robots[index], report.held[index].robot);
+  }
+  if (!constraint.influenced) return nearestTarget(constraint, report.p_WT);
+  return influencedTarget(constraint, report.p_WT, report.stylus_W, state.influences[index]);
+}
+
+void findTargets(const TickProgram& program, double dt_s, TickState& state,
+                 TickReport& report) noexcept UNDERACT_REAL_TIME {
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    const target::Constraint& constraint = program.entries[index].constraint;
-    const target::Target target =
-        constraint.influenced ? influencedTarget(constraint, report.p_WT, report.stylus_W, state.influences[index])
-                              : nearestTarget(constraint, report.p_WT);
+    Held& held = report.held[index];
+    held.robot.joints = 0;
+    const target::Target target = targetOf(program.entries[index].constraint, index, dt_s, state, report);
     const bool acts = target.status != target::Status::Free;
-    report.held[index] = {target.p_WP, Vec3::Zero(), target.status, target.distance_m, acts, target.angles};
+    held.p_WP = target.p_WP;
+    held.f_T_W.setZero();
+    held.status = target.status;
+    held.distance_m = target.distance_m;
+    held.acts = acts;
+    held.angles = target.angles;
   }
 }
 
@@ -102,6 +122,7 @@ Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, control:
   const Vec3 e_W = held.p_WP - around.report.p_WT;
   const Vec3 f_T_W = entry.space == Space::Joint ? forceByJoints(around, entry, held.p_WP, law, follower)
                                                  : control::force(entry.law, law, e_W, around.moment);
+  if (held.robot.joints > 0) return f_T_W + held.robot.f_along_T_W;
   if (entry.constraint.side != target::Side::Both && f_T_W.dot(e_W) < 0.0) return Vec3::Zero();
   return f_T_W;
 }
@@ -147,6 +168,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   const Fault fault = judge(input, state, dt_s);
   report.sample = input.sample;
   report.held.resize(0);
+  report.R_WT.setIdentity();
   report.stylus_W.setZero();
   report.f_T_W.setZero();
   report.branch_changes = 0;
@@ -160,7 +182,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     lookAtArm(program, input.sample, state, report);
     report.p_WT = state.p_WT;  // the targets are found from it
     report.held.resize(program.entries.size());
-    findTargets(program, state, report);
+    findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);
     const bool stopped = state.gate.fault.kind != FaultKind::None && !input.restart;
     const bool idle = stopped || (!input.engage && state.gate.level == 0.0);

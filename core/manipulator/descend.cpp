@@ -1,0 +1,148 @@
+#include "core/manipulator/descend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/around.h"
+
+namespace underact::manipulator {
+namespace {
+
+using chain::JointType;
+
+constexpr double kFirstDamping = 1e-3;  // of a joint's spread, once an undamped step was no good
+constexpr double kLeastDamping = 1e-9;  // below it there is none
+constexpr double kFloor = 1e-13;        // of the spread: keeps pivots positive where the chain is singular
+constexpr double kLongestTurn_rad = 0.5;
+constexpr double kLongestSlide = 0.25;  // of the reach
+constexpr double kRounding = 0x1p-48;   // of the energy: a loss that says nothing
+
+/// One descent's fixed things.
+class Slope {
+ public:
+  Slope(const Manipulator& manipulator, const Pose& X_WT) noexcept UNDERACT_REAL_TIME
+      : m_(manipulator),
+        X_WT_(X_WT),
+        count_(std::min(manipulator.chain.joints.size(), kMaxJoints)) {}
+
+  /// The curvature there, and which joints a limit holds.
+  void look(const Energy& at) noexcept UNDERACT_REAL_TIME {
+    curvature(m_, at, m_.options.second_order, H_, spread_);
+    double stiffest = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) stiffest = std::max(stiffest, spread_[i] / (unit(i) * unit(i)));
+    for (std::size_t i = 0; i < count_; ++i) {
+      // A joint that moves nothing has no curvature of its own: it shares a trace of the others'.
+      spread_[i] = std::max(spread_[i], 1e-12 * stiffest * unit(i) * unit(i));
+      const chain::Joint& joint = m_.chain.joints[i];
+      held_[i] = at.slope[i] > 0.0 ? at.theta[i] <= joint.min : at.slope[i] < 0.0 && at.theta[i] >= joint.max;
+    }
+  }
+
+  double left(const Energy& at) const noexcept UNDERACT_REAL_TIME {
+    double most = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (held_[i] || at.slope[i] == 0.0) continue;
+      const double curved = std::max(std::abs(H_.a[i][i]), 1e-3 * spread_[i]);
+      most = std::max(most, std::abs(at.slope[i]) * unit(i) / curved);
+    }
+    return most;
+  }
+
+  /// The damped step into next; false where the damped curvature is not positive. promised: what the model gains by it.
+  bool step(const Energy& at, double damping, Values& next, double& promised) const noexcept UNDERACT_REAL_TIME {
+    Hessian s;
+    std::array<std::size_t, kMaxJoints> joint;
+    s.size = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (held_[i]) continue;
+      for (std::size_t k = 0; k < s.size; ++k) s.a[s.size][k] = H_.a[i][joint[k]];
+      s.a[s.size][s.size] = H_.a[i][i] + (damping + kFloor) * spread_[i];
+      s.b[s.size] = -at.slope[i];
+      joint[s.size++] = i;
+    }
+    if (!solveInPlace(s)) return false;
+    double longest = 1.0;
+    for (std::size_t k = 0; k < s.size; ++k) {
+      const bool turns = m_.chain.joints[joint[k]].type == JointType::Revolute;
+      longest = std::max(longest, std::abs(s.b[k]) / (turns ? kLongestTurn_rad : kLongestSlide * m_.reach_m));
+    }
+    Values moved{};
+    for (std::size_t k = 0; k < s.size; ++k) moved[joint[k]] = s.b[k] / longest;
+    for (std::size_t i = 0; i < count_; ++i) {
+      next[i] = std::clamp(at.theta[i] + moved[i], m_.chain.joints[i].min, m_.chain.joints[i].max);
+      moved[i] = next[i] - at.theta[i];
+    }
+    promised = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      double row = 0.5 * H_.a[i][i] * moved[i];
+      for (std::size_t k = 0; k < i; ++k) row += H_.a[i][k] * moved[k];
+      promised -= (at.slope[i] + row) * moved[i];
+    }
+    return true;
+  }
+
+ private:
+  double unit(std::size_t i) const noexcept UNDERACT_REAL_TIME {
+    return m_.chain.joints[i].type == JointType::Revolute ? 1.0 : 1.0 / m_.reach_m;
+  }
+
+  const Manipulator& m_;
+  const Pose& X_WT_;
+  std::size_t count_;
+  Hessian H_;
+  Values spread_{};
+  std::array<bool, kMaxJoints> held_{};
+};
+
+}  // namespace
+
+Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& at) noexcept {
+  Slope slope(m, X_WT);
+  Descent descent;
+  double damping = 0.0, growth = 2.0;
+  Energy next;
+  slope.look(at);
+  for (;;) {
+    descent.left = slope.left(at);
+    descent.converged = descent.left <= m.options.tolerance;
+    if (descent.converged || descent.steps >= max_steps) return descent;
+    Values theta{};
+    double promised = 0.0;
+    // At a damping of 1 the curvature is positive: its spread outweighs the second-order terms.
+    while (!slope.step(at, damping, theta, promised)) {
+      if (!(damping < 1e3)) return descent;
+      damping = damping > 0.0 ? damping * growth : kFirstDamping;
+      growth *= 2.0;
+    }
+    ++descent.steps;
+    evaluate(m, X_WT, theta, next);
+    const double gained = at.energy_J - next.energy_J;
+    if (!(gained >= -kRounding * at.energy_J)) {
+      damping = damping > 0.0 ? damping * growth : kFirstDamping;
+      growth *= 2.0;
+      if (!(damping < 1e9)) return descent;
+      continue;
+    }
+    const double kept = promised > 0.0 ? gained / promised : 1.0, better = 2.0 * kept - 1.0;
+    damping *= std::max(1.0 / 3.0, 1.0 - better * better * better);  // Nielsen's rule
+    if (damping < kLeastDamping) damping = 0.0;
+    growth = 2.0;
+    const bool stands = gained <= kRounding * at.energy_J;
+    at = next;
+    slope.look(at);
+    // Rounding alone moves it now: a tolerance below that is never met.
+    if (stands && slope.left(at) > 0.5 * descent.left) return descent;
+  }
+}
+
+Values allowed(const Manipulator& m, Values theta) noexcept {
+  for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
+    const chain::Joint& joint = m.chain.joints[i];
+    const bool free = joint.min == -kInfinity && joint.max == kInfinity && m.spring[i] == 0.0;
+    if (free && joint.type == JointType::Revolute) theta[i] = wrapped(theta[i]);
+    theta[i] = std::clamp(theta[i], joint.min, joint.max);
+  }
+  return theta;
+}
+
+}  // namespace underact::manipulator

@@ -1,0 +1,24 @@
+#pragma once
+#include "core/manipulator/energy.h"
+
+namespace underact::manipulator {
+
+/// Where a descent ended.
+struct Descent {
+  int steps = 0;            // steps tried, each an evaluation of the chain
+  double left = kInfinity;  // the largest step that a joint would still take by itself: rad, or shares of the reach
+  bool converged = false;   // left is within the tolerance
+};
+
+/// Goes down from `at` (evaluated there) to the nearest local minimum of the energy, and leaves `at` there; at most
+/// max_steps steps, each at most half a radian or a quarter of the reach. Limits of joints are kept. Deterministic.
+/// Cost: an evaluation and a system of the joints for each step; 0 steps where `at` is a minimum already.
+/// Source: Levenberg 1944, Marquardt 1963; damping as Nielsen 1999 (IMM-REP-1999-05); the second-order term since where
+/// the residual stays large, as it does here, Gauss and Newton's own step stalls (errata section 6, 5.17b).
+Descent descend(const Manipulator& manipulator, const Pose& X_WT, int max_steps,
+                Energy& at) noexcept UNDERACT_REAL_TIME;
+
+/// theta within the limits of the joints; a joint without limits that turns, in [-pi, pi].
+Values allowed(const Manipulator& manipulator, Values theta) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::manipulator

@@ -1,0 +1,159 @@
+#include "core/manipulator/follow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/around.h"
+#include "core/manipulator/closed_form.h"
+#include "core/manipulator/global.h"
+#include "core/manipulator/thesis_law.h"
+
+namespace underact::manipulator {
+namespace {
+
+using chain::JointType;
+
+constexpr int kTicksAStep = 4;       // the watch's own pace: a quarter of a step a tick
+constexpr int kStepsAStart = 25;     // then another start is tried
+constexpr double kSamePlace = 1e-4;  // of the reach
+
+/// SplitMix64 (Steele, Lea, Flood 2014), in [0, 1).
+double draw(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
+  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+}
+
+Values drawn(const Manipulator& m, std::uint64_t& random) noexcept UNDERACT_REAL_TIME {
+  Values theta{};
+  for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
+    const chain::Joint& joint = m.chain.joints[i];
+    const double span = joint.type == JointType::Revolute ? kPi : m.reach_m;
+    const double low = std::max(joint.min, -span), high = std::min(joint.max, span);
+    theta[i] = std::clamp(low + draw(random) * (high - low), joint.min, joint.max);
+  }
+  return theta;
+}
+
+/// A step of the watch. Gives what its minimum saves against `now`, 0 where nothing (yet).
+double look(const Manipulator& m, const Pose& X_WT, const Energy& now, Watch& watch) noexcept UNDERACT_REAL_TIME {
+  if (!watch.begun) {
+    watch.theta = drawn(m, watch.random);
+    watch.steps = 0;
+    watch.begun = true;
+  }
+  Energy at;
+  evaluate(m, X_WT, watch.theta, at);
+  const Descent descent = descend(m, X_WT, 1, at);
+  watch.theta = allowed(m, at.theta);
+  const double saves_J = now.energy_J - at.energy_J;
+  const bool elsewhere = (at.tip.X_WT.translation() - now.tip.X_WT.translation()).norm() > kSamePlace * m.reach_m ||
+                         (at.e_o_W - now.e_o_W).norm() > kSamePlace;
+  if (elsewhere && saves_J > kBetter_J && saves_J > kBetterShare * now.energy_J) return saves_J;
+  if (descent.steps == 0 || ++watch.steps >= kStepsAStart) watch.begun = false;  // this one is no better
+  return 0.0;
+}
+
+/// Watches for a better minimum and goes over to it; at: there, from then on.
+void keepWatch(const Manipulator& m, const Pose& X_WT, double dt_s, State& state,
+               Followed& followed) noexcept UNDERACT_REAL_TIME {
+  Watch& watch = state.watch;
+  if (followed.at.energy_J <= kBetter_J) {  // none can be better by the margin
+    watch.better_s = 0.0;
+    watch.begun = false;
+    return;
+  }
+  const bool known = watch.better_s > 0.0;
+  if (known || ++watch.ticks >= kTicksAStep) {
+    watch.ticks = 0;
+    followed.better_J = look(m, X_WT, followed.at, watch);
+    if (followed.better_J > 0.0) {
+      watch.better_s += std::max(dt_s, 1e-9);
+    } else {
+      watch.better_s = 0.0;
+    }
+  }
+  if (watch.better_s < kBetterFor_s) return;
+  evaluate(m, X_WT, watch.theta, followed.at);
+  const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
+  followed.steps += descent.steps;
+  followed.left = descent.left;
+  watch.better_s = 0.0;
+  watch.begun = false;
+}
+
+/// The target on its way from the last one.
+void slew(const Vec3& p_WV, double dt_s, const State& state, Followed& followed) noexcept UNDERACT_REAL_TIME {
+  followed.p_WP = p_WV;
+  if (!state.begun || !(dt_s > 0.0)) return;
+  const Vec3 way_W = p_WV - state.p_WP;
+  const double far_m = way_W.norm(), allowed_m = kSlew_m_per_s * dt_s;
+  if (far_m <= allowed_m) return;
+  followed.p_WP = state.p_WP + (allowed_m / far_m) * way_W;
+  followed.slewing = true;
+}
+
+/// The thesis's law: the joint nearest to the stylus's place, whatever its turn.
+void byThesis(const Manipulator& m, const Pose& X_WT, Followed& followed) noexcept UNDERACT_REAL_TIME {
+  const ThesisPull pull = thesisPull(m, X_WT);
+  evaluate(m, X_WT, {pull.theta_rad}, followed.at);
+  followed.is_unique = pull.is_unique;
+  followed.p_WP = pull.p_WP;
+  followed.f_along_T_W = pull.f_along_T_W;
+  followed.moment_W = pull.moment_W;
+}
+
+void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed& followed) noexcept UNDERACT_REAL_TIME {
+  const Values start = state.begun ? state.theta : allowed(m, {});
+  if (m.closed) {
+    const Closed closed = closedForm(m, X_WT, start);
+    evaluate(m, X_WT, closed.theta, followed.at);
+    followed.is_unique = closed.is_unique || state.begun;  // with a past it stays where it was
+    return;
+  }
+  evaluate(m, X_WT, start, followed.at);
+  const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
+  followed.steps = descent.steps;
+  followed.left = descent.left;
+}
+
+}  // namespace
+
+Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& state) noexcept {
+  Followed followed;
+  const bool by_thesis = m.law == ForceLaw::Thesis52;
+  if (by_thesis) {
+    byThesis(m, X_WT, followed);
+  } else {
+    solve(m, X_WT, state, followed);
+  }
+  if (!followed.is_unique || state.lost) {
+    followed.is_unique = false;
+    followed.p_WP = X_WT.translation();
+    followed.f_along_T_W.setZero();
+    followed.moment_W.setZero();
+    state.begun = false;
+    return followed;
+  }
+  if (!by_thesis && !m.closed && state.begun) keepWatch(m, X_WT, dt_s, state, followed);
+  if (!by_thesis) followed.moment_W = followed.at.m_W;
+  slew(by_thesis ? followed.p_WP : Vec3(followed.at.tip.X_WT.translation()), dt_s, state, followed);
+  state.theta = allowed(m, followed.at.theta);
+  state.p_WP = followed.p_WP;
+  state.begun = true;
+  return followed;
+}
+
+State standing(const Manipulator& m, const Pose& X_WT, int& steps) {
+  const Global global = leastEnergy(m, X_WT);
+  State state;
+  state.theta = global.at.theta;
+  state.p_WP = global.at.tip.X_WT.translation();
+  state.begun = global.is_unique;
+  state.lost = !global.is_unique;
+  steps = global.steps;
+  return state;
+}
+
+}  // namespace underact::manipulator

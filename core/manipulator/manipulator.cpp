@@ -1,0 +1,108 @@
+#include "core/manipulator/manipulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/around.h"
+
+namespace underact::manipulator {
+namespace {
+
+using chain::JointType;
+
+constexpr double kAlongAxis = 1e-6;  // z of V is no nearer to the axis than this, where its angle is asked for
+
+bool isStiffness(double k) {
+  return std::isfinite(k) && k >= 0.0;
+}
+
+std::size_t turningJoints(const chain::Chain& chain) {
+  return static_cast<std::size_t>(
+      std::count_if(chain.joints.begin(), chain.joints.end(),
+                    [](const chain::Joint& joint) { return joint.type == JointType::Revolute; }));
+}
+
+void judgeNumbers(const Wanted& wanted, const Place& place, Problems& problems) {
+  if (wanted.chain.joints.size() > kMaxJoints) {
+    problems.push_back({"A virtual manipulator has at most " + std::to_string(kMaxJoints) + " joints, not " +
+                            std::to_string(wanted.chain.joints.size()) + ".",
+                        place});
+  }
+  bool stiff = isStiffness(wanted.ko_N_m_per_rad);
+  for (const double k : wanted.kp_N_per_m) stiff = stiff && isStiffness(k);
+  for (const double k : wanted.spring) stiff = stiff && isStiffness(k);
+  if (!stiff) problems.push_back({"A stiffness must be 0 or above.", place});
+  for (const double rest : wanted.rest) {
+    if (!std::isfinite(rest)) problems.push_back({"The rest of a joint's spring is not a finite number.", place});
+  }
+  if (wanted.max_steps < 1 || wanted.max_steps > 100) {
+    problems.push_back({"The solver takes 1 to 100 steps.", place});
+  }
+  if (!(wanted.tolerance > 0.0 && wanted.tolerance <= 1e-2)) {
+    problems.push_back({"The solver's tolerance must be above 0 and at most 0.01.", place});
+  }
+}
+
+/// What an angle about a joint asks of the chain.
+void judgeAngle(const Wanted& wanted, const Place& place, Problems& problems) {
+  const bool by_thesis = wanted.law == ForceLaw::Thesis52;
+  if (wanted.orientation != Orientation::Angle && !by_thesis) return;
+  const std::vector<chain::Joint>& joints = wanted.chain.joints;
+  if (turningJoints(wanted.chain) != 1 || (by_thesis && joints.size() != 1)) {
+    problems.push_back({by_thesis ? "The thesis's force law is that of one revolute joint alone."
+                                  : "The orientation \"angle\" takes a chain with just one revolute joint.",
+                        place});
+    return;
+  }
+  const auto turning = std::find_if(joints.begin(), joints.end(),
+                                    [](const chain::Joint& joint) { return joint.type == JointType::Revolute; });
+  if (turning->axis_W.cross(wanted.chain.X_WT_home.linear().col(2)).norm() < kAlongAxis) {
+    problems.push_back(
+        {"The tip's z axis at home lies along the joint's axis, so that it has no angle about it.", place});
+  }
+}
+
+}  // namespace
+
+Result<Manipulator> makeManipulator(Wanted wanted, const Place& place) {
+  Problems problems;
+  judgeNumbers(wanted, place, problems);
+  judgeAngle(wanted, place, problems);
+  if (!problems.empty()) return problems;
+  Manipulator made;
+  made.chain = std::move(wanted.chain);
+  made.orientation = wanted.orientation;
+  made.kp_N_per_m = wanted.kp_N_per_m;
+  made.ko_N_m_per_rad = wanted.ko_N_m_per_rad;
+  // Without any gain the tip is still held to be somewhere: at the nearest place, as other constraints have it.
+  if (made.kp_N_per_m.isZero() && (made.orientation == Orientation::None || made.ko_N_m_per_rad == 0.0)) {
+    made.kp_N_per_m.setOnes();
+  }
+  made.spring = wanted.spring;
+  made.rest = wanted.rest;
+  made.law = wanted.law;
+  made.options = {Method::Iterative, wanted.max_steps, wanted.tolerance, true};
+  const double reach_m = chain::reachOf(made.chain);
+  made.reach_m = reach_m > 0.0 ? reach_m : 1.0;
+  made.bends = std::any_of(made.spring.begin(), made.spring.end(), [](double k) { return k > 0.0; });
+  if (made.orientation == Orientation::Angle || made.law == ForceLaw::Thesis52) {
+    while (made.chain.joints[made.turning].type != JointType::Revolute) ++made.turning;
+    made.home_rad = angleAround(made.chain.joints[made.turning].axis_W, made.chain.X_WT_home.linear().col(2));
+  }
+  const std::optional<ClosedForm> closed = closedFormOf(made);
+  if (wanted.method == Method::ClosedForm && !closed) {
+    return Problems{
+        {"There is no closed form for this chain with these gains and this orientation; take the method "
+         "\"auto\" or \"iterative\".",
+         place}};
+  }
+  if (closed && wanted.method != Method::Iterative && made.law == ForceLaw::Energy) {
+    made.closed = closed;
+    made.options.method = Method::ClosedForm;
+  }
+  return made;
+}
+
+}  // namespace underact::manipulator

@@ -1,0 +1,22 @@
+#pragma once
+#include "core/manipulator/manipulator.h"
+
+namespace underact::manipulator {
+
+/// What the thesis's own force law asks for: besides kp (p_P - p_T) a pull along the circle.
+struct ThesisPull {
+  double theta_rad = 0.0;           // the joint where its tip is nearest to the stylus
+  double error_rad = 0.0;           // e_theta = theta - the stylus's own angle, in [-pi, pi]
+  Vec3 p_WP = Vec3::Zero();         // nearest in the joint's plane
+  Vec3 f_along_T_W = Vec3::Zero();  // -(ko e_theta / L) t, t the tangent
+  Vec3 moment_W = Vec3::Zero();     // ko e_theta about the axis, N m; never sent
+  bool is_unique = false;           // false: the stylus is on the axis
+};
+
+/// manipulator: of one revolute joint. The pivot is the joint's point, L the tip's distance from its axis. This field
+/// is not conservative: it takes L where the arm is r, and it does work on a loop; for comparison with the energy's
+/// law. Source: Beckman 2007, code 5.2 and eq. 5.29, with their errata (pivot in theta_v, the wrap, the pivot's own
+/// plane).
+ThesisPull thesisPull(const Manipulator& manipulator, const Pose& X_WT) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::manipulator

@@ -1,0 +1,26 @@
+#pragma once
+#include "core/manipulator/follow.h"
+#include "core/target/target.h"
+
+namespace underact::target {
+
+/// What a virtual manipulator did this tick.
+struct Robot {
+  std::size_t joints = 0;           // 0: the constraint is none
+  manipulator::Values theta{};      // rad or m
+  Vec3 n_W = Vec3::Zero();          // z of its tip V
+  Vec3 moment_W = Vec3::Zero();     // the moment that belongs to the force, N m; never sent
+  Vec3 f_along_T_W = Vec3::Zero();  // the thesis's law: what it adds to the control's force
+  double energy_J = 0.0;
+  double left = 0.0;  // see manipulator::Followed
+  int steps = 0;
+  bool slewing = false;
+  double better_J = 0.0;  // what another minimum is known to save
+};
+
+/// The target that a virtual manipulator's tip is, and the robot. X_WT: the stylus; dt_s: since the last tick, 0:
+/// unknown. constraint.manipulator must be there.
+Target manipulatedTarget(const Constraint& constraint, const Pose& X_WT, double dt_s, manipulator::State& state,
+                         Robot& robot) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::target
