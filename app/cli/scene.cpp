@@ -26,14 +26,15 @@ Exit check(const std::vector<std::string>& paths, const Streams& streams) {
 }
 
 /// The quantities that a tick may need, in the words of scene show.
-std::array<std::pair<const char*, bool>, 7> needsOf(const tick::Needs& needs) {
+std::array<std::pair<const char*, bool>, 8> needsOf(const tick::Needs& needs) {
   return {{{"position", true},
            {"orientation", needs.orientation},
            {"error_rate", needs.rate},
            {"error_integral", needs.integral},
            {"gain_metric", needs.metric},
            {"nearest_choice", needs.choice},
-           {"joint_targets", needs.joints}}};
+           {"joint_targets", needs.joints},
+           {"virtual_robots", needs.robots}}};
 }
 
 const char* lawName(const scene::Control& control) {
@@ -48,6 +49,13 @@ const char* lawName(const scene::Control& control) {
   return "P";
 }
 
+/// How a virtual manipulator's joints are found; null for others.
+const char* solverOf(const tick::Entry& entry) {
+  if (!entry.constraint.manipulator) return nullptr;
+  if (entry.constraint.manipulator->law == manipulator::ForceLaw::Thesis52) return "thesis-5.2";
+  return entry.constraint.manipulator->closed ? "closed_form" : "iterative";
+}
+
 JsonObject describedAsJson(const LoadedScene& loaded) {
   JsonObject object;
   object.addText("title", loaded.description.title);
@@ -59,6 +67,7 @@ JsonObject describedAsJson(const LoadedScene& loaded) {
     one.addText("name", constraint.name);
     one.addText("type", scene::typeName(constraint.shape));
     one.addText("law", lawName(scene::controlOf(loaded.description, index)));
+    if (const char* solver = solverOf(loaded.program.entries[index])) one.addText("solver", solver);
   }
   object.addList("constraints", constraints);
   JsonObject needs;
@@ -78,7 +87,9 @@ void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
   for (std::size_t index = 0; index < loaded.description.constraints.size(); ++index) {
     const scene::Constraint& constraint = loaded.description.constraints[index];
     row("constraint") << constraint.name << ": " << scene::typeName(constraint.shape) << ", "
-                      << lawName(scene::controlOf(loaded.description, index)) << '\n';
+                      << lawName(scene::controlOf(loaded.description, index));
+    if (const char* solver = solverOf(loaded.program.entries[index])) out << ", " << solver;
+    out << '\n';
   }
   for (const auto& [word, needed] : needsOf(loaded.program.needs)) {
     row(std::string("needs ") + word) << (needed ? "yes" : "no") << '\n';

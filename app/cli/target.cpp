@@ -27,6 +27,19 @@ void addAnswer(JsonObject& object, Status status, const Vec3* p_WP, const Vec3& 
   object.addText("status", name(status));
 }
 
+/// What a virtual manipulator adds: the tip's z, the moment that nobody sends, the solver's steps, the joints.
+void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain& chain) {
+  object.addVector("n", robot.n_W);
+  object.addVector("moment_N_mm", kMillimetrePerMetre * robot.moment_W);
+  object.addInteger("steps", robot.steps);
+  std::vector<double> theta;
+  for (std::size_t i = 0; i < robot.joints; ++i) {
+    const bool turns = chain.joints[i].type == chain::JointType::Revolute;
+    theta.push_back(turns ? robot.theta[i] : kMillimetrePerMetre * robot.theta[i]);
+  }
+  object.addList("theta", theta);
+}
+
 /// Of all constraints together: unique where one acts and draws the stylus somewhere, free where none is touched.
 Status statusOf(const tick::HeldList& held) {
   Status status = Status::Free;
@@ -47,10 +60,14 @@ JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
     one.addText("name", loaded.description.constraints[index].name);
     addAnswer(one, held.status, &held.p_WP, held.f_T_W, max_force_N);
     one.addBool("acts", held.acts && held.status == Status::Unique);
+    const auto& manipulator = loaded.program.entries[index].constraint.manipulator;
+    if (manipulator) addRobot(one, held.robot, manipulator->chain);
   }
   JsonObject all;
   const Vec3* p_WP = report.held.size() == 1 ? &report.held[0].p_WP : nullptr;
   addAnswer(all, statusOf(report.held), p_WP, report.f_T_W, max_force_N);
+  const auto& only = loaded.program.entries[0].constraint.manipulator;
+  if (report.held.size() == 1 && only) addRobot(all, report.held[0].robot, only->chain);
   all.addList("constraints", constraints);
   return all;
 }

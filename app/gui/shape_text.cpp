@@ -38,6 +38,31 @@ Lines linesOf(const scene::Box& box) {
   return lines;
 }
 
+/// "R R P": its joints in order.
+QString jointLetters(const scene::VirtualManipulator& robot) {
+  QStringList letters;
+  for (const scene::Joint& joint : robot.joints) letters << (joint.type == chain::JointType::Revolute ? "R" : "P");
+  return letters.join(' ');
+}
+QString orientationText(manipulator::Orientation orientation) {
+  switch (orientation) {
+    case manipulator::Orientation::None:
+      return QObject::tr("its place alone");
+    case manipulator::Orientation::Axis:
+      return QObject::tr("its place and direction");
+    case manipulator::Orientation::Angle:
+      return QObject::tr("its place and angle");
+    case manipulator::Orientation::Full:
+      return QObject::tr("its place and whole turn");
+  }
+  return {};
+}
+Lines linesOf(const scene::VirtualManipulator& robot) {
+  return {{QObject::tr("Joints"), jointLetters(robot)},
+          {QObject::tr("Tip at home"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
+          {QObject::tr("Drawn to"), orientationText(robot.orientation)}};
+}
+
 QString sideText(target::Side side) {
   switch (side) {
     case target::Side::Both:
@@ -54,6 +79,7 @@ QString sideText(target::Side side) {
 
 QString shapeName(const scene::Shape& shape) {
   QString name = QString::fromLatin1(scene::typeName(shape));
+  name.replace('_', ' ');
   name[0] = name[0].toUpper();
   return name;
 }

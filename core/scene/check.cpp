@@ -3,48 +3,25 @@
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "core/arm/preset.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
 #include "core/scene/fields.h"
+#include "core/scene/manipulators.h"
 #include "core/scene/read.h"
+#include "core/scene/rules.h"
 
 namespace underact::scene {
 namespace {
 
-constexpr double kFarthest_mm = 1e6;
-constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above where a square is lost
-constexpr double kHighestGain = 1e12;    // far beyond any arm; keeps newtons finite wherever the tip is
-constexpr double kRotationError = 1e-6;  // as shape::makeBox
-// Half axes of the shape in the gains' own metric go with the root of the ratio.
 constexpr double kWidestBlend_deg = 30.0;
+// Half axes of the shape in the gains' own metric go with the root of the ratio.
 constexpr double kSmallestGainRatio = 1e-12;
 
 using json::numberText;
-
-std::string judge(Meaning meaning, double number) {
-  if (!std::isfinite(number)) return "This is no finite number; a double holds at most about 1.8e308.";
-  if (meaning == Meaning::Length && number <= 0.0)
-    return "This must be above 0 mm; here it is " + numberText(number) + ".";
-  if (meaning == Meaning::Length && number < kSmallest_mm) return "This is too close to 0 mm; the least is 1e-100 mm.";
-  if ((meaning == Meaning::Length || meaning == Meaning::Position) && std::abs(number) > kFarthest_mm) {
-    return "This must lie within 1e6 mm (1 km); here it is " + numberText(number) + ".";
-  }
-  return {};
-}
-
-std::string judgeGain(double gain) {
-  if (!std::isfinite(gain)) return "This is no finite number; a double holds at most about 1.8e308.";
-  if (gain < 0.0) return "A gain must be 0 or above, or the arm pushes away; here it is " + numberText(gain) + ".";
-  if (gain > kHighestGain) return "A gain must be at most 1e12; here it is " + numberText(gain) + ".";
-  return {};
-}
-
-bool isRotation(const Mat3& R) {
-  return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
-}
 
 bool allSame(const Vec3& v) {
   return v.x() == v.y() && v.y() == v.z();
@@ -66,6 +43,7 @@ class Checker {
   void checkControl(const std::string& key, const Control& control);
   void checkConstraint(std::size_t index);
   void checkMetric(const std::string& key, const Control& control, const Shape& shape);
+  void checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control);
   void checkInfluence(const Constraint& constraint, const Control& control);
   void checkName(const std::string& key, const std::string& name);
 
@@ -161,6 +139,16 @@ void Checker::checkInfluence(const Constraint& constraint, const Control& contro
   }
 }
 
+void Checker::checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control) {
+  const auto say = [this](const std::string& key, std::string sentence) {
+    add(key.empty() ? path_ : path_ + "." + key, std::move(sentence));
+  };
+  if (!checkManipulator(robot, control, say)) return;
+  const auto made = makeManipulator(robot, control, constraint.place);
+  if (made) return;
+  for (const Problem& problem : made.problems()) add(path_, problem.sentence);
+}
+
 void Checker::checkConstraint(std::size_t index) {
   const Constraint& constraint = scene_.constraints[index];
   line_ = constraint.place.line;
@@ -176,6 +164,9 @@ void Checker::checkConstraint(std::size_t index) {
       constraint.shape);
   if (constraint.side != target::Side::Both && !hasSides(constraint.shape)) {
     add(path_ + ".side", std::string("A ") + typeName(constraint.shape) + " has no inside and no outside.");
+  }
+  if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) {
+    checkRobot(*robot, constraint, controlOf(scene_, index));
   }
   if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);

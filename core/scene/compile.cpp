@@ -8,6 +8,7 @@
 #include "core/arm/inverse.h"
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
+#include "core/scene/manipulators.h"
 #include "core/scene/read.h"
 
 namespace underact::scene {
@@ -42,16 +43,6 @@ Result<shape::Box> make(const Box& box, const Place& place) {
   return shape::makeBox(metres(box.center_mm), metres(box.size_mm), box.R_WB, place);
 }
 
-Result<shape::Shape> shapeOf(const Constraint& constraint) {
-  return std::visit(
-      [&](const auto& chosen) -> Result<shape::Shape> {
-        const auto made = make(chosen, constraint.place);
-        if (!made) return made.problems();
-        return shape::Shape(made.value());
-      },
-      constraint.shape);
-}
-
 /// For each joint the way of the tip for a turn of 1 rad, m, with the tip in the middle of the workspace.
 Vec3 leversOf(const arm::Geometry& geometry) {
   return arm::positionJacobian(geometry, arm::reach(geometry, Vec3::Zero()).q_rad).colwise().norm();
@@ -82,6 +73,25 @@ Vec3 metricOf(const Control& control) {
   return weighted ? control.gains.kp_N_per_mm : Vec3::Ones();
 }
 
+/// What a shape becomes in the tick; a virtual manipulator has no shape.
+Result<target::Constraint> heldTo(const Constraint& constraint, const Control& control) {
+  return std::visit(
+      [&](const auto& chosen) -> Result<target::Constraint> {
+        if constexpr (std::is_same_v<std::decay_t<decltype(chosen)>, VirtualManipulator>) {
+          auto made = makeManipulator(chosen, control, constraint.place);
+          if (!made) return made.problems();
+          target::Constraint held;
+          held.manipulator = std::move(made).value();
+          return held;
+        } else {
+          const auto made = make(chosen, constraint.place);
+          if (!made) return made.problems();
+          return target::makeConstraint(made.value(), constraint.side, metricOf(control));
+        }
+      },
+      constraint.shape);
+}
+
 }  // namespace
 
 Result<tick::TickProgram> compile(const Description& scene) {
@@ -92,19 +102,19 @@ Result<tick::TickProgram> compile(const Description& scene) {
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     const Constraint& constraint = scene.constraints[index];
     const Control& control = controlOf(scene, index);
-    const Result<shape::Shape> made = shapeOf(constraint);
+    Result<target::Constraint> made = heldTo(constraint, control);
     if (!made) {
       problems.insert(problems.end(), made.problems().begin(), made.problems().end());
       continue;
     }
     const Vec3 lever_m = control.space == tick::Space::Joint ? leversOf(preset.geometry) : Vec3::Ones();
-    target::Constraint held = target::makeConstraint(made.value(), constraint.side, metricOf(control));
+    target::Constraint held = std::move(made).value();
     if (constraint.influence) {
       const double sign = constraint.influence->stylus_axis == StylusAxis::PlusZ ? 1.0 : -1.0;
       held.influence = {constraint.influence->t, sign, kRadPerDegree * constraint.influence->blend_deg};
       held.influenced = true;
     }
-    entries.push_back({held, lawOf(control, preset.continuous_force_N, lever_m), control.space});
+    entries.push_back({std::move(held), lawOf(control, preset.continuous_force_N, lever_m), control.space});
   }
   if (!problems.empty()) return problems;
   safety::Limits limits;

@@ -44,7 +44,39 @@ struct Box {
   Vec3 size_mm = Vec3::Zero();
   Mat3 R_WB = Mat3::Identity();
 };
-using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box>;
+
+/// A joint at home. Values of revolute joints in rad, of prismatic ones in mm.
+struct Joint {
+  chain::JointType type = chain::JointType::Revolute;
+  Vec3 axis = Vec3::UnitZ();
+  Vec3 point_mm = Vec3::Zero();  // on the axis; revolute only
+  std::optional<double> min = {};
+  std::optional<double> max = {};
+  double stiffness = 0.0;  // of the joint's own spring, N mm/rad or N/mm; 0: it moves freely
+  double rest = 0.0;       // where that spring pulls nowhere
+  bool operator==(const Joint&) const = default;
+};
+
+/// Which way the joints are found.
+enum class SolverMethod : std::uint8_t { Auto, ClosedForm, Iterative };
+struct Solver {
+  SolverMethod method = SolverMethod::Auto;
+  int max_steps = 20;
+  double tolerance = 1e-10;
+  bool operator==(const Solver&) const = default;
+};
+
+/// A robot that exists only in software; the stylus is held to its tip.
+struct VirtualManipulator {
+  std::vector<Joint> joints;
+  Eigen::Matrix4d X_WV_home = Eigen::Matrix4d::Identity();  // translation in mm
+  manipulator::Orientation orientation = manipulator::Orientation::None;
+  double ko_N_mm_per_rad = 0.0;
+  Solver solver;
+  manipulator::ForceLaw force_law = manipulator::ForceLaw::Energy;
+};
+
+using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator>;
 
 /// The word of a scene file for the shape's type: "point", "sphere", ...
 const char* typeName(const Shape& shape);

@@ -83,6 +83,14 @@ struct Fields<Box> {
                                    Field{"R_WB", &Box::R_WB, Meaning::Rotation, false}};
 };
 
+/// Its joints, home and solver are no numbers in a row: manipulators.cpp reads, checks and writes them.
+template <>
+struct Fields<VirtualManipulator> {
+  static constexpr const char* kType = "virtual_manipulator";
+  static constexpr bool kHasSides = false;
+  static constexpr std::tuple<> kAll{};
+};
+
 /// Calls visit(field, number) for each field of the shape, in the order of the file.
 template <class Shape, class Visit>
 void eachField(Shape& shape, Visit&& visit) {
@@ -112,6 +120,20 @@ inline constexpr Word<target::Side> kSideWords[] = {
     {"both", target::Side::Both}, {"outside", target::Side::Outside}, {"inside", target::Side::Inside}};
 inline constexpr Word<tick::Combine> kCombineWords[] = {{"sum", tick::Combine::Sum},
                                                         {"nearest", tick::Combine::Nearest}};
+
+inline constexpr Word<chain::JointType> kJointWords[] = {{"revolute", chain::JointType::Revolute},
+                                                         {"prismatic", chain::JointType::Prismatic}};
+inline constexpr Word<manipulator::Orientation> kOrientationWords[] = {{"none", manipulator::Orientation::None},
+                                                                       {"axis", manipulator::Orientation::Axis},
+                                                                       {"angle", manipulator::Orientation::Angle},
+                                                                       {"full", manipulator::Orientation::Full}};
+inline constexpr Word<SolverMethod> kSolverWords[] = {
+    {"auto", SolverMethod::Auto}, {"closed_form", SolverMethod::ClosedForm}, {"iterative", SolverMethod::Iterative}};
+inline constexpr Word<manipulator::ForceLaw> kForceLawWords[] = {{"energy", manipulator::ForceLaw::Energy},
+                                                                 {"thesis-5.2", manipulator::ForceLaw::Thesis52}};
+
+/// Of a joint's spring: "stiffness_N_mm_per_rad" or "stiffness_N_per_mm".
+const char* stiffnessKey(chain::JointType type);
 
 /// Whether the type takes an influence: a circle, a cylinder, a sphere.
 bool takesInfluence(const Shape& shape);

@@ -2,13 +2,14 @@
 #include <optional>
 #include <utility>
 
+#include "core/scene/manipulators.h"
 #include "core/scene/read_parts.h"
 
 namespace underact::scene {
 namespace {
 
 // In the contract, but not in this version.
-const std::vector<std::string> kLaterTypes{"mesh", "virtual_manipulator", "curve"};
+const std::vector<std::string> kLaterTypes{"mesh", "curve"};
 const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
 
 template <std::size_t... kIndex>
@@ -123,7 +124,11 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
   if (shape) {
     into.shape = *shape;
     object.setWhat(std::string("a ") + typeName(into.shape));
-    readFields(object, into.shape);
+    if (auto* robot = std::get_if<VirtualManipulator>(&into.shape)) {
+      readManipulator(object, *robot);
+    } else {
+      readFields(object, into.shape);
+    }
     readSide(object, into);
     readInfluence(object, into);
   }

@@ -85,10 +85,59 @@ std::string influenceText(const Influence& influence) {
   return objectText(members, 6);
 }
 
+void addNumber(Members& members, const char* key, double number) {
+  if (!sameBits(Vec3(Vec3::Constant(number)), Vec3(Vec3::Zero()))) members.emplace_back(key, text(number));
+}
+
+std::string jointText(const Joint& joint) {
+  Members members{{"type", json::quoted(wordOf(kJointWords, joint.type))}, {"axis", text(joint.axis)}};
+  if (joint.type == chain::JointType::Revolute) members.emplace_back("point_mm", text(joint.point_mm));
+  if (joint.min) members.emplace_back("min", text(*joint.min));
+  if (joint.max) members.emplace_back("max", text(*joint.max));
+  addNumber(members, stiffnessKey(joint.type), joint.stiffness);
+  addNumber(members, "rest", joint.rest);
+  return objectText(members, 8);
+}
+
+std::string solverText(const Solver& solver) {
+  const Solver usual;
+  Members members;
+  if (solver.method != usual.method) {
+    members.emplace_back("method", json::quoted(wordOf(kSolverWords, solver.method)));
+  }
+  if (solver.max_steps != usual.max_steps) members.emplace_back("max_steps", std::to_string(solver.max_steps));
+  if (solver.tolerance != usual.tolerance) members.emplace_back("tolerance", text(solver.tolerance));
+  return objectText(members, 6);
+}
+
+/// A joint and a row of the pose on each line.
+void addManipulator(Members& members, const VirtualManipulator& robot) {
+  std::string joints, rows;
+  for (const Joint& joint : robot.joints) joints += (joints.empty() ? "\n        " : ",\n        ") + jointText(joint);
+  members.emplace_back("joints", "[" + joints + "\n      ]");
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    std::string numbers;
+    for (Eigen::Index column = 0; column < 4; ++column) {
+      numbers += (column == 0 ? "" : ", ") + text(robot.X_WV_home(row, column));
+    }
+    rows += (row == 0 ? "\n        [" : ",\n        [") + numbers + "]";
+  }
+  members.emplace_back("X_WV_home", "[" + rows + "\n      ]");
+  if (robot.orientation != manipulator::Orientation::None) {
+    members.emplace_back("orientation", json::quoted(wordOf(kOrientationWords, robot.orientation)));
+  }
+  addNumber(members, "ko_N_mm_per_rad", robot.ko_N_mm_per_rad);
+  if (!(robot.solver == Solver{})) members.emplace_back("solver", solverText(robot.solver));
+  if (robot.force_law != manipulator::ForceLaw::Energy) {
+    members.emplace_back("force_law", json::quoted(wordOf(kForceLawWords, robot.force_law)));
+  }
+}
+
 std::string constraintText(const Constraint& constraint, std::size_t index) {
   Members members;
   if (constraint.name != madeUpName(constraint, index)) members.emplace_back("name", json::quoted(constraint.name));
   members.emplace_back("type", json::quoted(typeName(constraint.shape)));
+  if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) addManipulator(members, *robot);
   std::visit(
       [&](const auto& shape) {
         const std::remove_cvref_t<decltype(shape)> usual;

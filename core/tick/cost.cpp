@@ -18,7 +18,11 @@ constexpr double kP_ns = 1.0;
 constexpr double kPD_ns = 12.0;
 constexpr double kPID_ns = 18.0;
 constexpr double kInfluence_ns = 130.0;  // the wrist, and the target between orientation and position
-constexpr double kJoints_ns = 250.0;     // the joints that a target asks for, and the force of their torques
+constexpr double kWrist_ns = 60.0;
+constexpr double kClosedForm_ns = 130.0;    // of a virtual manipulator
+constexpr double kStepsOf_ns = 60.0;        // by iteration: the two evaluations and the step of a warm start ...
+constexpr double kStepsOfJoint_ns = 160.0;  // ... for each joint
+constexpr double kJoints_ns = 250.0;        // the joints that a target asks for, and the force of their torques
 
 struct ShapeCost {
   double operator()(const shape::Point&) const { return kPoint_ns; }
@@ -40,12 +44,20 @@ struct LawCost {
   double operator()(const control::PID&) const { return kPID_ns; }
 };
 
+double costOf(const manipulator::Manipulator& robot) {
+  const double turn_ns = robot.orientation == manipulator::Orientation::None ? 0.0 : kWrist_ns;
+  if (robot.closed) return turn_ns + kClosedForm_ns;
+  return turn_ns + kStepsOf_ns + kStepsOfJoint_ns * static_cast<double>(robot.chain.joints.size());
+}
+
 }  // namespace
 
 double predictedCost_ns(const TickProgram& program) {
   double cost_ns = kKinematics_ns + kGateAndReport_ns;
   for (const Entry& entry : program.entries) {
-    cost_ns += std::visit(ShapeCost{}, entry.constraint.shape) + std::visit(LawCost{}, entry.law);
+    const std::optional<manipulator::Manipulator>& robot = entry.constraint.manipulator;
+    cost_ns += robot ? costOf(*robot) : std::visit(ShapeCost{}, entry.constraint.shape);
+    cost_ns += std::visit(LawCost{}, entry.law);
     if (entry.constraint.influenced) cost_ns += kInfluence_ns;
     if (entry.space == Space::Joint) cost_ns += kJoints_ns;
   }

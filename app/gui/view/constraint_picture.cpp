@@ -295,4 +295,12 @@ void ConstraintPicture::add(const scene::Box& box) {
   }
 }
 
+/// The robot moves, and is drawn elsewhere; here is how much room it takes.
+void ConstraintPicture::add(const scene::VirtualManipulator& robot) {
+  extent_mm_.push_back(robot.X_WV_home.topRightCorner<3, 1>());
+  for (const scene::Joint& joint : robot.joints) {
+    if (joint.type == chain::JointType::Revolute) extent_mm_.push_back(joint.point_mm);
+  }
+}
+
 }  // namespace underact::gui

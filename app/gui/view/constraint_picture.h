@@ -45,6 +45,7 @@ class ConstraintPicture {
   void add(const scene::Circle& circle);
   void add(const scene::Cylinder& cylinder);
   void add(const scene::Box& box);
+  void add(const scene::VirtualManipulator& robot);
   vtkActor& addTint(vtkPolyData* data);
   /// At a place of a wall's surface, given its outer normal; nothing where the shape is no wall.
   void addHair(const Vec3& p_mm, const Vec3& outwards);

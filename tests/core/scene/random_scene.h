@@ -25,11 +25,11 @@ class RandomScene {
       constraint.shape = shape();
       constraint.name = std::string(scene::typeName(constraint.shape)) + " " + std::to_string(i + 1);
       if (chance(2)) constraint.name = words() + " " + std::to_string(i);  // no two alike: the number is its last word
-      const std::size_t type = constraint.shape.index();
-      if (type != 0 && type != 2 && type != 4) constraint.side = static_cast<target::Side>(random_.below(3));
+      if (scene::hasSides(constraint.shape)) constraint.side = static_cast<target::Side>(random_.below(3));
       if (chance(3)) constraint.control = control();
       const scene::Control& held = constraint.control ? *constraint.control : made.control;
       const Vec3& kp = held.gains.kp_N_per_mm;
+      if (std::holds_alternative<scene::VirtualManipulator>(constraint.shape)) constraint.control = plainControl();
       const bool own_metric = held.anisotropy == scene::Anisotropy::Weighted && held.space == tick::Space::Cartesian &&
                               !(kp.x() == kp.y() && kp.y() == kp.z());
       if (scene::takesInfluence(constraint.shape) && constraint.side == target::Side::Both && !own_metric &&
@@ -79,7 +79,9 @@ class RandomScene {
     return Eigen::AngleAxisd(random_.between(-3.0, 3.0), random_.direction()).toRotationMatrix();
   }
   scene::Shape shape() {
-    switch (random_.below(7)) {
+    switch (random_.below(8)) {
+      case 7:
+        return robot();
       case 0:
         return scene::Point{position()};
       case 1:
@@ -95,6 +97,36 @@ class RandomScene {
       default:
         return scene::Box{position(), {size(), size(), size()}, rotation()};
     }
+  }
+  scene::Joint joint() {
+    scene::Joint made;
+    if (chance(3)) made.type = chain::JointType::Prismatic;
+    made.axis = direction();
+    if (made.type == chain::JointType::Revolute) made.point_mm = position();
+    if (chance(3)) made.min = -random_.between(0.0, 900.0);
+    if (chance(3)) made.max = random_.between(0.0, 900.0);
+    if (chance(4)) made.stiffness = random_.between(0.1, 1e3), made.rest = random_.between(-900.0, 900.0);
+    return made;
+  }
+  scene::VirtualManipulator robot() {
+    scene::VirtualManipulator made;
+    made.joints.resize(1 + random_.below(8));
+    for (scene::Joint& one : made.joints) one = joint();
+    made.X_WV_home.topLeftCorner<3, 3>() = rotation();
+    made.X_WV_home.topRightCorner<3, 1>() = position();
+    constexpr std::array kOrientations{manipulator::Orientation::None, manipulator::Orientation::Axis,
+                                       manipulator::Orientation::Full};  // an angle needs a chain of its own
+    made.orientation = kOrientations[random_.below(kOrientations.size())];
+    if (made.orientation != manipulator::Orientation::None) made.ko_N_mm_per_rad = random_.between(0.0, 1e3);
+    if (chance(3)) made.solver = {scene::SolverMethod::Iterative, 1 + static_cast<int>(random_.below(100)), 1e-6};
+    return made;
+  }
+  /// One that a virtual manipulator takes.
+  scene::Control plainControl() {
+    scene::Control made = control();
+    made.space = tick::Space::Cartesian;
+    made.anisotropy = scene::Anisotropy::Weighted;
+    return made;
   }
   Vec3 gain() {
     if (chance(4)) return Vec3::Constant(chance(2) ? -0.0 : 0.0);

@@ -140,7 +140,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 9:62: constraints[1].direction: A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.
 9:73: constraints[1].side: A line has no inside and no outside; take "side" away.
 10:5: constraints[2]: This must be an object, as in {"type": "point", "position_mm": [0, 0, 0]}; here it is a number.
-11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? There are "point", "sphere", "line", "plane", "circle", "cylinder" and "box".
+11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? There are "point", "sphere", "line", "plane", "circle", "cylinder", "box" and "virtual_manipulator".
 12:14: constraints[4].name: The name "x" is taken by constraints[3]; names must differ.
 12:52: constraints[4].position_mm[0]: This is no finite number; a double holds at most about 1.8e308.
 14:3: constraints: The key "constraints" stands here a second time; the first is on line 7. Take one away.
@@ -219,11 +219,11 @@ TEST(ReadScene, AKeyThatIsNoNameIsQuotedAndCutShort) {
 TEST(ReadScene, OfAnUnknownTypeTheOtherKeysAreNotJudged) {
   EXPECT_EQ(problemOf(R"({"type": "torus", "radius_mm": 1, "tube_mm": 2})"),
             "2:10: constraints[0].type: The type \"torus\" is not known. There are \"point\", \"sphere\", \"line\", "
-            "\"plane\", \"circle\", \"cylinder\" and \"box\".\n");
+            "\"plane\", \"circle\", \"cylinder\", \"box\" and \"virtual_manipulator\".\n");
 }
 
 TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
-  for (const char* type : {"mesh", "virtual_manipulator", "curve"}) {
+  for (const char* type : {"mesh", "curve"}) {
     EXPECT_EQ(
         problemOf(std::string(R"({"type": ")") + type + R"(", "file": "a.stl", "joints": []})"),
         std::string("2:10: constraints[0].type: The type \"") + type + "\" is not in this version of Underact.\n");
@@ -266,8 +266,8 @@ TEST(ReadScene, WrongKindsSayWhatIsAllowed) {
             "2:53: constraints[0].name: The name is empty; write one, or take the key away and one is made up.\n");
   EXPECT_EQ(
       problemOf(R"({"type": 3})"),
-      "2:10: constraints[0].type: This must be \"point\", \"sphere\", \"line\", \"plane\", \"circle\", \"cylinder\" or "
-      "\"box\"; here it is a number.\n");
+      "2:10: constraints[0].type: This must be \"point\", \"sphere\", \"line\", \"plane\", \"circle\", \"cylinder\", "
+      "\"box\" or \"virtual_manipulator\"; here it is a number.\n");
 }
 
 TEST(ReadScene, MadeUpNamesNeverMeetOthers) {
@@ -336,6 +336,78 @@ TEST(ReadScene, WhatIsWrongWithAnInfluenceIsSaid) {
           R"({"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 5, "side": "outside", "influence": {"t": 1}})")
           .find("A wall has no influence"),
       std::string::npos);
+}
+
+namespace {
+
+/// A constraint with a joint and a home; extra: further keys, each with its comma before it.
+std::string robotWith(const std::string& joint, const std::string& extra = "",
+                      const std::string& home = "[[1, 0, 0, 50], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]") {
+  return R"({"type": "virtual_manipulator", "joints": [)" + joint + R"(], "X_WV_home": )" + home + extra + "}";
+}
+
+const char* const kTurning = R"({"type": "revolute", "axis": [0, 0, 2], "point_mm": [1, 2, 3]})";
+
+}  // namespace
+
+TEST(ReadScene, AVirtualManipulatorIsReadWithAllItsKeysAndItsDefaults) {
+  const VirtualManipulator plain =
+      std::get<VirtualManipulator>(readScene(test::sceneWith(robotWith(kTurning)), "").value().constraints[0].shape);
+  ASSERT_EQ(plain.joints.size(), 1u);
+  EXPECT_EQ(plain.joints[0], (Joint{chain::JointType::Revolute, {0, 0, 2}, {1, 2, 3}}));
+  EXPECT_EQ(plain.X_WV_home(0, 3), 50.0);
+  EXPECT_EQ(plain.orientation, manipulator::Orientation::None);
+  EXPECT_EQ(plain.solver, Solver{});
+  EXPECT_EQ(plain.force_law, manipulator::ForceLaw::Energy);
+  const std::string sliding =
+      R"({"type": "prismatic", "axis": [1, 0, 0], "min": -5, "max": 7, "stiffness_N_per_mm": 0.25, "rest": 2})";
+  const VirtualManipulator full = std::get<VirtualManipulator>(
+      readScene(
+          test::sceneWith(robotWith(
+              std::string(kTurning) + ", " + sliding,
+              R"(, "orientation": "full", "ko_N_mm_per_rad": 250, "solver": {"method": "iterative", "max_steps": 7, "tolerance": 1e-6})")),
+          "")
+          .value()
+          .constraints[0]
+          .shape);
+  EXPECT_EQ(full.joints[1], (Joint{chain::JointType::Prismatic, {1, 0, 0}, Vec3::Zero(), -5.0, 7.0, 0.25, 2.0}));
+  EXPECT_EQ(full.orientation, manipulator::Orientation::Full);
+  EXPECT_EQ(full.ko_N_mm_per_rad, 250.0);
+  EXPECT_EQ(full.solver, (Solver{SolverMethod::Iterative, 7, 1e-6}));
+}
+
+TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
+  const auto said = [](const std::string& constraint, const std::string& part) {
+    const std::string all = joined(problemsIn(test::sceneWith(constraint)));
+    EXPECT_NE(all.find(part), std::string::npos) << constraint << "\n" << all;
+  };
+  said(robotWith(""), "joints: A virtual manipulator has 1 to 8 joints; here are 0.");
+  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "point_mm": [0, 0, 0]})"),
+       "joints[0].point_mm: A prismatic joint has a direction and no point");
+  said(robotWith(R"({"type": "revolute", "axis": [0, 0, 0], "point_mm": [0, 0, 0]})"),
+       "joints[0].axis: A direction must not be [0, 0, 0]");
+  said(robotWith(R"({"type": "revolute", "axis": [0, 0, 1]})"), "joints[0].point_mm: The key \"point_mm\" is missing");
+  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "min": 3, "max": 2})"),
+       "joints[0].min: The lower limit 3 is above the upper one, 2");
+  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "stiffness_N_mm_per_rad": 2})"),
+       "The spring of a prismatic joint is \"stiffness_N_per_mm\".");
+  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "rest": 2})"), "Without a spring the joint has no rest");
+  said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"),
+       "A pose has 4 rows of 4 numbers; here are 3.");
+  said(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"), "are no rotation");
+  said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]"), "The last row of a pose");
+  said(robotWith(kTurning, R"(, "ko_N_mm_per_rad": 3)"), "With the orientation \"none\" nothing uses this");
+  said(robotWith(kTurning, R"(, "orientation": "angle", "ko_N_mm_per_rad": 3)"), "lies along the joint's axis");
+  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0]})", R"(, "orientation": "angle")"),
+       "takes a chain with just one revolute joint");
+  said(robotWith(kTurning, R"(, "solver": {"max_steps": 1.5})"), "This must be a whole number from 1 to 100");
+  said(robotWith(kTurning, R"(, "solver": {"method": "closed_form"}, "orientation": "full")"),
+       "There is no closed form for this chain");
+  said(robotWith(kTurning, R"(, "control": {"space": "joint"})"), "Set \"space\" to \"cartesian\"");
+  said(robotWith(kTurning, R"(, "control": {"kp_N_per_mm": [1, 2, 3], "anisotropy": "euclidean"})"),
+       "is held in the gains' own metric");
+  said(robotWith(kTurning, R"(, "influence": {"t": 1})"), "has no influence");
+  said(robotWith(kTurning, R"(, "side": "inside")"), "has no inside and no outside");
 }
 
 }  // namespace

@@ -87,6 +87,20 @@ inline bool same(const scene::Cylinder& a, const scene::Cylinder& b) {
 inline bool same(const scene::Box& a, const scene::Box& b) {
   return same(a.center_mm, b.center_mm) && same(a.size_mm, b.size_mm) && same(a.R_WB, b.R_WB);
 }
+inline bool same(const std::optional<double>& a, const std::optional<double>& b) {
+  return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+inline bool same(const scene::Joint& a, const scene::Joint& b) {
+  return a.type == b.type && same(a.axis, b.axis) && same(a.point_mm, b.point_mm) && same(a.min, b.min) &&
+         same(a.max, b.max) && same(a.stiffness, b.stiffness) && same(a.rest, b.rest);
+}
+inline bool same(const scene::VirtualManipulator& a, const scene::VirtualManipulator& b) {
+  bool all = a.joints.size() == b.joints.size() && a.orientation == b.orientation && a.force_law == b.force_law &&
+             same(a.ko_N_mm_per_rad, b.ko_N_mm_per_rad) && a.solver == b.solver &&
+             std::memcmp(a.X_WV_home.data(), b.X_WV_home.data(), 16 * sizeof(double)) == 0;
+  for (std::size_t i = 0; all && i < a.joints.size(); ++i) all = same(a.joints[i], b.joints[i]);
+  return all;
+}
 inline bool same(const scene::Shape& a, const scene::Shape& b) {
   return a.index() == b.index() &&
          std::visit([&](const auto& shape) { return same(shape, std::get<std::decay_t<decltype(shape)>>(b)); }, a);

@@ -151,6 +151,13 @@ TEST(SceneSchema, HasTheWordsThatTheReaderHas) {
     for (const auto& word : table) all.insert(word.word);
     return all;
   };
+  const json::Value& robot = *root.find("$defs")->find("virtual_manipulator")->find("properties");
+  EXPECT_EQ(wordsOf(*robot.find("orientation")->find("enum")), words(kOrientationWords));
+  EXPECT_EQ(wordsOf(*robot.find("force_law")->find("enum")), words(kForceLawWords));
+  const json::Value& joint = *root.find("$defs")->find("joint")->find("properties");
+  EXPECT_EQ(wordsOf(*joint.find("type")->find("enum")), words(kJointWords));
+  const json::Value& solver = *root.find("$defs")->find("solver")->find("properties");
+  EXPECT_EQ(wordsOf(*solver.find("method")->find("enum")), words(kSolverWords));
   const json::Value& control = *root.find("$defs")->find("control")->find("properties");
   EXPECT_EQ(wordsOf(*control.find("law")->find("enum")), words(kLawWords));
   EXPECT_EQ(wordsOf(*control.find("anisotropy")->find("enum")), words(kAnisotropyWords));

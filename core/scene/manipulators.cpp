@@ -1,0 +1,152 @@
+#include "core/scene/manipulators.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/json/json.h"
+#include "core/scene/rules.h"
+
+namespace underact::scene {
+namespace {
+
+using chain::JointType;
+using json::numberText;
+
+constexpr double kFarthestTurn_rad = 1e3;
+
+bool isTurning(const Joint& joint) {
+  return joint.type == JointType::Revolute;
+}
+
+std::string judgeValue(const Joint& joint, double value) {
+  const double farthest = isTurning(joint) ? kFarthestTurn_rad : kFarthest_mm;
+  if (!std::isfinite(value)) return "This is no finite number; a double holds at most about 1.8e308.";
+  if (std::abs(value) <= farthest) return {};
+  return std::string("This must lie within ") + (isTurning(joint) ? "1000 rad" : "1e6 mm") + "; here it is " +
+         numberText(value) + ".";
+}
+
+class JointChecker {
+ public:
+  JointChecker(const std::function<void(const std::string&, std::string)>& add, bool& well) : add_(add), well_(well) {}
+
+  void check(const std::string& key, const Joint& joint) const {
+    if (!joint.axis.allFinite()) {
+      say(key + ".axis", "This is no finite direction; a double holds at most about 1.8e308.");
+    } else if (joint.axis.isZero(0.0)) {
+      say(key + ".axis", "A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.");
+    }
+    if (isTurning(joint)) {
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        say(key + ".point_mm[" + std::to_string(i) + "]", judge(Meaning::Position, joint.point_mm[i]));
+      }
+    }
+    if (joint.min) say(key + ".min", judgeValue(joint, *joint.min));
+    if (joint.max) say(key + ".max", judgeValue(joint, *joint.max));
+    if (joint.min && joint.max && *joint.min > *joint.max) {
+      say(key + ".min", "The lower limit " + numberText(*joint.min) + " is above the upper one, " +
+                            numberText(*joint.max) + "; no value of the joint is left.");
+    }
+    say(key + "." + stiffnessKey(joint.type), judgeGain(joint.stiffness));
+    say(key + ".rest", judgeValue(joint, joint.rest));
+    if (joint.stiffness == 0.0 && joint.rest != 0.0) {
+      say(key + ".rest", std::string("Without a spring the joint has no rest; give it \"") + stiffnessKey(joint.type) +
+                             "\", or take this away.");
+    }
+  }
+
+  void say(const std::string& key, std::string sentence) const {
+    if (sentence.empty()) return;
+    well_ = false;
+    add_(key, std::move(sentence));
+  }
+
+ private:
+  const std::function<void(const std::string&, std::string)>& add_;
+  bool& well_;
+};
+
+std::string judgeHome(const Eigen::Matrix4d& X) {
+  if (!X.allFinite()) return "This is no finite pose; a double holds at most about 1.8e308.";
+  if (X.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) return "The last row of a pose is [0, 0, 0, 1].";
+  if (!isRotation(X.topLeftCorner<3, 3>())) {
+    return "The upper left 3 x 3 numbers are no rotation: its rows must have length 1, be at right angles, and form a "
+           "right-handed frame.";
+  }
+  if (X.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFarthest_mm) return "The tip must lie within 1e6 mm (1 km).";
+  return {};
+}
+
+}  // namespace
+
+bool checkManipulator(const VirtualManipulator& robot, const Control& control,
+                      const std::function<void(const std::string&, std::string)>& add) {
+  bool well = true;
+  const JointChecker checker(add, well);
+  if (robot.joints.empty() || robot.joints.size() > manipulator::kMaxJoints) {
+    checker.say("joints", "A virtual manipulator has 1 to " + std::to_string(manipulator::kMaxJoints) +
+                              " joints; here are " + std::to_string(robot.joints.size()) + ".");
+  }
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    checker.check("joints[" + std::to_string(i) + "]", robot.joints[i]);
+  }
+  checker.say("X_WV_home", judgeHome(robot.X_WV_home));
+  checker.say("ko_N_mm_per_rad", judgeGain(robot.ko_N_mm_per_rad));
+  if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
+    checker.say("ko_N_mm_per_rad",
+                "With the orientation \"none\" nothing uses this; set \"orientation\" to \"axis\", \"angle\" or "
+                "\"full\", or take it away.");
+  }
+  if (robot.solver.max_steps < 1 || robot.solver.max_steps > 100) {
+    checker.say("solver.max_steps", "This must be a whole number from 1 to 100.");
+  }
+  if (!(robot.solver.tolerance > 0.0 && robot.solver.tolerance <= 1e-2)) {
+    checker.say("solver.tolerance", "This must be above 0 and at most 0.01 (rad, and of the reach); here it is " +
+                                        numberText(robot.solver.tolerance) + ".");
+  }
+  if (control.space == tick::Space::Joint) {
+    checker.say("",
+                "A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. "
+                "Set \"space\" to \"cartesian\".");
+  }
+  const Vec3& kp = control.gains.kp_N_per_mm;
+  if (control.anisotropy == Anisotropy::Euclidean && !(kp.x() == kp.y() && kp.y() == kp.z())) {
+    checker.say("",
+                "A virtual manipulator is held in the gains' own metric. Take \"anisotropy\" away, or give every "
+                "axis the same kp.");
+  }
+  return well;
+}
+
+Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,
+                                                 const Place& place) {
+  manipulator::Wanted wanted;
+  std::vector<chain::Joint> joints;
+  for (std::size_t i = 0; i < robot.joints.size() && i < manipulator::kMaxJoints; ++i) {
+    const Joint& joint = robot.joints[i];
+    const double unit = isTurning(joint) ? 1.0 : kMetrePerMillimetre;
+    joints.push_back({joint.type, joint.axis, kMetrePerMillimetre * joint.point_mm,
+                      joint.min ? unit * *joint.min : -kInfinity, joint.max ? unit * *joint.max : kInfinity});
+    wanted.spring[i] = joint.stiffness * (isTurning(joint) ? kMetrePerMillimetre : kNewtonPerMetre);
+    wanted.rest[i] = unit * joint.rest;
+  }
+  Pose X_WV_home = Pose::Identity();
+  // A rotation written with a few digits becomes one to the last bit.
+  X_WV_home.linear() = Eigen::Quaterniond(Mat3(robot.X_WV_home.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
+  X_WV_home.translation() = kMetrePerMillimetre * robot.X_WV_home.topRightCorner<3, 1>();
+  Result<chain::Chain> made = chain::makeChain(std::move(joints), X_WV_home, place);
+  if (!made) return made.problems();
+  wanted.chain = std::move(made).value();
+  wanted.orientation = robot.orientation;
+  wanted.kp_N_per_m = kNewtonPerMetre * control.gains.kp_N_per_mm;
+  wanted.ko_N_m_per_rad = kMetrePerMillimetre * robot.ko_N_mm_per_rad;
+  wanted.law = robot.force_law;
+  if (robot.solver.method == SolverMethod::ClosedForm) wanted.method = manipulator::Method::ClosedForm;
+  if (robot.solver.method == SolverMethod::Iterative) wanted.method = manipulator::Method::Iterative;
+  wanted.max_steps = robot.solver.max_steps;
+  wanted.tolerance = robot.solver.tolerance;
+  return manipulator::makeManipulator(std::move(wanted), place);
+}
+
+}  // namespace underact::scene

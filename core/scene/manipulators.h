@@ -1,0 +1,23 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "core/manipulator/manipulator.h"
+#include "core/scene/read_parts.h"
+
+namespace underact::scene {
+
+// Inside the room: what is particular to virtual manipulators.
+
+/// Joints, home, orientation, solver and force law of an object of the file.
+void readManipulator(ObjectReader& object, VirtualManipulator& into);
+
+/// add(key within the constraint, sentence) for each number that no rule allows. True where there was none.
+bool checkManipulator(const VirtualManipulator& robot, const Control& control,
+                      const std::function<void(const std::string&, std::string)>& add);
+
+/// What it compiles to, in SI. Problems: those that lie between its parts (an angle without a joint for it, ...).
+Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,
+                                                 const Place& place);
+
+}  // namespace underact::scene

@@ -1,0 +1,123 @@
+#include <cmath>
+
+#include "core/scene/manipulators.h"
+
+namespace underact::scene {
+namespace {
+
+void readLimit(ObjectReader& object, const char* key, std::optional<double>& into) {
+  const json::Value* value = object.find(key);
+  if (value != nullptr) readNumber(*value, object.pathOf(key), into.emplace(0.0), object.findings());
+}
+
+void readOptional(ObjectReader& object, const char* key, double& into) {
+  if (const json::Value* value = object.find(key)) readNumber(*value, object.pathOf(key), into, object.findings());
+}
+
+void readJoint(const json::Value& value, const std::string& path, Joint& into, Findings& findings) {
+  if (!isKind(value, json::Kind::Object, path,
+              "an object, as in {\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}", findings)) {
+    return;
+  }
+  findings.remember(path, value);
+  ObjectReader joint(value, path, "a joint", findings);
+  bool known = false;
+  if (const json::Value* type = joint.find("type", true)) {
+    known = readWord(*type, joint.pathOf("type"), kJointWords, into.type, findings);
+  }
+  if (const json::Value* axis = joint.find("axis", true)) {
+    readNumber(*axis, joint.pathOf("axis"), into.axis, findings);
+  }
+  if (into.type == chain::JointType::Revolute) {
+    if (const json::Value* point = joint.find("point_mm", known)) {
+      readNumber(*point, joint.pathOf("point_mm"), into.point_mm, findings);
+    }
+  } else {
+    joint.refuse("point_mm", "A prismatic joint has a direction and no point; take it away.");
+  }
+  const bool turns = into.type == chain::JointType::Revolute;
+  joint.refuse(stiffnessKey(turns ? chain::JointType::Prismatic : chain::JointType::Revolute),
+               std::string("The spring of a ") + wordOf(kJointWords, into.type) + " joint is \"" +
+                   stiffnessKey(into.type) + "\".");
+  readLimit(joint, "min", into.min);
+  readLimit(joint, "max", into.max);
+  readOptional(joint, stiffnessKey(into.type), into.stiffness);
+  readOptional(joint, "rest", into.rest);
+  joint.finish(known);
+}
+
+void readHome(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings) {
+  findings.remember(path, value);
+  const bool four = value.kind == json::Kind::Array && value.items.size() == 4;
+  if (!four) {
+    if (isKind(value, json::Kind::Array, path, "4 rows of 4 numbers", findings)) {
+      findings.add(value, path, "A pose has 4 rows of 4 numbers; here are " + std::to_string(value.items.size()) + ".");
+    }
+    return;
+  }
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    const json::Value& line = value.items[static_cast<std::size_t>(row)];
+    const std::string line_path = path + "[" + std::to_string(row) + "]";
+    findings.remember(line_path, line);
+    if (!isKind(line, json::Kind::Array, line_path, "4 numbers", findings)) continue;
+    if (line.items.size() != 4) {
+      findings.add(line, line_path, "A row has 4 numbers; here are " + std::to_string(line.items.size()) + ".");
+      continue;
+    }
+    for (Eigen::Index column = 0; column < 4; ++column) {
+      readNumber(line.items[static_cast<std::size_t>(column)], line_path + "[" + std::to_string(column) + "]",
+                 into(row, column), findings);
+    }
+  }
+}
+
+void readSolver(const json::Value& value, const std::string& path, Solver& into, Findings& findings) {
+  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"method\": \"auto\"}", findings)) return;
+  ObjectReader solver(value, path, "a solver", findings);
+  if (const json::Value* method = solver.find("method")) {
+    readWord(*method, solver.pathOf("method"), kSolverWords, into.method, findings);
+  }
+  if (const json::Value* steps = solver.find("max_steps")) {
+    double count = into.max_steps;
+    readNumber(*steps, solver.pathOf("max_steps"), count, findings);
+    if (count >= 1.0 && count <= 100.0 && std::floor(count) == count) {
+      into.max_steps = static_cast<int>(count);
+    } else if (steps->kind == json::Kind::Number) {
+      findings.add(*steps, solver.pathOf("max_steps"),
+                   "This must be a whole number from 1 to 100; here it is " + json::numberText(count) + ".");
+    }
+  }
+  readOptional(solver, "tolerance", into.tolerance);
+  solver.finish();
+}
+
+}  // namespace
+
+void readManipulator(ObjectReader& object, VirtualManipulator& into) {
+  Findings& findings = object.findings();
+  const json::Value* joints = object.find("joints", true);
+  if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"), "a list of joints", findings)) {
+    findings.remember(object.pathOf("joints"), *joints);
+    into.joints.resize(joints->items.size());
+    for (std::size_t i = 0; i < into.joints.size(); ++i) {
+      readJoint(joints->items[i], object.pathOf("joints") + "[" + std::to_string(i) + "]", into.joints[i], findings);
+    }
+  } else {
+    into.joints.emplace_back();  // a harmless one
+  }
+  if (const json::Value* home = object.find("X_WV_home", true)) {
+    readHome(*home, object.pathOf("X_WV_home"), into.X_WV_home, findings);
+  }
+  if (const json::Value* orientation = object.find("orientation")) {
+    readWord(*orientation, object.pathOf("orientation"), kOrientationWords, into.orientation, findings);
+  }
+  readOptional(object, "ko_N_mm_per_rad", into.ko_N_mm_per_rad);
+  if (const json::Value* solver = object.find("solver")) {
+    readSolver(*solver, object.pathOf("solver"), into.solver, findings);
+  }
+  if (const json::Value* law = object.find("force_law")) {
+    readWord(*law, object.pathOf("force_law"), kForceLawWords, into.force_law, findings);
+  }
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,37 @@
+#include "core/scene/rules.h"
+
+#include <cmath>
+
+#include "core/json/json.h"
+
+namespace underact::scene {
+
+using json::numberText;
+
+constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above where a square is lost
+constexpr double kHighestGain = 1e12;    // far beyond any arm; keeps newtons finite wherever the tip is
+constexpr double kRotationError = 1e-6;
+
+std::string judge(Meaning meaning, double number) {
+  if (!std::isfinite(number)) return "This is no finite number; a double holds at most about 1.8e308.";
+  if (meaning == Meaning::Length && number <= 0.0)
+    return "This must be above 0 mm; here it is " + numberText(number) + ".";
+  if (meaning == Meaning::Length && number < kSmallest_mm) return "This is too close to 0 mm; the least is 1e-100 mm.";
+  if ((meaning == Meaning::Length || meaning == Meaning::Position) && std::abs(number) > kFarthest_mm) {
+    return "This must lie within 1e6 mm (1 km); here it is " + numberText(number) + ".";
+  }
+  return {};
+}
+
+std::string judgeGain(double gain) {
+  if (!std::isfinite(gain)) return "This is no finite number; a double holds at most about 1.8e308.";
+  if (gain < 0.0) return "A gain must be 0 or above, or the arm pushes away; here it is " + numberText(gain) + ".";
+  if (gain > kHighestGain) return "A gain must be at most 1e12; here it is " + numberText(gain) + ".";
+  return {};
+}
+
+bool isRotation(const Mat3& R) {
+  return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
+}
+
+}  // namespace underact::scene
