@@ -41,6 +41,9 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   if (last.laws.size() == next.laws.size()) {
     for (std::size_t index = 0; index < next.laws.size(); ++index) next.laws[index] = last.laws[index];
   }
+  if (what == Carry::ArmAndMovedLaws) {
+    for (control::LawState& law : next.laws) law.has_last = false;
+  }
   if (last.influences.size() == next.influences.size()) {
     for (std::size_t index = 0; index < next.influences.size(); ++index)
       next.influences[index] = last.influences[index];
