@@ -1,38 +1,40 @@
 #include "app/gui/document.h"
 
 #include <QFileInfo>
+#include <utility>
 
+#include "core/scene/edit.h"
 #include "core/scene/read.h"
 #include "core/scene/write.h"
 
 namespace underact::gui {
 
-/// One step back or forth between two controls.
-class ControlEdit : public QUndoCommand {
+/// One step back or forth between two scenes.
+class SceneEdit : public QUndoCommand {
  public:
-  ControlEdit(Document& document, std::size_t index, const scene::Control& before, const scene::Control& after,
-              const QString& what, int gesture)
-      : QUndoCommand(what), document_(document), index_(index), before_(before), after_(after), gesture_(gesture) {}
+  SceneEdit(Document& document, scene::Description before, scene::Description after, const QString& what, int gesture)
+      : QUndoCommand(what),
+        document_(document),
+        before_(std::move(before)),
+        after_(std::move(after)),
+        gesture_(gesture) {}
   int id() const override { return gesture_; }
-  void undo() override { document_.put(index_, before_); }
+  void undo() override { document_.put(before_); }
   void redo() override {
     if (!done_)
       done_ = true;  // edit() has put it into effect: that is how it knew that it is allowed
     else
-      document_.put(index_, after_);
+      document_.put(after_);
   }
   bool mergeWith(const QUndoCommand* other) override {
-    const auto* next = static_cast<const ControlEdit*>(other);
-    if (next->index_ != index_) return false;
-    after_ = next->after_;
-    setObsolete(before_ == after_);
+    after_ = static_cast<const SceneEdit*>(other)->after_;
+    setObsolete(scene::isSame(before_, after_));
     return true;
   }
 
  private:
   Document& document_;
-  std::size_t index_;
-  scene::Control before_, after_;
+  scene::Description before_, after_;
   int gesture_;
   bool done_ = false;
 };
@@ -64,20 +66,29 @@ Problems Document::saveAs(const QString& path) {
   return {};
 }
 
-Problems Document::edit(std::size_t index, const scene::Control& control, const QString& what, int gesture) {
-  const scene::Control before = scene::controlOf(host_.scene(), index);
-  if (control == before) return {};
-  Problems problems = host_.setControl(index, control);
+Problems Document::edit(const scene::Description& after, const QString& what, int gesture) {
+  const scene::Description before = host_.scene();
+  if (scene::isSame(before, after)) return {};
+  Problems problems = host_.edit(after);
   if (!problems.empty()) return problems;
-  undo_.push(new ControlEdit(*this, index, before, control, what, gesture));
+  undo_.push(new SceneEdit(*this, before, after, what, gesture));
   emit edited();
   return {};
 }
 
-void Document::put(std::size_t index, const scene::Control& control) {
+void Document::put(const scene::Description& scene) {
   // It was in effect before, so it cannot be refused; the panels show what holds in any case.
-  static_cast<void>(host_.setControl(index, control));
+  static_cast<void>(host_.edit(scene));
   emit edited();
+}
+
+const scene::Control& Document::own(std::size_t index) const {
+  return index < original_.constraints.size() ? scene::controlOf(original_, index) : original_.control;
+}
+
+std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {
+  if (index >= original_.constraints.size()) return std::nullopt;
+  return original_.constraints[index].influence;
 }
 
 }  // namespace underact::gui

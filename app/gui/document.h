@@ -1,13 +1,14 @@
 #pragma once
 #include <QObject>
 #include <QUndoStack>
+#include <optional>
 
 #include "core/servo/host.h"
 
 namespace underact::gui {
 
-/// The scene in the window: the file it came from, its gains as the file has them and as they are now, and the way
-/// back. The servo's host keeps the scene in effect; this is the editor's side of it.
+/// The scene in the window: the file it came from, as the file has it and as it is now, and the way back. The servo's
+/// host keeps the scene in effect; this is the editor's side of it.
 class Document : public QObject {
   Q_OBJECT
  public:
@@ -18,15 +19,17 @@ class Document : public QObject {
   /// Writes the scene as it is now; from then on that is its file, and its gains are the scene's own.
   Problems saveAs(const QString& path);
 
-  /// Puts control in place of the one that holds for the constraint at index. what: "stiffness x", for the undo menu.
-  /// gesture: edits in a row with the same number (one drag) become one step. Problems: the old control stays.
-  Problems edit(std::size_t index, const scene::Control& control, const QString& what, int gesture);
+  /// Puts after, an edit of scene(), in its place. what: "stiffness x", for the undo menu. gesture: edits in a row with
+  /// the same number (one drag) become one step. Problems: the old scene stays.
+  Problems edit(const scene::Description& after, const QString& what, int gesture);
   /// A number that no edit has had yet.
   int newGesture() { return ++gestures_; }
 
   const scene::Description& scene() const { return host_.scene(); }
-  /// The control at index as the file has it.
-  const scene::Control& own(std::size_t index) const { return scene::controlOf(original_, index); }
+  /// The control at index as the file has it; of a constraint the file does not have, the scene's.
+  const scene::Control& own(std::size_t index) const;
+  /// The influence at index as the file has it; none: there is none.
+  std::optional<scene::Influence> ownInfluence(std::size_t index) const;
   bool isOpen() const { return !path_.isEmpty(); }
   bool modified() const { return !undo_.isClean(); }
   QString path() const { return path_; }
@@ -38,8 +41,8 @@ class Document : public QObject {
   void modifiedChanged(bool modified);
 
  private:
-  friend class ControlEdit;
-  void put(std::size_t index, const scene::Control& control);  // one that was in effect before
+  friend class SceneEdit;
+  void put(const scene::Description& scene);  // one that was in effect before
 
   servo::Host& host_;
   scene::Description original_;

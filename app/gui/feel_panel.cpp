@@ -13,6 +13,7 @@
 #include "app/gui/gain_row.h"
 #include "app/gui/stability.h"
 #include "app/gui/words.h"
+#include "core/scene/edit.h"
 
 namespace underact::gui {
 namespace {
@@ -97,8 +98,12 @@ bool FeelPanel::resetToScene() {
 }
 
 bool FeelPanel::send(const scene::Control& control, const QString& what, bool fresh) {
+  return sendScene(scene::withControl(parts_.document.scene(), index_, control), what, fresh);
+}
+
+bool FeelPanel::sendScene(const scene::Description& edited, const QString& what, bool fresh) {
   if (fresh) gesture_ = parts_.document.newGesture();
-  const Problems problems = parts_.document.edit(index_, control, what, gesture_);
+  const Problems problems = parts_.document.edit(edited, what, gesture_);
   stale_ = true;  // refused? the next snapshot puts it back
   refusal_->setText(problems.empty() ? QString() : sentencesOf(problems));
   refusal_->setVisible(!problems.empty());

@@ -39,6 +39,7 @@ class FeelPanel : public Panel {
   void refresh();
   void refreshWarnings(const scene::Control& control);
   bool send(const scene::Control& control, const QString& what, bool fresh);
+  bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
 
   PanelParts parts_;
   std::size_t index_ = 0;  // of the constraint whose control is shown

@@ -103,6 +103,7 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
   connect(constraint_, &QComboBox::currentIndexChanged, this, [this](int row) {
     if (row < 0) return;
     index_ = static_cast<std::size_t>(row);
+    gesture_ = parts_.document.newGesture();  // keys in a row on another constraint are another step back
     refresh();
   });
   connect(law_, &QComboBox::currentIndexChanged, this, [this](int row) { setLaw(static_cast<scene::LawType>(row)); });

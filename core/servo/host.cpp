@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/scene/compile.h"
+#include "core/scene/edit.h"
 #include "core/servo/loop.h"
 #include "core/servo/thread.h"
 
@@ -56,14 +57,16 @@ Problems Host::load(const scene::Description& scene) {
   return impl_->put(scene, Order::Load);
 }
 
-Problems Host::setControl(std::size_t index, const scene::Control& control) {
-  scene::Description edited = impl_->scene;
-  if (index >= edited.constraints.size()) return {{"The scene has no such constraint.", {}}};
-  const bool only_one = edited.constraints.size() == 1 && !edited.constraints[index].control;
-  // What a law remembers of a tip says nothing to joints: there the new one begins anew, ramped up like a scene.
-  const bool same_space = scene::controlOf(edited, index).space == control.space;
-  (only_one ? edited.control : edited.constraints[index].control.emplace()) = control;
-  return impl_->put(edited, same_space ? Order::Retune : Order::Load);
+Problems Host::edit(const scene::Description& edited) {
+  switch (scene::changeBetween(impl_->scene, edited)) {
+    case scene::Change::Gains:
+      return impl_->put(edited, Order::Retune);
+    case scene::Change::Targets:
+      return impl_->put(edited, Order::Move);
+    case scene::Change::Scene:
+      break;
+  }
+  return impl_->put(edited, Order::Load);
 }
 
 const scene::Description& Host::scene() const {

@@ -39,11 +39,10 @@ class Host {
   /// Loads a scene: the old one is released, the swap made between two ticks at zero force, the new one ramped up
   /// (where the servo runs). Problems: those of compile(); then the old scene stays.
   Problems load(const scene::Description& scene);
-  /// Puts an edited control in place of the one at index (see scene::controlOf): taken up by the next tick, without a
-  /// ramp; the law keeps what it remembers. Where the scene's control is that of a single constraint, it is the scene's
-  /// that is edited. A change of its space is ramped down and up like a scene. Problems: as load(); then the old one
-  /// stays.
-  Problems setControl(std::size_t index, const scene::Control& control);
+  /// Puts an edited scene in place of the one there is. Where both go together (see scene::changeBetween) it is taken
+  /// up by the next tick, without a ramp, and the laws keep what they remember; else it is ramped down and up like a
+  /// load. Problems: as load(); then the old scene stays.
+  Problems edit(const scene::Description& edited);
   /// The scene as loaded and edited.
   const scene::Description& scene() const;
   /// Counts up by one with each load and edit that was taken; Snapshot::revision says which one is in effect.

@@ -76,11 +76,13 @@ void Loop::takeUpCommands() noexcept {
         waiting_ = command.instance;
         break;
       case Order::Retune:
-        if (waiting_ != nullptr) {  // gains of a scene that is not in yet
+      case Order::Move:
+        if (waiting_ != nullptr) {  // an edit of a scene that is not in yet
           retire(waiting_);
           waiting_ = command.instance;
         } else {
-          replaceBy(command.instance, tick::Carry::ArmAndLaws);
+          replaceBy(command.instance,
+                    command.order == Order::Retune ? tick::Carry::ArmAndLaws : tick::Carry::ArmAndMovedLaws);
         }
         break;
     }

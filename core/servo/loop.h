@@ -19,8 +19,8 @@ struct Instance {
 };
 
 /// What the servo can be told. Load: another scene, swapped in once the force has ramped to zero. Retune: the same
-/// scene with other gains, swapped in before the next tick.
-enum class Order : std::uint8_t { Start, Stop, Load, Retune };
+/// scene with other gains, swapped in before the next tick. Move: so is the same scene with its targets elsewhere.
+enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move };
 
 struct Command {
   Order order = Order::Stop;

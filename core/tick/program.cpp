@@ -54,6 +54,9 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.gate = last.gate;
   if (what == Carry::Arm) return;
   carryAll(last.laws, next.laws);
+  if (what == Carry::ArmAndMovedLaws) {
+    for (control::LawState& law : next.laws) law.has_last = false;
+  }
   carryAll(last.influences, next.influences);
   carryAll(last.robots, next.robots);
   carryAll(last.followers, next.followers);

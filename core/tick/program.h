@@ -70,8 +70,9 @@ TickState makeState(const TickProgram& program);
 std::size_t bytesOf(const TickState& state);
 
 /// What another program takes over from the one before it. Arm: time, tip and gate. Laws: also what each law remembers,
-/// entry by entry where both have as many, for a change of gains between two ticks.
-enum class Carry : std::uint8_t { Arm, ArmAndLaws };
+/// entry by entry where both have as many, for a change of gains between two ticks. MovedLaws: the same, but the way a
+/// target went by that change is no rate of the error.
+enum class Carry : std::uint8_t { Arm, ArmAndLaws, ArmAndMovedLaws };
 void carryOver(const TickState& last, TickState& next, Carry what = Carry::ArmAndLaws) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::tick

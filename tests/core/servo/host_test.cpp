@@ -4,6 +4,7 @@
 #include <cmath>
 #include <thread>
 
+#include "core/scene/edit.h"
 #include "tests/core/servo/scripted_port.h"
 #include "tests/support/property.h"
 
@@ -63,7 +64,7 @@ TEST(Host, AGainReachesTheNextTickAndJumpsNoMoreThanItImplies) {
   rig.host->run(1000);
   scene::Control control = rig.host->scene().control;
   control.gains.kp_N_per_mm.setConstant(0.06);
-  ASSERT_TRUE(rig.host->setControl(0, control).empty());
+  ASSERT_TRUE(rig.host->edit(withControl(rig.host->scene(), 0, control)).empty());
   rig.host->run(1);
   EXPECT_NEAR(rig.seen.last_size_N, 0.6, 1e-9);
   EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision());
@@ -81,7 +82,7 @@ TEST(Host, AGainChangeKeepsTheIntegral) {
   const double before_N = rig.seen.last_size_N;
   ASSERT_GT(before_N, 0.55);
   scene.control.gains.ki_N_per_mm_s.setConstant(0.02);
-  ASSERT_TRUE(rig.host->setControl(0, scene.control).empty());
+  ASSERT_TRUE(rig.host->edit(scene).empty());
   rig.host->run(1);
   EXPECT_NEAR(rig.seen.last_size_N, before_N, 0.02 * 10 * 1e-3 * 1.01);  // one tick of the new integral, no more
 }
@@ -117,8 +118,7 @@ TEST(Host, ABrokenEditIsRefusedAndTheOldOneStays) {
   ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
   scene::Control control = rig.host->scene().control;
   control.gains.kp_N_per_mm = Vec3(0.0, 0.5, 0.5);  // a zero gain has no metric on a sphere
-  EXPECT_FALSE(rig.host->setControl(0, control).empty());
-  EXPECT_FALSE(rig.host->setControl(7, rig.host->scene().control).empty());
+  EXPECT_FALSE(rig.host->edit(withControl(rig.host->scene(), 0, control)).empty());
   rig.host->run(1);
   EXPECT_EQ(rig.host->snapshot().revision, 1U);
   EXPECT_EQ(rig.host->scene().control.gains.kp_N_per_mm, Vec3::Constant(0.05));
@@ -184,13 +184,54 @@ TEST(Host, AChangeOfSpaceIsRampedLikeAScene) {
   rig.host->run(1000);
   scene::Control control = rig.host->scene().control;
   control.space = tick::Space::Joint;
-  ASSERT_TRUE(rig.host->setControl(0, control).empty());
+  ASSERT_TRUE(rig.host->edit(withControl(rig.host->scene(), 0, control)).empty());
   rig.host->run(1);
   EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision() - 1);  // not before the force is zero
   rig.host->run(500);
   EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision());
   EXPECT_GT(rig.seen.last_size_N, 0.1);
   EXPECT_LE(largestStep(rig.seen.forces), 0.5 / 50 + 1e-6);  // the ramp down: 0.5 N in 50 ticks
+}
+
+scene::Description ringScene(double t) {
+  scene::Description scene;
+  scene.title = "Ring";
+  scene.control.law = scene::LawType::PD;
+  scene.control.gains.kp_N_per_mm.setConstant(0.01);
+  scene.control.gains.kd_N_s_per_mm.setConstant(0.002);
+  scene::Constraint rim{"rim", scene::Circle{Vec3::Zero(), Vec3::UnitX(), 50}, target::Side::Both, {}, {}};
+  rim.influence = scene::Influence{t, scene::StylusAxis::PlusZ, 5.0};
+  scene.constraints.push_back(rim);
+  return scene;
+}
+
+TEST(Host, AnInfluenceReachesTheNextTickAndTheTargetsWayIsNoRateOfTheError) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(ringScene(1.0)).empty());
+  rig.host->start();
+  rig.host->run(1000);
+  const Vec3 before_W = rig.host->snapshot().report.held[0].p_WP;
+  const Vec3 force_before = rig.host->snapshot().report.f_T_W;
+  ASSERT_TRUE(rig.host->edit(ringScene(0.8)).empty());
+  rig.host->run(1);
+  EXPECT_EQ(rig.host->snapshot().revision, 2U);
+  const Vec3 way_W = rig.host->snapshot().report.held[0].p_WP - before_W;
+  ASSERT_GT(way_W.norm(), 1e-3);
+  // kp times the way; of kd (2 N s/m) the way in one tick would make some 770 N/m more.
+  EXPECT_LT((rig.host->snapshot().report.f_T_W - force_before - 10.0 * way_W).norm(), 0.05 * 10.0 * way_W.norm());
+}
+
+TEST(Host, AnInfluenceThatComesOrGoesIsRampedLikeAScene) {
+  Rig rig;
+  scene::Description scene = ringScene(0.5);
+  ASSERT_TRUE(rig.host->load(scene).empty());
+  rig.host->start();
+  rig.host->run(1000);
+  ASSERT_TRUE(rig.host->edit(withInfluence(scene, 0, std::nullopt)).empty());
+  rig.host->run(1);
+  EXPECT_EQ(rig.host->snapshot().revision, 1U);
+  rig.host->run(500);
+  EXPECT_EQ(rig.host->snapshot().revision, 2U);
 }
 
 TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the thread sanitizer: a storm of commands
@@ -210,7 +251,7 @@ TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the t
       } else {
         scene::Control control = host.scene().control;
         control.gains.kp_N_per_mm.setConstant(0.01 + 0.001 * (i % 7));
-        ASSERT_TRUE(host.setControl(0, control).empty());
+        ASSERT_TRUE(host.edit(withControl(host.scene(), 0, control)).empty());
       }
       host.drain([&](const TickRecord& record) {
         ASSERT_EQ(record.tick, ++rows);

@@ -1,0 +1,66 @@
+#include "core/scene/edit.h"
+
+#include <algorithm>
+
+#include "core/scene/write.h"
+
+namespace underact::scene {
+namespace {
+
+/// Each constraint with a control of its own.
+Description spelledOut(Description scene) {
+  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
+    scene.constraints[index].control = controlOf(scene, index);
+  }
+  scene.control = Control{};
+  return scene;
+}
+
+/// What says where the targets are. Unequal gains do so, too; but they are tuned by ear, and glide.
+Description withoutControls(Description scene) {
+  for (Constraint& constraint : scene.constraints) constraint.control.reset();
+  scene.control = Control{};
+  return scene;
+}
+
+/// Joint by joint the same kind, so that their values go on.
+bool goTogether(const Shape& a, const Shape& b) {
+  const auto *one = std::get_if<VirtualManipulator>(&a), *other = std::get_if<VirtualManipulator>(&b);
+  if (one == nullptr || other == nullptr) return a.index() == b.index();
+  const auto same_type = [](const Joint& left, const Joint& right) { return left.type == right.type; };
+  return std::equal(one->joints.begin(), one->joints.end(), other->joints.begin(), other->joints.end(), same_type);
+}
+
+}  // namespace
+
+Description withControl(Description scene, std::size_t index, const Control& control) {
+  const bool only_one = scene.constraints.size() == 1 && !scene.constraints[index].control;
+  (only_one ? scene.control : scene.constraints[index].control.emplace()) = control;
+  return scene;
+}
+
+Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence) {
+  scene.constraints[index].influence = influence;
+  return scene;
+}
+
+bool isSame(const Description& a, const Description& b) {
+  return writeScene(spelledOut(a)) == writeScene(spelledOut(b));
+}
+
+Change changeBetween(const Description& before, const Description& after) {
+  const std::size_t count = before.constraints.size();
+  if (before.arm != after.arm || before.combine != after.combine || after.constraints.size() != count) {
+    return Change::Scene;
+  }
+  for (std::size_t index = 0; index < count; ++index) {
+    const Constraint &one = before.constraints[index], &other = after.constraints[index];
+    const bool alike = goTogether(one.shape, other.shape) && one.side == other.side &&
+                       one.influence.has_value() == other.influence.has_value();
+    if (!alike || controlOf(before, index).space != controlOf(after, index).space) return Change::Scene;
+  }
+  const bool same_targets = writeScene(withoutControls(before)) == writeScene(withoutControls(after));
+  return same_targets ? Change::Gains : Change::Targets;
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/scene/description.h"
+
+namespace underact::scene {
+
+// Edits of a scene: each gives a whole scene, so that one way into the servo and one way back serve them all.
+
+/// The scene with control in place of the one that holds at index. Where the scene's control is that of a single
+/// constraint, it is the scene's that is edited. index: of a constraint that is there.
+Description withControl(Description scene, std::size_t index, const Control& control);
+/// The same with the influence of the constraint at index; none: position only.
+Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence);
+
+/// Whether both say the same of everything, wherever they were read from and whichever control is whose.
+bool isSame(const Description& a, const Description& b);
+
+/// How much a running servo can keep over an edit. Gains: all; the targets are where they were. Targets: what the laws
+/// remember of the past, but a target is elsewhere now. Scene: nothing; what one law remembers says nothing to another.
+enum class Change : std::uint8_t { Gains, Targets, Scene };
+Change changeBetween(const Description& before, const Description& after);
+
+}  // namespace underact::scene

@@ -1,0 +1,76 @@
+#include "core/scene/edit.h"
+
+#include "tests/core/scene/scene_support.h"
+
+namespace underact::scene {
+namespace {
+
+Description twoRings() {
+  Description scene;
+  scene.title = "Two rings";
+  scene.constraints.push_back({"one", Circle{Vec3::Zero(), Vec3::UnitZ(), 30}, target::Side::Both, {}, {}});
+  scene.constraints.push_back({"two", Circle{Vec3::Zero(), Vec3::UnitX(), 40}, target::Side::Both, {}, {}});
+  scene.constraints[1].influence = Influence{};
+  return scene;
+}
+
+Control stiffer() {
+  Control control;
+  control.gains.kp_N_per_mm.setConstant(0.75);
+  return control;
+}
+
+}  // namespace
+
+TEST(Edit, TheSceneSControlIsEditedWhereItIsThatOfOneConstraint) {
+  Description scene = twoRings();
+  const Description two = withControl(scene, 0, stiffer());
+  EXPECT_EQ(two.control, Control{});
+  EXPECT_EQ(controlOf(two, 0), stiffer());
+  EXPECT_EQ(controlOf(two, 1), Control{});
+  scene.constraints.pop_back();
+  const Description one = withControl(scene, 0, stiffer());
+  EXPECT_EQ(one.control, stiffer());
+  EXPECT_FALSE(one.constraints[0].control.has_value());
+}
+
+TEST(Edit, AScenePutBackIsTheSameWhoeverHoldsTheControl) {
+  const Description scene = twoRings();
+  const Description there = withControl(scene, 0, stiffer());
+  EXPECT_FALSE(isSame(scene, there));
+  EXPECT_TRUE(isSame(scene, withControl(there, 0, Control{})));  // now its own, and equal to the scene's
+  Description elsewhere = scene;
+  elsewhere.file = "elsewhere.json";
+  elsewhere.constraints[0].place.line = 7;
+  EXPECT_TRUE(isSame(scene, elsewhere));
+  EXPECT_FALSE(isSame(scene, withInfluence(scene, 1, Influence{0.25})));
+  EXPECT_FALSE(isSame(scene, withInfluence(scene, 1, std::nullopt)));
+}
+
+TEST(Edit, WhatARunningServoKeepsFollowsFromWhatChanged) {
+  const Description scene = twoRings();
+  EXPECT_EQ(changeBetween(scene, withControl(scene, 0, stiffer())), Change::Gains);
+  EXPECT_EQ(changeBetween(scene, withInfluence(scene, 1, Influence{0.25})), Change::Targets);
+  EXPECT_EQ(changeBetween(scene, withInfluence(scene, 1, std::nullopt)), Change::Scene);
+  EXPECT_EQ(changeBetween(scene, withInfluence(scene, 0, Influence{})), Change::Scene);
+  Description larger = scene;
+  std::get<Circle>(larger.constraints[0].shape).radius_mm = 31;
+  EXPECT_EQ(changeBetween(scene, larger), Change::Targets);
+  Description point = scene;
+  point.constraints[0].shape = Point{};
+  EXPECT_EQ(changeBetween(scene, point), Change::Scene);
+  Description fewer = scene;
+  fewer.constraints.pop_back();
+  EXPECT_EQ(changeBetween(scene, fewer), Change::Scene);
+  Control in_joints;
+  in_joints.space = tick::Space::Joint;
+  EXPECT_EQ(changeBetween(scene, withControl(scene, 0, in_joints)), Change::Scene);
+  Description other_arm = scene;
+  other_arm.arm = "touch-measured";
+  EXPECT_EQ(changeBetween(scene, other_arm), Change::Scene);
+  Description nearest = scene;
+  nearest.combine = tick::Combine::Nearest;
+  EXPECT_EQ(changeBetween(scene, nearest), Change::Scene);
+}
+
+}  // namespace underact::scene
