@@ -146,8 +146,10 @@ Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& stat
 }
 
 State standing(const Manipulator& m, const Pose& X_WT, int& steps) {
-  const Global global = leastEnergy(m, X_WT);
   State state;
+  steps = 0;
+  if (m.law == ForceLaw::Thesis52) return state;  // it has no minima to choose from
+  const Global global = leastEnergy(m, X_WT);
   state.theta = global.at.theta;
   state.p_WP = global.at.tip.X_WT.translation();
   state.begun = global.is_unique;

@@ -1,5 +1,6 @@
 #include <set>
 
+#include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
@@ -48,6 +49,44 @@ TEST(ShippedScenes, TheBoxesLieWithinTheArmsWorkspace) {  // 160 x 120 x 70 mm a
     const Box box = std::get<Box>(shipped(name).constraints[0].shape);
     const Vec3 reach = box.center_mm.cwiseAbs() + box.size_mm / 2;
     EXPECT_TRUE((reach.array() <= Vec3(80, 60, 35).array()).all()) << name;
+  }
+}
+
+TEST(ShippedScenes, TheRobotsAreWhatTheirTextsSay) {
+  const auto robot = [](const std::string& name, std::size_t index = 0) {
+    return std::get<VirtualManipulator>(shipped(name).constraints.at(index).shape);
+  };
+  for (const char* name : {"16_one_joint_robot", "17_thesis_force_law"}) {  // the thesis's own numbers
+    EXPECT_EQ(robot(name).joints.size(), 1u);
+    EXPECT_EQ(robot(name).X_WV_home(0, 3), 50.0);
+    EXPECT_EQ(robot(name).ko_N_mm_per_rad, 250.0);
+    EXPECT_EQ(shipped(name).control.gains.kp_N_per_mm, Vec3::Constant(0.5));
+    EXPECT_EQ(robot(name).orientation, manipulator::Orientation::Angle);
+  }
+  EXPECT_EQ(robot("17_thesis_force_law").force_law, manipulator::ForceLaw::Thesis52);
+  const auto compiled = [](const std::string& name, std::size_t index = 0) {
+    return *compile(shipped(name)).value().entries.at(index).constraint.manipulator;
+  };
+  EXPECT_EQ(compiled("18_sphere_of_two_joints").closed->kind, manipulator::Kind::Sphere);
+  EXPECT_EQ(compiled("19_four_bar", 1).closed->kind, manipulator::Kind::Circle);
+  EXPECT_EQ(robot("20_scara").joints.size(), 4u);
+  EXPECT_EQ(robot("21_puma_560").joints.size(), 6u);
+  // The small arm reaches a third of the real one's lengths from its shoulder.
+  const manipulator::Manipulator small = compiled("22_out_of_reach");
+  double reach_mm = 0.0;
+  for (std::size_t i = 2; i < 4; ++i) {
+    reach_mm += kMillimetrePerMetre * (small.chain.joints[i].p_WJ - small.chain.joints[i - 1].p_WJ).norm();
+  }
+  EXPECT_NEAR(reach_mm, (127.508 + 149.352) / 3.0, 1e-5);
+}
+
+TEST(ShippedScenes, EachBeamHasTheStiffnessThatItsTextNames) {
+  for (const auto& [index, wanted_N_per_mm] : {std::pair{0, 0.03}, {1, 0.045}}) {
+    const auto beam =
+        std::get<VirtualManipulator>(shipped("23_two_beams").constraints.at(static_cast<std::size_t>(index)).shape);
+    const double length_mm = (beam.X_WV_home.topRightCorner<3, 1>() - beam.joints[0].point_mm).norm();
+    EXPECT_NEAR(length_mm, 0.8517 * 70.0, 1e-5);  // Howell 2001: the lever of a cantilever's pseudo-rigid body
+    EXPECT_NEAR(beam.joints[0].stiffness / (length_mm * length_mm), wanted_N_per_mm, 1e-6);
   }
 }
 
