@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/random.h"
 #include "core/base/rotation.h"
 #include "core/base/units.h"
 #include "core/chain/normal_equations.h"
@@ -15,12 +16,8 @@ constexpr double kLeastDamping = 1e-8, kMostDamping = 1e8;
 constexpr double kDampingFloor = 1e-14;  // of the squared length: keeps pivots positive in singular places
 constexpr double kDeadEnd = 1e-10;       // a step that promises less than this share of the squared residual
 
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every compiler and library.
 double draw(std::uint64_t& state, double low, double high) noexcept UNDERACT_REAL_TIME {
-  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return low + (high - low) * (static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53);
+  return low + (high - low) * nextShare(state);
 }
 
 /// One start's state: joints, what is left to go, and the Jacobian there, with the turn scaled to a length.

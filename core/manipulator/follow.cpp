@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/random.h"
+#include "core/base/units.h"
 #include "core/manipulator/closed_form.h"
 #include "core/manipulator/global.h"
 #include "core/manipulator/thesis_law.h"
@@ -17,21 +18,13 @@ constexpr int kTicksAStep = 4;       // the watch's own pace: a quarter of a ste
 constexpr int kStepsAStart = 25;     // then another start is tried
 constexpr double kSamePlace = 1e-4;  // of the reach
 
-/// SplitMix64 (Steele, Lea, Flood 2014), in [0, 1).
-double draw(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
-  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
-}
-
 Values drawn(const Manipulator& m, std::uint64_t& random) noexcept UNDERACT_REAL_TIME {
   Values theta{};
   for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
     const chain::Joint& joint = m.chain.joints[i];
     const double span = joint.type == JointType::Revolute ? kPi : m.reach_m;
     const double low = std::max(joint.min, -span), high = std::min(joint.max, span);
-    theta[i] = std::clamp(low + draw(random) * (high - low), joint.min, joint.max);
+    theta[i] = std::clamp(low + nextShare(random) * (high - low), joint.min, joint.max);
   }
   return theta;
 }

@@ -109,7 +109,11 @@ Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
     if (at.energy_J < (1.0 - 1e-12) * least.energy_J) least = {at.theta, at.tip.X_WT.translation(), at.energy_J};
     if (at.energy_J <= kNothing * scale_J) break;  // none can be below
   }
-  evaluate(m, X_WT, allowed(m, least.theta), best.at);
+  // To the last bit that rounding leaves: nobody waits for a tick.
+  Manipulator exact = m;
+  exact.options.tolerance = 0.0;
+  evaluate(exact, X_WT, allowed(m, least.theta), best.at);
+  best.steps += descend(exact, X_WT, kSteps, best.at).steps;
   best.second_J = secondOf(minima, least, kSamePlace * m.reach_m);
   best.is_unique = least.energy_J < kInfinity && best.second_J > kSameEnergy * (least.energy_J + 1e-6 * scale_J);
   return best;

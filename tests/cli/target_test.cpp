@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
 #include "core/json/json.h"
 #include "tests/cli/session.h"
 #include "tests/support/constraint_vectors.h"
@@ -240,6 +244,70 @@ TEST(Target, WithInfluenceTheTurnOfTheStylusSaysWhere) {
   EXPECT_LE((vectorAt(one, "force_N") - Vec3(-12.322330470336311, 17.67766952966369, 0.0)).norm(), 1e-12);
   // Without a turn the stylus stands along the axis: position alone.
   EXPECT_LE((vectorAt(answer(sceneText(ring), R"({"p_mm": [60, 0, 0]})"), "q_mm") - Vec3(50, 0, 0)).norm(), 1e-13);
+}
+
+// A robot of one joint, 50 mm long, its z pointing outward; stylus 60 mm out, turned by theta.
+constexpr const char* kOneJoint =
+    R"({"type": "virtual_manipulator", "joints": [{"type": "revolute", "axis": [0, 0, 1], "point_mm": [0, 0, 0]}],
+    "X_WV_home": [[0, 0, 1, 50], [0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]], "orientation": "angle", "ko_N_mm_per_rad": 250})";
+
+/// The line of a stylus whose z has the angle theta_rad in the plane of x and y.
+std::string stylusLine(const Vec3& p_mm, double theta_rad) {
+  std::ostringstream line;
+  const double c = std::cos(theta_rad), s = std::sin(theta_rad);
+  line << std::setprecision(17) << "{\"p_mm\": [" << p_mm.x() << ", " << p_mm.y() << ", " << p_mm.z()
+       << "], \"R_WT\": [[0, " << s << ", " << c << "], [0, " << -c << ", " << s << "], [1, 0, 0]]}";
+  return line.str();
+}
+
+TEST(Target, AVirtualManipulatorTellsOfItsTipMomentStepsAndJoints) {
+  // Golden: the planar case "thesis gains, p outside", theta_r = 0.5, found with 32 digits.
+  const Value one = answer(sceneText(kOneJoint), stylusLine({60, 0, 0}, 0.5));
+  EXPECT_NEAR(vectorAt(one, "force_N").x(), -5.06384150135482, 1e-9);
+  EXPECT_NEAR(vectorAt(one, "force_N").y(), 1.7854969421552571, 1e-9);
+  EXPECT_NEAR(vectorAt(one, "moment_N_mm").z(), -107.12981652931542, 1e-7);
+  EXPECT_NEAR(one.find("theta")->items.at(0).number, 0.0714807338827383, 1e-10);
+  EXPECT_NEAR((vectorAt(one, "n") - Vec3(std::cos(0.0714807338827383), std::sin(0.0714807338827383), 0)).norm(), 0.0,
+              1e-10);
+  EXPECT_GT(one.find("steps")->number, 0.0);
+  EXPECT_NEAR(vectorAt(one, "safe_force_N").norm(), 0.88, 1e-12);
+  const Value& constraint = one.find("constraints")->items.at(0);
+  EXPECT_EQ(vectorAt(constraint, "moment_N_mm"), vectorAt(one, "moment_N_mm"));
+}
+
+TEST(Target, SlidingJointsAreToldInMillimetresAndAClosedFormTakesNoSteps) {
+  const Value one = answer(sceneText(R"({"type": "virtual_manipulator",
+    "joints": [{"type": "prismatic", "axis": [2, 0, 0], "max": 40}, {"type": "prismatic", "axis": [0, 1, 0]}],
+    "X_WV_home": [[1, 0, 0, 10], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]})"),
+                           R"({"p_mm": [80, -30, 7]})");
+  EXPECT_NEAR(one.find("theta")->items.at(0).number, 40.0, 1e-12);  // at its limit
+  EXPECT_NEAR(one.find("theta")->items.at(1).number, -30.0, 1e-12);
+  EXPECT_NEAR((vectorAt(one, "q_mm") - Vec3(50, -30, 5)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(one.find("steps")->number, 0.0);
+  EXPECT_EQ(vectorAt(one, "moment_N_mm"), Vec3(0, 0, 0));
+}
+
+TEST(Target, ARobotThatNothingSaysWhereToGoIsDegenerate) {
+  const std::string circle =
+      R"({"type": "virtual_manipulator", "joints": [{"type": "revolute", "axis": [0, 0, 1], "point_mm": [0, 0, 0]}],
+    "X_WV_home": [[1, 0, 0, 50], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])";
+  for (const char* method : {"auto", "iterative"}) {
+    const Value one =
+        answer(sceneText(circle + R"(, "solver": {"method": ")" + method + "\"}}"), R"({"p_mm": [0, 0, 9]})");
+    EXPECT_EQ(textAt(one, "status"), "degenerate") << method;
+    EXPECT_TRUE(isNullAt(one, "q_mm"));
+    EXPECT_EQ(vectorAt(one, "force_N"), Vec3(0, 0, 0));
+  }
+}
+
+TEST(Target, TheThesisForceLawAddsItsPullAlongTheRim) {
+  const std::string law =
+      std::string(kOneJoint).substr(0, std::string(kOneJoint).size() - 1) + R"(, "force_law": "thesis-5.2"})";
+  const Value one = answer(sceneText(law), stylusLine({60, 0, 3}, 0.5));
+  // theta_v = 0: 0.5 N/mm over -10 mm, the pull k e / L = 250 * 0.5 / 50 towards the stylus's own angle, 3 mm to the
+  // plane.
+  EXPECT_NEAR((vectorAt(one, "force_N") - Vec3(-5.0, 2.5, -1.5)).norm(), 0.0, 1e-10);
+  EXPECT_NEAR(vectorAt(one, "moment_N_mm").z(), -125.0, 1e-8);
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/json_object.h"
+#include "app/cli/scene_file.h"
+#include "device/simulated_subject.h"
+
+namespace underact::cli {
+namespace {
+
+struct CalibrateOptions {
+  std::string scene;
+  double weber = 0.15;
+  std::uint64_t seed = 1;
+};
+
+JsonObject rowOf(const calibration::Trial& trial, calibration::Beam answer) {
+  JsonObject row;
+  row.addNumber("difference", trial.difference);
+  row.addText("stiffer", name(trial.stiffer));
+  row.addText("answer", name(answer));
+  row.addBool("right", answer == trial.stiffer);
+  return row;
+}
+
+JsonObject summaryOf(const calibration::Staircase& staircase, double reference_N_per_mm,
+                     const CalibrateOptions& options, const std::vector<JsonObject>& rows) {
+  JsonObject summary;
+  const auto threshold = calibration::thresholdOf(staircase);
+  const auto add = [&](const char* key, double calibration::Threshold::*number) {
+    threshold ? summary.addNumber(key, (*threshold).*number) : summary.addNull(key);
+  };
+  add("threshold", &calibration::Threshold::difference);
+  add("low", &calibration::Threshold::low);
+  add("high", &calibration::Threshold::high);
+  summary.addNumber("reference_N_per_mm", reference_N_per_mm);
+  summary.addNumber("weber", options.weber);
+  summary.addInteger("seed", options.seed);
+  summary.addList("reversals", staircase.reversals);
+  summary.addList("trials", rows);
+  return summary;
+}
+
+/// Of a scene that was read, and is not one for this.
+Exit refused(const Problems& problems, const Streams& streams) {
+  print(problems, streams.err);
+  return Exit::BadInput;
+}
+
+Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
+  const Result<LoadedScene> loaded = loadScene(options.scene);
+  if (!loaded) {
+    print(loaded.problems(), streams.err);
+    return exitOf(loaded.problems());
+  }
+  const Result<double> reference = calibration::softerOf(loaded.value().description);
+  if (!reference) return refused(reference.problems(), streams);
+  calibration::Staircase staircase = calibration::beginStaircase();
+  std::uint64_t sides = options.seed;
+  device::SimulatedSubject subject{options.weber, options.seed + 1};
+  std::vector<JsonObject> rows;
+  while (!isDone(staircase)) {
+    const calibration::Trial trial = drawTrial(staircase, reference.value(), sides);
+    const auto scene = withStiffness(loaded.value().description, trial);
+    if (!scene) return refused(scene.problems(), streams);
+    const auto answer = device::answerOf(subject, scene.value());
+    if (!answer) return refused(answer.problems(), streams);
+    staircase = answered(std::move(staircase), answer.value() == trial.stiffer);
+    rows.push_back(rowOf(trial, answer.value()));
+  }
+  streams.out << summaryOf(staircase, reference.value(), options, rows).text() << '\n';
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "calibrate", "How small a difference of stiffness a simulated hand can tell, by a two-alternative staircase");
+  const auto options = std::make_shared<CalibrateOptions>();
+  command->add_option("scene", options->scene, "A scene of two beams")->required();
+  command->add_option("--weber", options->weber, "What the hand feels scatters by this share")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--seed", options->seed, "Of all that is random")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->footer(
+      "One JSON object out: \"threshold\", the just-noticeable difference as a share (2 right in a row make it harder: "
+      "70.7 % right),\n\"low\" and \"high\" of one standard deviation, \"reversals\" and \"trials\".");
+  command->callback([options, &streams, &exit] { exit = calibrate(*options, streams); });
+}
+
+}  // namespace underact::cli
