@@ -72,7 +72,7 @@ struct Wanted {
   Values spring{};
   Values rest{};
   ForceLaw law = ForceLaw::Energy;
-  std::optional<Method> method;
+  std::optional<Method> method = {};
   int max_steps = 20;
   double tolerance = 1e-10;
 };

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "tests/malloc/counter.h"
+#include "tests/support/robots.h"
 #include "tests/support/tick_hand.h"
 
 namespace underact::tick {
@@ -104,6 +105,13 @@ TEST(Tick, WithInfluenceToo) {
     entry.constraint.influenced = true;
     entry.constraint.influence = {0.5, 1.0, 0.1};
     expectQuiet(makeProgram(test::thesisGeometry(), {entry}, Combine::Sum, test::kTestLimits));
+  }
+}
+
+TEST(Tick, WithVirtualManipulatorsToo) {
+  for (const manipulator::Manipulator& robot : test::everyRobot()) {
+    expectQuiet(makeProgram(test::thesisGeometry(), {test::holdTo(robot, test::everyLaw()[2])}, Combine::Sum,
+                            test::kTestLimits));
   }
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "tests/support/robots.h"
 #include "tests/support/tick_hand.h"
 
 namespace underact::tick {
@@ -31,6 +32,29 @@ void add(test::Checksum& sum, const TickReport& report) {
   }
 }
 
+void addRobots(test::Checksum& sum, const TickReport& report) {
+  for (const Held& held : report.held) {
+    for (const double value : held.robot.theta) sum.add(value);
+    sum.add(held.robot.moment_W), sum.add(held.robot.energy_J), sum.add(held.robot.better_J);
+    sum.add(static_cast<double>(held.robot.steps));
+  }
+}
+
+/// Every sort of virtual manipulator, their watches going on beside them.
+std::uint64_t scriptedRobots(int ticks) {
+  test::Checksum sum;
+  std::vector<Entry> entries;
+  for (const manipulator::Manipulator& robot : test::everyRobot())
+    entries.push_back(test::holdTo(robot, test::everyLaw()[2]));
+  Hand hand(makeProgram(test::thesisGeometry(), entries, Combine::Sum, test::kTestLimits));
+  for (int tick = 0; tick < ticks; ++tick) {
+    hand.input.has_sample = tick % 997 != 0;
+    const TickReport& report = hand.feed(test::scriptedAngles(tick));
+    add(sum, report), addRobots(sum, report);
+  }
+  return sum.value();
+}
+
 std::uint64_t scripted(Combine combine, int ticks) {
   test::Checksum sum;
   Hand hand(everything(combine));
@@ -45,6 +69,7 @@ std::uint64_t scripted(Combine combine, int ticks) {
 TEST(Determinism, EqualArgumentsGiveEqualBits) {
   for (const Combine combine : {Combine::Sum, Combine::Nearest})
     EXPECT_EQ(scripted(combine, 5000), scripted(combine, 5000));
+  EXPECT_EQ(scriptedRobots(3000), scriptedRobots(3000));
 }
 
 TEST(Determinism, WhatStandsInTheReportBeforeDoesNotMatter) {
@@ -76,6 +101,7 @@ TEST(Determinism, WhatStandsInTheReportBeforeDoesNotMatter) {
 TEST(Determinism, TheBitsAreTheseWithEveryCompiler) {
   EXPECT_EQ(scripted(Combine::Sum, 100000), 3419118755521318700U);
   EXPECT_EQ(scripted(Combine::Nearest, 100000), 9443127627009765879U);
+  EXPECT_EQ(scriptedRobots(20000), 18318547738149105637U);
 }
 
 TEST(Determinism, FiniteInFiniteOutWhateverTheProgram) {
@@ -121,6 +147,31 @@ TEST(Determinism, FiniteInFiniteOutWhateverTheProgram) {
         ASSERT_EQ(report.force.f_T_W(), Vec3(Vec3::Zero()));
       }
       for (const Held& held : report.held) ASSERT_TRUE(held.p_WP.allFinite() && std::isfinite(held.distance_m));
+    }
+  }
+}
+
+TEST(Determinism, FiniteInFiniteOutWithRobotsToo) {
+  Random random(test::Seed{20071102});
+  const std::vector<manipulator::Manipulator> robots = test::everyRobot();
+  for (int draw = 0; draw < test::sweep(100, 5000); ++draw) {
+    const control::Law law = test::everyLaw()[random.below(6)];
+    Hand hand({test::holdTo(robots[random.below(robots.size())], law),
+               test::holdTo(robots[random.below(robots.size())], law)},
+              random.below(2) == 0 ? Combine::Sum : Combine::Nearest);
+    for (int tick = 0; tick < 60; ++tick) {
+      const auto angle = [&] {
+        return random.below(50) == 0 ? std::pow(10.0, random.between(-300.0, 300.0)) : random.between(-3.2, 3.2);
+      };
+      hand.input.restart = random.below(30) == 0;
+      hand.input.has_sample = random.below(20) != 0;
+      const TickReport& report =
+          hand.feed({angle(), angle(), angle(), angle(), angle(), angle()}, std::pow(10.0, random.between(-6.0, 0.0)));
+      ASSERT_TRUE(report.p_WT.allFinite() && report.f_T_W.allFinite() && report.force.f_T_W().allFinite()) << draw;
+      for (const Held& held : report.held) {
+        ASSERT_TRUE(held.p_WP.allFinite() && held.robot.moment_W.allFinite() && std::isfinite(held.robot.energy_J));
+        for (const double value : held.robot.theta) ASSERT_TRUE(std::isfinite(value)) << draw;
+      }
     }
   }
 }
