@@ -56,7 +56,7 @@ void findTargets(const TickProgram& program, TickState& state, TickReport& repor
         constraint.influenced ? influencedTarget(constraint, report.p_WT, report.stylus_W, state.influences[index])
                               : nearestTarget(constraint, report.p_WT);
     const bool acts = target.status != target::Status::Free;
-    report.held[index] = {target.p_WP, Vec3::Zero(), target.status, target.distance_m, acts, target.angles};
+    report.held[index] = {target.p_WP, Vec3::Zero(), target.status, target.distance_m, acts, target.angles, target.arc};
   }
 }
 
