@@ -11,9 +11,11 @@
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/gain_row.h"
+#include "app/gui/influence_section.h"
 #include "app/gui/stability.h"
 #include "app/gui/words.h"
 #include "core/scene/edit.h"
+#include "core/scene/fields.h"
 
 namespace underact::gui {
 namespace {
@@ -38,7 +40,7 @@ bool FeelPanel::hasScene() const {
 
 void FeelPanel::addActions() {
   parts_.actions.add({"gains.reset", tr("&Reset to scene"), QKeySequence("Ctrl+R"),
-                      tr("Puts the gains back to those of the scene's file."), "reset"},
+                      tr("Puts gains and influence back to those of the scene's file."), "reset"},
                      [this](const QVariantList&) { return resetToScene(); });
   parts_.actions.addCommand("gains.set", [this](const QVariantList& values) {
     if (values.size() != 3) return false;
@@ -56,8 +58,23 @@ void FeelPanel::addActions() {
   });
 }
 
+void FeelPanel::addInfluenceCommands() {
+  parts_.actions.addCommand("influence.set", [this](const QVariantList& values) {
+    if (values.size() != 1 || !hasScene()) return false;
+    std::optional<scene::Influence> wanted = parts_.document.scene().constraints[index_].influence;
+    if (!wanted) return false;
+    wanted->t = values[0].toDouble();
+    return setInfluence(wanted, tr("influence t"), true);
+  });
+  parts_.actions.addCommand("influence.on", [this](const QVariantList& values) {
+    const bool on = values.value(0).toBool();
+    if (!hasScene() || on == parts_.document.scene().constraints[index_].influence.has_value()) return hasScene();
+    return setInfluence(influence_->switched(on), on ? tr("influence on") : tr("influence off"), true);
+  });
+}
+
 void FeelPanel::present(const servo::Snapshot&) {
-  if (!stale_) return;
+  if (!stale_ || influence_->isHeld()) return;
   for (const auto& axes : rows_) {
     for (const GainRow* row : axes) {
       if (row->isHeld()) return;  // the hand wins; what holds is shown when it lets go
@@ -94,7 +111,14 @@ bool FeelPanel::setSpace(tick::Space space) {
 }
 
 bool FeelPanel::resetToScene() {
-  return hasScene() && send(parts_.document.own(index_), tr("reset to scene"), true);
+  if (!hasScene()) return false;
+  const scene::Description gains = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
+  const scene::Description edited = scene::withInfluence(gains, index_, parts_.document.ownInfluence(index_));
+  return sendScene(edited, tr("reset to scene"), true);
+}
+
+bool FeelPanel::setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh) {
+  return hasScene() && sendScene(scene::withInfluence(parts_.document.scene(), index_, influence), what, fresh);
 }
 
 bool FeelPanel::send(const scene::Control& control, const QString& what, bool fresh) {
@@ -119,6 +143,7 @@ void FeelPanel::sceneOpened() {
   }
   constraint_->setCurrentIndex(0);
   index_ = 0;
+  beginInfluence();
   choices_->setRowVisible(constraint_, constraint_->count() > 1);
   refusal_->hide();
   if (hasScene()) {
@@ -156,8 +181,23 @@ void FeelPanel::refresh() {
   link_->setAccessibleName(link_->text().remove('&'));
   sections_[1]->setVisible(control.law != scene::LawType::P);
   sections_[2]->setVisible(control.law == scene::LawType::PID);
-  parts_.actions.find("gains.reset")->setEnabled(!(control == own));
+  const bool same_influence =
+      parts_.document.scene().constraints[index_].influence == parts_.document.ownInfluence(index_);
+  parts_.actions.find("gains.reset")->setEnabled(!(control == own && same_influence));
+  refreshInfluence();
   refreshWarnings(control);
+}
+
+void FeelPanel::beginInfluence() {
+  if (!hasScene()) return;
+  const bool has_axis = !std::holds_alternative<scene::Sphere>(parts_.document.scene().constraints[index_].shape);
+  influence_->begin(parts_.document.ownInfluence(index_), has_axis);
+}
+
+void FeelPanel::refreshInfluence() {
+  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
+  influence_->setVisible(scene::takesInfluence(constraint.shape));
+  influence_->present(constraint.influence, parts_.document.ownInfluence(index_));
 }
 
 void FeelPanel::refreshWarnings(const scene::Control& control) {

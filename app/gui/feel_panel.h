@@ -13,6 +13,7 @@ class QVBoxLayout;
 namespace underact::gui {
 
 class GainRow;
+class InfluenceSection;
 
 /// What the constraint feels like: law and gains, changed while the hand is on the stylus.
 class FeelPanel : public Panel {
@@ -26,7 +27,9 @@ class FeelPanel : public Panel {
   bool setGain(int gain, int axis, double value, bool fresh);
   bool setLaw(scene::LawType law);
   bool setSpace(tick::Space space);
-  /// The whole control of the constraint shown, as the file has it.
+  /// Of the constraint shown; none: position only. what: for the undo menu.
+  bool setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh);
+  /// The whole control and the influence of the constraint shown, as the file has them.
   bool resetToScene();
 
  private:
@@ -34,9 +37,12 @@ class FeelPanel : public Panel {
   void buildGains(QVBoxLayout* column);
   void buildFoot(QVBoxLayout* outer);
   void addActions();
+  void addInfluenceCommands();
   bool hasScene() const;
   void sceneOpened();
   void refresh();
+  void beginInfluence();
+  void refreshInfluence();
   void refreshWarnings(const scene::Control& control);
   bool send(const scene::Control& control, const QString& what, bool fresh);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
@@ -55,6 +61,7 @@ class FeelPanel : public Panel {
   QLabel* warning_ = nullptr;
   std::array<QWidget*, 3> sections_{};
   std::array<std::array<GainRow*, 3>, 3> rows_{};
+  InfluenceSection* influence_ = nullptr;
 };
 
 }  // namespace underact::gui

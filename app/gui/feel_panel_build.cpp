@@ -14,6 +14,7 @@
 #include "app/gui/document.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/gain_row.h"
+#include "app/gui/influence_section.h"
 
 namespace underact::gui {
 namespace {
@@ -44,12 +45,16 @@ QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, 
 
 FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   addActions();
+  addInfluenceCommands();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
   buildChoices(column);
   buildGains(column);
+  influence_ = new InfluenceSection(this);
+  column->addWidget(influence_);
+  connect(influence_, &InfluenceSection::changed, this, &FeelPanel::setInfluence);
   column->addStretch(1);
   auto* scroll = new QScrollArea(this);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -104,6 +109,7 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
     if (row < 0) return;
     index_ = static_cast<std::size_t>(row);
     gesture_ = parts_.document.newGesture();  // keys in a row on another constraint are another step back
+    beginInfluence();
     refresh();
   });
   connect(law_, &QComboBox::currentIndexChanged, this, [this](int row) { setLaw(static_cast<scene::LawType>(row)); });

@@ -52,6 +52,7 @@ QStringList layerNames() {
           "layer.arm",
           "layer.target",
           "layer.force",
+          "layer.influence",
           "-",
           "layer.link_frames",
           "layer.ghosts",

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
@@ -39,6 +40,14 @@ PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
   column->addLayout(strip);
   column->addWidget(plot_, 1);
   connect(axis_, &QComboBox::currentIndexChanged, plot_, &LivePlot::setAxis);
+  const auto showAngles = [this, &document = parts.document] {
+    const std::vector<scene::Constraint>& held = document.scene().constraints;
+    plot_->showAngles(std::any_of(held.begin(), held.end(), [](const scene::Constraint& constraint) {
+      return constraint.influence.has_value();
+    }));
+  };
+  connect(&parts.document, &Document::edited, this, showAngles);
+  connect(&parts.document, &Document::opened, this, showAngles);
   connect(&parts.document, &Document::opened, this, [this, &document = parts.document] {
     plot_->clear();
     if (const arm::Preset* arm = arm::findPreset(document.scene().arm)) plot_->setForceLimit(arm->continuous_force_N);

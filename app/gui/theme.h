@@ -15,6 +15,8 @@ struct Theme {
   QColor quiet;       // the workspace box, ticks, grid lines
   QColor constraint{0x00, 0x72, 0xB2};
   QColor target{0x00, 0x9E, 0x73};
+  QColor orientation{0x56, 0xB4, 0xE9};  // of the stylus: alpha, the orientation-nearest point
+  QColor position{0xCC, 0x79, 0xA7};     // of the tip: beta, the position-nearest point
   QColor force{0xE6, 0x9F, 0x00};
   QColor force_limited{0xD5, 0x5E, 0x00};
   QColor virtual_robot{0xCC, 0x79, 0xA7};  // ghosts of the arm among them

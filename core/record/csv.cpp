@@ -17,10 +17,9 @@ constexpr double kMicrosecondPerNanosecond = 1e-3;
 constexpr std::string_view kHeader =
     "tick,time_s,q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad,x_mm,y_mm,z_mm,target_x_mm,target_y_mm,target_z_mm,error_mm,"
     "force_asked_x_N,force_asked_y_N,force_asked_z_N,force_sent_x_N,force_sent_y_N,force_sent_z_N,gate_level,cut_N,"
-    "fault,"
-    "lateness_us,tick_us,buttons,revision\n";
+    "fault,alpha_rad,beta_rad,theta_rad,lateness_us,tick_us,buttons,revision\n";
 
-/// One line, in place. 28 fields of at most 25 characters each fit.
+/// One line, in place. 31 fields of at most 25 characters each fit.
 class Row {
  public:
   template <class Integer>
@@ -81,6 +80,9 @@ void CsvWriter::add(const servo::TickRecord& record) {
   row.number(record.level);
   row.number(record.cut_N);
   row.word(name(record.fault));
+  row.number(record.angles.alpha_rad);
+  row.number(record.angles.beta_rad);
+  row.number(record.angles.theta_rad);
   row.number(kMicrosecondPerNanosecond * static_cast<double>(record.lateness_ns));
   row.number(kMicrosecondPerNanosecond * static_cast<double>(record.tick_ns));
   row.integer(record.buttons);

@@ -1,5 +1,7 @@
 #include "core/servo/snapshot.h"
 
+#include <cmath>
+
 namespace underact::servo {
 
 TickRecord recordOf(const Snapshot& snapshot) noexcept {
@@ -14,6 +16,11 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   for (const tick::Held& held : report.held) {
     if (!held.acts || held.status != target::Status::Unique) continue;
     record.p_WP = held.p_WP;
+    break;
+  }
+  for (const tick::Held& held : report.held) {
+    if (!held.acts || !std::isfinite(held.angles.theta_rad)) continue;
+    record.angles = held.angles;
     break;
   }
   record.error_m = tick::errorOf(report);

@@ -29,6 +29,7 @@ struct TickRecord {
   Vec3 p_WT = Vec3::Zero();
   Vec3 p_WP = Vec3::Zero();  // of the first constraint that acts; NaN where none does
   double error_m = 0.0;      // over all that act
+  target::Angles angles;     // of the first influenced target that acts; NaN where none does
   Vec3 f_asked_T_W = Vec3::Zero();
   Vec3 f_sent_T_W = Vec3::Zero();
   double level = 0.0;

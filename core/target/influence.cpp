@@ -45,7 +45,12 @@ struct Around {
   Vec3 n_W = Vec3::Zero();
   Angles angles;
   bool is_unique = false;
+  Arc arc;  // about the origin, of radius 1
 };
+
+Arc placed(const Arc& arc, const Vec3& p_WC, double radius_m) noexcept UNDERACT_REAL_TIME {
+  return {p_WC, p_WC + radius_m * arc.p_WPo, p_WC + radius_m * arc.p_WPp, arc.axis_W, arc.turn_rad, arc.share};
+}
 
 Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W, bool on_axis, const Vec3& stylus_W,
               InfluenceState& state) noexcept UNDERACT_REAL_TIME {
@@ -61,8 +66,15 @@ Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W,
   const auto angleOf = [&](const Vec3& n_W) { return atan2Of(n_W.dot(v_W), n_W.dot(u_W)); };
   const Vec3 stylus_n_W = turned > kNoDirection ? Vec3(turned_W / turned) : Vec3::Zero();
   result.is_unique = true;
-  if (turned > kNoDirection) result.angles.alpha_rad = angleOf(stylus_n_W);
-  if (!on_axis) result.angles.beta_rad = angleOf(tip_W);
+  result.arc.axis_W = axis_W;
+  if (turned > kNoDirection) {
+    result.angles.alpha_rad = angleOf(stylus_n_W);
+    result.arc.p_WPo = stylus_n_W;
+  }
+  if (!on_axis) {
+    result.angles.beta_rad = angleOf(tip_W);
+    result.arc.p_WPp = tip_W;
+  }
   if (on_axis) {
     result.n_W = stylus_n_W;
     state.begun = false;
@@ -73,9 +85,11 @@ Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W,
     const double delta_rad = onTheSameSide(atan2Of(axis_W.dot(stylus_n_W.cross(tip_W)), stylus_n_W.dot(tip_W)), state);
     state = {delta_rad, Vec3::Zero(), true};
     // Counted from the tip: position alone is then exact, and so is what the blend goes over to.
-    const double back_rad = weight * (1.0 - influence.t) * delta_rad;
-    const SinCos back = sinCos(-back_rad);
-    result.n_W = back.cos * tip_W + back.sin * axis_W.cross(tip_W);
+    const double back = weight * (1.0 - influence.t), back_rad = back * delta_rad;
+    result.arc.turn_rad = delta_rad;
+    result.arc.share = 1.0 - back;
+    const SinCos turn = sinCos(-back_rad);
+    result.n_W = turn.cos * tip_W + turn.sin * axis_W.cross(tip_W);
   }
   result.angles.theta_rad = angleOf(result.n_W);
   return result;
@@ -90,8 +104,9 @@ Influenced onCircle(const shape::Circle& circle, const Influence& influence, con
   const Around at = around(circle.axis_W, influence, tip_W, on_axis, stylus_W, state);
   const double from_rim_m = off_axis_m - circle.radius_m;
   const double distance_m = std::sqrt(along_m * along_m + from_rim_m * from_rim_m);
-  if (!at.is_unique) return {p_WT, at.angles, false, distance_m};
-  return {circle.p_WC + circle.radius_m * at.n_W, at.angles, true, distance_m};
+  if (!at.is_unique) return {p_WT, at.angles, false, distance_m, {}};
+  return {circle.p_WC + circle.radius_m * at.n_W, at.angles, true, distance_m,
+          placed(at.arc, circle.p_WC, circle.radius_m)};
 }
 
 Influenced onCylinder(const shape::Cylinder& cylinder, const Influence& influence, const Vec3& p_WT,
@@ -102,9 +117,9 @@ Influenced onCylinder(const shape::Cylinder& cylinder, const Influence& influenc
   const Vec3 tip_W = on_axis ? Vec3::Zero() : Vec3(radial_W / off_axis_m);
   const Around at = around(cylinder.axis_W, influence, tip_W, on_axis, stylus_W, state);
   const double distance_m = std::abs(off_axis_m - cylinder.radius_m);
-  if (!at.is_unique) return {p_WT, at.angles, false, distance_m};
+  if (!at.is_unique) return {p_WT, at.angles, false, distance_m, {}};
   const Vec3 p_WU = cylinder.p_WC + p_CT_W.dot(cylinder.axis_W) * cylinder.axis_W;
-  return {p_WU + cylinder.radius_m * at.n_W, at.angles, true, distance_m};
+  return {p_WU + cylinder.radius_m * at.n_W, at.angles, true, distance_m, placed(at.arc, p_WU, cylinder.radius_m)};
 }
 
 /// The axis of the arc from the stylus's direction to the tip's: theirs, or, where they are opposite, the last one.
@@ -123,7 +138,10 @@ Influenced onSphere(const shape::Sphere& sphere, const Influence& influence, con
   const double off_m = p_CT_W.norm(), distance_m = std::abs(off_m - sphere.radius_m);
   if (shape::isOnAxis(off_m, sphere.p_WC, p_WT)) {  // the centre: orientation alone
     state.begun = false;
-    return {sphere.p_WC + sphere.radius_m * from_W, {0.0, kNotANumber, 0.0}, true, distance_m};
+    Arc point;
+    point.p_WPo = from_W;
+    const Vec3 p_WP = sphere.p_WC + sphere.radius_m * from_W;
+    return {p_WP, {0.0, kNotANumber, 0.0}, true, distance_m, placed(point, sphere.p_WC, sphere.radius_m)};
   }
   const Vec3 to_W = p_CT_W / off_m;
   const double beta_rad = atan2Of(from_W.cross(to_W).norm(), from_W.dot(to_W));
@@ -131,7 +149,8 @@ Influenced onSphere(const shape::Sphere& sphere, const Influence& influence, con
   state = {beta_rad, about_W, true};
   const SinCos back = sinCos(-(1.0 - influence.t) * beta_rad);
   const Vec3 n_W = back.cos * to_W + back.sin * about_W.cross(to_W);
-  return {sphere.p_WC + sphere.radius_m * n_W, {0.0, beta_rad, influence.t * beta_rad}, true, distance_m};
+  const Arc arc = placed({Vec3::Zero(), from_W, to_W, about_W, beta_rad, influence.t}, sphere.p_WC, sphere.radius_m);
+  return {sphere.p_WC + sphere.radius_m * n_W, {0.0, beta_rad, influence.t * beta_rad}, true, distance_m, arc};
 }
 
 }  // namespace
@@ -158,7 +177,7 @@ Influenced influencedTarget(const shape::Shape& shape, const Influence& influenc
   if (const auto* sphere = std::get_if<shape::Sphere>(&shape)) {
     return onSphere(*sphere, influence, p_WT, stylus_W, state);
   }
-  return {p_WT, {}, false, 0.0};
+  return {p_WT, {}, false, 0.0, {}};
 }
 
 }  // namespace underact::target

@@ -20,6 +20,17 @@ struct Angles {
   double theta_rad = kNotANumber;  // of the target
 };
 
+/// The arc that the target is on (figure 5.8): of the circle, of the cylinder at the tip's height, of a sphere's great
+/// circle.
+struct Arc {
+  Vec3 p_WC = Vec3::Zero();                  // its centre
+  Vec3 p_WPo = Vec3::Constant(kNotANumber);  // the orientation-nearest point; not a number where there is none
+  Vec3 p_WPp = Vec3::Constant(kNotANumber);  // the position-nearest point
+  Vec3 axis_W = Vec3::Zero();                // unit; zero where there is no arc
+  double turn_rad = 0.0;  // about it, from p_WPo to p_WPp, as the target goes; 0 where one is missing
+  double share = 0.0;     // of the turn, that the target has from p_WPo on: t, or more in the blend
+};
+
 /// All memory: which way round the last target went.
 struct InfluenceState {
   double delta_rad = 0.0;       // from alpha to beta, unwrapped by up to kTie_rad
@@ -36,6 +47,7 @@ struct Influenced {
   Angles angles;
   bool is_unique = false;   // false: neither the tip nor the stylus says where; p_WP is the tip
   double distance_m = 0.0;  // of the tip from the shape
+  Arc arc;
 };
 
 /// A direction across the axis, the same for all who ask: the coordinate axis that is most across it (the first of

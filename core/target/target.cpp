@@ -32,7 +32,7 @@ Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Ve
                         InfluenceState& state) noexcept {
   const Influenced found = influencedTarget(constraint.shape, constraint.influence, p_WT, stylus_W, state);
   const Status status = found.is_unique ? Status::Unique : Status::Degenerate;
-  return {found.p_WP, status, found.distance_m, found.angles};
+  return {found.p_WP, status, found.distance_m, found.angles, found.arc};
 }
 
 const char* name(Status status) {

@@ -32,6 +32,7 @@ struct Target {
   Status status = Status::Degenerate;
   double distance_m = 0.0;  // from the shape, in W (Degenerate and weighted: in the metric); 0 for a free wall
   Angles angles = {};       // of an influenced one
+  Arc arc = {};             // of an influenced one
 };
 
 /// stiffness: the gains, any unit, whose metric decides what is nearest; all equal means the Euclidean metric. Each

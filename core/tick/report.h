@@ -17,6 +17,7 @@ struct Held {
   double distance_m = 0.0;
   bool acts = false;           // it has a part in the force (not where it is free or another is nearer)
   target::Angles angles = {};  // of an influenced target
+  target::Arc arc = {};        // of an influenced target
   target::Robot robot = {};    // of a virtual manipulator
 };
 

@@ -68,7 +68,7 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
                  TickReport& report) noexcept UNDERACT_REAL_TIME {
   for (std::size_t index = 0; index < report.held.size(); ++index) {
     Held& held = report.held[index];
-    held.robot.joints = 0;
+    if (held.robot.joints > 0) held.robot = target::Robot{};
     const target::Target target = targetOf(program.entries[index].constraint, index, dt_s, state, report);
     const bool acts = target.status != target::Status::Free;
     held.p_WP = target.p_WP;
@@ -77,6 +77,7 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
     held.distance_m = target.distance_m;
     held.acts = acts;
     held.angles = target.angles;
+    held.arc = target.arc;
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/cli/session.h"
@@ -38,11 +39,33 @@ std::string withoutTiming(const std::string& csv) {
     std::istringstream fields(row);
     int column = 0;
     for (std::string field; std::getline(fields, field, ','); ++column) {
-      if (column > 0 && column != 24 && column != 25) kept += field + ",";  // 0: ticks of the loop, which waits first
+      if (column > 0 && column != 27 && column != 28) kept += field + ",";  // 0: ticks of the loop, which waits first
     }
     kept += "\n";
   }
   return kept;
+}
+
+TEST(Run, ARecordingOfAnInfluencedCircleHasItsAngles) {
+  const ScratchFile csv("", "angles.csv");
+  summary({"--hand", "probe", "--seconds", "0.5", "--fast", "--record", csv.path()}, "14_circle_influence.json");
+  std::istringstream rows(textOf(csv.path()));
+  std::string row;
+  std::getline(rows, row);
+  int told = 0;
+  while (std::getline(rows, row)) {
+    std::istringstream fields(row);
+    std::vector<std::string> field;
+    for (std::string one; std::getline(fields, one, ',');) field.push_back(one);
+    ASSERT_EQ(field.size(), 31U);
+    if (field[24].empty() || field[25].empty()) continue;
+    ++told;
+    const double alpha_rad = std::stod(field[24]), beta_rad = std::stod(field[25]), theta_rad = std::stod(field[26]);
+    const double turn_rad = std::remainder(beta_rad - alpha_rad, 2.0 * M_PI);
+    // Between the two, or nearer to the tip within the blend.
+    ASSERT_LE(std::abs(std::remainder(theta_rad - beta_rad, 2.0 * M_PI)), 0.5 * std::abs(turn_rad) + 0.11) << row;
+  }
+  EXPECT_GT(told, 400);
 }
 
 TEST(Run, GivesEveryFigureOfTheContract) {

@@ -7,10 +7,13 @@
 
 #include "app/gui/plot/plot_history.h"
 #include "app/gui/plot/plot_range.h"
+#include "core/base/units.h"
 #include "tests/gui_view/example.h"
 
 namespace underact::gui {
 namespace {
+
+using test::count;
 
 servo::TickRecord recordAt(std::int64_t tick, double error_m, double force_N) {
   servo::TickRecord record;
@@ -87,6 +90,47 @@ TEST(PlotHistory, PathKeepsTheExtremesAndLeavesOutWhatIsNoNumber) {
   EXPECT_TRUE(std::all_of(points.begin(), points.end(), [](const PlotPoint& p) { return std::isfinite(p.x); }));
 }
 
+servo::TickRecord angleAt(std::int64_t tick, double angle_rad) {
+  servo::TickRecord record = recordAt(tick, 0.001, 0.1);
+  record.angles = {angle_rad, angle_rad, angle_rad};
+  return record;
+}
+
+bool drawsALongStep(const std::vector<PlotPoint>& points, std::size_t used) {
+  for (std::size_t point = 1; point < used; ++point) {
+    if (std::abs(points[point].y - points[point - 1].y) > 180.0F) return true;  // false beside what is no number
+  }
+  return false;
+}
+
+TEST(PlotHistory, AnAngleThatGoesRoundIsBrokenAtTheWrapAndNowhereElse) {
+  PlotHistory round, still, trembling;
+  for (std::int64_t tick = 0; tick < 10'000; ++tick) {
+    const double way_rad = 0.002 * static_cast<double>(tick);  // three times round
+    round.add(angleAt(tick, std::remainder(way_rad, 2.0 * kPi)));
+    still.add(angleAt(tick, 3.0 * std::sin(way_rad)));
+    trembling.add(angleAt(tick, tick % 2 == 0 ? 3.14 : -3.14));
+  }
+  const auto gapsOf = [](const PlotHistory& history) {
+    std::vector<PlotPoint> points(4 * (300 + 2));
+    const std::size_t used = thinAngle(history, &PlotRow::theta_deg, 300, points);
+    EXPECT_FALSE(drawsALongStep(points, used));
+    EXPECT_TRUE(std::isfinite(points.back().y));
+    EXPECT_NEAR(static_cast<double>(points.back().x), 0.0, 0.04);  // none was lost for want of room
+    return std::count_if(points.begin(), points.end(), [](const PlotPoint& p) { return std::isnan(p.y); });
+  };
+  EXPECT_EQ(gapsOf(round), 3);
+  EXPECT_EQ(gapsOf(still), 0);
+  EXPECT_GT(gapsOf(trembling), 0);
+}
+
+TEST(PlotHistory, AnAngleThatIsNotThereIsLeftOut) {
+  PlotHistory history;
+  for (std::int64_t tick = 0; tick < 100; ++tick) history.add(recordAt(tick, 0.001, 0.1));
+  std::vector<PlotPoint> points(4 * (300 + 2));
+  EXPECT_EQ(thinAngle(history, &PlotRow::alpha_deg, 300, points), 0U);
+}
+
 TEST(PlotRange, GrowsAtOnceAndShrinksLater) {
   PlotRange range(1.0);
   EXPECT_EQ(range.update(0.2, 0.0), 1.0);
@@ -99,6 +143,30 @@ TEST(PlotRange, GrowsAtOnceAndShrinksLater) {
   EXPECT_EQ(ticks(-10.0, 0.0, 6).size(), 6U);
   EXPECT_EQ(decimalsOf(0.5), 1);
   EXPECT_EQ(decimalsOf(20.0), 0);
+  EXPECT_EQ(multiples(-180.0, 180.0, 45.0, 8), (std::vector<double>{-180, -135, -90, -45, 0, 45, 90, 135, 180}));
+  EXPECT_EQ(multiples(-180.0, 180.0, 45.0, 3), (std::vector<double>{-180, 0, 180}));
+}
+
+TEST(LivePlot, TheAnglesHaveAChartOnlyWhenTheyAreAskedFor) {
+  LivePlot plot;
+  plot.resize(1190, 180);
+  plot.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
+  for (std::int64_t tick = 0; tick < 10'000; ++tick) {
+    servo::TickRecord record = recordAt(tick, 0.001, 0.3);
+    record.angles = {0.5, 1.5, 1.0};
+    plot.add(record);
+  }
+  const auto isSkyBlue = [](const QColor& c) { return c.saturation() > 100 && c.hue() > 195 && c.hue() < 208; };
+  const auto isPurple = [](const QColor& c) { return c.saturation() > 60 && c.hue() > 315 && c.hue() < 340; };
+  const QPointF middle(595, 90);
+  for (const bool shown : {false, true, false}) {
+    plot.showAngles(shown);
+    const QImage picture = plot.picture();
+    EXPECT_EQ(count(picture, middle, 600.0, isSkyBlue) > 100, shown);
+    EXPECT_EQ(count(picture, middle, 600.0, isPurple) > 100, shown);
+  }
+  EXPECT_EQ(plot.glErrors(), 0);
 }
 
 TEST(LivePlot, DrawsWhatWasAddedAndOnlyThen) {

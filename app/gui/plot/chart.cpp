@@ -79,6 +79,7 @@ Chart::Chart(const QString& title, const QString& x_title, const std::vector<Cur
     tables_.push_back(table);
     plots_.push_back(chart_->AddPlot(vtkChart::LINE));
     plots_.back()->SetInputData(table, 0, 1);
+    if (curves_[curve].dashed) plots_.back()->GetPen()->SetLineType(vtkPen::DASH_LINE);
   }
   reserve(4);
 }
@@ -135,7 +136,8 @@ void Chart::setRange(double x_from, double x_to, double y_from, double y_to) {
 
 void Chart::setTicks() {
   x_ticks_ = ticks(x_from_, x_to_, static_cast<int>(axes_.width() / kLabelRoom_px));
-  y_ticks_ = ticks(y_from_, y_to_, static_cast<int>(axes_.height() / kLineRoom_px));
+  const int most = static_cast<int>(axes_.height() / kLineRoom_px);
+  y_ticks_ = tick_step_ > 0.0 ? multiples(y_from_, y_to_, tick_step_, most) : ticks(y_from_, y_to_, most);
   for (const auto& [side, places] : {std::pair{vtkAxis::BOTTOM, &x_ticks_}, {vtkAxis::LEFT, &y_ticks_}}) {
     const vtkNew<vtkDoubleArray> positions;
     const vtkNew<vtkStringArray> words;
@@ -212,9 +214,11 @@ void Chart::paintLegend(QPainter& painter, double base) const {
     const QString& name = curves_[curve].name;
     if (name.isEmpty()) continue;
     const double thick = std::max(1.0, std::round(static_cast<double>(curves_[curve].width)));
-    painter.fillRect(
-        QRectF(std::round(left), std::round(base - 0.32 * metrics.ascent() - 0.5 * thick), kSwatch_px, thick),
-        colours_[curve]);
+    const double top = std::round(base - 0.32 * metrics.ascent() - 0.5 * thick);
+    const double dash = curves_[curve].dashed ? 0.4 * kSwatch_px : kSwatch_px;
+    for (double at = 0.0; at < kSwatch_px; at += 1.5 * dash) {
+      painter.fillRect(QRectF(std::round(left + at), top, std::round(dash), thick), colours_[curve]);
+    }
     left += kSwatch_px + kSwatchGap_px;
     painter.drawText(QPointF(std::round(left), base), name);
     left += metrics.horizontalAdvance(name) + kNameGap_px;

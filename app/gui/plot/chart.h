@@ -25,12 +25,15 @@ class Chart {
   struct Curve {
     QString name;  // in the legend; empty: not there
     float width = 1.5F;
+    bool dashed = false;
   };
   Chart(const QString& title, const QString& x_title, const std::vector<Curve>& curves);
   ~Chart();
 
   vtkChartXY* item() const { return chart_; }
   void setTitle(const QString& title) { title_ = title; }
+  /// Ticks of y at multiples of least, 2 least, ...; 0: at round numbers.
+  void setTickStep(double least) { tick_step_ = least; }
   void setColours(const Theme& theme, const std::vector<QColor>& curves);
   /// area: logical pixels from the top left of the widget, of this height; the axes stand inside.
   void setPlace(const QRectF& area, double widget_height, double scale, const QFont& font);
@@ -59,6 +62,7 @@ class Chart {
   bool legend_below_ = false;  // the title, where both have no room in one line
   double scale_ = 1.0;
   double x_from_ = 0.0, x_to_ = 1.0, y_from_ = 0.0, y_to_ = 1.0;
+  double tick_step_ = 0.0;
   std::vector<double> x_ticks_, y_ticks_;
   std::vector<std::vector<PlotPoint>> points_;
   vtkNew<vtkChartXY> chart_;

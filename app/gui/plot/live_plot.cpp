@@ -41,9 +41,13 @@ struct LivePlot::Impl {
     surface = new GlSurface([this](QSize pixels) { before(pixels); },
                             [this](QPainter& painter) {
                               for (const Chart* chart : {&error, &force, &path}) chart->paintWords(painter);
+                              if (angles_shown) angles.paintWords(painter);
                             },
                             plot);
-    for (Chart* chart : {&error, &force, &path}) actor->GetScene()->AddItem(chart->item());
+    for (Chart* chart : {&error, &force, &path, &angles}) actor->GetScene()->AddItem(chart->item());
+    angles.item()->SetVisible(false);
+    angles.setTickStep(45.0);
+    angles.setRange(-PlotHistory::kSpan_s, 0.0, -180.0, 180.0);
     surface->renderer().AddActor(actor);
     actor->GetScene()->SetRenderer(&surface->renderer());
   }
@@ -52,10 +56,12 @@ struct LivePlot::Impl {
     const double width = plot->width(), height = plot->height();
     const double scale = pixels.height() / std::max(1.0, height);
     const double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
-    const double each = 0.5 * (width - path_width);
+    const double each = (width - path_width) / (angles_shown ? 3.0 : 2.0);
     error.setPlace({0.0, 0.0, each, height}, height, scale, plot->font());
     force.setPlace({each, 0.0, each, height}, height, scale, plot->font());
-    path.setPlace({2.0 * each, 0.0, path_width, height}, height, scale, plot->font());
+    path.setPlace({width - path_width, 0.0, path_width, height}, height, scale, plot->font());
+    if (angles_shown) angles.setPlace({2.0 * each, 0.0, each, height}, height, scale, plot->font());
+    angles.reserve(4 * (angles.columns() + 2));
     error.reserve(2 * (error.columns() + 2));
     force.reserve(2 * (force.columns() + 2));
     path.reserve(4 * (kPathGroups + 2));
@@ -92,6 +98,14 @@ struct LivePlot::Impl {
     force.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, force_range.end());
     path.setRange(-away_range.end(), away_range.end(), -along_range.end(), along_range.end());
     for (Chart* chart : {&error, &force, &path}) chart->pointsChanged();
+    if (angles_shown) drawAngles();
+  }
+
+  void drawAngles() {
+    thinAngle(history, &PlotRow::alpha_deg, angles.columns(), angles.points(0));
+    thinAngle(history, &PlotRow::beta_deg, angles.columns(), angles.points(1));
+    thinAngle(history, &PlotRow::theta_deg, angles.columns(), angles.points(2));
+    angles.pointsChanged();
   }
 
   LivePlot* plot;
@@ -102,11 +116,16 @@ struct LivePlot::Impl {
               LivePlot::tr("time [s]"),
               {{LivePlot::tr("limit"), 1.0F}, {LivePlot::tr("asked"), 1.0F}, {LivePlot::tr("sent"), 2.0F}}};
   Chart path{pathTitle(0), LivePlot::tr("displacement [mm]"), {{QString(), 1.5F}}};
+  Chart angles{
+      LivePlot::tr("Angle [°]"),
+      LivePlot::tr("time [s]"),
+      {{LivePlot::tr("α stylus"), 1.5F, true}, {LivePlot::tr("β tip"), 1.5F}, {LivePlot::tr("θ target"), 2.5F}}};
   PlotRange error_range{kLeastError_mm}, force_range{kLeastForce_N}, away_range{kLeastAway_mm},
       along_range{kLeastForce_N};
   vtkNew<vtkContextActor> actor;
   double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   int axis = 0;
+  bool angles_shown = false;
   bool data_changed = true;
   QSize placed;
 };
@@ -151,6 +170,7 @@ void LivePlot::setTheme(const Theme& theme) {
   my.error.setColours(theme, {theme.target});
   my.force.setColours(theme, {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force});
   my.path.setColours(theme, {theme.force});
+  my.angles.setColours(theme, {theme.orientation, theme.position, theme.target});
   my.surface->update();
 }
 
@@ -165,6 +185,18 @@ void LivePlot::setAxis(int axis) {
 
 int LivePlot::axis() const {
   return impl_->axis;
+}
+
+void LivePlot::showAngles(bool shown) {
+  if (shown == impl_->angles_shown) return;
+  impl_->angles_shown = shown;
+  impl_->angles.item()->SetVisible(shown);
+  impl_->placed = {};  // the others give or take room
+  impl_->surface->update();
+}
+
+bool LivePlot::showsAngles() const {
+  return impl_->angles_shown;
 }
 
 void LivePlot::setForceLimit(double continuous_N) {

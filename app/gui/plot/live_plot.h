@@ -8,7 +8,8 @@
 namespace underact::gui {
 
 /// The last 10 s of error [mm] and of force asked and sent [N] against time, and of one axis' displacement against
-/// force (thesis figure 4.3), as VTK charts. Every tick goes in; what is drawn is thinned to the widget's width by
+/// force (thesis figure 4.3), as VTK charts; and, of a scene with an influence, of the angles of stylus, tip and target
+/// (thesis figure 5.7). Every tick goes in; what is drawn is thinned to the widget's width by
 /// minimum and maximum, so that a spike of one tick is seen.
 class LivePlot : public QWidget {
   Q_OBJECT
@@ -22,6 +23,8 @@ class LivePlot : public QWidget {
   void setTheme(const Theme& theme);
   void setAxis(int axis);  // 0 x, 1 y, 2 z: of the displacement against force
   int axis() const;
+  void showAngles(bool shown);  // a chart of its own; else the others have its room
+  bool showsAngles() const;
   /// The line in the force plot, N.
   void setForceLimit(double continuous_N);
   QImage picture();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 
@@ -15,6 +16,46 @@ float onScreen(double value, double factor) {
 void fillUp(std::span<PlotPoint> points, std::size_t used) {
   const PlotPoint last = used > 0 ? points[used - 1] : PlotPoint{};
   std::fill(points.begin() + static_cast<std::ptrdiff_t>(used), points.end(), last);
+}
+
+/// largest_step: of a line that is drawn; one that is larger breaks it.
+std::size_t thin(const PlotHistory& history, float PlotRow::*value, std::size_t columns, std::span<PlotPoint> points,
+                 float largest_step) {
+  const double now_s = history.newest_s(),
+               column_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(columns, 1));
+  std::size_t used = 0;
+  double column_end_s = -1.0;  // none begun
+  PlotPoint least, greatest;
+  const auto put = [&](const PlotPoint& point) {
+    const bool broken = used > 0 && std::abs(point.y - points[used - 1].y) > largest_step;
+    if (used + (broken ? 2 : 1) > points.size()) return;
+    if (broken) points[used++] = {point.x, std::numeric_limits<float>::quiet_NaN()};
+    points[used++] = point;
+  };
+  const auto close = [&] {
+    if (column_end_s < 0.0) return;
+    put(least.x <= greatest.x ? least : greatest);
+    if (least.x != greatest.x) put(least.x <= greatest.x ? greatest : least);
+  };
+  for (std::size_t index = 0; index < history.size(); ++index) {
+    const PlotRow& row = history.row(index);
+    const float y = row.*value;
+    if (!std::isfinite(y)) continue;
+    const PlotPoint point{static_cast<float>(row.time_s - now_s), y};
+    if (row.time_s >= column_end_s) {
+      close();
+      column_end_s = column_s * (std::floor(row.time_s / column_s) + 1.0);
+      if (column_end_s <= row.time_s) column_end_s += column_s;  // rounding at a column's edge
+      least = greatest = point;
+    } else if (y < least.y) {
+      least = point;
+    } else if (y > greatest.y) {
+      greatest = point;
+    }
+  }
+  close();
+  fillUp(points, used);
+  return used;
 }
 
 }  // namespace
@@ -43,39 +84,19 @@ void PlotHistory::add(const servo::TickRecord& record) {
     fresh.away_mm[axis] = onScreen(record.p_WT[index] - record.p_WP[index], kMillimetrePerMetre);
     fresh.force_N[axis] = onScreen(record.f_sent_T_W[index], 1.0);
   }
+  fresh.alpha_deg = onScreen(record.angles.alpha_rad, 1.0 / kRadPerDegree);
+  fresh.beta_deg = onScreen(record.angles.beta_rad, 1.0 / kRadPerDegree);
+  fresh.theta_deg = onScreen(record.angles.theta_rad, 1.0 / kRadPerDegree);
 }
 
 std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
                        std::span<PlotPoint> points) {
-  const double now_s = history.newest_s(),
-               column_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(columns, 1));
-  std::size_t used = 0;
-  double column_end_s = -1.0;  // none begun
-  PlotPoint least, greatest;
-  const auto close = [&] {
-    if (column_end_s < 0.0 || used + 2 > points.size()) return;
-    points[used++] = least.x <= greatest.x ? least : greatest;
-    if (least.x != greatest.x) points[used++] = least.x <= greatest.x ? greatest : least;
-  };
-  for (std::size_t index = 0; index < history.size(); ++index) {
-    const PlotRow& row = history.row(index);
-    const float y = row.*value;
-    if (!std::isfinite(y)) continue;
-    const PlotPoint point{static_cast<float>(row.time_s - now_s), y};
-    if (row.time_s >= column_end_s) {
-      close();
-      column_end_s = column_s * (std::floor(row.time_s / column_s) + 1.0);
-      if (column_end_s <= row.time_s) column_end_s += column_s;  // rounding at a column's edge
-      least = greatest = point;
-    } else if (y < least.y) {
-      least = point;
-    } else if (y > greatest.y) {
-      greatest = point;
-    }
-  }
-  close();
-  fillUp(points, used);
-  return used;
+  return thin(history, value, columns, points, std::numeric_limits<float>::infinity());
+}
+
+std::size_t thinAngle(const PlotHistory& history, float PlotRow::*value_deg, std::size_t columns,
+                      std::span<PlotPoint> points) {
+  return thin(history, value_deg, columns, points, 180.0F);
 }
 
 std::size_t thinPath(const PlotHistory& history, std::size_t axis, std::size_t groups, std::span<PlotPoint> points) {

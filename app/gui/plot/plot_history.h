@@ -16,6 +16,10 @@ struct PlotRow {
   float sent_N = 0.0F;
   std::array<float, 3> away_mm{};  // of the tip from the target, per axis of W; NaN where none acts
   std::array<float, 3> force_N{};  // sent, per axis of W
+  // About the influenced shape's axis, of stylus, tip and target; NaN where there are none.
+  float alpha_deg = 0.0F;
+  float beta_deg = 0.0F;
+  float theta_deg = 0.0F;
 };
 
 /// The last 10 s of ticks, up to 4000 a second, in a ring that never grows.
@@ -50,6 +54,11 @@ struct PlotPoint {
 /// used; values that are not finite are left out.
 std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
                        std::span<PlotPoint> points);
+
+/// The same for an angle in degrees, from -180 to 180: a step of more than half a turn is a smaller one the other way,
+/// and a point that is no number breaks the line there. points: at least 4 (columns + 2).
+std::size_t thinAngle(const PlotHistory& history, float PlotRow::*value_deg, std::size_t columns,
+                      std::span<PlotPoint> points);
 
 /// The way of (away_mm, force_N) along an axis: of each of `groups` stretches of time the extreme points, in order.
 /// points: at least 4 (groups + 2); what is left over repeats the last.

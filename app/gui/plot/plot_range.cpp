@@ -33,12 +33,25 @@ double PlotRange::update(double greatest, double time_s) {
   return end_;
 }
 
-std::vector<double> ticks(double from, double to, int most) {
-  const double step = roundUp(std::max((to - from) / std::max(most, 1), 1e-12));
+namespace {
+
+std::vector<double> placesAt(double from, double to, double step) {
   std::vector<double> places;
   for (double index = std::ceil(from / step - 1e-6); index * step <= to + 1e-6 * step; index += 1.0)
     places.push_back(index * step);
   return places;
+}
+
+}  // namespace
+
+std::vector<double> ticks(double from, double to, int most) {
+  return placesAt(from, to, roundUp(std::max((to - from) / std::max(most, 1), 1e-12)));
+}
+
+std::vector<double> multiples(double from, double to, double least, int most) {
+  double step = least;
+  while ((to - from) / step > std::max(most, 1)) step *= 2.0;
+  return placesAt(from, to, step);
 }
 
 int decimalsOf(double step) {

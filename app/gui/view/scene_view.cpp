@@ -34,7 +34,8 @@ bool looksAlike(const servo::Snapshot& a, const servo::Snapshot& b) {
   if (one.sample.q_rad != other.sample.q_rad || one.force.f_T_W() != other.force.f_T_W()) return false;
   return std::equal(one.held.begin(), one.held.end(), other.held.begin(), other.held.end(),
                     [](const tick::Held& x, const tick::Held& y) {
-                      return x.acts == y.acts && x.status == y.status && x.p_WP == y.p_WP;
+                      return x.acts == y.acts && x.status == y.status && x.p_WP == y.p_WP &&
+                             x.arc.turn_rad == y.arc.turn_rad && x.arc.share == y.arc.share;
                     });
 }
 
@@ -75,21 +76,25 @@ void SceneView::Impl::before(QSize pixels) {
     renderer.RemoveAllViewProps();
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
     for (const auto& target : hand.targets()) renderer.AddActor(target);
-    for (const auto& lines : {workspace.lines(), constraint.lines(), hand.lines(), kinematics.lines()}) {
+    for (const auto& lines :
+         {workspace.lines(), constraint.lines(), influence.lines(), hand.lines(), kinematics.lines()}) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
     for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
+    renderer.AddActor(influence.rings());
     renderer.AddActor(hand.mark());
   }
   constraint.setLineWidth(scale);
   workspace.setLineWidth(scale);
   hand.setLineWidth(scale);
   kinematics.setLineWidth(scale);
+  influence.setLineWidth(scale);
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
   kinematics.update(camera);
+  influence.update(camera, size());
   vtkCamera* eye = surface->renderer().GetActiveCamera();
   const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
   eye->SetPosition(eye_mm.data());
@@ -103,6 +108,7 @@ void SceneView::Impl::before(QSize pixels) {
 void SceneView::Impl::showArm() {
   hand.present(*shown);
   kinematics.present(shown->report.sample.q_rad);
+  influence.present(shown->report);
 }
 
 void SceneView::Impl::paintWords(QPainter& painter) {
@@ -122,6 +128,8 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   state.focus = view->hasFocus();
   std::vector<Label> labels = workspace.labels();
   labels.insert(labels.end(), kinematics.labels().begin(), kinematics.labels().end());
+  labels.insert(labels.end(), influence.labels().begin(), influence.labels().end());
+  state.has_influence = influence.isSeen();
   words.paint(painter, state, labels);
 }
 
@@ -214,6 +222,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->workspace.setTheme(theme);
   impl_->hand.setTheme(theme);
   impl_->kinematics.setTheme(theme);
+  impl_->influence.setTheme(theme);
   impl_->actors_changed = true;
   impl_->surface->update();
 }
@@ -224,6 +233,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->workspace.show(layers.workspace, layers.triads);
   impl_->hand.show(layers.arm, layers.target, layers.force);
   impl_->kinematics.show(layers.link_frames, layers.ghosts, layers.motion_ellipsoid, layers.force_ellipsoid);
+  impl_->influence.show(layers.influence);
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
 }

@@ -21,6 +21,7 @@ struct Layers {
   bool arm = true;        // the arm's links, thin
   bool target = true;     // the target point and the error line
   bool force = true;      // the force arrow
+  bool influence = true;  // see InfluencePicture; where the scene has one
   // For teaching, see KinematicsPicture.
   bool link_frames = false;
   bool ghosts = false;            // the inverse solutions

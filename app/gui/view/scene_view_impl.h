@@ -8,6 +8,7 @@
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/hand_grip.h"
 #include "app/gui/view/hand_picture.h"
+#include "app/gui/view/influence_picture.h"
 #include "app/gui/view/kinematics_picture.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/view_words.h"
@@ -45,6 +46,7 @@ struct SceneView::Impl {
   WorkspacePicture workspace;
   HandPicture hand;
   KinematicsPicture kinematics;
+  InfluencePicture influence;
   ViewWords words;
   Theme theme = Theme::light();
   Layers layers;

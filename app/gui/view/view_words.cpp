@@ -44,6 +44,7 @@ const QImage& Stamp::image(const QString& key, const QSizeF& size, double scale,
 void ViewWords::paint(QPainter& painter, const WordsState& state, const std::vector<Label>& labels) {
   paintLabels(painter, state, labels);
   paintTriad(painter, state);
+  paintLegend(painter, state);
   paintGauge(painter, state);
   paintHint(painter, state);
   if (!state.focus) return;
@@ -69,6 +70,31 @@ void ViewWords::paintLabels(QPainter& painter, const WordsState& state, const st
     painter.drawText(QPointF(std::round(place.pixel.x() - 0.5 * width),
                              std::round(place.pixel.y() + 0.5 * (metrics.ascent() - metrics.descent()))),
                      label.text);
+  }
+}
+
+void ViewWords::paintLegend(QPainter& painter, const WordsState& state) {
+  if (!state.has_influence) return;
+  struct Row {
+    QString letter, text;
+    QColor colour;
+  };
+  const std::array<Row, 2> rows{
+      Row{"o", QCoreApplication::translate("SceneView", "where the stylus points"), state.theme.orientation},
+      Row{"p", QCoreApplication::translate("SceneView", "nearest to the tip"), state.theme.position}};
+  QFont strong = smaller(state.font, 0.95);
+  strong.setBold(true);
+  const QFont plain = smaller(state.font, 0.85);
+  const double line = std::ceil(QFontMetricsF(strong).height());
+  double base = std::round(state.size.height() - kTriad - kMargin - line);
+  for (const Row& row : rows) {
+    painter.setFont(strong);
+    painter.setPen(row.colour);
+    painter.drawText(QPointF(kMargin, base), row.letter);
+    painter.setFont(plain);
+    painter.setPen(mixed(state.theme.quiet, state.theme.ink, 0.6));
+    painter.drawText(QPointF(kMargin + 16.0, base), row.text);
+    base += line;
   }
 }
 

@@ -37,6 +37,7 @@ struct WordsState {
   double force_limit_N = 0.0;
   bool limited = false;
   bool focus = false;
+  bool has_influence = false;  // the letters o and p are there
 };
 
 /// Labels, force gauge, hint, small triad and focus frame, by the system's font.
@@ -46,6 +47,7 @@ class ViewWords {
 
  private:
   void paintLabels(QPainter& painter, const WordsState& state, const std::vector<Label>& labels);
+  void paintLegend(QPainter& painter, const WordsState& state);
   void paintGauge(QPainter& painter, const WordsState& state);
   void paintHint(QPainter& painter, const WordsState& state);
   void paintTriad(QPainter& painter, const WordsState& state);

@@ -62,6 +62,7 @@ servo::TickRecord someTick() {
   record.level = 0.5;
   record.cut_N = 1.25;
   record.fault = FaultKind::NoSample;
+  record.angles = {-3.125, 1.0 / 3.0, 0.75};
   record.lateness_ns = 12'345;
   record.tick_ns = 250;
   record.buttons = 3;
@@ -72,7 +73,7 @@ servo::TickRecord someTick() {
 TEST(CsvWriter, ARowHasAFieldForEachColumnOfTheHeader) {
   const auto rows = written({someTick(), someTick()}, "columns");
   ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0].size(), 28U);
+  EXPECT_EQ(rows[0].size(), 31U);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
 }
 
@@ -89,6 +90,9 @@ TEST(CsvWriter, ValuesStandUnderTheirNamesInTheUnitsTheNamesSay) {
   EXPECT_EQ(number(field(rows, 1, "gate_level")), 0.5);
   EXPECT_EQ(number(field(rows, 1, "cut_N")), 1.25);
   EXPECT_EQ(field(rows, 1, "fault"), "no_sample");
+  EXPECT_EQ(number(field(rows, 1, "alpha_rad")), -3.125);
+  EXPECT_EQ(number(field(rows, 1, "beta_rad")), 1.0 / 3.0);
+  EXPECT_EQ(number(field(rows, 1, "theta_rad")), 0.75);
   EXPECT_DOUBLE_EQ(number(field(rows, 1, "lateness_us")), 12.345);
   EXPECT_EQ(number(field(rows, 1, "tick_us")), 0.25);
   EXPECT_EQ(field(rows, 1, "buttons"), "3");
@@ -115,6 +119,8 @@ TEST(CsvWriter, ATargetThatIsNotThereIsAnEmptyField) {
   const auto rows = written({record}, "empty");
   EXPECT_EQ(field(rows, 1, "target_x_mm"), "");
   EXPECT_EQ(field(rows, 1, "target_z_mm"), "");
+  record.angles = {};
+  EXPECT_EQ(field(written({record}, "no_angles"), 1, "theta_rad"), "");
   EXPECT_EQ(rows[1].size(), rows[0].size());
 }
 
@@ -127,9 +133,10 @@ TEST(CsvWriter, TheLongestNumbersFitARow) {
   record.error_m = record.level = record.cut_N = longest;
   record.f_asked_T_W.setConstant(longest);
   record.f_sent_T_W.setConstant(longest);
+  record.angles = {longest, longest, longest};
   record.tick = record.time_ns = record.lateness_ns = record.tick_ns = std::numeric_limits<std::int64_t>::min();
   record.revision = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(written({record}, "longest")[1].size(), 28U);
+  EXPECT_EQ(written({record}, "longest")[1].size(), 31U);
 }
 
 TEST(CsvWriter, AFullDiskIsToldAtTheEnd) {

@@ -221,6 +221,25 @@ TEST(Host, AnInfluenceReachesTheNextTickAndTheTargetsWayIsNoRateOfTheError) {
   EXPECT_LT((rig.host->snapshot().report.f_T_W - force_before - 10.0 * way_W).norm(), 0.05 * 10.0 * way_W.norm());
 }
 
+TEST(Host, ARowHasTheAnglesOfTheFirstInfluencedTargetThatActs) {
+  Rig rig;
+  scene::Description scene = ringScene(0.25);
+  scene.constraints.insert(scene.constraints.begin(), sphereScene(50).constraints.front());
+  ASSERT_TRUE(rig.host->load(scene).empty());
+  rig.host->run(1);
+  const target::Angles wanted = rig.host->snapshot().report.held[1].angles;
+  ASSERT_TRUE(std::isfinite(wanted.alpha_rad));
+  std::vector<target::Angles> seen;
+  rig.host->drain([&](const TickRecord& record) { seen.push_back(record.angles); });
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].alpha_rad, wanted.alpha_rad);
+  EXPECT_EQ(seen[0].beta_rad, wanted.beta_rad);
+  EXPECT_EQ(seen[0].theta_rad, wanted.theta_rad);
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->run(1);
+  rig.host->drain([&](const TickRecord& record) { EXPECT_TRUE(std::isnan(record.angles.theta_rad)); });
+}
+
 TEST(Host, AnInfluenceThatComesOrGoesIsRampedLikeAScene) {
   Rig rig;
   scene::Description scene = ringScene(0.5);

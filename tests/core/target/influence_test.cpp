@@ -117,6 +117,43 @@ TEST(Influence, TheTargetIsOnTheShapeAndTurnsWithTheStylusWhenOrientationAloneCo
   }
 }
 
+TEST(Influence, TheTargetLiesOnTheArcFromTheOrientationToThePositionNearestPoint) {
+  test::Random random(test::Seed{20070504});
+  for (int i = 0; i < test::sweep(2'000, 100'000); ++i) {
+    const Vec3 p_WT = random.inBox(0.1), stylus_W = random.direction();
+    const Influence influence{random.between(0.0, 1.0), i % 2 == 0 ? 1.0 : -1.0, i % 3 == 0 ? 0.5 : 0.0};
+    for (const shape::Shape& shape : {shape::Shape(kTilted), shape::Shape(kTube), shape::Shape(kBall)}) {
+      const Influenced target = from_rest(shape, influence, p_WT, stylus_W);
+      const Arc& arc = target.arc;
+      const auto alongArc = [&](double share) {
+        return Vec3(arc.p_WC + Eigen::AngleAxisd(share * arc.turn_rad, arc.axis_W) * (arc.p_WPo - arc.p_WC));
+      };
+      ASSERT_LE((alongArc(1.0) - arc.p_WPp).norm(), 1e-14) << i;
+      ASSERT_LE((alongArc(arc.share) - target.p_WP).norm(), 1e-14) << i;
+      ASSERT_LE((arc.p_WPp - closestPoint(shape, p_WT).p_WP).norm(), 1e-14) << i;
+      ASSERT_GE(arc.share, influence.t - 1e-15);
+      ASSERT_LE(arc.share, 1.0);
+      Influence orientation_alone = influence;
+      orientation_alone.t = orientation_alone.blend_rad = 0.0;
+      ASSERT_LE((from_rest(shape, orientation_alone, p_WT, stylus_W).p_WP - arc.p_WPo).norm(), 1e-14) << i;
+    }
+  }
+}
+
+TEST(Influence, AnArcWithOneEndHasNoTurn) {
+  const Arc on_axis = from_rest(kRing, {0.5}, {0, 0, 0.01}, at(1.0)).arc;
+  EXPECT_EQ(on_axis.turn_rad, 0.0);
+  EXPECT_LE((on_axis.p_WPo - at(1.0, 0.05)).norm(), 1e-17);
+  EXPECT_FALSE(on_axis.p_WPp.allFinite());
+  const Arc along_axis = from_rest(kRing, {0.5}, at(2.0, 0.06), Vec3::UnitZ()).arc;
+  EXPECT_EQ(along_axis.turn_rad, 0.0);
+  EXPECT_FALSE(along_axis.p_WPo.allFinite());
+  EXPECT_LE((along_axis.p_WPp - at(2.0, 0.05)).norm(), 1e-17);
+  const Arc in_centre = from_rest(kBall, {0.5}, kBall.p_WC, at(1.0)).arc;
+  EXPECT_EQ(in_centre.axis_W, Vec3::Zero());
+  EXPECT_FALSE(in_centre.p_WPp.allFinite());
+}
+
 TEST(Influence, WhereTheStylusIsAlongTheAxisThePositionTakesOverWithoutAStep) {
   const Vec3 p_WT = at(0.4, 0.06);
   const Influence influence{0.2, 1.0, 5.0 * kRadPerDegree};
