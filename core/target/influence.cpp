@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/trig.h"
-#include "core/base/units.h"
+#include "core/base/around.h"
+#include "core/manipulator/follow.h"
 
 namespace underact::target {
 namespace {
 
 /// Under this a cross product of unit vectors has no direction left.
 constexpr double kNoDirection = 8 * 0x1p-52;
-
-/// v without its part along the unit axis_W; twice, since near the axis the first pass leaves an error of its own size.
-Vec3 across(const Vec3& axis_W, Vec3 v) noexcept UNDERACT_REAL_TIME {
-  v -= v.dot(axis_W) * axis_W;
-  v -= v.dot(axis_W) * axis_W;
-  return v;
-}
 
 /// 0 to 1 over [0, 1] with no slope at both ends.
 double smooth(double share) noexcept UNDERACT_REAL_TIME {
@@ -83,7 +76,8 @@ Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W,
     state.begun = false;
   } else {
     const double delta_rad = onTheSameSide(atan2Of(axis_W.dot(stylus_n_W.cross(tip_W)), stylus_n_W.dot(tip_W)), state);
-    state = {delta_rad, Vec3::Zero(), true};
+    state.delta_rad = delta_rad;
+    state.begun = true;
     // Counted from the tip: position alone is then exact, and so is what the blend goes over to.
     const double back = weight * (1.0 - influence.t), back_rad = back * delta_rad;
     result.arc.turn_rad = delta_rad;
@@ -122,14 +116,28 @@ Influenced onCylinder(const shape::Cylinder& cylinder, const Influence& influenc
   return {p_WU + cylinder.radius_m * at.n_W, at.angles, true, distance_m, placed(at.arc, p_WU, cylinder.radius_m)};
 }
 
-/// The axis of the arc from the stylus's direction to the tip's: theirs, or, where they are opposite, the last one.
-Vec3 arcAxis(const Vec3& from_W, const Vec3& to_W, const InfluenceState& state) noexcept UNDERACT_REAL_TIME {
+/// The axis of the arc from the stylus's direction to the tip's. Near half a turn theirs goes about with every tremble,
+/// and the last one that did not keeps its place, giving way as they part from the tie.
+Vec3 arcAxis(const Vec3& from_W, const Vec3& to_W, double beta_rad, InfluenceState& state) noexcept UNDERACT_REAL_TIME {
   const Vec3 normal_W = from_W.cross(to_W);
   const double sine = normal_W.norm();
-  if (sine > kNoDirection) return normal_W / sine;
-  const Vec3 last_W = state.begun ? across(from_W, state.about_W) : Vec3::Zero();
-  const double length = last_W.norm();
-  return length > 0.5 ? Vec3(last_W / length) : referenceAcross(from_W);
+  const double known = sine > kNoDirection ? smooth((kPi - beta_rad) / kTie_rad) : 0.0;
+  Vec3 about_W = known > 0.0 ? Vec3((known / sine) * normal_W) : Vec3::Zero();
+  if (known < 1.0) {
+    const Vec3 last_W = state.begun ? across(to_W, state.about_W) : Vec3::Zero();
+    const double length = last_W.norm();
+    if (length > 0.5) {
+      about_W += ((1.0 - known) / length) * last_W;
+    } else if (known > 0.0) {
+      about_W = normal_W / sine;
+    } else {
+      about_W = referenceAcross(to_W);
+    }
+  }
+  const double length = about_W.norm();
+  if (!(length > kNoDirection)) return referenceAcross(to_W);
+  if (known >= 1.0 || !state.begun) state.about_W = about_W / length;
+  return about_W / length;
 }
 
 Influenced onSphere(const shape::Sphere& sphere, const Influence& influence, const Vec3& p_WT, const Vec3& stylus_W,
@@ -145,29 +153,17 @@ Influenced onSphere(const shape::Sphere& sphere, const Influence& influence, con
   }
   const Vec3 to_W = p_CT_W / off_m;
   const double beta_rad = atan2Of(from_W.cross(to_W).norm(), from_W.dot(to_W));
-  const Vec3 about_W = arcAxis(from_W, to_W, state);
-  state = {beta_rad, about_W, true};
+  const Vec3 about_W = arcAxis(from_W, to_W, beta_rad, state);
+  state.delta_rad = beta_rad;
+  state.begun = true;
   const SinCos back = sinCos(-(1.0 - influence.t) * beta_rad);
   const Vec3 n_W = back.cos * to_W + back.sin * about_W.cross(to_W);
   const Arc arc = placed({Vec3::Zero(), from_W, to_W, about_W, beta_rad, influence.t}, sphere.p_WC, sphere.radius_m);
   return {sphere.p_WC + sphere.radius_m * n_W, {0.0, beta_rad, influence.t * beta_rad}, true, distance_m, arc};
 }
 
-}  // namespace
-
-Vec3 referenceAcross(const Vec3& axis_W) noexcept {
-  Eigen::Index most = 0;
-  for (Eigen::Index axis = 1; axis < 3; ++axis) {
-    if (std::abs(axis_W[axis]) < std::abs(axis_W[most])) most = axis;
-  }
-  Vec3 direction_W = Vec3::Zero();
-  direction_W[most] = 1.0;
-  const Vec3 perpendicular_W = across(axis_W, direction_W);
-  return perpendicular_W / perpendicular_W.norm();
-}
-
-Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
-                            const Vec3& stylus_W, InfluenceState& state) noexcept {
+Influenced unslewed(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT, const Vec3& stylus_W,
+                    InfluenceState& state) noexcept UNDERACT_REAL_TIME {
   if (const auto* circle = std::get_if<shape::Circle>(&shape)) {
     return onCircle(*circle, influence, p_WT, stylus_W, state);
   }
@@ -178,6 +174,52 @@ Influenced influencedTarget(const shape::Shape& shape, const Influence& influenc
     return onSphere(*sphere, influence, p_WT, stylus_W, state);
   }
   return {p_WT, {}, false, 0.0, {}};
+}
+
+/// The direction from last_W towards to_W, by most_rad at most; the way round a half turn goes about about_W.
+Vec3 turnedTowards(const Vec3& last_W, const Vec3& to_W, const Vec3& about_W,
+                   double most_rad) noexcept UNDERACT_REAL_TIME {
+  const Vec3 normal_W = last_W.cross(to_W);
+  const double sine = normal_W.norm();
+  if (atan2Of(sine, last_W.dot(to_W)) <= most_rad) return to_W;
+  Vec3 axis_W = sine > kNoDirection ? Vec3(normal_W / sine) : across(last_W, about_W);
+  const double length = axis_W.norm();
+  axis_W = length > 0.5 ? Vec3(axis_W / length) : referenceAcross(last_W);
+  const SinCos turn = sinCos(most_rad);
+  const Vec3 n_W = turn.cos * last_W + turn.sin * axis_W.cross(last_W);
+  return n_W / n_W.norm();
+}
+
+/// The target no further round than dt_s allows from the last one, and its angle there.
+void slew(const shape::Shape& shape, const Influence& influence, const Vec3& stylus_W, double dt_s,
+          InfluenceState& state, Influenced& found) noexcept UNDERACT_REAL_TIME {
+  const Vec3 p_CP_W = found.p_WP - found.arc.p_WC;
+  const double radius_m = p_CP_W.norm();
+  const Vec3 n_W = p_CP_W / radius_m;
+  const bool limited = state.aims && dt_s > 0.0;
+  const double most_rad = manipulator::kSlew_m_per_s * dt_s / radius_m;
+  const Vec3 now_W = limited && most_rad < kPi ? turnedTowards(state.n_W, n_W, found.arc.axis_W, most_rad) : n_W;
+  state.n_W = now_W;
+  state.aims = true;
+  if (now_W == n_W) return;
+  found.p_WP = found.arc.p_WC + radius_m * now_W;
+  const Vec3 from_W = influence.stylus_sign * stylus_W;
+  found.angles.theta_rad = std::holds_alternative<shape::Sphere>(shape)
+                               ? atan2Of(from_W.cross(now_W).norm(), from_W.dot(now_W))
+                               : angleAround(found.arc.axis_W, now_W);
+}
+
+}  // namespace
+
+Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
+                            const Vec3& stylus_W, double dt_s, InfluenceState& state) noexcept {
+  Influenced found = unslewed(shape, influence, p_WT, stylus_W, state);
+  if (found.is_unique) {
+    slew(shape, influence, stylus_W, dt_s, state, found);
+  } else {
+    state.aims = false;
+  }
+  return found;
 }
 
 }  // namespace underact::target

@@ -31,11 +31,13 @@ struct Arc {
   double share = 0.0;     // of the turn, that the target has from p_WPo on: t, or more in the blend
 };
 
-/// All memory: which way round the last target went.
+/// All memory: which way round the last target went, and where it was.
 struct InfluenceState {
   double delta_rad = 0.0;       // from alpha to beta, unwrapped by up to kTie_rad
-  Vec3 about_W = Vec3::Zero();  // of a sphere: the axis of the last arc
+  Vec3 about_W = Vec3::Zero();  // of a sphere: the axis of the last arc that was no tie
   bool begun = false;
+  Vec3 n_W = Vec3::Zero();  // from the arc's centre to the last target, unit
+  bool aims = false;        // there was one
 };
 
 /// Past half a turn the target goes on along the arc it is on by as much as this, so that a tremble about the tie does
@@ -50,15 +52,13 @@ struct Influenced {
   Arc arc;
 };
 
-/// A direction across the axis, the same for all who ask: the coordinate axis that is most across it (the first of
-/// equals), made perpendicular.
-Vec3 referenceAcross(const Vec3& axis_W) noexcept UNDERACT_REAL_TIME;
-
 /// The target between orientation- and position-nearest point, along the shorter arc: theta = alpha + t wrap(beta -
 /// alpha). p_WT: m, finite; stylus_W: z of frame 6, unit. Along the axis the stylus says nothing, and the target goes
 /// over to position smoothly within blend_rad; tip on the axis: orientation alone; both: not unique. Any other shape:
-/// not unique. Cost: constant. Source: Beckman 2007, eq. 5.1-5.4 (errata 5.3, 5.4; 3-D form of errata section 4).
+/// not unique. dt_s: since the last one; the target goes round no faster than manipulator::kSlew_m_per_s, so that a
+/// change of side is no blow; 0: at once. Cost: constant. Source: Beckman 2007, eq. 5.1-5.4 (errata 5.3, 5.4; 3-D form
+/// of errata section 4).
 Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
-                            const Vec3& stylus_W, InfluenceState& state) noexcept UNDERACT_REAL_TIME;
+                            const Vec3& stylus_W, double dt_s, InfluenceState& state) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::target

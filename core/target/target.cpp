@@ -28,9 +28,9 @@ Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept {
   return {p_WP, Status::Unique, (p_WP - p_WT).norm()};
 }
 
-Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W,
+Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W, double dt_s,
                         InfluenceState& state) noexcept {
-  const Influenced found = influencedTarget(constraint.shape, constraint.influence, p_WT, stylus_W, state);
+  const Influenced found = influencedTarget(constraint.shape, constraint.influence, p_WT, stylus_W, dt_s, state);
   const Status status = found.is_unique ? Status::Unique : Status::Degenerate;
   return {found.p_WP, status, found.distance_m, found.angles, found.arc};
 }

@@ -43,8 +43,8 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 /// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
 Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
-/// The same for an influenced constraint; stylus_W: z of frame 6, unit.
-Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W,
+/// The same for an influenced constraint; stylus_W: z of frame 6, unit; dt_s: since the last one, 0: unknown.
+Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W, double dt_s,
                         InfluenceState& state) noexcept UNDERACT_REAL_TIME;
 
 /// "unique", "degenerate", "free": the words of the command line.

@@ -15,7 +15,7 @@ constexpr double kLongestTick_s = 0.1;
 
 void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (control::LawState& law : state.laws) law = control::LawState{};
-  for (target::InfluenceState& influence : state.influences) influence.begun = false;
+  for (target::InfluenceState& influence : state.influences) influence = target::InfluenceState{};
   for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
 }
@@ -61,7 +61,7 @@ target::Target targetOf(const target::Constraint& constraint, std::size_t index,
     return manipulatedTarget(constraint, X_WT, dt_s, state.robots[index], report.held[index].robot);
   }
   if (!constraint.influenced) return nearestTarget(constraint, report.p_WT);
-  return influencedTarget(constraint, report.p_WT, report.stylus_W, state.influences[index]);
+  return influencedTarget(constraint, report.p_WT, report.stylus_W, dt_s, state.influences[index]);
 }
 
 void findTargets(const TickProgram& program, double dt_s, TickState& state,

@@ -27,7 +27,7 @@ Vec3 threeOf(const Value& list) {
 
 Influenced from_rest(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT, const Vec3& stylus_W) {
   InfluenceState state;
-  return influencedTarget(shape, influence, p_WT, stylus_W, state);
+  return influencedTarget(shape, influence, p_WT, stylus_W, 0.0, state);
 }
 
 double apart(double a_rad, double b_rad) {
@@ -187,15 +187,56 @@ TEST(Influence, OnTheAxisTheStylusAloneSaysWhereAndWithoutItNothingDoes) {
 TEST(Influence, ATrembleAboutHalfATurnDoesNotThrowTheTargetAcross) {
   test::Random random(test::Seed{20070503});
   InfluenceState state;
-  Vec3 last = influencedTarget(kRing, {0.5}, at(kPi - 0.05, 0.06), at(0.0), state).p_WP;
+  Vec3 last = influencedTarget(kRing, {0.5}, at(kPi - 0.05, 0.06), at(0.0), 0.0, state).p_WP;
   for (int i = 0; i < 5000; ++i) {
-    const Vec3 now = influencedTarget(kRing, {0.5}, at(kPi + random.between(-0.1, 0.1), 0.06), at(0.0), state).p_WP;
+    const Vec3 now =
+        influencedTarget(kRing, {0.5}, at(kPi + random.between(-0.1, 0.1), 0.06), at(0.0), 0.0, state).p_WP;
     ASSERT_LE((now - last).norm(), 0.05 * 0.5 * 0.2 * 1.001) << i;  // as far as half of the tremble
     last = now;
   }
   EXPECT_GT(last.y(), 0.04);  // still on the side where it began
-  last = influencedTarget(kRing, {0.5}, at(kPi + 0.3, 0.06), at(0.0), state).p_WP;
+  last = influencedTarget(kRing, {0.5}, at(kPi + 0.3, 0.06), at(0.0), 0.0, state).p_WP;
   EXPECT_LT(last.y(), -0.04);  // well beyond, the shorter way is the other one
+}
+
+TEST(Influence, OppositeTheStylusATrembleMovesTheTargetOnASphereNoFurtherThanItself) {
+  test::Random random(test::Seed{20070505});
+  InfluenceState state;
+  const auto tip = [](double x, double y) { return Vec3(kBall.p_WC + 0.06 * Vec3(x, y, 1.0).normalized()); };
+  influencedTarget(kBall, {0.5}, tip(0.5, 0.0), {0, 0, -1}, 0.0, state);  // it comes to the tie from x
+  Vec3 last = influencedTarget(kBall, {0.5}, tip(0.02, 0.0), {0, 0, -1}, 0.0, state).p_WP;
+  EXPECT_GT(last.x() - kBall.p_WC.x(), 0.049);
+  for (int i = 0; i < 5000; ++i) {
+    const double x = random.between(-0.02, 0.02), y = random.between(-0.02, 0.02);
+    const Vec3 now = influencedTarget(kBall, {0.5}, tip(x, y), {0, 0, -1}, 0.0, state).p_WP;
+    ASSERT_LE((now - last).norm(), 0.05 * 0.15) << i;  // with the plain normal it is up to 0.1 m
+    last = now;
+  }
+  last = influencedTarget(kBall, {0.5}, tip(-0.3, 0.0), {0, 0, -1}, 0.0, state).p_WP;
+  EXPECT_LT(last.x() - kBall.p_WC.x(), -0.04);  // well beyond, the shorter way is the other one
+}
+
+TEST(Influence, TheTargetGoesRoundNoFasterThanItsSlew) {
+  test::Random random(test::Seed{20070506});
+  for (const shape::Shape& shape : {shape::Shape(kTilted), shape::Shape(kTube), shape::Shape(kBall)}) {
+    InfluenceState state;
+    Vec3 last_W = Vec3::Zero();
+    for (int i = 0; i < test::sweep(3'000, 100'000); ++i) {  // a hand that is everywhere at once
+      const Vec3 p_WT = random.inBox(0.1);
+      const Influenced now = influencedTarget(shape, {0.5, 1.0, 0.1}, p_WT, random.direction(), 1e-3, state);
+      ASSERT_TRUE(now.is_unique && now.p_WP.allFinite());
+      const Vec3 n_W = (now.p_WP - now.arc.p_WC).normalized();
+      const double radius_m = (now.p_WP - now.arc.p_WC).norm();
+      if (i > 0) {
+        ASSERT_LE(radius_m * std::atan2(n_W.cross(last_W).norm(), n_W.dot(last_W)), 2e-3 * (1.0 + 1e-9));
+      }
+      last_W = n_W;
+    }
+    // Held still it arrives, within the half circle's time.
+    Influenced now;
+    for (int i = 0; i < 90; ++i) now = influencedTarget(shape, {0.5}, {0.05, 0.06, 0.07}, Vec3::UnitX(), 1e-3, state);
+    EXPECT_LE((now.p_WP - from_rest(shape, {0.5}, {0.05, 0.06, 0.07}, Vec3::UnitX()).p_WP).norm(), 1e-15);
+  }
 }
 
 TEST(Influence, TiesAreFiniteAndOneOfTheTwo) {
@@ -222,7 +263,7 @@ TEST(Influence, EverythingFiniteGivesSomethingFinite) {
     const Vec3 p_WT = kTilted.p_WC + scale * random.inBox(1.0);
     for (const shape::Shape& shape : {shape::Shape(kTilted), shape::Shape(kTube), shape::Shape(kBall)}) {
       const Influenced target =
-          influencedTarget(shape, {random.between(0, 1), 1.0, random.between(0, 0.5)}, p_WT, stylus_W, state);
+          influencedTarget(shape, {random.between(0, 1), 1.0, random.between(0, 0.5)}, p_WT, stylus_W, 0.0, state);
       ASSERT_TRUE(target.p_WP.allFinite());
     }
   }

@@ -32,12 +32,12 @@ TEST(InfluencedTick, FollowsTheStylusOfTheArm) {
   Hand hand({influenced({0.3, 1.0, 0.0})}, Combine::Sum);
   for (int tick = 0; tick < 500; ++tick) {
     const arm::JointAngles q_rad = test::scriptedAngles(11 * tick);
-    const TickReport& report = hand.feed(q_rad);
+    const TickReport& report = hand.feed(q_rad, 0.011);  // as fast as the script goes here
     const Pose X_WT = arm::tipPose(test::thesisGeometry(), q_rad);
     ASSERT_EQ(report.stylus_W, Vec3(X_WT.linear().col(2)));
     target::InfluenceState rest;
     const target::Influenced wanted =
-        target::influencedTarget(kRing, {0.3, 1.0, 0.0}, X_WT.translation(), report.stylus_W, rest);
+        target::influencedTarget(kRing, {0.3, 1.0, 0.0}, X_WT.translation(), report.stylus_W, 0.0, rest);
     if (std::abs(wanted.angles.beta_rad - wanted.angles.alpha_rad) > 2.5) continue;  // near a tie the past decides
     ASSERT_LE((report.held[0].p_WP - wanted.p_WP).norm(), 1e-15) << tick;
     ASSERT_EQ(report.held[0].angles.theta_rad, wanted.angles.theta_rad);
