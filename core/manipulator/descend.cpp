@@ -145,4 +145,11 @@ Values allowed(const Manipulator& m, Values theta) noexcept {
   return theta;
 }
 
+double valueAt(const chain::Joint& joint, double share, double slide_m) noexcept {
+  const double span = joint.type == JointType::Revolute ? kPi : slide_m;
+  const double low = joint.min > -kInfinity ? joint.min : std::min(-span, joint.max - 2.0 * span);
+  const double high = joint.max < kInfinity ? joint.max : std::max(span, joint.min + 2.0 * span);
+  return low + share * (high - low);
+}
+
 }  // namespace underact::manipulator

@@ -11,8 +11,6 @@
 namespace underact::manipulator {
 namespace {
 
-using chain::JointType;
-
 constexpr int kTicksAStep = 4;       // the watch's own pace: a quarter of a step a tick
 constexpr int kStepsAStart = 25;     // then another start is tried
 constexpr double kSamePlace = 1e-4;  // of the reach
@@ -28,10 +26,7 @@ double draw(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
 Values drawn(const Manipulator& m, std::uint64_t& random) noexcept UNDERACT_REAL_TIME {
   Values theta{};
   for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
-    const chain::Joint& joint = m.chain.joints[i];
-    const double span = joint.type == JointType::Revolute ? kPi : m.reach_m;
-    const double low = std::max(joint.min, -span), high = std::min(joint.max, span);
-    theta[i] = std::clamp(low + draw(random) * (high - low), joint.min, joint.max);
+    theta[i] = valueAt(m.chain.joints[i], draw(random), m.reach_m);
   }
   return theta;
 }
@@ -76,7 +71,7 @@ void keepWatch(const Manipulator& m, const Pose& X_WT, double dt_s, State& state
   }
   if (watch.better_s < kBetterFor_s) return;
   evaluate(m, X_WT, watch.theta, followed.at);
-  const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
+  const Descent descent = descend(m, X_WT, m.options.max_steps - followed.steps, followed.at);
   followed.steps += descent.steps;
   followed.left = descent.left;
   watch.better_s = 0.0;
@@ -118,10 +113,24 @@ void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed&
   followed.left = descent.left;
 }
 
+bool isFinite(const Pose& X_WT) noexcept UNDERACT_REAL_TIME {
+  double nothing = 0.0;  // 0 times a number is 0, if it is one
+  for (Eigen::Index column = 0; column < 4; ++column) {
+    for (Eigen::Index row = 0; row < 3; ++row) nothing += 0.0 * X_WT.matrix()(row, column);
+  }
+  return nothing == 0.0;
+}
+
 }  // namespace
 
 Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& state) noexcept {
   Followed followed;
+  if (!isFinite(X_WT)) {
+    evaluate(m, X_WT, state.begun ? state.theta : allowed(m, {}), followed.at);
+    followed.is_unique = false;
+    followed.p_WP = X_WT.translation();
+    return followed;
+  }
   const bool by_thesis = m.law == ForceLaw::Thesis52;
   if (by_thesis) {
     byThesis(m, X_WT, followed);
@@ -146,8 +155,16 @@ Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& stat
 }
 
 State standing(const Manipulator& m, const Pose& X_WT, int& steps) {
-  const Global global = leastEnergy(m, X_WT);
   State state;
+  steps = 0;
+  if (m.law == ForceLaw::Thesis52) {
+    const ThesisPull pull = thesisPull(m, X_WT);
+    state.theta = allowed(m, {pull.theta_rad});
+    state.p_WP = pull.p_WP;
+    state.begun = pull.is_unique;
+    return state;
+  }
+  const Global global = leastEnergy(m, X_WT);
   state.theta = global.at.theta;
   state.p_WP = global.at.tip.X_WT.translation();
   state.begun = global.is_unique;
