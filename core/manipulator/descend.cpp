@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/around.h"
+#include "core/base/norms.h"
 
 namespace underact::manipulator {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kLeastDamping = 1e-9;  // below it there is none
 constexpr double kFloor = 1e-13;        // of the spread: keeps pivots positive where the chain is singular
 constexpr double kLongestTurn_rad = 0.5;
 constexpr double kLongestSlide = 0.25;  // of the reach
-constexpr double kRounding = 0x1p-48;   // of the energy: a loss that says nothing
+constexpr double kRounding = 0x1p-48;   // of the energy and what it is made of: a loss that says nothing
 
 /// One descent's fixed things.
 class Slope {
@@ -102,6 +103,12 @@ class Slope {
   std::array<bool, kMaxJoints> held_{};
 };
 
+/// How much of the energy there is rounding: of its own, and of the places and turns whose difference is small.
+double roundingOf(const Manipulator& m, const Pose& X_WT, const Energy& at) noexcept UNDERACT_REAL_TIME {
+  const double place_m = m.reach_m + largestOf(X_WT.translation());
+  return kRounding * (at.energy_J + largestOf(at.f_W) * place_m + largestOf(at.m_W));
+}
+
 }  // namespace
 
 Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& at) noexcept {
@@ -130,8 +137,8 @@ Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& a
     }
     ++descent.steps;
     evaluate(m, X_WT, theta, *next);
-    const double gained = here->energy_J - next->energy_J;
-    if (!(gained >= -kRounding * here->energy_J)) {
+    const double gained = here->energy_J - next->energy_J, rounding_J = roundingOf(m, X_WT, *here);
+    if (!(gained >= -rounding_J)) {
       damping = damping > 0.0 ? damping * growth : kFirstDamping;
       growth *= 2.0;
       if (!(damping < 1e9)) return arrive();
@@ -141,13 +148,13 @@ Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& a
     damping *= std::max(1.0 / 3.0, 1.0 - better * better * better);  // Nielsen's rule
     if (damping < kLeastDamping) damping = 0.0;
     growth = 2.0;
-    const bool stands = gained <= kRounding * here->energy_J;
+    const bool stands = gained <= rounding_J;
     const double before = descent.left;
     std::swap(here, next);
     // So near, the last curvature says as well as the one here whether a joint still moves.
     slope.hold(*here);
     descent.left = slope.left(*here);
-    if (descent.left <= m.options.tolerance) continue;
+    if (descent.left <= m.options.tolerance || descent.steps >= max_steps) continue;
     slope.bend(*here);
     descent.left = slope.left(*here);
     // Rounding alone moves it now: a tolerance below that is never met.
