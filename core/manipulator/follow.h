@@ -16,6 +16,7 @@ struct Watch {
 /// All memory between two ticks.
 struct State {
   Values theta{};
+  Values pace{};             // how far the joints went in the last tick
   Vec3 p_WP = Vec3::Zero();  // the last target
   bool begun = false;
   bool lost = false;  // a cold start found that nothing says where the tip is
@@ -45,9 +46,10 @@ inline constexpr double kBetterShare = 0.1;
 inline constexpr double kBetter_J = 1e-5;
 inline constexpr double kBetterFor_s = 0.05;
 
-/// One tick: from the last tick's joints down to the minimum they are in, or the closed form; then the watch, then the
-/// slew. dt_s: since the last tick; 0: unknown. A first tick starts at home. A stylus that is not finite has no target,
-/// and leaves the state as it was. Deterministic. Cost: at most max_steps + 1 steps of the solver.
+/// One tick: from the last tick's joints, and as far on as they went then, down to the minimum they are in, or the
+/// closed form; then the watch, then the slew. dt_s: since the last tick; 0: unknown. A first tick starts at home. A
+/// stylus that is not finite has no target, and leaves the state as it was. Deterministic. Cost: at most max_steps + 1
+/// steps of the solver.
 Followed follow(const Manipulator& manipulator, const Pose& X_WT, double dt_s,
                 State& state) noexcept UNDERACT_REAL_TIME;
 
