@@ -28,10 +28,11 @@ MovedAxis advance(const Joint& joint, double q, const SinCos& turn, Motion& moti
     return moved;
   }
   // R [axis]x, column by column.
-  Mat3 swept;
-  swept << axis.z() * motion.R.col(1) - axis.y() * motion.R.col(2),
-      axis.x() * motion.R.col(2) - axis.z() * motion.R.col(0), axis.y() * motion.R.col(0) - axis.x() * motion.R.col(1);
-  motion.R = turn.cos * motion.R + turn.sin * swept + ((1.0 - turn.cos) * moved.axis_W) * axis.transpose();
+  const Vec3 x = motion.R.col(0), y = motion.R.col(1), z = motion.R.col(2);
+  const Vec3 along = (1.0 - turn.cos) * moved.axis_W;
+  motion.R.col(0) = turn.cos * x + turn.sin * (axis.z() * y - axis.y() * z) + axis.x() * along;
+  motion.R.col(1) = turn.cos * y + turn.sin * (axis.x() * z - axis.z() * x) + axis.y() * along;
+  motion.R.col(2) = turn.cos * z + turn.sin * (axis.y() * x - axis.x() * y) + axis.z() * along;
   motion.p = moved.p_WJ - motion.R * joint.p_WJ;
   return moved;
 }
@@ -88,7 +89,8 @@ Kinematics kinematics(const Chain& chain, std::span<const double> q) noexcept {
   result.J.resize(6, count);
   // First each axis, as (J, direction); the lever to the tip is known at the end of the walk alone.
   const Motion motion = walk(chain, q, [&](std::size_t i, const MovedAxis& moved, const Motion&) {
-    result.J.col(static_cast<Eigen::Index>(i)) << moved.p_WJ, moved.axis_W;
+    result.J.col(static_cast<Eigen::Index>(i)).head<3>() = moved.p_WJ;
+    result.J.col(static_cast<Eigen::Index>(i)).tail<3>() = moved.axis_W;
   });
   result.X_WT = tipOf(chain, motion);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -96,7 +98,8 @@ Kinematics kinematics(const Chain& chain, std::span<const double> q) noexcept {
     if (chain.joints[static_cast<std::size_t>(i)].type == JointType::Revolute) {
       result.J.col(i).head<3>() = axis_W.cross(result.X_WT.translation() - p_WJ);
     } else {
-      result.J.col(i) << axis_W, Vec3::Zero();
+      result.J.col(i).head<3>() = axis_W;
+      result.J.col(i).tail<3>().setZero();
     }
   }
   return result;

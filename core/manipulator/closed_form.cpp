@@ -23,9 +23,11 @@ double turnTo(const chain::Joint& joint, double best_rad, double near_rad) noexc
   if (joint.min == -kInfinity && joint.max == kInfinity) return wrapped(best_rad);
   const double value_rad = best_rad + turn * std::floor((near_rad - best_rad) / turn + 0.5);
   if (value_rad >= joint.min && value_rad <= joint.max) return value_rad;
-  const double above_rad = best_rad + turn * std::ceil((joint.min - best_rad) / turn);  // the first not below min
-  const double below_rad = best_rad + turn * std::floor((joint.max - best_rad) / turn);
-  if (above_rad <= joint.max) return near_rad <= joint.min ? above_rad : below_rad;
+  // The nearest that is within: the first beyond the limit that it passed.
+  const bool under = value_rad < joint.min;
+  const double first_rad = under ? best_rad + turn * std::ceil((joint.min - best_rad) / turn)
+                                 : best_rad + turn * std::floor((joint.max - best_rad) / turn);
+  if (under ? first_rad <= joint.max : first_rad >= joint.min) return first_rad;
   return std::abs(wrapped(joint.min - best_rad)) <= std::abs(wrapped(joint.max - best_rad)) ? joint.min : joint.max;
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/around.h"
+#include "core/base/norms.h"
 
 namespace underact::manipulator {
 namespace {
@@ -15,7 +17,7 @@ constexpr double kLeastDamping = 1e-9;  // below it there is none
 constexpr double kFloor = 1e-13;        // of the spread: keeps pivots positive where the chain is singular
 constexpr double kLongestTurn_rad = 0.5;
 constexpr double kLongestSlide = 0.25;  // of the reach
-constexpr double kRounding = 0x1p-48;   // of the energy: a loss that says nothing
+constexpr double kRounding = 0x1p-48;   // of the energy and what it is made of: a loss that says nothing
 
 /// One descent's fixed things.
 class Slope {
@@ -25,19 +27,26 @@ class Slope {
         X_WT_(X_WT),
         count_(std::min(manipulator.chain.joints.size(), kMaxJoints)) {}
 
-  /// The curvature there, and which joints a limit holds.
-  void look(const Energy& at) noexcept UNDERACT_REAL_TIME {
+  /// Which joints a limit holds there.
+  void hold(const Energy& at) noexcept UNDERACT_REAL_TIME {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const chain::Joint& joint = m_.chain.joints[i];
+      held_[i] = at.slope[i] > 0.0 ? at.theta[i] <= joint.min : at.slope[i] < 0.0 && at.theta[i] >= joint.max;
+    }
+  }
+
+  /// The curvature there.
+  void bend(const Energy& at) noexcept UNDERACT_REAL_TIME {
     curvature(m_, at, m_.options.second_order, H_, spread_);
     double stiffest = 0.0;
     for (std::size_t i = 0; i < count_; ++i) stiffest = std::max(stiffest, spread_[i] / (unit(i) * unit(i)));
     for (std::size_t i = 0; i < count_; ++i) {
       // A joint that moves nothing has no curvature of its own: it shares a trace of the others'.
       spread_[i] = std::max(spread_[i], 1e-12 * stiffest * unit(i) * unit(i));
-      const chain::Joint& joint = m_.chain.joints[i];
-      held_[i] = at.slope[i] > 0.0 ? at.theta[i] <= joint.min : at.slope[i] < 0.0 && at.theta[i] >= joint.max;
     }
   }
 
+  /// The largest step that a joint would take by itself, by the curvature that was last looked at.
   double left(const Energy& at) const noexcept UNDERACT_REAL_TIME {
     double most = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -94,44 +103,62 @@ class Slope {
   std::array<bool, kMaxJoints> held_{};
 };
 
+/// How much of the energy there is rounding: of its own, and of the places and turns whose difference is small.
+double roundingOf(const Manipulator& m, const Pose& X_WT, const Energy& at) noexcept UNDERACT_REAL_TIME {
+  const double place_m = m.reach_m + largestOf(X_WT.translation());
+  return kRounding * (at.energy_J + largestOf(at.f_W) * place_m + largestOf(at.m_W));
+}
+
 }  // namespace
 
 Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& at) noexcept {
   Slope slope(m, X_WT);
   Descent descent;
   double damping = 0.0, growth = 2.0;
-  Energy next;
-  slope.look(at);
+  Energy other;
+  Energy *here = &at, *next = &other;  // evaluations are large: they change places
+  const auto arrive = [&] {
+    if (here != &at) at = *here;
+    return descent;
+  };
+  slope.hold(*here);
+  slope.bend(*here);
+  descent.left = slope.left(*here);
   for (;;) {
-    descent.left = slope.left(at);
     descent.converged = descent.left <= m.options.tolerance;
-    if (descent.converged || descent.steps >= max_steps) return descent;
+    if (descent.converged || descent.steps >= max_steps) return arrive();
     Values theta{};
     double promised = 0.0;
     // At a damping of 1 the curvature is positive: its spread outweighs the second-order terms.
-    while (!slope.step(at, damping, theta, promised)) {
-      if (!(damping < 1e3)) return descent;
+    while (!slope.step(*here, damping, theta, promised)) {
+      if (!(damping < 1e3)) return arrive();
       damping = damping > 0.0 ? damping * growth : kFirstDamping;
       growth *= 2.0;
     }
     ++descent.steps;
-    evaluate(m, X_WT, theta, next);
-    const double gained = at.energy_J - next.energy_J;
-    if (!(gained >= -kRounding * at.energy_J)) {
+    evaluate(m, X_WT, theta, *next);
+    const double gained = here->energy_J - next->energy_J, rounding_J = roundingOf(m, X_WT, *here);
+    if (!(gained >= -rounding_J)) {
       damping = damping > 0.0 ? damping * growth : kFirstDamping;
       growth *= 2.0;
-      if (!(damping < 1e9)) return descent;
+      if (!(damping < 1e9)) return arrive();
       continue;
     }
     const double kept = promised > 0.0 ? gained / promised : 1.0, better = 2.0 * kept - 1.0;
     damping *= std::max(1.0 / 3.0, 1.0 - better * better * better);  // Nielsen's rule
     if (damping < kLeastDamping) damping = 0.0;
     growth = 2.0;
-    const bool stands = gained <= kRounding * at.energy_J;
-    at = next;
-    slope.look(at);
+    const bool stands = gained <= rounding_J;
+    const double before = descent.left;
+    std::swap(here, next);
+    // So near, the last curvature says as well as the one here whether a joint still moves.
+    slope.hold(*here);
+    descent.left = slope.left(*here);
+    if (descent.left <= m.options.tolerance || descent.steps >= max_steps) continue;
+    slope.bend(*here);
+    descent.left = slope.left(*here);
     // Rounding alone moves it now: a tolerance below that is never met.
-    if (stands && slope.left(at) > 0.5 * descent.left) return descent;
+    if (stands && descent.left > 0.5 * before) return arrive();
   }
 }
 
@@ -143,6 +170,13 @@ Values allowed(const Manipulator& m, Values theta) noexcept {
     theta[i] = std::clamp(theta[i], joint.min, joint.max);
   }
   return theta;
+}
+
+double valueAt(const chain::Joint& joint, double share, double slide_m) noexcept {
+  const double span = joint.type == JointType::Revolute ? kPi : slide_m;
+  const double low = joint.min > -kInfinity ? joint.min : std::min(-span, joint.max - 2.0 * span);
+  const double high = joint.max < kInfinity ? joint.max : std::max(span, joint.min + 2.0 * span);
+  return low + share * (high - low);
 }
 
 }  // namespace underact::manipulator

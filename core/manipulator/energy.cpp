@@ -9,8 +9,6 @@
 namespace underact::manipulator {
 namespace {
 
-using chain::JointType;
-
 constexpr double kBlend_rad = 5.0 * kRadPerDegree;  // as an influence's own default
 
 std::size_t jointsOf(const Manipulator& manipulator) noexcept UNDERACT_REAL_TIME {
@@ -51,46 +49,49 @@ double addTurn(const Manipulator& m, const Mat3& R_WT, Energy& at) noexcept UNDE
   return 0.5 * at.weight * m.ko_N_m_per_rad * at.e_o_W.squaredNorm();
 }
 
-/// J_l^-1(e) w: how the rotation vector e grows where the tip turns by w. Source: Sola et al. 2018, "A micro Lie theory
-/// for state estimation in robotics", eq. 146.
-Vec3 growthOf(const Vec3& e, const Vec3& w) noexcept UNDERACT_REAL_TIME {
+/// J_l^-1(e) w: how the rotation vector e grows where the tip turns by w, with J_l^-1 = 1 - [e] / 2 + share [e]^2.
+/// Source: Sola et al. 2018, "A micro Lie theory for state estimation in robotics", eq. 146.
+double shareOf(const Vec3& e) noexcept UNDERACT_REAL_TIME {
   const double squared = e.squaredNorm();
-  double share = 1.0 / 12.0;
-  if (squared > 1e-6) {
-    const double angle = std::sqrt(squared);
-    const SinCos half = sinCos(0.5 * angle);
-    share = 1.0 / squared - half.cos / (2.0 * angle * half.sin);
-  }
-  const Vec3 once = e.cross(w);
-  return w - 0.5 * once + share * e.cross(once);
+  if (squared <= 1e-6) return 1.0 / 12.0;
+  const double angle = std::sqrt(squared);
+  const SinCos half = sinCos(0.5 * angle);
+  return 1.0 / squared - half.cos / (2.0 * angle * half.sin);
 }
 
-/// d2V/dtheta_i dtheta_j of the turn's energy over ko, in two parts: what Gauss and Newton keep, and the rest.
-struct Parts {
-  double first = 0.0;
-  double second = 0.0;
+/// d2V/dtheta_i dtheta_j is a product with joint j's own (v_j, w_j) for all j from i on. Here that of joint i, in two
+/// parts: what Gauss and Newton keep, and the rest.
+struct Row {
+  Vec3 kept_v, kept_w;
+  Vec3 rest_v, rest_w;
+  double kept(const Vec3& v, const Vec3& w) const noexcept UNDERACT_REAL_TIME { return kept_v.dot(v) + kept_w.dot(w); }
+  double rest(const Vec3& v, const Vec3& w) const noexcept UNDERACT_REAL_TIME { return rest_v.dot(v) + rest_w.dot(w); }
 };
 
-Parts turnCurvature(const Manipulator& m, const Energy& at, const Vec3& w_i, const Vec3& w_j,
-                    bool same) noexcept UNDERACT_REAL_TIME {
+/// The turn's share of a row. share: of shareOf(), for a whole turn.
+void addTurn(const Manipulator& m, const Energy& at, double share, const Vec3& w_i,
+             Row& row) noexcept UNDERACT_REAL_TIME {
+  const double ko = m.ko_N_m_per_rad;
   switch (m.orientation) {
     case Orientation::None:
-      return {};
+      return;
     case Orientation::Axis: {
       const Vec3 n_W = at.tip.X_WT.linear().col(2), z_W = n_W - at.e_o_W;  // of V, of the stylus
-      const Vec3 n_j = w_j.cross(n_W);
-      const double kept = w_i.cross(n_W).dot(n_j);
-      return {kept, -z_W.dot(w_i.cross(n_j)) - kept};
+      row.kept_w = ko * n_W.cross(w_i.cross(n_W));
+      row.rest_w = -ko * n_W.cross(z_W.cross(w_i)) - row.kept_w;
+      return;
     }
     case Orientation::Angle:
-      return {at.weight * w_i.dot(w_j), 0.0};
+      row.kept_w = at.weight * ko * w_i;
+      return;
     case Orientation::Full: {
-      const double kept = w_i.dot(w_j);
-      const double whole = growthOf(at.e_o_W, w_i).dot(w_j) + (same ? 0.0 : at.e_o_W.dot(w_i.cross(w_j)));
-      return {kept, whole - kept};
+      // Of J_l^-1 w less w, and of the later joint's axis, which turns with the earlier: e . (w_i x w_j).
+      const Vec3 once = at.e_o_W.cross(w_i);
+      row.kept_w = ko * w_i;
+      row.rest_w = ko * (0.5 * once + share * at.e_o_W.cross(once));
+      return;
     }
   }
-  return {};
 }
 
 }  // namespace
@@ -119,24 +120,24 @@ void evaluate(const Manipulator& m, const Pose& X_WT, const Values& theta, Energ
 void curvature(const Manipulator& m, const Energy& at, bool second_order, Hessian& H, Values& spread) noexcept {
   const std::size_t count = jointsOf(m);
   const bool turns = m.orientation != Orientation::None && m.ko_N_m_per_rad > 0.0;
+  const double share = turns && m.orientation == Orientation::Full ? shareOf(at.e_o_W) : 0.0;
+  std::array<Vec3, kMaxJoints> v, w;
+  for (std::size_t i = 0; i < count; ++i) v[i] = linear(at, i), w[i] = angular(at, i);
   H.size = count;
   spread.fill(0.0);
-  for (std::size_t j = 0; j < count; ++j) {
-    const Vec3 v_j = linear(at, j), w_j = angular(at, j), k_j = m.kp_N_per_m.cwiseProduct(v_j);
-    for (std::size_t i = 0; i <= j; ++i) {
-      const Vec3 w_i = angular(at, i);
-      double kept = linear(at, i).dot(k_j), rest = 0.0;
-      if (second_order && m.chain.joints[i].type == JointType::Revolute) rest = at.f_W.dot(w_i.cross(v_j));
-      if (turns) {
-        const Parts turn = turnCurvature(m, at, w_i, w_j, i == j);
-        kept += m.ko_N_m_per_rad * turn.first;
-        if (second_order) rest += m.ko_N_m_per_rad * turn.second;
-      }
-      if (i == j) kept += m.spring[i];
-      H.a[j][i] = kept + rest;
-      spread[i] += std::abs(rest) + (i == j ? kept : 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    // The later joint's tip is carried round the earlier one's axis; a sliding one has none.
+    Row row{m.kp_N_per_m.cwiseProduct(v[i]), Vec3::Zero(), at.f_W.cross(w[i]), Vec3::Zero()};
+    if (turns) addTurn(m, at, share, w[i], row);
+    for (std::size_t j = i; j < count; ++j) {
+      const double rest = second_order ? row.rest(v[j], w[j]) : 0.0;
+      H.a[j][i] = row.kept(v[j], w[j]) + rest;
+      spread[i] += std::abs(rest);
       if (i != j) spread[j] += std::abs(rest);
     }
+    const double own = row.kept(v[i], w[i]) + m.spring[i];
+    H.a[i][i] += m.spring[i];
+    spread[i] += own;
   }
 }
 

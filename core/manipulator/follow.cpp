@@ -12,19 +12,16 @@
 namespace underact::manipulator {
 namespace {
 
-using chain::JointType;
-
 constexpr int kTicksAStep = 4;       // the watch's own pace: a quarter of a step a tick
 constexpr int kStepsAStart = 25;     // then another start is tried
 constexpr double kSamePlace = 1e-4;  // of the reach
+constexpr double kStanding = 1e3;    // of the tolerance
+constexpr double kFurthest = 0.02;   // rad or shares of the reach, a tick
 
 Values drawn(const Manipulator& m, std::uint64_t& random) noexcept UNDERACT_REAL_TIME {
   Values theta{};
   for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
-    const chain::Joint& joint = m.chain.joints[i];
-    const double span = joint.type == JointType::Revolute ? kPi : m.reach_m;
-    const double low = std::max(joint.min, -span), high = std::min(joint.max, span);
-    theta[i] = std::clamp(low + nextShare(random) * (high - low), joint.min, joint.max);
+    theta[i] = valueAt(m.chain.joints[i], nextShare(random), m.reach_m);
   }
   return theta;
 }
@@ -69,7 +66,7 @@ void keepWatch(const Manipulator& m, const Pose& X_WT, double dt_s, State& state
   }
   if (watch.better_s < kBetterFor_s) return;
   evaluate(m, X_WT, watch.theta, followed.at);
-  const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
+  const Descent descent = descend(m, X_WT, m.options.max_steps - followed.steps, followed.at);
   followed.steps += descent.steps;
   followed.left = descent.left;
   watch.better_s = 0.0;
@@ -97,24 +94,49 @@ void byThesis(const Manipulator& m, const Pose& X_WT, Followed& followed) noexce
   followed.moment_W = pull.moment_W;
 }
 
+/// Where the joints will be if they go on as they did: most often within a step of the minimum, not two. Nowhere where
+/// they stand but for the tolerance, nor where they go so fast that it might be another valley.
+Values goneOn(const Manipulator& m, const State& state) noexcept UNDERACT_REAL_TIME {
+  Values theta = state.theta;
+  for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
+    const double unit = m.chain.joints[i].type == chain::JointType::Revolute ? 1.0 : m.reach_m;
+    const double far = std::abs(state.pace[i]);
+    if (far > kStanding * m.options.tolerance * unit && far < kFurthest * unit) theta[i] += state.pace[i];
+  }
+  return allowed(m, theta);
+}
+
 void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed& followed) noexcept UNDERACT_REAL_TIME {
-  const Values start = state.begun ? state.theta : allowed(m, {});
   if (m.closed) {
-    const Closed closed = closedForm(m, X_WT, start);
+    const Closed closed = closedForm(m, X_WT, state.begun ? state.theta : allowed(m, {}));
     evaluate(m, X_WT, closed.theta, followed.at);
     followed.is_unique = closed.is_unique || state.begun;  // with a past it stays where it was
     return;
   }
-  evaluate(m, X_WT, start, followed.at);
+  evaluate(m, X_WT, state.begun ? goneOn(m, state) : allowed(m, {}), followed.at);
   const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
   followed.steps = descent.steps;
   followed.left = descent.left;
+}
+
+bool isFinite(const Pose& X_WT) noexcept UNDERACT_REAL_TIME {
+  double nothing = 0.0;  // 0 times a number is 0, if it is one
+  for (Eigen::Index column = 0; column < 4; ++column) {
+    for (Eigen::Index row = 0; row < 3; ++row) nothing += 0.0 * X_WT.matrix()(row, column);
+  }
+  return nothing == 0.0;
 }
 
 }  // namespace
 
 Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& state) noexcept {
   Followed followed;
+  if (!isFinite(X_WT)) {
+    evaluate(m, X_WT, state.begun ? state.theta : allowed(m, {}), followed.at);
+    followed.is_unique = false;
+    followed.p_WP = X_WT.translation();
+    return followed;
+  }
   const bool by_thesis = m.law == ForceLaw::Thesis52;
   if (by_thesis) {
     byThesis(m, X_WT, followed);
@@ -132,7 +154,9 @@ Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& stat
   if (!by_thesis && !m.closed && state.begun) keepWatch(m, X_WT, dt_s, state, followed);
   if (!by_thesis) followed.moment_W = followed.at.m_W;
   slew(by_thesis ? followed.p_WP : Vec3(followed.at.tip.X_WT.translation()), dt_s, state, followed);
-  state.theta = allowed(m, followed.at.theta);
+  const Values theta = allowed(m, followed.at.theta);
+  for (std::size_t i = 0; i < theta.size(); ++i) state.pace[i] = state.begun ? theta[i] - state.theta[i] : 0.0;
+  state.theta = theta;
   state.p_WP = followed.p_WP;
   state.begun = true;
   return followed;

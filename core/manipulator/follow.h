@@ -16,6 +16,7 @@ struct Watch {
 /// All memory between two ticks.
 struct State {
   Values theta{};
+  Values pace{};             // how far the joints went in the last tick
   Vec3 p_WP = Vec3::Zero();  // the last target
   bool begun = false;
   bool lost = false;  // a cold start found that nothing says where the tip is
@@ -45,13 +46,15 @@ inline constexpr double kBetterShare = 0.1;
 inline constexpr double kBetter_J = 1e-5;
 inline constexpr double kBetterFor_s = 0.05;
 
-/// One tick: from the last tick's joints down to the minimum they are in, or the closed form; then the watch, then the
-/// slew. dt_s: since the last tick; 0: unknown. A first tick starts at home. Deterministic. Cost: at most max_steps + 1
+/// One tick: from the last tick's joints, and as far on as they went then, down to the minimum they are in, or the
+/// closed form; then the watch, then the slew. dt_s: since the last tick; 0: unknown. A first tick starts at home. A
+/// stylus that is not finite has no target, and leaves the state as it was. Deterministic. Cost: at most max_steps + 1
 /// steps of the solver.
 Followed follow(const Manipulator& manipulator, const Pose& X_WT, double dt_s,
                 State& state) noexcept UNDERACT_REAL_TIME;
 
-/// A state that stands at the minimum of least energy, for a lone pose; not for the servo thread. steps: all it took.
+/// A state that stands at the minimum of least energy (or where the thesis's law has its tip), for a lone pose; not for
+/// the servo thread. steps: all it took.
 State standing(const Manipulator& manipulator, const Pose& X_WT, int& steps);
 
 }  // namespace underact::manipulator

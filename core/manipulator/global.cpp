@@ -11,8 +11,6 @@
 namespace underact::manipulator {
 namespace {
 
-using chain::JointType;
-
 constexpr int kSteps = 200;          // of one descent
 constexpr double kSamePlace = 1e-6;  // of the reach
 constexpr double kSettled = 1e-7;    // of the joints: a descent that still moves more has found no minimum
@@ -34,15 +32,6 @@ double halton(std::size_t index, std::size_t base) {
   return result;
 }
 
-/// A joint's value at a share of its range: its limits, a whole turn, or the way to the stylus and as much beyond.
-double valueAt(const Manipulator& m, std::size_t i, double share, double slide_m) {
-  const chain::Joint& joint = m.chain.joints[i];
-  const double span = joint.type == JointType::Revolute ? kPi : slide_m;
-  const double low = joint.min > -kInfinity ? joint.min : std::min(-span, joint.max - 2.0 * span);
-  const double high = joint.max < kInfinity ? joint.max : std::max(span, joint.min + 2.0 * span);
-  return low + share * (high - low);
-}
-
 std::vector<Values> startsFor(const Manipulator& m, const Pose& X_WT) {
   constexpr std::array<std::size_t, kMaxJoints> kBases{2, 3, 5, 7, 11, 13, 17, 19};
   const std::size_t joints = m.chain.joints.size();
@@ -55,6 +44,7 @@ std::vector<Values> startsFor(const Manipulator& m, const Pose& X_WT) {
       starts.push_back(allowed(m, theta));
     }
   }
+  // As far as the stylus is, and beyond.
   const double slide_m = m.reach_m + (X_WT.translation() - m.chain.X_WT_home.translation()).norm();
   for (std::size_t k = 0; k < startsOf(joints); ++k) {
     Values theta{};
@@ -62,7 +52,7 @@ std::vector<Values> startsFor(const Manipulator& m, const Pose& X_WT) {
       const double share = joints == 1   ? (static_cast<double>(k) + 0.5) / 64.0
                            : joints == 2 ? (static_cast<double>(i == 0 ? k / 16 : k % 16) + 0.5) / 16.0
                                          : halton(k + 1, kBases[i]);
-      theta[i] = valueAt(m, i, share, slide_m);
+      theta[i] = valueAt(m.chain.joints[i], share, slide_m);
     }
     starts.push_back(allowed(m, theta));
   }

@@ -32,7 +32,7 @@ TEST(InfluencedTick, FollowsTheStylusOfTheArm) {
   Hand hand({influenced({0.3, 1.0, 0.0})}, Combine::Sum);
   for (int tick = 0; tick < 500; ++tick) {
     const arm::JointAngles q_rad = test::scriptedAngles(11 * tick);
-    const TickReport& report = hand.feed(q_rad, 0.011);  // as fast as the script goes here
+    const TickReport& report = hand.feed(q_rad, 0.09);  // time for any way round the rim
     const Pose X_WT = arm::tipPose(test::thesisGeometry(), q_rad);
     ASSERT_EQ(report.stylus_W, Vec3(X_WT.linear().col(2)));
     target::InfluenceState rest;
