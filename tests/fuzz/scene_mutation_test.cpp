@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/write.h"
+#include "tests/core/scene/random_scene.h"
 #include "tests/core/scene/scene_support.h"
 #include "tests/fuzz/scene_judge.h"
 
@@ -213,6 +215,15 @@ TEST(SceneMutations, EveryPrefixOfASceneIsRefused) {
       ASSERT_EQ(judgeScene(prefix), "") << prefix;
       ASSERT_FALSE(isAccepted(prefix)) << prefix;
     }
+  }
+}
+
+TEST(SceneMutations, WhatKeepsEveryRuleTicksHoweverOddItsNumbers) {
+  RandomScene random(Seed{20071203});
+  for (int draw = 0; draw < sweep(500, 20'000); ++draw) {
+    const std::string text = scene::writeScene(random.next());
+    ASSERT_TRUE(isAccepted(text)) << text;
+    ASSERT_EQ(judgeScene(text), "") << text;
   }
 }
 
