@@ -1,6 +1,7 @@
 #include "app/gui/document.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <utility>
 
 #include "core/scene/edit.h"
@@ -82,13 +83,27 @@ void Document::put(const scene::Description& scene) {
   emit edited();
 }
 
+const scene::Constraint* Document::original(std::size_t index) const {
+  const std::vector<scene::Constraint>& now = scene().constraints;
+  if (index >= now.size()) return nullptr;
+  const auto found = std::find_if(original_.constraints.begin(), original_.constraints.end(),
+                                  [&](const scene::Constraint& one) { return one.name == now[index].name; });
+  return found == original_.constraints.end() ? nullptr : &*found;
+}
+
 const scene::Control& Document::own(std::size_t index) const {
-  return index < original_.constraints.size() ? scene::controlOf(original_, index) : original_.control;
+  const scene::Constraint* one = original(index);
+  return one != nullptr && one->control ? *one->control : original_.control;
+}
+
+const scene::VirtualManipulator* Document::ownRobot(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  return one == nullptr ? nullptr : std::get_if<scene::VirtualManipulator>(&one->shape);
 }
 
 std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {
-  if (index >= original_.constraints.size()) return std::nullopt;
-  return original_.constraints[index].influence;
+  const scene::Constraint* one = original(index);
+  return one == nullptr ? std::nullopt : one->influence;
 }
 
 }  // namespace underact::gui

@@ -26,10 +26,13 @@ class Document : public QObject {
   int newGesture() { return ++gestures_; }
 
   const scene::Description& scene() const { return host_.scene(); }
+  // As the file has it, by the name of the constraint that is at index now: others may have been added or taken away.
   /// The control at index as the file has it; of a constraint the file does not have, the scene's.
   const scene::Control& own(std::size_t index) const;
   /// The influence at index as the file has it; none: there is none.
   std::optional<scene::Influence> ownInfluence(std::size_t index) const;
+  /// The virtual manipulator at index as the file has it; null: there is none.
+  const scene::VirtualManipulator* ownRobot(std::size_t index) const;
   bool isOpen() const { return !path_.isEmpty(); }
   bool modified() const { return !undo_.isClean(); }
   QString path() const { return path_; }
@@ -42,6 +45,7 @@ class Document : public QObject {
 
  private:
   friend class SceneEdit;
+  const scene::Constraint* original(std::size_t index) const;
   void put(const scene::Description& scene);  // one that was in effect before
 
   servo::Host& host_;

@@ -153,6 +153,18 @@ void FeelPanel::sceneOpened() {
   refresh();
 }
 
+void FeelPanel::sceneEdited() {
+  const std::vector<scene::Constraint>& now = parts_.document.scene().constraints;
+  bool alike = static_cast<std::size_t>(constraint_->count()) == now.size();
+  for (std::size_t index = 0; alike && index < now.size(); ++index) {
+    alike = constraint_->itemText(static_cast<int>(index)) == QString::fromStdString(now[index].name);
+  }
+  if (alike)
+    refresh();
+  else
+    sceneOpened();  // a constraint came or went
+}
+
 void FeelPanel::refresh() {
   setEnabled(hasScene());
   parts_.actions.find("gains.reset")->setEnabled(false);

@@ -40,6 +40,7 @@ class FeelPanel : public Panel {
   void addInfluenceCommands();
   bool hasScene() const;
   void sceneOpened();
+  void sceneEdited();
   void refresh();
   void beginInfluence();
   void refreshInfluence();

@@ -69,7 +69,7 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   outer->addWidget(scroll, 1);
   buildFoot(outer);
   connect(&parts_.document, &Document::opened, this, &FeelPanel::sceneOpened);
-  connect(&parts_.document, &Document::edited, this, &FeelPanel::refresh);
+  connect(&parts_.document, &Document::edited, this, &FeelPanel::sceneEdited);
   sceneOpened();
 }
 

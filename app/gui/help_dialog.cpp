@@ -32,6 +32,8 @@ QString handTable() {
          row(QObject::tr("Wheel"), QObject::tr("brings the view nearer")) +
          row(QObject::tr("Sliders"), QObject::tr("take the mouse, arrow keys and, once clicked, the wheel; a double "
                                                  "click goes back to the scene's value")) +
+         row(QObject::tr("Table of joints"),
+             QObject::tr("F2, a double click or just typing changes a number; Enter takes it")) +
          "</table>";
 }
 

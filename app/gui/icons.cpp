@@ -179,6 +179,16 @@ void drawBox(QPainter& painter, const Theme& theme) {
   painter.setBrush(fill(theme));
   for (const QPolygonF* face : {&kFront, &kTop, &kSide}) painter.drawPolygon(*face);
 }
+// Two links and two hollow joints, in the virtual robot's own colour.
+void drawRobot(QPainter& painter, const Theme& theme) {
+  painter.setPen(QPen(theme.virtual_robot, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawLine(QPointF(3, 20.5), QPointF(11, 20.5));
+  painter.drawLine(QPointF(7.8, 14.7), QPointF(10.4, 9.4));
+  painter.drawLine(QPointF(13.8, 8.0), QPointF(20.5, 11.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(QPointF(6.7, 17), 2.5, 2.5);
+  painter.drawEllipse(QPointF(11.5, 7), 2.5, 2.5);
+}
 void drawUnderact(QPainter& painter, const Theme& theme) {
   drawSphere(painter, theme);
   painter.setPen(QPen(theme.force, 2.4, Qt::SolidLine, Qt::RoundCap));
@@ -210,6 +220,7 @@ const QHash<QString, Draw>& drawings() {
                                          {"circle", drawCircle},
                                          {"cylinder", drawCylinder},
                                          {"box", drawBox},
+                                         {"virtual_manipulator", drawRobot},
                                          {"underact", drawUnderact}};
   return kAll;
 }

@@ -69,7 +69,10 @@ void MainWindow::connectDocument() {
     updateTitle();
   });
   connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
-  connect(document_, &Document::edited, this, &MainWindow::updateTitle);
+  connect(document_, &Document::edited, this, [this] {
+    view_->followEdit(document_->scene());
+    updateTitle();
+  });
 }
 
 void MainWindow::updateTitle() {

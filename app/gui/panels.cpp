@@ -7,6 +7,7 @@
 #include "app/gui/feel_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/plots_panel.h"
+#include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
 #include "app/gui/shape_panel.h"
 
@@ -21,7 +22,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 6> kRows{{
+  static const std::array<PanelRow, 7> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -36,6 +37,10 @@ std::span<const PanelRow> panels() {
       {"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea, "Ctrl+Alt+6",
        QT_TRANSLATE_NOOP("panel", "Joints, DH table, inverse solutions, Jacobian and singularities."),
        make<KinematicsPanel>, "scenes"},
+      {"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
+       QT_TRANSLATE_NOOP("panel",
+                         "The robot that exists only in software: joints, springs, turning stiffness, solver."),
+       make<RobotPanel>, "scenes"},
   }};
   return kRows;
 }

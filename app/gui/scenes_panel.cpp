@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
@@ -107,8 +108,14 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 
 void ScenesPanel::rebuild() {
   list_->clear();
-  addHeading(tr("Shapes"));
-  for (const SceneEntry& entry : shipped_) addScene(entry);
+  for (const bool robots : {false, true}) {
+    bool headed = false;
+    for (const SceneEntry& entry : shipped_) {
+      if ((entry.type == "virtual_manipulator") != robots) continue;
+      if (!std::exchange(headed, true)) addHeading(robots ? tr("Robots") : tr("Shapes"));
+      addScene(entry);
+    }
+  }
   QStringList recent = parts_.recent.paths();
   if (!recent.isEmpty()) addHeading(tr("Opened lately"));
   for (const QString& path : recent) addScene(sceneEntry(path));

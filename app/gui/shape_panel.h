@@ -1,7 +1,9 @@
 #pragma once
 #include "app/gui/panel.h"
+#include "core/scene/description.h"
 
 class QScrollArea;
+class QToolButton;
 
 namespace underact::gui {
 
@@ -16,11 +18,15 @@ class ShapePanel : public Panel {
 
  private:
   void sceneOpened();
+  void sceneEdited();
+  void addDistance();
   void showOneShapeWhole();
 
   PanelParts parts_;
   Readout* readout_;
   QScrollArea* scroll_ = nullptr;
+  QToolButton* edit_ = nullptr;  // opens the joints of a virtual manipulator
+  scene::Description shown_;
   std::vector<int> distance_rows_;  // of each constraint
 };
 

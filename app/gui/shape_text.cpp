@@ -44,6 +44,14 @@ QString jointLetters(const scene::VirtualManipulator& robot) {
   for (const scene::Joint& joint : robot.joints) letters << (joint.type == chain::JointType::Revolute ? "R" : "P");
   return letters.join(' ');
 }
+/// "q1, q3": the joints that have it.
+QString jointsWith(const scene::VirtualManipulator& robot, bool (*has)(const scene::Joint&)) {
+  QStringList numbers;
+  for (std::size_t index = 0; index < robot.joints.size(); ++index) {
+    if (has(robot.joints[index])) numbers << QString("q%1").arg(index + 1);
+  }
+  return numbers.join(", ");
+}
 QString orientationText(manipulator::Orientation orientation) {
   switch (orientation) {
     case manipulator::Orientation::None:
@@ -58,9 +66,20 @@ QString orientationText(manipulator::Orientation orientation) {
   return {};
 }
 Lines linesOf(const scene::VirtualManipulator& robot) {
-  return {{QObject::tr("Joints"), jointLetters(robot)},
-          {QObject::tr("Tip at home"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
-          {QObject::tr("Drawn to"), orientationText(robot.orientation)}};
+  Lines lines{{QObject::tr("Joints"), jointLetters(robot)},
+              {QObject::tr("Tip at home"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
+              {QObject::tr("Drawn to"), orientationText(robot.orientation)}};
+  if (robot.orientation != manipulator::Orientation::None) {
+    lines.push_back({QObject::tr("Kθ"), QObject::tr("%1 N mm/rad").arg(numberText(robot.ko_N_mm_per_rad, 1))});
+  }
+  const QString springs = jointsWith(robot, [](const scene::Joint& joint) { return joint.stiffness > 0.0; });
+  if (!springs.isEmpty()) lines.push_back({QObject::tr("Springs"), springs});
+  const QString limits = jointsWith(robot, [](const scene::Joint& joint) { return joint.min || joint.max; });
+  if (!limits.isEmpty()) lines.push_back({QObject::tr("Limits"), limits});
+  if (robot.force_law == manipulator::ForceLaw::Thesis52) {
+    lines.push_back({QObject::tr("Force law"), QObject::tr("thesis 5.2")});
+  }
+  return lines;
 }
 
 QString sideText(target::Side side) {
@@ -78,8 +97,8 @@ QString sideText(target::Side side) {
 }  // namespace
 
 QString shapeName(const scene::Shape& shape) {
+  if (std::holds_alternative<scene::VirtualManipulator>(shape)) return QObject::tr("Virtual robot");
   QString name = QString::fromLatin1(scene::typeName(shape));
-  name.replace('_', ' ');
   name[0] = name[0].toUpper();
   return name;
 }

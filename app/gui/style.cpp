@@ -55,6 +55,7 @@ QListWidget, QTableWidget { background: transparent; }
 QTableWidget::item { color: %ink; }
 QTableWidget::item:hover { background: %hover; }
 QTableWidget::item:selected { background: %selected; color: %ink; }
+QTableWidget QTableCornerButton::section { background: transparent; border: none; }
 QTableWidget QHeaderView { background: transparent; }
 QTableWidget QHeaderView::section { background: transparent; color: %quiet; border: none; padding: 2px; }
 QListWidget::item { padding: 3px 4px; border-radius: 4px; }

@@ -1,6 +1,7 @@
 #include "core/scene/edit.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/scene/write.h"
 
@@ -41,6 +42,27 @@ Description withControl(Description scene, std::size_t index, const Control& con
 
 Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence) {
   scene.constraints[index].influence = influence;
+  return scene;
+}
+
+Description withShape(Description scene, std::size_t index, const Shape& shape) {
+  scene.constraints[index].shape = shape;
+  return scene;
+}
+
+Description withAdded(Description scene, Constraint constraint) {
+  const auto is_taken = [&scene](const std::string& name) {
+    return std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                       [&name](const Constraint& other) { return other.name == name; });
+  };
+  const std::string wish = constraint.name;
+  for (int number = 2; is_taken(constraint.name); ++number) constraint.name = wish + " " + std::to_string(number);
+  scene.constraints.push_back(std::move(constraint));
+  return scene;
+}
+
+Description without(Description scene, std::size_t index) {
+  scene.constraints.erase(scene.constraints.begin() + static_cast<std::ptrdiff_t>(index));
   return scene;
 }
 

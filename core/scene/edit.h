@@ -15,6 +15,13 @@ Description withControl(Description scene, std::size_t index, const Control& con
 /// The same with the influence of the constraint at index; none: position only.
 Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence);
 
+/// The scene with another shape in place of the one at index.
+Description withShape(Description scene, std::size_t index, const Shape& shape);
+/// With one more constraint at the end; a number goes behind its name where that is taken.
+Description withAdded(Description scene, Constraint constraint);
+/// Without the constraint at index.
+Description without(Description scene, std::size_t index);
+
 /// Whether both say the same of everything, wherever they were read from and whichever control is whose.
 bool isSame(const Description& a, const Description& b);
 

@@ -5,10 +5,10 @@
 
 namespace underact::gui {
 
-Section::Section(const QString& key, const QString& title, const QString& tip, QWidget* parent)
+Section::Section(const QString& key, const QString& title, const QString& tip, QWidget* parent, const QString& panel)
     : QWidget(parent), content_(new QWidget(this)), column_(new QVBoxLayout(content_)) {
   auto* fold = new QToolButton(this);
-  fold->setObjectName(QString("panel.kinematics.%1.fold").arg(key));
+  fold->setObjectName(QString("panel.%1.%2.fold").arg(panel, key));
   fold->setAccessibleName(tr("%1, show or hide").arg(title));
   fold->setToolTip(tip);
   fold->setText(title);

@@ -9,8 +9,9 @@ namespace underact::gui {
 class Section : public QWidget {
   Q_OBJECT
  public:
-  /// key: "joints"; the heading is called panel.kinematics.joints.fold.
-  Section(const QString& key, const QString& title, const QString& tip, QWidget* parent = nullptr);
+  /// key: "joints"; the heading is called panel.kinematics.joints.fold, or of another panel.
+  Section(const QString& key, const QString& title, const QString& tip, QWidget* parent = nullptr,
+          const QString& panel = QStringLiteral("kinematics"));
   QVBoxLayout& column() { return *column_; }
   bool isOpen() const { return !content_->isHidden(); }
 

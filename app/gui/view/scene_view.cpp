@@ -9,9 +9,11 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/view/scene_view_impl.h"
 #include "core/base/units.h"
+#include "core/scene/edit.h"
 
 namespace underact::gui {
 namespace {
@@ -35,7 +37,9 @@ bool looksAlike(const servo::Snapshot& a, const servo::Snapshot& b) {
   return std::equal(one.held.begin(), one.held.end(), other.held.begin(), other.held.end(),
                     [](const tick::Held& x, const tick::Held& y) {
                       return x.acts == y.acts && x.status == y.status && x.p_WP == y.p_WP &&
-                             x.arc.turn_rad == y.arc.turn_rad && x.arc.share == y.arc.share;
+                             x.arc.turn_rad == y.arc.turn_rad && x.arc.share == y.arc.share &&
+                             x.robot.joints == y.robot.joints && x.robot.theta == y.robot.theta &&
+                             x.robot.moment_W == y.robot.moment_W;
                     });
 }
 
@@ -77,7 +81,7 @@ void SceneView::Impl::before(QSize pixels) {
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
     for (const auto& target : hand.targets()) renderer.AddActor(target);
     for (const auto& lines :
-         {workspace.lines(), constraint.lines(), influence.lines(), hand.lines(), kinematics.lines()}) {
+         {workspace.lines(), constraint.lines(), influence.lines(), robots.lines(), hand.lines(), kinematics.lines()}) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
@@ -90,11 +94,13 @@ void SceneView::Impl::before(QSize pixels) {
   hand.setLineWidth(scale);
   kinematics.setLineWidth(scale);
   influence.setLineWidth(scale);
+  robots.setLineWidth(scale);
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
   kinematics.update(camera);
   influence.update(camera, size());
+  robots.update(camera);
   vtkCamera* eye = surface->renderer().GetActiveCamera();
   const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
   eye->SetPosition(eye_mm.data());
@@ -109,6 +115,7 @@ void SceneView::Impl::showArm() {
   hand.present(*shown);
   kinematics.present(shown->report.sample.q_rad);
   influence.present(shown->report);
+  robots.present(*shown);
 }
 
 void SceneView::Impl::paintWords(QPainter& painter) {
@@ -130,6 +137,7 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   labels.insert(labels.end(), kinematics.labels().begin(), kinematics.labels().end());
   labels.insert(labels.end(), influence.labels().begin(), influence.labels().end());
   state.has_influence = influence.isSeen();
+  labels.insert(labels.end(), robots.labels().begin(), robots.labels().end());
   words.paint(painter, state, labels);
 }
 
@@ -140,6 +148,8 @@ std::vector<Vec3> SceneView::Impl::extent() const {
     points.push_back(
         half_mm.cwiseProduct(Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
   }
+  const std::vector<Vec3> of_robots = robots.extent_mm();
+  points.insert(points.end(), of_robots.begin(), of_robots.end());
   if (hand.known()) {
     points.push_back(kMillimetrePerMetre * hand.X_WT().translation());
     points.push_back(kMillimetrePerMetre * (hand.X_WT() * Vec3(0.0, 0.0, kBody_m)));
@@ -198,12 +208,22 @@ void SceneView::setScene(const scene::Description& scene) {
   impl_->kinematics.setArm(*preset);
   impl_->hand.setConstraints(scene.constraints.size());
   impl_->constraint.setScene(scene);
+  impl_->robots.setScene(scene);
+  impl_->scene = scene;
   impl_->workspace.setBase(kMillimetrePerMetre * preset->geometry.p_WB);
   impl_->actors_changed = true;
   setForceLimit(preset->continuous_force_N);
   if (impl_->shown) impl_->showArm();
   if (impl_->camera_is_mine) impl_->fit();
   impl_->surface->update();
+}
+
+void SceneView::followEdit(const scene::Description& scene) {
+  const scene::Change change = scene::changeBetween(impl_->scene, scene);
+  if (change == scene::Change::Gains) return;
+  const bool is_mine = std::exchange(impl_->camera_is_mine, impl_->camera_is_mine && change == scene::Change::Scene);
+  setScene(scene);  // what only moves a little does not move the camera
+  impl_->camera_is_mine = is_mine;
 }
 
 void SceneView::present(const servo::Snapshot& snapshot) {
@@ -223,6 +243,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->hand.setTheme(theme);
   impl_->kinematics.setTheme(theme);
   impl_->influence.setTheme(theme);
+  impl_->robots.setTheme(theme);
   impl_->actors_changed = true;
   impl_->surface->update();
 }
@@ -234,6 +255,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->hand.show(layers.arm, layers.target, layers.force);
   impl_->kinematics.show(layers.link_frames, layers.ghosts, layers.motion_ellipsoid, layers.force_ellipsoid);
   impl_->influence.show(layers.influence);
+  impl_->robots.show(layers.robot);
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
 }
@@ -255,6 +277,10 @@ bool SceneView::ghostMoving() const {
 
 std::size_t SceneView::ghostsDrawn() const {
   return impl_->kinematics.ghostsDrawn();
+}
+
+std::size_t SceneView::robotsDrawn() const {
+  return impl_->robots.robotsDrawn();
 }
 
 std::optional<arm::JointAngles> SceneView::chosenGhost_rad() const {

@@ -22,6 +22,7 @@ struct Layers {
   bool target = true;     // the target point and the error line
   bool force = true;      // the force arrow
   bool influence = true;  // see InfluencePicture; where the scene has one
+  bool robot = true;      // virtual manipulators
   // For teaching, see KinematicsPicture.
   bool link_frames = false;
   bool ghosts = false;            // the inverse solutions
@@ -39,6 +40,8 @@ class SceneView : public QWidget {
   ~SceneView() override;
 
   void setScene(const scene::Description& scene);
+  /// The scene that is shown after an edit: drawn anew only where more than gains has changed.
+  void followEdit(const scene::Description& scene);
   void present(const servo::Snapshot& snapshot);  // each frame, GUI thread; asks for one repaint, if it looks different
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);
@@ -51,6 +54,7 @@ class SceneView : public QWidget {
   bool ghostMoving() const;  // it is on its way
   /// How many inverse solutions are drawn, and the joints of the one that stands out.
   std::size_t ghostsDrawn() const;
+  std::size_t robotsDrawn() const;
   std::optional<arm::JointAngles> chosenGhost_rad() const;
   /// One line over the view; empty: none.
   void setHint(const QString& text);

@@ -10,6 +10,7 @@
 #include "app/gui/view/hand_picture.h"
 #include "app/gui/view/influence_picture.h"
 #include "app/gui/view/kinematics_picture.h"
+#include "app/gui/view/robot_picture.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/view_words.h"
 #include "app/gui/view/workspace_picture.h"
@@ -47,6 +48,8 @@ struct SceneView::Impl {
   HandPicture hand;
   KinematicsPicture kinematics;
   InfluencePicture influence;
+  RobotPicture robots;
+  scene::Description scene;  // that is drawn
   ViewWords words;
   Theme theme = Theme::light();
   Layers layers;

@@ -73,4 +73,23 @@ TEST(Edit, WhatARunningServoKeepsFollowsFromWhatChanged) {
   EXPECT_EQ(changeBetween(scene, nearest), Change::Scene);
 }
 
+TEST(Edit, AConstraintIsAddedUnderANameOfItsOwnAndTakenAwayAgain) {
+  const Description scene = twoRings();
+  Description more = withAdded(scene, {"two", Point{Vec3(1, 2, 3)}, target::Side::Both, {}, {}});
+  more = withAdded(more, {"two", Point{Vec3(4, 5, 6)}, target::Side::Both, {}, {}});
+  ASSERT_EQ(more.constraints.size(), 4u);
+  EXPECT_EQ(more.constraints[2].name, "two 2");
+  EXPECT_EQ(more.constraints[3].name, "two 3");
+  EXPECT_TRUE(check(more).empty());
+  EXPECT_TRUE(isSame(without(without(more, 3), 2), scene));
+  EXPECT_EQ(without(scene, 0).constraints.front().name, "two");
+}
+
+TEST(Edit, AnotherShapeTakesThePlaceOfOneAndItsNeighbourStays) {
+  const Description edited = withShape(twoRings(), 0, Sphere{Vec3::Zero(), 12});
+  EXPECT_EQ(std::get<Sphere>(edited.constraints[0].shape).radius_mm, 12.0);
+  EXPECT_EQ(edited.constraints[0].name, "one");
+  EXPECT_EQ(std::get<Circle>(edited.constraints[1].shape).radius_mm, 40.0);
+}
+
 }  // namespace underact::scene

@@ -1,0 +1,25 @@
+#include "app/gui/robot/choosers.h"
+
+#include <QWheelEvent>
+
+namespace underact::gui {
+
+void PanelChooser::wheelEvent(QWheelEvent* event) {
+  if (hasFocus())
+    QComboBox::wheelEvent(event);
+  else
+    event->ignore();
+}
+
+QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, QWidget* parent) {
+  auto* box = new PanelChooser(parent);
+  box->setObjectName(name);
+  box->setAccessibleName(spoken);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  box->setFocusPolicy(Qt::StrongFocus);
+  return box;
+}
+
+}  // namespace underact::gui

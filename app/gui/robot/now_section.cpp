@@ -1,0 +1,83 @@
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/readout.h"
+#include "app/gui/robot/sections.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kAtLimit = 1e-6;  // rad, or m: the solver puts a joint on its limit
+constexpr double kMillijoule = 1e3;
+
+bool isTurning(const chain::Joint& joint) {
+  return joint.type == chain::JointType::Revolute;
+}
+
+QString jointText(const chain::Joint& joint, double value) {
+  const QString number = isTurning(joint) ? numberText(value / kRadPerDegree, 1) + "°"
+                                          : numberText(value * kMillimetrePerMetre, 1) + " mm";
+  if (value <= joint.min + kAtLimit) return QObject::tr("at its least, %1").arg(number);
+  if (value >= joint.max - kAtLimit) return QObject::tr("at its most, %1").arg(number);
+  return number;
+}
+
+}  // namespace
+
+RobotNowSection::RobotNowSection(QWidget* parent)
+    : Section("now", tr("Now"), tr("What the solver found in the tick that is shown."), parent, "robot"),
+      readout_(new Readout("panel.robot.now", this)) {
+  readout_->layout()->setContentsMargins(0, 0, 0, 0);
+  column().addWidget(readout_);
+}
+
+void RobotNowSection::setRobot(const manipulator::Manipulator& manipulator) {
+  const bool same_rows = joint_rows_.size() == manipulator.chain.joints.size();
+  manipulator_ = manipulator;
+  if (same_rows) return;
+  readout_->clear();
+  joint_rows_.clear();
+  found_ = readout_->addRow(tr("Joints found by"), tr("The closed form, or the iteration and its steps of this tick."));
+  left_ = readout_->addRow(tr("Left to go"), tr("The largest step that a joint would still take by itself."));
+  energy_ = readout_->addRow(tr("Energy"), tr("V = e·K e / 2, and the springs' part, at the joints of this tick."));
+  moment_ = readout_->addRow(tr("Moment, not sent"),
+                             tr("m = Kθ e_o about the stylus's tip. The arm has no motors for it: it is shown, never "
+                                "sent."));
+  target_ = readout_->addRow(tr("Target"), tr("At the robot's tip; or on its way there, at 2 m/s at most, where a "
+                                              "minimum vanished or was left for a better one."));
+  better_ = readout_->addRow(tr("A better pose"), tr("Another minimum that a second search knows of; it is taken once "
+                                                     "it has saved a tenth for 50 ms."));
+  for (std::size_t index = 0; index < manipulator.chain.joints.size(); ++index) {
+    joint_rows_.push_back(readout_->addRow(tr("Joint q%1").arg(index + 1), tr("Its value; 0 is home.")));
+  }
+}
+
+void RobotNowSection::present(const tick::Held& held) {
+  const target::Robot& robot = held.robot;
+  if (robot.joints != joint_rows_.size()) return;  // an edit that the servo has not taken up yet
+  if (manipulator_.law == manipulator::ForceLaw::Thesis52) {
+    readout_->set(found_, tr("nearest point, thesis 5.2"));
+  } else if (manipulator_.options.method == manipulator::Method::ClosedForm) {
+    readout_->set(found_, tr("closed form"));
+  } else {
+    readout_->set(found_, tr("iteration, %1 of %2 steps").arg(robot.steps).arg(manipulator_.options.max_steps));
+  }
+  const bool arrived = !(robot.left > manipulator_.options.tolerance);
+  readout_->set(left_, arrived ? tr("nothing") : QString::number(robot.left, 'e', 1));
+  readout_->set(energy_, tr("%1 mJ").arg(numberText(kMillijoule * robot.energy_J, 3)));
+  readout_->set(moment_, tr("%1 N mm").arg(numberText(kMillimetrePerMetre * robot.moment_W.norm(), 1)));
+  readout_->set(target_, held.status == target::Status::Degenerate ? tr("every place is as good")
+                         : robot.slewing                           ? tr("on its way to the tip")
+                                                                   : tr("at the tip"));
+  readout_->set(better_, robot.better_J > 0.0
+                             ? tr("is known: saves %1 mJ").arg(numberText(kMillijoule * robot.better_J, 3))
+                             : tr("is not known"));
+  for (std::size_t index = 0; index < joint_rows_.size(); ++index) {
+    readout_->set(joint_rows_[index], jointText(manipulator_.chain.joints[index], robot.theta[index]));
+  }
+}
+
+}  // namespace underact::gui
