@@ -24,7 +24,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 2;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 3;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
