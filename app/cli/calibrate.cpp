@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
+#include "core/calibration/measurement.h"
 #include "device/simulated_subject.h"
 
 namespace underact::cli {
@@ -15,29 +16,30 @@ struct CalibrateOptions {
   std::uint64_t seed = 1;
 };
 
-JsonObject rowOf(const calibration::Trial& trial, calibration::Beam answer) {
+JsonObject rowOf(const calibration::Answered& one) {
   JsonObject row;
-  row.addNumber("difference", trial.difference);
-  row.addText("stiffer", name(trial.stiffer));
-  row.addText("answer", name(answer));
-  row.addBool("right", answer == trial.stiffer);
+  row.addNumber("difference", one.trial.difference);
+  row.addText("stiffer", name(one.trial.stiffer));
+  row.addText("answer", name(one.answer));
+  row.addBool("right", one.isRight());
   return row;
 }
 
-JsonObject summaryOf(const calibration::Staircase& staircase, double reference_N_per_mm,
-                     const CalibrateOptions& options, const std::vector<JsonObject>& rows) {
+JsonObject summaryOf(const calibration::Measurement& run, const CalibrateOptions& options) {
   JsonObject summary;
-  const auto threshold = calibration::thresholdOf(staircase);
+  std::vector<JsonObject> rows;
+  for (const calibration::Answered& one : run.answers) rows.push_back(rowOf(one));
+  const auto threshold = calibration::thresholdOf(run.staircase);
   const auto add = [&](const char* key, double calibration::Threshold::*number) {
     threshold ? summary.addNumber(key, (*threshold).*number) : summary.addNull(key);
   };
   add("threshold", &calibration::Threshold::difference);
   add("low", &calibration::Threshold::low);
   add("high", &calibration::Threshold::high);
-  summary.addNumber("reference_N_per_mm", reference_N_per_mm);
+  summary.addNumber("reference_N_per_mm", run.reference_N_per_mm);
   summary.addNumber("weber", options.weber);
   summary.addInteger("seed", options.seed);
-  summary.addList("reversals", staircase.reversals);
+  summary.addList("reversals", run.staircase.reversals);
   summary.addList("trials", rows);
   return summary;
 }
@@ -56,20 +58,16 @@ Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
   }
   const Result<double> reference = calibration::softerOf(loaded.value().description);
   if (!reference) return refused(reference.problems(), streams);
-  calibration::Staircase staircase = calibration::beginStaircase();
-  std::uint64_t sides = options.seed;
+  calibration::Measurement run = calibration::beginMeasurement(reference.value(), options.seed);
   device::SimulatedSubject subject{options.weber, options.seed + 1};
-  std::vector<JsonObject> rows;
-  while (!isDone(staircase)) {
-    const calibration::Trial trial = drawTrial(staircase, reference.value(), sides);
-    const auto scene = withStiffness(loaded.value().description, trial);
+  while (!isDone(run)) {
+    const auto scene = withStiffness(loaded.value().description, run.trial);
     if (!scene) return refused(scene.problems(), streams);
     const auto answer = device::answerOf(subject, scene.value());
     if (!answer) return refused(answer.problems(), streams);
-    staircase = answered(std::move(staircase), answer.value() == trial.stiffer);
-    rows.push_back(rowOf(trial, answer.value()));
+    run = answered(std::move(run), answer.value());
   }
-  streams.out << summaryOf(staircase, reference.value(), options, rows).text() << '\n';
+  streams.out << summaryOf(run, options).text() << '\n';
   return Exit::Well;
 }
 

@@ -50,6 +50,7 @@ Problems Document::open(const QString& path) {
   if (!read) return read.problems();
   Problems problems = host_.load(read.value());
   if (!problems.empty()) return problems;
+  kept_.reset();
   original_ = std::move(read).value();
   path_ = file;
   undo_.clear();
@@ -58,20 +59,21 @@ Problems Document::open(const QString& path) {
 }
 
 Problems Document::saveAs(const QString& path) {
-  Problems problems = scene::writeSceneFile(host_.scene(), path.toStdString());
+  Problems problems = scene::writeSceneFile(scene(), path.toStdString());
   if (!problems.empty()) return problems;
   path_ = QFileInfo(path).absoluteFilePath();
-  original_ = host_.scene();
+  original_ = scene();
   undo_.setClean();
   emit edited();  // the marks of the scene's own values have moved
   return {};
 }
 
 Problems Document::edit(const scene::Description& after, const QString& what, int gesture) {
-  const scene::Description before = host_.scene();
+  const scene::Description before = scene();
   if (scene::isSame(before, after)) return {};
   Problems problems = host_.edit(after);
   if (!problems.empty()) return problems;
+  kept_.reset();
   undo_.push(new SceneEdit(*this, before, after, what, gesture));
   emit edited();
   return {};
@@ -80,6 +82,7 @@ Problems Document::edit(const scene::Description& after, const QString& what, in
 void Document::put(const scene::Description& scene) {
   // It was in effect before, so it cannot be refused; the panels show what holds in any case.
   static_cast<void>(host_.edit(scene));
+  kept_.reset();
   emit edited();
 }
 
@@ -89,6 +92,19 @@ const scene::Constraint* Document::original(std::size_t index) const {
   const auto found = std::find_if(original_.constraints.begin(), original_.constraints.end(),
                                   [&](const scene::Constraint& one) { return one.name == now[index].name; });
   return found == original_.constraints.end() ? nullptr : &*found;
+}
+
+Problems Document::tryOut(const scene::Description& tried) {
+  scene::Description own = scene();
+  Problems problems = host_.edit(tried);
+  if (problems.empty()) kept_ = std::move(own);
+  return problems;
+}
+
+void Document::putBack() {
+  if (!kept_) return;
+  static_cast<void>(host_.edit(*kept_));  // it was in effect before, so it cannot be refused
+  kept_.reset();
 }
 
 const scene::Control& Document::own(std::size_t index) const {

@@ -25,7 +25,14 @@ class Document : public QObject {
   /// A number that no edit has had yet.
   int newGesture() { return ++gestures_; }
 
-  const scene::Description& scene() const { return host_.scene(); }
+  /// Puts a scene into effect for a while, as a measurement does: scene() and the undo stack stay what they are. An
+  /// edit, an undo, another scene or putBack() ends it. Problems: what is in effect stays.
+  Problems tryOut(const scene::Description& tried);
+  /// scene() is in effect again.
+  void putBack();
+  bool isTryingOut() const { return kept_.has_value(); }
+
+  const scene::Description& scene() const { return kept_ ? *kept_ : host_.scene(); }
   // As the file has it, by the name of the constraint that is at index now: others may have been added or taken away.
   /// The control at index as the file has it; of a constraint the file does not have, the scene's.
   const scene::Control& own(std::size_t index) const;
@@ -50,6 +57,7 @@ class Document : public QObject {
 
   servo::Host& host_;
   scene::Description original_;
+  std::optional<scene::Description> kept_;  // while another scene is tried out in its place
   QString path_;
   QUndoStack undo_;
   int gestures_ = 0;

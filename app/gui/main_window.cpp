@@ -114,6 +114,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   parts_.host.stop();
+  actions_->perform("calibration.cancel");  // the scene's own stiffness, before anybody else looks
   remember();
   event->accept();
 }

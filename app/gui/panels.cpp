@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/gui/arm_panel.h"
+#include "app/gui/calibration/calibration_panel.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/plots_panel.h"
@@ -22,7 +23,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 7> kRows{{
+  static const std::array<PanelRow, 8> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -41,6 +42,9 @@ std::span<const PanelRow> panels() {
        QT_TRANSLATE_NOOP("panel",
                          "The robot that exists only in software: joints, springs, turning stiffness, solver."),
        make<RobotPanel>, "scenes"},
+      {"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
+       QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
+       make<CalibrationPanel>, "scenes"},
   }};
   return kRows;
 }

@@ -1,7 +1,6 @@
 #include "core/calibration/trial.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/base/random.h"
@@ -29,7 +28,15 @@ bool isBeam(const scene::Constraint& constraint) {
          robot->joints[0].stiffness > 0.0 && squaredLever(*robot) > 0.0;
 }
 
-/// The constraints that are the left and the right beam.
+}  // namespace
+
+Trial drawTrial(const Staircase& staircase, double reference_N_per_mm, std::uint64_t& random) {
+  Trial trial{nextShare(random) < 0.5 ? Beam::Left : Beam::Right, staircase.difference, reference_N_per_mm,
+              reference_N_per_mm};
+  (trial.stiffer == Beam::Left ? trial.left_N_per_mm : trial.right_N_per_mm) *= 1.0 + trial.difference;
+  return trial;
+}
+
 Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene) {
   std::vector<std::size_t> beams;
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
@@ -46,15 +53,6 @@ Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene) {
   };
   if (x_of(beams[1]) < x_of(beams[0])) std::swap(beams[0], beams[1]);
   return std::array<std::size_t, 2>{beams[0], beams[1]};
-}
-
-}  // namespace
-
-Trial drawTrial(const Staircase& staircase, double reference_N_per_mm, std::uint64_t& random) {
-  Trial trial{nextShare(random) < 0.5 ? Beam::Left : Beam::Right, staircase.difference, reference_N_per_mm,
-              reference_N_per_mm};
-  (trial.stiffer == Beam::Left ? trial.left_N_per_mm : trial.right_N_per_mm) *= 1.0 + trial.difference;
-  return trial;
 }
 
 Result<scene::Description> withStiffness(scene::Description scene, const Trial& trial) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/base/result.h"
@@ -24,6 +26,9 @@ Trial drawTrial(const Staircase& staircase, double reference_N_per_mm, std::uint
 /// A scene of two elastic joints, each a virtual manipulator of one revolute joint with a spring, whose tips bend for
 /// so much: k = K / L^2 with L from the joint to the tip. Problems: the scene has not two such constraints.
 Result<scene::Description> withStiffness(scene::Description scene, const Trial& trial);
+
+/// The constraints that are the left and the right beam, by their place in the scene. Problems: as withStiffness().
+Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene);
 
 /// The stiffness of the softer of the scene's two beams at its tip, N/mm. Problems: as withStiffness().
 Result<double> softerOf(const scene::Description& scene);

@@ -1,0 +1,124 @@
+#include "app/gui/calibration/begin_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/kinematics/number_table.h"
+
+namespace underact::gui {
+
+BeginPage::BeginPage(QWidget* parent)
+    : QWidget(parent),
+      reference_(new QDoubleSpinBox(this)),
+      who_(new QComboBox(this)),
+      weber_(new QDoubleSpinBox(this)),
+      seed_(new QSpinBox(this)),
+      feedback_(new QCheckBox(tr("Say &whether it was right"), this)),
+      note_(quietLabel("panel.calibration.note", {}, this)) {
+  reference_->setDecimals(4);
+  reference_->setRange(0.005, 0.2);
+  reference_->setSingleStep(0.005);
+  reference_->setSuffix(tr(" N/mm"));
+  who_->addItems({tr("a person"), tr("simulated hand")});
+  weber_->setDecimals(1);
+  weber_->setRange(0.0, 100.0);
+  weber_->setSuffix(tr(" %"));
+  seed_->setRange(0, 999'999);
+  const QSettings stored;
+  who_->setCurrentIndex(stored.value("calibration/simulated", false).toBool() ? 1 : 0);
+  weber_->setValue(stored.value("calibration/weber_percent", 15.0).toDouble());
+  seed_->setValue(stored.value("calibration/seed", 1).toInt());
+  feedback_->setChecked(stored.value("calibration/say_right", false).toBool());
+
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setSpacing(8);
+  addRow(form, tr("&Reference"), reference_, "reference",
+         tr("The stiffness of one beam in every trial, at its tip: k = K / L². The other is stiffer."));
+  addRow(form, tr("&Answers"), who_, "who",
+         tr("Who presses the beams and says which is stiffer: you, or a hand that exists only in software."));
+  addRow(form, tr("&Weber share"), weber_, "weber",
+         tr("What the simulated hand feels scatters by this share of the stiffness (Weber's law)."));
+  addRow(form, tr("See&d"), seed_, "seed",
+         tr("Of the stiffer side of each trial and of the simulated hand: the same seed, the same measurement."));
+  feedback_->setObjectName("panel.calibration.feedback");
+  feedback_->setAccessibleName(tr("Say whether each answer was right"));
+  feedback_->setToolTip(tr("For practice. A measurement is made without: whoever is told learns."));
+  auto* begin_button = new QPushButton(tr("&Begin"), this);
+  begin_button->setObjectName("panel.calibration.begin");
+  begin_button->setAccessibleName(tr("Begin the measurement"));
+  begin_button->setToolTip(tr("Two right answers in a row make it harder, a wrong one easier (Levitt 1971)."));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(quietLabel("panel.calibration.about",
+                               tr("How small a difference of stiffness can be felt (just-noticeable difference, JND)? "
+                                  "Two beams are pressed, and the stiffer one is told, again and again."),
+                               this));
+  column->addLayout(form);
+  column->addWidget(feedback_);
+  column->addWidget(begin_button);
+  column->addWidget(note_);
+  column->addStretch(1);
+  note_->hide();
+  connect(begin_button, &QPushButton::clicked, this, &BeginPage::begin);
+  connect(who_, &QComboBox::currentIndexChanged, this, &BeginPage::showWho);
+  showWho();
+}
+
+void BeginPage::addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& key,
+                       const QString& tip) {
+  field->setObjectName("panel.calibration." + key);
+  field->setAccessibleName(QString(label).remove('&'));
+  field->setToolTip(tip);
+  field->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel
+  auto* name = new QLabel(label, this);
+  name->setToolTip(tip);
+  name->setBuddy(field);
+  form->addRow(name, field);
+}
+
+void BeginPage::showWho() {
+  const bool person = setup().who == Answering::Person;
+  weber_->setEnabled(!person);
+  feedback_->setEnabled(person);
+}
+
+void BeginPage::setReference(double reference_N_per_mm) {
+  own_N_per_mm_ = reference_N_per_mm;
+  reference_->setValue(reference_N_per_mm);
+}
+
+void BeginPage::setNote(const QString& note) {
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+}
+
+CalibrationSetup BeginPage::setup() const {
+  const bool untouched = reference_->value() == QString::number(own_N_per_mm_, 'f', reference_->decimals()).toDouble();
+  return {untouched ? own_N_per_mm_ : reference_->value(),
+          who_->currentIndex() == 0 ? Answering::Person : Answering::SimulatedHand, weber_->value() / 100.0,
+          static_cast<std::uint64_t>(seed_->value())};
+}
+
+bool BeginPage::saysWhetherRight() const {
+  return feedback_->isChecked() && setup().who == Answering::Person;
+}
+
+void BeginPage::remember() const {
+  QSettings stored;
+  stored.setValue("calibration/simulated", who_->currentIndex() == 1);
+  stored.setValue("calibration/weber_percent", weber_->value());
+  stored.setValue("calibration/seed", seed_->value());
+  stored.setValue("calibration/say_right", feedback_->isChecked());
+}
+
+}  // namespace underact::gui

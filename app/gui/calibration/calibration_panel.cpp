@@ -1,0 +1,163 @@
+#include "app/gui/calibration/calibration_panel.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/calibration/begin_page.h"
+#include "app/gui/calibration/result_page.h"
+#include "app/gui/calibration/run_page.h"
+#include "app/gui/document.h"
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+
+using calibration::Beam;
+
+CalibrationPanel::CalibrationPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent),
+      parts_(parts),
+      session_(new CalibrationSession(parts.document, parts.host, this)),
+      pages_(new QStackedWidget) {
+  addActions();
+  pages_->addWidget(no_beams_ = makeNoBeamsPage());
+  pages_->addWidget(begin_ = new BeginPage);
+  pages_->addWidget(run_ = new RunPage(parts_.actions));
+  pages_->addWidget(result_ = new ResultPage);
+  pages_->setContentsMargins(8, 8, 8, 8);
+  auto* scroll = new QScrollArea(this);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(pages_);
+  scroll->setMinimumWidth(pages_->minimumSizeHint().width() + 16);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
+  connect(session_, &CalibrationSession::changed, this, &CalibrationPanel::showState);
+  connect(begin_, &BeginPage::begin, this, &CalibrationPanel::begin);
+  connect(run_, &RunPage::cancelled, session_, [this] { session_->cancel(); });
+  connect(result_, &ResultPage::again, session_, &CalibrationSession::leave);
+  connect(result_, &ResultPage::save, this, &CalibrationPanel::chooseAndSave);
+  connect(&parts_.document, &Document::opened, this, &CalibrationPanel::sceneOpened);
+  showState();
+}
+
+QWidget* CalibrationPanel::makeNoBeamsPage() {
+  auto* page = new QWidget;
+  auto* open = new QPushButton(tr("&Open the two beams"), page);
+  open->setObjectName("panel.calibration.open");
+  open->setAccessibleName(tr("Open the two beams"));
+  open->setToolTip(tr("Opens the scene “Two beams, one softer”."));
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(quietLabel("panel.calibration.no_beams",
+                               tr("A calibration needs a scene of two beams whose stiffness can be set. "
+                                  "This scene has none."),
+                               page));
+  column->addWidget(open);
+  column->addStretch(1);
+  connect(open, &QPushButton::clicked, this,
+          [this] { parts_.actions.perform("scene.open", QDir(sceneFolder()).filePath("23_two_beams.json")); });
+  return page;
+}
+
+void CalibrationPanel::addActions() {
+  const QString tip = tr("Says that the %1 beam is stiffer; possible once both were pressed.");
+  parts_.actions.add({"calibration.left", tr("&Left beam is stiffer"), QKeySequence("Alt+Left"), tip.arg(tr("left"))},
+                     [this](const QVariantList&) { return session_->answer(Beam::Left); });
+  parts_.actions.add(
+      {"calibration.right", tr("&Right beam is stiffer"), QKeySequence("Alt+Right"), tip.arg(tr("right"))},
+      [this](const QVariantList&) { return session_->answer(Beam::Right); });
+  parts_.actions.addCommand("calibration.begin", [this](const QVariantList&) { return begin(); });
+  parts_.actions.addCommand("calibration.cancel", [this](const QVariantList&) { return session_->cancel(); });
+  parts_.actions.addCommand("calibration.save",
+                            [this](const QVariantList& path) { return save(path.value(0).toString()); });
+}
+
+void CalibrationPanel::sceneOpened() {
+  if (const auto reference = calibration::softerOf(parts_.document.scene())) begin_->setReference(reference.value());
+  showState();
+}
+
+bool CalibrationPanel::begin() {
+  const bool had_focus = begin_->isAncestorOf(focusWidget());
+  const Problems problems = session_->begin(begin_->setup());
+  if (!problems.empty()) {
+    begin_->setNote(sentencesOf(problems));
+    return false;
+  }
+  begin_->remember();
+  if (had_focus) run_->setFocus();  // for the arrow keys
+  return true;
+}
+
+void CalibrationPanel::showState() {
+  for (const char* name : {"calibration.left", "calibration.right"}) {
+    parts_.actions.find(name)->setEnabled(session_->mayAnswer());
+  }
+  switch (session_->state()) {
+    case CalibrationSession::State::Idle:
+      begin_->setNote(session_->why());
+      pages_->setCurrentWidget(calibration::softerOf(parts_.document.scene()) ? static_cast<QWidget*>(begin_)
+                                                                              : no_beams_);
+      break;
+    case CalibrationSession::State::Running:
+      run_->present(*session_, begin_->saysWhetherRight());
+      pages_->setCurrentWidget(run_);
+      break;
+    case CalibrationSession::State::Done:
+      result_->present(*session_);
+      pages_->setCurrentWidget(result_);
+      break;
+  }
+}
+
+void CalibrationPanel::present(const servo::Snapshot& snapshot) {
+  session_->present(snapshot);
+}
+
+void CalibrationPanel::setTheme(const Theme& theme) {
+  run_->setTheme(theme);
+  result_->setTheme(theme);
+}
+
+bool CalibrationPanel::save(const QString& path) {
+  if (session_->state() != CalibrationSession::State::Done || path.isEmpty()) return false;
+  const CalibrationSetup& setup = session_->setup();
+  const QString who = setup.who == Answering::Person
+                          ? QStringLiteral("a person")
+                          : QStringLiteral("a simulated hand of Weber share %1").arg(setup.weber);
+  const std::string csv = calibration::csvOf(session_->run(), who.toStdString(), setup.seed);
+  QSaveFile file(path);  // whole or not at all
+  const bool saved = file.open(QIODevice::WriteOnly) && file.write(csv.c_str()) >= 0 && file.commit();
+  result_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
+                         : tr("Not saved: %1. Choose another place.").arg(file.errorString()));
+  return saved;
+}
+
+void CalibrationPanel::chooseAndSave() {
+  const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+  auto* dialog =
+      new QFileDialog(this, tr("Save the trials"), documents.filePath("jnd.csv"), tr("Tables (*.csv);;All files (*)"));
+  dialog->setObjectName("dialog.save_calibration");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("csv");
+  dialog->selectFile("jnd.csv");
+  connect(dialog, &QFileDialog::fileSelected, this, &CalibrationPanel::save);
+  dialog->open();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,93 @@
+#include "app/gui/calibration/result_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/calibration/staircase_chart.h"
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/readout.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+enum Row { kJnd, kRange, kStiffness, kReference, kTrials, kScatter, kWho };
+
+QString percent(double share) {
+  return QObject::tr("%1 %").arg(numberText(100.0 * share, 1));
+}
+
+}  // namespace
+
+ResultPage::ResultPage(QWidget* parent)
+    : QWidget(parent),
+      numbers_(new Readout("panel.calibration.result", this)),
+      none_(quietLabel("panel.calibration.none",
+                       tr("No threshold: the way turned fewer than four times, so nothing was met that could not be "
+                          "told, or nothing that could."),
+                       this)),
+      note_(quietLabel("panel.calibration.saved", {}, this)),
+      chart_(new StaircaseChart(this)) {
+  numbers_->layout()->setContentsMargins(0, 0, 0, 0);
+  numbers_->addRow(tr("JND"), tr("Just-noticeable difference: 70.7 % of answers are right at it (Levitt 1971). "
+                                 "Geometric mean of the reversals after the first two."));
+  numbers_->addRow(tr("± 1 s.d."), tr("One standard deviation of the reversals' logarithms, either way."));
+  numbers_->addRow(tr("in stiffness"), tr("The just-noticeable difference times the reference."));
+  numbers_->addRow(tr("Reference"), tr("The stiffness of the softer beam of every trial, at its tip."));
+  numbers_->addRow(tr("Trials"), tr("Answers that were given."));
+  numbers_->addRow(tr("Weber share"), tr("What one press scatters by, if two are compared: ln(1 + JND) = 0.771 w."));
+  numbers_->addRow(tr("Answered by"), tr("A person, or the simulated hand with its own Weber share."));
+  auto* save = new QPushButton(tr("&Save…"), this);
+  save->setObjectName("panel.calibration.save");
+  save->setAccessibleName(tr("Save the trials"));
+  save->setToolTip(tr("Writes every trial and the result as a CSV file."));
+  auto* again = new QPushButton(tr("A&gain"), this);
+  again->setObjectName("panel.calibration.again");
+  again->setAccessibleName(tr("Measure again"));
+  again->setToolTip(tr("Back to the beginning; this result is forgotten unless it is saved."));
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(save);
+  buttons->addWidget(again);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(none_);
+  column->addWidget(numbers_);
+  column->addWidget(chart_, 1);
+  column->addLayout(buttons);
+  column->addWidget(note_);
+  connect(save, &QPushButton::clicked, this, &ResultPage::save);
+  connect(again, &QPushButton::clicked, this, &ResultPage::again);
+}
+
+void ResultPage::present(const CalibrationSession& session) {
+  const calibration::Measurement& run = session.run();
+  const auto threshold = thresholdOf(run.staircase);
+  none_->setVisible(!threshold);
+  const auto set = [&](Row row, const QString& text) { numbers_->set(row, threshold ? text : QString(QChar(0x2013))); };
+  const calibration::Threshold found = threshold.value_or(calibration::Threshold{});
+  set(kJnd, percent(found.difference));
+  set(kRange, tr("%1 to %2").arg(percent(found.low), percent(found.high)));
+  set(kStiffness, tr("%1 N/mm").arg(numberText(found.difference * run.reference_N_per_mm, 4)));
+  set(kScatter, percent(calibration::scatterOf(found.difference)));
+  numbers_->set(kReference, tr("%1 N/mm").arg(numberText(run.reference_N_per_mm, 4)));
+  numbers_->set(kTrials, QString::number(run.answers.size()));
+  const bool person = session.setup().who == Answering::Person;
+  numbers_->set(kWho, person ? tr("a person") : tr("hand of %1").arg(percent(session.setup().weber)));
+  chart_->present(run);
+  setNote({});
+}
+
+void ResultPage::setTheme(const Theme& theme) {
+  chart_->setTheme(theme);
+}
+
+void ResultPage::setNote(const QString& note) {
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+}
+
+}  // namespace underact::gui

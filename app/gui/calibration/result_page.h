@@ -1,0 +1,34 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/calibration/session.h"
+#include "app/gui/theme.h"
+
+class QLabel;
+
+namespace underact::gui {
+
+class Readout;
+class StaircaseChart;
+
+/// What a measurement has found, and the way back to another.
+class ResultPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ResultPage(QWidget* parent = nullptr);
+  void present(const CalibrationSession& session);
+  void setTheme(const Theme& theme);
+  /// What became of saving.
+  void setNote(const QString& note);
+
+ signals:
+  void again();
+  void save();
+
+ private:
+  Readout* numbers_;
+  QLabel *none_, *note_;
+  StaircaseChart* chart_;
+};
+
+}  // namespace underact::gui

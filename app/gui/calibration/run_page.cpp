@@ -1,0 +1,140 @@
+#include "app/gui/calibration/run_page.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QShortcut>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/kinematics/number_table.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr const char* kKeys[] = {"left", "right"};
+
+/// The two beams as the view has them, the one that is meant filled.
+QIcon beamIcon(std::size_t side, const Theme& theme, const QSize& size, double ratio) {
+  QPixmap picture(size * ratio);
+  picture.setDevicePixelRatio(ratio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(size.width() / 40.0, size.height() / 24.0);
+  for (std::size_t beam = 0; beam < 2; ++beam) {
+    painter.setPen(QPen(beam == side ? theme.virtual_robot : theme.quiet, 1.5));
+    painter.setBrush(beam == side ? QBrush(theme.virtual_robot) : QBrush(Qt::NoBrush));
+    painter.drawRoundedRect(QRectF(beam == 0 ? 5.0 : 27.0, 3.0, 8.0, 18.0), 2.0, 2.0);
+  }
+  return QIcon(picture);
+}
+
+}  // namespace
+
+RunPage::RunPage(Actions& actions, QWidget* parent)
+    : QWidget(parent),
+      actions_{actions.find("calibration.left"), actions.find("calibration.right")},
+      trial_(new QLabel(this)),
+      note_(quietLabel("panel.calibration.hint", {}, this)),
+      progress_(new QProgressBar(this)),
+      answers_(new QWidget(this)),
+      feedback_(quietLabel("panel.calibration.said", {}, this)) {
+  trial_->setObjectName("panel.calibration.trial");
+  trial_->setProperty("role", "section");
+  trial_->setWordWrap(true);
+  progress_->setObjectName("panel.calibration.progress");
+  progress_->setAccessibleName(tr("Reversals"));
+  progress_->setToolTip(
+      tr("A reversal is where the way turns between harder and easier. The first two are a run-in; the just-noticeable "
+         "difference is the geometric mean of the others (Levitt 1971)."));
+  auto* grid = new QGridLayout(answers_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(8);
+  const QString names[] = {tr("Left beam"), tr("Right beam")};
+  const Qt::Key keys[] = {Qt::Key_Left, Qt::Key_Right};
+  for (int side = 0; side < 2; ++side) {
+    const auto index = static_cast<std::size_t>(side);
+    buttons_[index] = answerButton(kKeys[side], names[side]);
+    pressed_[index] = quietLabel(QString("panel.calibration.%1.pressed").arg(kKeys[side]), {}, answers_);
+    pressed_[index]->setAccessibleName(tr("%1, pressed or not").arg(names[side]));
+    pressed_[index]->setAlignment(Qt::AlignHCenter);
+    grid->addWidget(buttons_[index], 0, side);
+    grid->addWidget(pressed_[index], 1, side);
+    connect(buttons_[index], &QToolButton::clicked, actions_[index], &QAction::trigger);
+    // Buttons would take the arrows to go from one to the next.
+    auto* arrow = new QShortcut(keys[side], this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    connect(arrow, &QShortcut::activated, actions_[index], &QAction::trigger);
+  }
+  auto* cancel = new QPushButton(tr("&Cancel"), this);
+  cancel->setObjectName("panel.calibration.cancel");
+  cancel->setAccessibleName(tr("Cancel the measurement"));
+  cancel->setToolTip(tr("The beams are again as stiff as the scene says; nothing is kept."));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(trial_);
+  column->addWidget(note_);
+  column->addWidget(answers_);
+  column->addWidget(feedback_);
+  column->addWidget(progress_);
+  column->addWidget(cancel);
+  column->addStretch(1);
+  connect(cancel, &QPushButton::clicked, this, &RunPage::cancelled);
+  setTheme(Theme::light());
+}
+
+QToolButton* RunPage::answerButton(const QString& key, const QString& name) {
+  const QAction* action = actions_[key == "left" ? 0 : 1];
+  auto* button = new QToolButton(answers_);
+  button->setObjectName("panel.calibration." + key);
+  button->setAccessibleName(tr("%1 is stiffer").arg(name));
+  button->setToolTip(action->toolTip());
+  button->setText(tr("%1\n%2").arg(name, action->shortcut().toString(QKeySequence::NativeText)));
+  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  button->setIconSize(QSize(5, 3) * (fontMetrics().lineSpacing() / 2));  // grows with the words below it
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  button->setMinimumHeight(5 * fontMetrics().lineSpacing());
+  return button;
+}
+
+void RunPage::present(const CalibrationSession& session, bool say_right) {
+  const calibration::Measurement& run = session.run();
+  const bool person = session.setup().who == Answering::Person;
+  const auto number = static_cast<int>(run.answers.size()) + 1;
+  trial_->setText(person ? tr("Trial %1: which beam is stiffer?").arg(number)
+                         : tr("The simulated hand is at trial %1.").arg(number));
+  progress_->setRange(0, run.staircase.rule.reversals);
+  progress_->setValue(static_cast<int>(run.staircase.reversals.size()));
+  progress_->setFormat(tr("reversals %v of %m"));
+  answers_->setVisible(person);
+  note_->setText(!person ? tr("It presses the beams on an arm of its own; the window's stays where it is.")
+                 : session.isServoRunning()
+                     ? tr("Press each beam down with the stylus, as often as you like. Let go before you answer.")
+                     : tr("The servo is stopped. Press Start to feel the beams."));
+  // Else the focus would fall from a button that is greyed on Cancel, where the next Space would end it all.
+  if (!session.mayAnswer() && (buttons_[0]->hasFocus() || buttons_[1]->hasFocus())) setFocus();
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool pressed = session.isPressed(static_cast<calibration::Beam>(side));
+    pressed_[side]->setText(pressed ? tr("✓ pressed") : tr("press it"));
+    buttons_[side]->setEnabled(session.mayAnswer());
+  }
+  const bool said = say_right && !run.answers.empty();
+  feedback_->setText(!said                          ? QString()
+                     : run.answers.back().isRight() ? tr("✓ That was right.")
+                                                    : tr("✗ It was the other."));
+  feedback_->setVisible(said);
+}
+
+void RunPage::setTheme(const Theme& theme) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    buttons_[side]->setIcon(beamIcon(side, theme, buttons_[side]->iconSize(), devicePixelRatioF()));
+  }
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,40 @@
+#pragma once
+#include <QWidget>
+#include <array>
+
+#include "app/gui/calibration/session.h"
+#include "app/gui/theme.h"
+
+class QAction;
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace underact::gui {
+
+class Actions;
+
+/// A measurement that goes on: the trial, which beams were pressed, the two answers. It says no stiffness.
+class RunPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RunPage(Actions& actions, QWidget* parent = nullptr);
+  void present(const CalibrationSession& session, bool say_right);
+  void setTheme(const Theme& theme);
+
+ signals:
+  void cancelled();
+
+ private:
+  QToolButton* answerButton(const QString& key, const QString& name);
+
+  std::array<QAction*, 2> actions_;
+  QLabel *trial_, *note_;
+  QProgressBar* progress_;
+  QWidget* answers_;
+  std::array<QToolButton*, 2> buttons_{};
+  std::array<QLabel*, 2> pressed_{};
+  QLabel* feedback_;
+};
+
+}  // namespace underact::gui
