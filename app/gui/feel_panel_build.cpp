@@ -11,10 +11,12 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/chooser.h"
 #include "app/gui/document.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/gain_row.h"
 #include "app/gui/influence_section.h"
+#include "app/gui/panel_scroll.h"
 
 namespace underact::gui {
 namespace {
@@ -28,17 +30,6 @@ QLabel* note(const char* name, const char* role, const QString& spoken, QWidget*
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->hide();
   return label;
-}
-
-QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, QWidget* parent) {
-  auto* box = new QComboBox(parent);
-  box->setObjectName(name);
-  box->setAccessibleName(spoken);
-  box->setToolTip(tip);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(12);
-  box->setFocusPolicy(Qt::StrongFocus);
-  return box;
 }
 
 }  // namespace
@@ -56,12 +47,7 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   column->addWidget(influence_);
   connect(influence_, &InfluenceSection::changed, this, &FeelPanel::setInfluence);
   column->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(content);
+  QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);

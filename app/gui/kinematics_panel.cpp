@@ -14,6 +14,7 @@
 #include "app/gui/document.h"
 #include "app/gui/kinematics/number_table.h"
 #include "app/gui/kinematics/sections.h"
+#include "app/gui/panel_scroll.h"
 #include "app/gui/view/scene_view.h"
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
@@ -42,12 +43,7 @@ KinematicsPanel::KinematicsPanel(const PanelParts& parts, QWidget* parent) : Pan
   column->addWidget(angles_ = new AnglesSection(content));
   column->addWidget(jacobian_ = new JacobianSection(content));
   column->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(content);
+  QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);

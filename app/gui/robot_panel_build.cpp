@@ -7,7 +7,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/robot/choosers.h"
+#include "app/gui/chooser.h"
+#include "app/gui/panel_scroll.h"
 #include "app/gui/robot/sections.h"
 #include "app/gui/robot_panel.h"
 
@@ -47,12 +48,7 @@ void RobotPanel::build() {
   // The read-out fills in its rows with the first robot: what they need is known before.
   content->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Moment, not sent") + tr("iteration, 100 of 100 steps")) +
                            48);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(content);
+  QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(std::max(content->minimumWidth(), content->minimumSizeHint().width()) + 16);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);

@@ -7,6 +7,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
+#include "app/gui/panel_scroll.h"
 #include "app/gui/readout.h"
 #include "app/gui/shape_text.h"
 #include "app/gui/words.h"
@@ -34,11 +35,6 @@ ShapePanel::ShapePanel(const PanelParts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), readout_(new Readout("panel.shape.value")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   auto* inner = new QVBoxLayout(content);
   inner->setContentsMargins(0, 0, 0, 0);
@@ -55,9 +51,8 @@ ShapePanel::ShapePanel(const PanelParts& parts, QWidget* parent)
   line->addWidget(edit_);
   line->addStretch(1);
   inner->addStretch(1);
-  scroll->setWidget(content);
-  scroll_ = scroll;
-  column->addWidget(scroll, 1);
+  scroll_ = panelScroll(content, this);
+  column->addWidget(scroll_, 1);
   column->addLayout(line);
   connect(&parts_.document, &Document::opened, this, &ShapePanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &ShapePanel::sceneEdited);

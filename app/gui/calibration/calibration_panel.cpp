@@ -16,6 +16,7 @@
 #include "app/gui/calibration/run_page.h"
 #include "app/gui/document.h"
 #include "app/gui/kinematics/number_table.h"
+#include "app/gui/panel_scroll.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/words.h"
 
@@ -34,12 +35,7 @@ CalibrationPanel::CalibrationPanel(const PanelParts& parts, QWidget* parent)
   pages_->addWidget(run_ = new RunPage(parts_.actions));
   pages_->addWidget(result_ = new ResultPage);
   pages_->setContentsMargins(8, 8, 8, 8);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(pages_);
+  QScrollArea* scroll = panelScroll(pages_, this);
   scroll->setMinimumWidth(pages_->minimumSizeHint().width() + 16);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include "app/gui/robot/choosers.h"
+#include "app/gui/chooser.h"
 #include "app/gui/robot/joint_fields.h"
 #include "app/gui/robot/sections.h"
 

@@ -1,4 +1,4 @@
-#include "app/gui/robot/choosers.h"
+#include "app/gui/chooser.h"
 
 #include <QWheelEvent>
 

@@ -1,0 +1,11 @@
+#pragma once
+
+class QScrollArea;
+class QWidget;
+
+namespace underact::gui {
+
+/// What a panel's content scrolls in: up and down alone, without a frame, no stop of the Tab key.
+QScrollArea* panelScroll(QWidget* content, QWidget* parent);
+
+}  // namespace underact::gui
