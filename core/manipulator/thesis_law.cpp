@@ -8,12 +8,12 @@ namespace underact::manipulator {
 ThesisPull thesisPull(const Manipulator& m, const Pose& X_WT) noexcept {
   const chain::Joint& joint = m.chain.joints[0];
   const Vec3& axis_W = joint.axis_W;
-  const Vec3 home_W = across(axis_W, m.chain.X_WT_home.translation() - joint.p_WJ);
+  const Vec3 p_JV_W = m.chain.X_WT_home.translation() - joint.p_WJ, home_W = across(axis_W, p_JV_W);
   const Vec3 radial_W = across(axis_W, X_WT.translation() - joint.p_WJ);
-  const double length_m = home_W.norm(), off_m = radial_W.norm();
+  const double length_m = p_JV_W.norm(), off_m = radial_W.norm();
   ThesisPull pull;
   pull.p_WP = X_WT.translation();
-  if (!(length_m > 0.0) || off_m <= 8 * 0x1p-52 * (joint.p_WJ.norm() + X_WT.translation().norm())) return pull;
+  if (!(home_W.norm() > 0.0) || off_m <= 8 * 0x1p-52 * (joint.p_WJ.norm() + X_WT.translation().norm())) return pull;
   const Vec3 n_W = radial_W / off_m, t_W = axis_W.cross(n_W), z_W = X_WT.linear().col(2);
   pull.is_unique = true;
   pull.theta_rad = wrapped(angleAround(axis_W, n_W) - angleAround(axis_W, home_W));

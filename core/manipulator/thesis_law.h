@@ -13,7 +13,7 @@ struct ThesisPull {
   bool is_unique = false;           // false: the stylus is on the axis
 };
 
-/// manipulator: of one revolute joint. The pivot is the joint's point, L the tip's distance from its axis. This field
+/// manipulator: of one revolute joint. The pivot is the joint's point, L the tip's distance from it. This field
 /// is not conservative: it takes L where the arm is r, and it does work on a loop; for comparison with the energy's
 /// law. Source: Beckman 2007, code 5.2 and eq. 5.29, with their errata (pivot in theta_v, the wrap, the pivot's own
 /// plane).

@@ -42,6 +42,16 @@ TEST(ThesisLaw, ACaseByHand) {
   EXPECT_LE((pull.moment_W - Vec3(0, 0, 0.25 * kPi / 6)).norm(), 1e-15);
 }
 
+TEST(ThesisLaw, ThePivotIsTheJointsPointAndTheLengthReachesFromThereToTheTip) {
+  Wanted wanted;  // the tip 40 mm out and 30 mm above the point: 50 mm from it
+  wanted.chain = test::chainOf({test::turning(Vec3::UnitZ(), Vec3::Zero())}, test::tipAt({0.04, 0, 0.03}));
+  wanted.ko_N_m_per_rad = 0.25;
+  wanted.law = ForceLaw::Thesis52;
+  const ThesisPull pull = thesisPull(test::made(wanted), stylus({0, 0.06, 0.007}, kPi / 3));
+  EXPECT_LE((pull.p_WP - Vec3(0, 0.05, 0)).norm(), 1e-16);
+  EXPECT_LE((pull.f_along_T_W - Vec3(0.25 * kPi / 6 / 0.05, 0, 0)).norm(), 1e-14);
+}
+
 TEST(ThesisLaw, TheErrorIsWrappedSoThatThePullIsNeverMoreThanHalfATurns) {
   test::property::Random random(test::property::Seed{20070651});
   const Manipulator m = thesisRing();
