@@ -1,19 +1,16 @@
 #include "core/calibration/measurement.h"
 
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "core/json/json.h"
 
 namespace underact::calibration {
 namespace {
 
-constexpr double kAt707 = 0.5450;  // where the normal distribution reaches sqrt(1/2), in standard deviations
+using json::numberText;
 
-std::string text(double value) {
-  char digits[32];
-  const auto written = std::to_chars(digits, digits + sizeof(digits), value);
-  return {digits, written.ptr};
-}
+constexpr double kAt707 = 0.5450;  // where the normal distribution reaches sqrt(1/2), in standard deviations
 
 }  // namespace
 
@@ -46,15 +43,15 @@ double scatterOf(double threshold) {
 
 std::string csvOf(const Measurement& run, const std::string& answered_by, std::uint64_t seed) {
   const auto threshold = thresholdOf(run.staircase);
-  const auto share = [&](double Threshold::*number) { return threshold ? text((*threshold).*number) : "none"; };
+  const auto share = [&](double Threshold::*number) { return threshold ? numberText((*threshold).*number) : "none"; };
   std::string csv = "# just-noticeable difference " + share(&Threshold::difference) + "; one standard deviation " +
                     share(&Threshold::low) + " to " + share(&Threshold::high) + "; reference " +
-                    text(run.reference_N_per_mm) + " N/mm; trials " + std::to_string(run.answers.size()) +
+                    numberText(run.reference_N_per_mm) + " N/mm; trials " + std::to_string(run.answers.size()) +
                     "; answered by " + answered_by + "; seed " + std::to_string(seed) +
                     "\ntrial,difference,stiffer,answer,right\n";
   for (std::size_t index = 0; index < run.answers.size(); ++index) {
     const Answered& one = run.answers[index];
-    csv += std::to_string(index + 1) + ',' + text(one.trial.difference) + ',' + name(one.trial.stiffer) + ',' +
+    csv += std::to_string(index + 1) + ',' + numberText(one.trial.difference) + ',' + name(one.trial.stiffer) + ',' +
            name(one.answer) + ',' + (one.isRight() ? "1" : "0") + '\n';
   }
   return csv;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/around.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 
@@ -18,8 +19,7 @@ Vec3 tipOf(const VirtualManipulator& beam) {
 
 /// The lever of the tip about its joint, squared, mm^2.
 double squaredLever(const VirtualManipulator& beam) {
-  const Vec3 axis = beam.joints[0].axis.normalized(), way_mm = tipOf(beam) - beam.joints[0].point_mm;
-  return (way_mm - way_mm.dot(axis) * axis).squaredNorm();
+  return across(beam.joints[0].axis.normalized(), tipOf(beam) - beam.joints[0].point_mm).squaredNorm();
 }
 
 bool isBeam(const scene::Constraint& constraint) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/around.h"
 #include "core/base/random.h"
 #include "core/base/rotation.h"
 #include "core/base/units.h"
@@ -104,7 +105,7 @@ class Search {
     if (options_.within_limits) return;
     for (std::size_t i = 0; i < joints_; ++i) {
       if (chain_.joints[i].type != JointType::Revolute || !(std::abs(q[i]) > kPi)) continue;
-      q[i] -= 2.0 * kPi * std::floor(q[i] / (2.0 * kPi) + 0.5);
+      q[i] = wrapped(q[i]);
       if (q[i] <= -kPi) q[i] = kPi;
     }
   }

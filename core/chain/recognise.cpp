@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/around.h"
 #include "core/chain/closed_form.h"
 #include "core/chain/turn.h"
 
@@ -12,11 +13,6 @@ bool parallel(const Vec3& a, const Vec3& b) noexcept {
   return a.cross(b).norm() <= kSame;
 }
 
-/// What of v is across a unit axis.
-Vec3 across(const Vec3& v, const Vec3& axis) noexcept {
-  return v - axis.dot(v) * axis;
-}
-
 /// The point of axis a that is nearest to axis b; they are not parallel.
 Vec3 nearestOn(const Joint& a, const Joint& b) noexcept {
   const Vec3 common = a.axis_W.cross(b.axis_W);
@@ -24,7 +20,7 @@ Vec3 nearestOn(const Joint& a, const Joint& b) noexcept {
 }
 
 bool onAxis(const Vec3& p_W, const Joint& joint, double near_m) noexcept {
-  return across(p_W - joint.p_WJ, joint.axis_W).norm() <= near_m;
+  return across(joint.axis_W, p_W - joint.p_WJ).norm() <= near_m;
 }
 
 bool sixTurning(const std::vector<Joint>& joints) noexcept {
@@ -55,9 +51,9 @@ std::optional<SphericalWristArm> recognise(const Chain& chain) noexcept {
   for (std::size_t i = 0; i < 6; ++i) arm.axis_W[i] = joints[i].axis_W;
   const Vec3 &axis_2_W = arm.axis_W[1], &axis_5_W = arm.axis_W[4], &axis_6_W = arm.axis_W[5];
   arm.p_WJ1 = nearestOn(joints[0], joints[1]);
-  arm.offset_W = across(joints[1].p_WJ - arm.p_WJ1, axis_2_W);
-  arm.upper_W = across(joints[2].p_WJ - joints[1].p_WJ, axis_2_W);
-  arm.fore_W = across(p_WC - joints[2].p_WJ, axis_2_W);
+  arm.offset_W = across(axis_2_W, joints[1].p_WJ - arm.p_WJ1);
+  arm.upper_W = across(axis_2_W, joints[2].p_WJ - joints[1].p_WJ);
+  arm.fore_W = across(axis_2_W, p_WC - joints[2].p_WJ);
   arm.upper_m = arm.upper_W.norm();
   arm.fore_m = arm.fore_W.norm();
   if (!(arm.upper_m > near_m && arm.fore_m > near_m)) return std::nullopt;

@@ -68,8 +68,10 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
                  TickReport& report) noexcept UNDERACT_REAL_TIME {
   for (std::size_t index = 0; index < report.held.size(); ++index) {
     Held& held = report.held[index];
-    if (held.robot.joints > 0) held.robot = target::Robot{};
-    const target::Target target = targetOf(program.entries[index].constraint, index, dt_s, state, report);
+    const target::Constraint& constraint = program.entries[index].constraint;
+    // A robot is told anew in full; of another constraint, one of an earlier program may still stand here.
+    if (!constraint.manipulator && held.robot.joints > 0) held.robot = target::Robot{};
+    const target::Target target = targetOf(constraint, index, dt_s, state, report);
     const bool acts = target.status != target::Status::Free;
     held.p_WP = target.p_WP;
     held.f_T_W.setZero();

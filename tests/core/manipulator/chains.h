@@ -6,6 +6,7 @@
 
 #include "core/manipulator/descend.h"
 #include "tests/core/chain/arms.h"
+#include "tests/support/robots.h"
 
 namespace underact::manipulator::test {
 
@@ -16,12 +17,8 @@ using chain::test::about;
 using chain::test::anyPose;
 using chain::test::poseOf;
 
-inline Joint turning(const Vec3& axis_W, const Vec3& p_WJ, double min_rad = -kInfinity, double max_rad = kInfinity) {
-  return {JointType::Revolute, axis_W, p_WJ, min_rad, max_rad};
-}
-inline Joint sliding(const Vec3& axis_W, double min_m = -kInfinity, double max_m = kInfinity) {
-  return {JointType::Prismatic, axis_W, Vec3::Zero(), min_m, max_m};
-}
+using underact::test::sliding;
+using underact::test::turning;
 
 /// A tip at p whose z points along x of W, as all round chains here have it at home.
 inline Pose tipAt(const Vec3& p_WV) {
