@@ -37,7 +37,9 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   } else if (scripted_) {
     heeded_ = sim::wishAt(script_, time_ns - script_start_ns_);
   }
-  state_ = sim::advance(plant_, state_, f_T_W_, heeded_, period_ns_);
+  Vec3 f_T_W = f_T_W_;
+  if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero();
+  state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
   sample.time_ns = time_ns;
   sample.q_rad = plant_.model.encoders ? sim::throughEncoders(plant_.arm.counts_per_turn, state_.q_rad) : state_.q_rad;
   sample.buttons = 0;
@@ -46,6 +48,11 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
 
 void SimulatedArm::write(const safety::GatedForce& force) noexcept {
   f_T_W_ = force.f_T_W();
+  is_cut_.store(false, std::memory_order_relaxed);
+}
+
+void SimulatedArm::cut() noexcept {
+  is_cut_.store(true, std::memory_order_relaxed);
 }
 
 servo::DeviceInfo SimulatedArm::info() const {

@@ -24,6 +24,7 @@ class SimulatedArm final : public servo::DevicePort {
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
+  void cut() noexcept UNDERACT_REAL_TIME override;
   servo::DeviceInfo info() const override;
 
   /// The hand follows a script from the next read() on; if that is the first one, the arm rests where the script
@@ -42,6 +43,7 @@ class SimulatedArm final : public servo::DevicePort {
   std::int64_t period_ns_;
   std::int64_t reads_ = 0;
   Vec3 f_T_W_ = Vec3::Zero();
+  std::atomic<bool> is_cut_{false};
   sim::HandScript script_;
   std::int64_t script_start_ns_ = 0;
   bool scripted_ = false;

@@ -234,7 +234,7 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
       ->check(CLI::Validator(checkSeconds, "", "seconds"));
   command->add_option("--rate", options->rate_hz, "Ticks a second")
       ->capture_default_str()
-      ->check(CLI::Range(100, 4000));
+      ->check(CLI::Range(100, 10000));
   command->add_flag("--fast", options->fast, "As fast as the machine allows; the same numbers as in real time");
   command->add_option("--seed", options->seed, "Of all that is random")
       ->capture_default_str()

@@ -35,7 +35,7 @@ void RunSummary::add(const servo::TickRecord& record) {
   peak_force_N_ = std::max(peak_force_N_, force_N);
   sum_force_N_ += force_N;
   sum_square_error_m2_ += record.error_m * record.error_m;
-  if (record.cut_N > 0.0) ++clamped_;
+  if ((record.limits & safety::kClampBit) != 0U) ++clamped_;
   // A step of the tip goes with the force that was in effect during it: the one written a tick before.
   if (ticks_ > 1) work_J_ += f_T_W_.dot(record.p_WT - p_WT_);
   most_work_J_ = std::max(most_work_J_, work_J_);

@@ -25,6 +25,12 @@ QString faultText(FaultKind kind) {
       return QObject::tr("old sample");
     case FaultKind::NotFinite:
       return QObject::tr("not a number");
+    case FaultKind::TooFast:
+      return QObject::tr("a jump");
+    case FaultKind::TooLate:
+      return QObject::tr("too late");
+    case FaultKind::StoodStill:
+      return QObject::tr("stood still");
   }
   return {};
 }

@@ -44,6 +44,11 @@ Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexce
   return positionJacobian(planeOf(geometry, q_rad));
 }
 
+Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  const Plane at = planeOf(geometry, q_rad);
+  return {geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m), positionJacobian(at)};
+}
+
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept {
   const Plane at = planeOf(geometry, q_rad);
   const Axes axes = axesOf(at, q_rad);

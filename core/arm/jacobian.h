@@ -8,6 +8,13 @@ namespace underact::arm {
 /// J_p, 3x3, m/rad: v_WT = J_p (dq1, dq2, dq3)/dt, in W; joints 4 to 6 do not move the tip. Source: eq. 3.5 derived.
 Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
+/// p_WT and J_p from one set of sines.
+struct Tip {
+  Vec3 p_WT = Vec3::Zero();
+  Mat3 J_p = Mat3::Zero();
+};
+Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
 /// X_WT and the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one set of
 /// sines. det J = det J_p times plus or minus sin q5.
 struct Kinematics {

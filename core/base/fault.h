@@ -10,7 +10,11 @@ enum class FaultKind : std::uint8_t {
   NoSample,     // the arm gave no sample in time; seen: ticks in a row without one
   StaleSample,  // the sample is not newer than the last one; seen: seconds since the last sample
   NotFinite,    // a joint angle, or the force that came of it, is not a number
+  TooFast,      // the tip went further in one tick than any hand moves it; seen: m/s
+  TooLate,      // ticks in a row that started a whole period late; seen: how many
+  StoodStill,   // no tick at all for longer than the watchdog waits; seen: seconds
 };
+inline constexpr int kFaultKinds = 7;
 
 /// Numbers only, so that the tick can make one; describe() turns it into words, outside the tick.
 struct Fault {
@@ -19,10 +23,16 @@ struct Fault {
   double allowed = 0.0;
 };
 
+/// What happened, one sentence. Empty for FaultKind::None.
+std::string whatHappened(const Fault& fault);
+
+/// What to look at and what to press. Empty for FaultKind::None.
+std::string whatToDo(const Fault& fault);
+
 /// What happened, what it means for the hand, what to do. Empty for FaultKind::None.
 std::string describe(const Fault& fault);
 
-/// A word for logs: "none", "no_sample", "stale_sample", "not_finite".
+/// A word for logs: "none", "no_sample", "stale_sample", "not_finite", "too_fast", "too_late", "stood_still".
 const char* name(FaultKind kind);
 
 }  // namespace underact

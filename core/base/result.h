@@ -31,6 +31,7 @@ class [[nodiscard]] Result {
   Result(Problems problems) : content_(std::move(problems)) {}
   explicit operator bool() const { return std::holds_alternative<T>(content_); }
   const T& value() const& { return std::get<T>(content_); }
+  T& value() & { return std::get<T>(content_); }
   T&& value() && { return std::get<T>(std::move(content_)); }
   const Problems& problems() const { return std::get<Problems>(content_); }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/norms.h"
+#include "core/safety/stages.h"
 
 namespace underact::safety {
 namespace {
@@ -15,12 +15,6 @@ bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
 
 bool isMissing(const Fault& fault) noexcept UNDERACT_REAL_TIME {
   return fault.kind == FaultKind::NoSample || fault.kind == FaultKind::StaleSample;
-}
-
-double sizeOf(const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
-  const double largest = largestOf(f_T_W);
-  if (!(largest > 0.0)) return 0.0;
-  return std::min(largest * (f_T_W / largest).norm(), std::numeric_limits<double>::max());
 }
 
 /// Time that stands, goes back or is not a number moves nothing; a ramp of 0 s is a jump.
@@ -42,11 +36,49 @@ Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept {
   return shape * (max_force_N / size);
 }
 
+namespace {
+
+/// The sample's own fault, or what is wrong with what came of it.
+Fault faultNow(const Limits& limits, const Asked& asked) noexcept UNDERACT_REAL_TIME {
+  if (asked.fault.kind != FaultKind::None) return asked.fault;
+  if (!isFinite(asked.f_T_W)) return {FaultKind::NotFinite, 0.0, 0.0};
+  const double speed = sizeOf(asked.motion.v_WT);
+  if (speed > limits.max_jump_m_per_s) return {FaultKind::TooFast, speed, limits.max_jump_m_per_s};
+  return {};
+}
+
+/// Counts late ticks while there is a force to let go, and says when there were too many.
+void watchLateness(const Limits& limits, bool late, GateState& next) noexcept UNDERACT_REAL_TIME {
+  next.late = late && next.level > 0.0 ? std::min(next.late, limits.max_late) + 1 : 0;
+  if (next.late > limits.max_late && next.letting_go.kind == FaultKind::None)
+    next.letting_go = {FaultKind::TooLate, static_cast<double>(next.late), static_cast<double>(limits.max_late)};
+}
+
+/// Through one limit: what is left of the force, and how much that one took off.
+Vec3 through(const Vec3& before_T_W, const Vec3& after_T_W, double& cut_N) noexcept UNDERACT_REAL_TIME {
+  cut_N = after_T_W == before_T_W ? 0.0 : sizeOf(before_T_W - after_T_W);
+  return after_T_W;
+}
+
+Gated stopped(const Limits& limits, GateState next, const Asked& asked, const Fault& now,
+              double dt_s) noexcept UNDERACT_REAL_TIME {
+  next.level = 0.0;
+  next.late = 0;
+  next.letting_go = {};
+  next.f_T_W.setZero();
+  next.heat = heated(limits.thermal, next.heat, asked.motion.J_p, next.f_T_W, dt_s);
+  return {GatedForce{}, next, {}, next.fault.kind != FaultKind::None ? next.fault : now};
+}
+
+}  // namespace
+
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept {
   GateState next = state;
-  if (asked.restart) next = GateState{};
-  Fault now = asked.fault;
-  if (now.kind == FaultKind::None && !isFinite(asked.f_T_W)) now = {FaultKind::NotFinite, 0.0, 0.0};
+  if (asked.restart) {
+    next = GateState{};
+    next.heat = state.heat;  // motors cool by time alone
+  }
+  Fault now = faultNow(limits, asked);
   next.missed = isMissing(now) ? std::min(next.missed, limits.max_missed) + 1 : 0;
   if (now.kind == FaultKind::NoSample) {
     now.seen = next.missed;
@@ -54,14 +86,26 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   }
   const bool lasts = now.kind != FaultKind::None && (!isMissing(now) || next.missed > limits.max_missed);
   if (lasts && next.fault.kind == FaultKind::None) next.fault = now;
-  if (now.kind != FaultKind::None || next.fault.kind != FaultKind::None) {
-    next.level = 0.0;
-    return {GatedForce{}, next, 0.0, next.fault.kind != FaultKind::None ? next.fault : now};
-  }
-  next.level = moved(next.level, asked.engage, dt_s, asked.engage ? limits.rise_s : limits.fall_s);
-  const Vec3 clamped_T_W = clampForce(asked.f_T_W, limits.max_force_N);
-  const double cut_N = std::max(0.0, sizeOf(asked.f_T_W) - sizeOf(clamped_T_W));
-  return {GatedForce{next.level * clamped_T_W}, next, clamped_T_W == asked.f_T_W ? 0.0 : cut_N, Fault{}};
+  watchLateness(limits, asked.late, next);
+  if (next.letting_go.kind != FaultKind::None && next.level == 0.0 && next.fault.kind == FaultKind::None)
+    next.fault = next.letting_go;
+  if (now.kind != FaultKind::None || next.fault.kind != FaultKind::None) return stopped(limits, next, asked, now, dt_s);
+
+  const Motion& motion = asked.motion;
+  Cuts cuts;
+  next.still_s = motion.moved ? 0.0 : next.still_s + std::max(0.0, dt_s);
+  cuts.frozen = limits.frozen_s > 0.0 && next.still_s >= limits.frozen_s;
+  const bool engage = asked.engage && !cuts.frozen && next.letting_go.kind == FaultKind::None;
+  next.level = moved(next.level, engage, dt_s, engage ? limits.rise_s : limits.fall_s);
+  next.v_WT = followVelocity(state.v_WT, motion.v_WT, dt_s);
+  Vec3 f_T_W = through(asked.f_T_W, clampForce(asked.f_T_W, limits.max_force_N), cuts.clamp_N);
+  f_T_W = through(f_T_W, limitSpeed(limits, next.v_WT, f_T_W), cuts.speed_N);
+  f_T_W = through(f_T_W, limitEdge(limits, motion, f_T_W), cuts.edge_N);
+  f_T_W = through(f_T_W, limitHeat(limits.thermal, next.heat, motion.J_p, f_T_W), cuts.heat_N);
+  const Vec3 ramped_T_W = next.level * f_T_W;
+  next.f_T_W = through(ramped_T_W, limitSlew(limits, next.f_T_W, ramped_T_W, dt_s), cuts.slew_N);
+  next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, dt_s);
+  return {GatedForce{next.f_T_W}, next, cuts, Fault{}};
 }
 
 }  // namespace underact::safety

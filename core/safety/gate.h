@@ -1,23 +1,33 @@
 #pragma once
+#include <array>
+
 #include "core/base/fault.h"
 #include "core/base/real_time.h"
 #include "core/base/types.h"
+#include "core/safety/limits.h"
 
 namespace underact::safety {
 
-/// What the gate lets through.
-struct Limits {
-  double max_force_N = 0.0;  // the arm's continuous force
-  double rise_s = 0.3;       // soft start: from nothing to the whole force
-  double fall_s = 0.05;      // soft release
-  int max_missed = 20;       // ticks in a row without a new sample, after which the servo stops for good
-};
-
 /// All memory of the gate.
 struct GateState {
-  double level = 0.0;  // share of the force that passes, 0 to 1
-  int missed = 0;      // ticks in a row without a new sample
-  Fault fault = {};    // what stopped the servo; stays until it is started again
+  double level = 0.0;         // share of the force that passes, 0 to 1
+  int missed = 0;             // ticks in a row without a new sample
+  int late = 0;               // ticks in a row that came late while the servo pushed
+  double still_s = 0.0;       // how long the sample has been the same to the bit
+  Vec3 v_WT = Vec3::Zero();   // the tip's velocity, filtered
+  Vec3 f_T_W = Vec3::Zero();  // sent last
+  Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 what they bear for good
+  Fault letting_go = {};      // why the force is on its way to zero; becomes the fault when it is there
+  Fault fault = {};           // what stopped the servo; stays until it is started again
+};
+
+/// How the arm stands and moves in this tick.
+struct Motion {
+  Vec3 v_WT = Vec3::Zero();  // of the tip since the last sample, m/s
+  bool moved = true;         // some joint is not where it was to the bit
+  Mat3 J_p = Mat3::Zero();   // v_WT of the rates of joints 1 to 3; zero: heat and edge are not looked at
+  Vec3 room_below_rad = Vec3::Constant(kInfinity);  // of joints 1 to 3, to their stops
+  Vec3 room_above_rad = Vec3::Constant(kInfinity);
 };
 
 /// What is asked of the gate this tick.
@@ -26,6 +36,8 @@ struct Asked {
   bool engage = false;   // the servo is to push; false: it lets go
   bool restart = false;  // Start was pressed: forget the last fault
   Fault fault = {};      // what is wrong with this tick's sample
+  bool late = false;     // this tick started a whole period late
+  Motion motion = {};
 };
 
 struct Gated;
@@ -46,14 +58,14 @@ class GatedForce {
 struct Gated {
   GatedForce force;
   GateState next;
-  double cut_N = 0.0;  // how much of the force's size the clamp took away
-  Fault fault = {};    // why the force is zero, if a fault is why
+  Cuts cuts;         // which limits act, and how much each took off
+  Fault fault = {};  // why the force is zero, if a fault is why
 };
 
-/// Finite check, clamp that keeps the direction, soft start and release. A sample that is missing or old gives zero
-/// force and, more than max_missed times in a row, a fault that lasts; a force or sample that is not a number gives
-/// such a fault at once. dt_s: since the last tick, >= 0. Gives |force| <= max_force_N (1 + 4 ulp), finite whatever
-/// comes in.
+/// Finite check, then the limits in the order of Cuts, soft start and release between heat and slew. A sample that is
+/// missing or old gives zero force and, more than max_missed times in a row, a fault that lasts; a force or sample that
+/// is not a number, or a jump, gives such a fault at once; too many late ticks in a row let the force go first. dt_s:
+/// since the last tick, >= 0. Gives |force| <= max_force_N (1 + 4 ulp), finite whatever comes in. Cost: constant.
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept UNDERACT_REAL_TIME;
 
 /// f_T_W cut to max_force_N with its direction kept; zero where it is not finite. No overflow up to 1e308.

@@ -117,8 +117,8 @@ Result<tick::TickProgram> compile(const Description& scene) {
     entries.push_back({std::move(held), lawOf(control, preset.continuous_force_N, lever_m), control.space});
   }
   if (!problems.empty()) return problems;
-  safety::Limits limits;
-  limits.max_force_N = preset.continuous_force_N;
+  const safety::Limits limits =
+      safety::limitsForHands(preset.continuous_force_N, preset.continuous_force_N * leversOf(preset.geometry));
   return tick::makeProgram(preset.geometry, std::move(entries), scene.combine, limits, preset.limits);
 }
 

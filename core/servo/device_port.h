@@ -4,6 +4,7 @@
 
 #include "core/arm/sample.h"
 #include "core/base/real_time.h"
+#include "core/base/result.h"
 #include "core/safety/gate.h"
 
 namespace underact::servo {
@@ -13,6 +14,13 @@ struct DeviceInfo {
   std::string title;  // "Simulated arm"
   bool simulated = false;
   bool untested = false;  // never tried on the hardware it is for
+  double frozen_s = 0.0;  // a sample the same to the bit for so long is no hand's; 0: it may well be
+};
+
+/// A message to an arm that means zero force, and where to write it.
+struct LastWord {
+  int fd = -1;
+  std::string bytes;
 };
 
 /// An arm. Constructed open, destroyed closed, both outside the servo thread.
@@ -22,6 +30,14 @@ class DevicePort {
   /// The newest sample. false: none came in time; then zero is written.
   virtual bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME = 0;
   virtual void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME = 0;
+  /// Zero force, now, from any thread, also while read() or write() is at work; it lasts until the next write(). The
+  /// watchdog's way, when ticks stop.
+  virtual void cut() noexcept UNDERACT_REAL_TIME = 0;
+  /// Opens the arm again after it was lost; the servo thread does not run. Problems: why it cannot be opened.
+  virtual Problems reopen() { return {}; }
+  /// What writes zero force from outside this process, for an arm behind a file descriptor: a guard does so when the
+  /// program dies. fd < 0: there is no such way.
+  virtual LastWord lastWord() const { return {}; }
   /// Any thread.
   virtual DeviceInfo info() const = 0;
 };

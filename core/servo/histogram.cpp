@@ -32,6 +32,21 @@ void Histogram::add(std::int64_t duration_ns) noexcept {
   max_ns_ = std::max(max_ns_, held_ns);
 }
 
+void Histogram::add(const Histogram& other) noexcept {
+  for (std::size_t bucket = 0; bucket < counts_.size(); ++bucket) counts_[bucket] += other.counts_[bucket];
+  count_ += other.count_;
+  max_ns_ = std::max(max_ns_, other.max_ns_);
+}
+
+std::int64_t Histogram::between(std::int64_t from_ns, std::int64_t to_ns) const noexcept {
+  std::int64_t sum = 0;
+  for (std::size_t bucket = 0; bucket < counts_.size(); ++bucket) {
+    const auto edge_ns = static_cast<std::int64_t>(upperEdge_ns(bucket));
+    if (edge_ns > from_ns && edge_ns <= to_ns) sum += counts_[bucket];
+  }
+  return sum;
+}
+
 Percentiles Histogram::percentiles() const noexcept {
   Percentiles result;
   if (count_ == 0) return result;

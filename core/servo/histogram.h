@@ -15,10 +15,13 @@ struct Percentiles {
 class Histogram {
  public:
   void add(std::int64_t duration_ns) noexcept;
+  void add(const Histogram& other) noexcept;
   void clear() noexcept { *this = Histogram{}; }
   std::int64_t count() const noexcept { return count_; }
   /// The upper edge of the bucket that holds each share; the maximum exactly. All 0 while empty.
   Percentiles percentiles() const noexcept;
+  /// How many durations are above from_ns and at most to_ns, to within a bucket.
+  std::int64_t between(std::int64_t from_ns, std::int64_t to_ns) const noexcept;
 
  private:
   static constexpr int kSteps = 32;  // buckets an octave

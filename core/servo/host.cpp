@@ -1,5 +1,6 @@
 #include "core/servo/host.h"
 
+#include <ctime>
 #include <deque>
 #include <utility>
 
@@ -12,7 +13,10 @@ namespace underact::servo {
 
 struct Host::Impl {
   Impl(std::unique_ptr<DevicePort> port, const HostOptions& wanted)
-      : options(wanted), device(std::move(port)), loop(*device) {}
+      : options(wanted),
+        device(std::move(port)),
+        loop(*device, 1'000'000'000 / wanted.rate_hz, static_cast<std::int64_t>(1e9 * wanted.watchdog_s)),
+        timing(wanted.rate_hz) {}
   ~Impl() {
     thread.reset();
     for (const Command& command : backlog) delete command.instance;
@@ -31,6 +35,7 @@ struct Host::Impl {
   Problems put(const scene::Description& wanted, Order order) {
     Result<tick::TickProgram> program = scene::compile(wanted);
     if (!program) return program.problems();
+    program.value().limits.frozen_s = device->info().frozen_s;
     tick::TickState state = tick::makeState(program.value());
     scene = wanted;
     ++revision;
@@ -46,6 +51,8 @@ struct Host::Impl {
   scene::Description scene;
   std::uint64_t revision = 0;
   bool started = false;
+  bool hold_to_run = false;
+  Timing timing;
 };
 
 Host::Host(std::unique_ptr<DevicePort> device, const HostOptions& options)
@@ -91,24 +98,66 @@ bool Host::running() const {
   return impl_->started && impl_->loop.snapshot().mode != Mode::Faulted;
 }
 
+void Host::setHoldToRun(bool on) {
+  impl_->hold_to_run = on;
+  impl_->send({on ? Order::HoldToRun : Order::RunFreely});
+}
+
+bool Host::holdToRun() const {
+  return impl_->hold_to_run;
+}
+
+Problems Host::restart() {
+  const bool was_begun = impl_->thread.has_value();
+  stop();
+  impl_->thread.reset();
+  Problems problems = impl_->device->reopen();
+  if (was_begun) begin();
+  return problems;
+}
+
+std::optional<FaultReport> Host::takeFault() {
+  const History* history = impl_->loop.takeHistory();
+  if (history == nullptr) return {};
+  std::vector<TickRecord> last_second = history->inOrder();
+  FaultReport report{history->fault(),
+                     last_second.empty() ? 0 : last_second.back().tick,
+                     static_cast<std::int64_t>(std::time(nullptr)),
+                     std::move(last_second),
+                     impl_->scene,
+                     device(),
+                     scheduling(),
+                     impl_->options.rate_hz,
+                     history->late()};
+  impl_->loop.giveBack(history);
+  return report;
+}
+
+const Timing& Host::timing() const {
+  return impl_->timing;
+}
+
 const Snapshot& Host::snapshot() {
   impl_->flush();
   return impl_->loop.snapshot();
 }
 
 void Host::drain(const std::function<void(const TickRecord&)>& row) {
-  impl_->loop.drain(row);
+  impl_->loop.drain([&](const TickRecord& record) {
+    impl_->timing.add(record);
+    row(record);
+  });
 }
 
 void Host::begin() {
   if (impl_->options.clock == Clock::Thread && !impl_->thread) {
-    impl_->thread.emplace(impl_->loop, impl_->options.rate_hz);
+    impl_->thread.emplace(impl_->loop, impl_->options.rate_hz, impl_->options.scheduling);
   }
 }
 
 void Host::run(std::int64_t ticks) {
   impl_->flush();
-  for (std::int64_t tick = 0; tick < ticks; ++tick) impl_->loop.tick(0);
+  for (std::int64_t tick = 0; tick < ticks; ++tick) impl_->loop.tick({});
 }
 
 int Host::rateHz() const {
@@ -117,7 +166,7 @@ int Host::rateHz() const {
 
 Scheduling Host::scheduling() const {
   if (impl_->thread) return impl_->thread->scheduling();
-  return {impl_->options.clock == Clock::Manual ? "manual" : "not begun", ""};
+  return {impl_->options.clock == Clock::Manual ? "manual" : "not begun", "", {}};
 }
 
 DeviceInfo Host::device() const {

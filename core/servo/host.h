@@ -2,12 +2,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
+#include <optional>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/scene/description.h"
 #include "core/servo/device_port.h"
+#include "core/servo/scheduling.h"
 #include "core/servo/snapshot.h"
+#include "core/servo/timing.h"
 
 namespace underact::servo {
 
@@ -16,14 +19,23 @@ namespace underact::servo {
 enum class Clock : std::uint8_t { Thread, Manual };
 
 struct HostOptions {
-  int rate_hz = 1000;  // 100 to 4000
+  int rate_hz = 1000;  // 100 to 10000
   Clock clock = Clock::Thread;
+  SchedulingWanted scheduling = {};
+  double watchdog_s = 0.1;  // no tick for so long: the arm gets zero force from outside the servo thread, and a fault
 };
 
-/// What scheduling the system granted the servo thread.
-struct Scheduling {
-  std::string name;  // "FIFO 80", "normal", "manual", "not begun": for the status bar
-  std::string hint;  // how to get better; empty: it is as good as it gets
+/// Everything a fault leaves behind.
+struct FaultReport {
+  Fault fault;
+  std::int64_t tick = 0;
+  std::int64_t unix_time_s = 0;         // when it was fetched from the servo
+  std::vector<TickRecord> last_second;  // up to and with the tick that found it, oldest first
+  scene::Description scene;             // as it was run
+  DeviceInfo device;
+  Scheduling scheduling;
+  int rate_hz = 0;
+  LateTicks late;
 };
 
 /// The servo as the rest of the program sees it: owns device, loop and thread; keeps the scene, compiles it and every
@@ -51,8 +63,18 @@ class Host {
   void start();          // also after a fault
   void stop();           // the force ramps to zero
   bool running() const;  // start() was called last, and no fault since
+  /// Hold to run: from then on the servo pushes only while the stylus button nearer to the tip is held.
+  void setHoldToRun(bool on);
+  bool holdToRun() const;
+  /// The servo thread ends and begins anew, the arm is asked to open itself again, the scene stays; the servo is
+  /// stopped then, and Start goes on. Problems: why the arm did not open.
+  Problems restart();
+  /// The oldest fault that was not taken yet.
+  std::optional<FaultReport> takeFault();
 
   const Snapshot& snapshot();
+  /// Lateness and tick times of what drain() has seen.
+  const Timing& timing() const;
   /// Calls row() for every tick since the last call, in order. Call it about 30 times a second, or rows drop (counted).
   void drain(const std::function<void(const TickRecord&)>& row);
   /// Thread clock only: the servo thread starts to tick. What was told the host before is taken up by its first tick.

@@ -1,5 +1,8 @@
 #include "core/servo/loop.h"
 
+#include <algorithm>
+
+#include "core/base/units.h"
 #include "core/servo/clock.h"
 
 namespace underact::servo {
@@ -20,10 +23,22 @@ void touchPages(boost::lockfree::spsc_queue<T>& queue) {
 
 }  // namespace
 
-Loop::Loop(DevicePort& device)
-    : device_(device), current_(new Instance), commands_(kCommands), retired_(kRetired), records_(kRecords) {
+Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns)
+    : device_(device),
+      current_(new Instance),
+      period_ns_(period_ns),
+      watchdog_ns_(watchdog_ns),
+      history_(&histories_[0]),
+      commands_(kCommands),
+      retired_(kRetired),
+      records_(kRecords),
+      full_(kHistories),
+      spare_(kHistories) {
   current_->program.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   touchPages(records_);
+  const auto a_second = static_cast<std::size_t>(1'000'000'000 / std::max<std::int64_t>(period_ns, 1));
+  for (History& history : histories_) history = History(std::max<std::size_t>(a_second, 1));
+  for (std::size_t index = 1; index < kHistories; ++index) spare_.push(&histories_[index]);
 }
 
 Loop::~Loop() {
@@ -43,6 +58,17 @@ void Loop::reap() {
 
 void Loop::drain(const std::function<void(const TickRecord&)>& row) {
   records_.consume_all([&row](const TickRecord& record) { row(record); });
+}
+
+const History* Loop::takeHistory() {
+  History* history = nullptr;
+  return full_.pop(history) ? history : nullptr;
+}
+
+void Loop::giveBack(const History* history) {
+  for (History& one : histories_) {
+    if (&one == history) spare_.push(&one);
+  }
 }
 
 // Clang cannot see that push() and pop() keep off the heap; they do by their contract, and tests/malloc counts.
@@ -70,6 +96,10 @@ void Loop::takeUpCommands() noexcept {
         break;
       case Order::Stop:
         engaged_ = false;
+        break;
+      case Order::HoldToRun:
+      case Order::RunFreely:
+        hold_to_run_ = command.order == Order::HoldToRun;
         break;
       case Order::Load:
         if (waiting_ != nullptr) retire(waiting_);
@@ -99,11 +129,50 @@ Mode Loop::mode() const noexcept {
   return current_->state.gate.level > 0.0 ? Mode::Stopping : Mode::Idle;
 }
 
-void Loop::tick(std::int64_t lateness_ns) noexcept {
+/// A pause is told once: by the watchdog, or, where that was not fast enough either, by the lateness itself.
+Fault Loop::faultOf(const Wake& wake) noexcept {
+  const std::int64_t told_ns = stood_still_ns_.exchange(0, std::memory_order_relaxed);
+  const std::int64_t pause_ns = std::max(told_ns, wake.lateness_ns);
+  if (watchdog_ns_ <= 0 || pause_ns < watchdog_ns_) return {};
+  if (!engaged_ && current_->state.gate.level == 0.0) return {};  // nothing was pushing
+  return {FaultKind::StoodStill, kSecondPerNanosecond * static_cast<double>(pause_ns),
+          kSecondPerNanosecond * static_cast<double>(watchdog_ns_)};
+}
+
+void Loop::countLate(const Wake& wake) noexcept {
+  late_.left_out += wake.left_out;
+  if (wake.lateness_ns < period_ns_) return;
+  ++late_.total;
+  ++late_.by_cause[static_cast<std::size_t>(wake.cause)];
+}
+
+/// The last second leaves with the fault that ended it; while nobody has fetched the ones before, the newest is kept.
+void Loop::remember(const Snapshot& snapshot) noexcept {
+  const TickRecord record = recordOf(snapshot);
+  if (!records_.push(record)) ++dropped_;
+  history_->add(record);
+  const bool faulted = snapshot.mode == Mode::Faulted;
+  if (faulted && !was_faulted_) {
+    history_->end(snapshot.report.fault, snapshot.revision, late_);
+    History* spare = nullptr;
+    if (spare_.pop(spare)) {
+      full_.push(history_);
+      history_ = spare;
+    }
+    history_->clear();
+  }
+  was_faulted_ = faulted;
+}
+
+void Loop::tick(const Wake& wake) noexcept {
   takeUpCommands();
+  countLate(wake);
   tick::TickInput input;
+  input.fault = faultOf(wake);
+  input.late = wake.lateness_ns >= period_ns_;
   input.has_sample = device_.read(input.sample);
-  input.engage = engaged_ && waiting_ == nullptr;
+  const bool held = !hold_to_run_ || (input.sample.buttons & 1U) != 0;
+  input.engage = engaged_ && held && waiting_ == nullptr;
   input.restart = restart_;
   restart_ = false;
   Snapshot& snapshot = snapshots_.back();
@@ -115,10 +184,13 @@ void Loop::tick(std::int64_t lateness_ns) noexcept {
   snapshot.ticks = ++ticks_;
   snapshot.revision = current_->revision;
   snapshot.mode = mode();
-  snapshot.lateness_ns = lateness_ns;
-  if (!records_.push(recordOf(snapshot))) ++dropped_;
+  snapshot.lateness_ns = wake.lateness_ns;
+  snapshot.late = late_;
+  snapshot.waits_for_button = engaged_ && !held;
+  remember(snapshot);
   snapshot.dropped = dropped_;
   snapshots_.publish();
+  beats_.store(ticks_, std::memory_order_relaxed);
 }
 
 void Loop::release() noexcept {

@@ -1,10 +1,13 @@
 #pragma once
+#include <array>
+#include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
 
 #include "core/servo/device_port.h"
+#include "core/servo/history.h"
 #include "core/servo/slot.h"
 #include "core/servo/snapshot.h"
 #include "core/tick/step.h"
@@ -20,7 +23,8 @@ struct Instance {
 
 /// What the servo can be told. Load: another scene, swapped in once the force has ramped to zero. Retune: the same
 /// scene with other gains, swapped in before the next tick. Move: so is the same scene with its targets elsewhere.
-enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move };
+/// HoldToRun and RunFreely: whether the stylus button has to be held.
+enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely };
 
 struct Command {
   Order order = Order::Stop;
@@ -32,13 +36,13 @@ struct Command {
 /// start.
 class Loop {
  public:
-  explicit Loop(DevicePort& device);
+  Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns);
   ~Loop();
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
   // The servo thread, or whoever stands in for it.
-  void tick(std::int64_t lateness_ns) noexcept UNDERACT_REAL_TIME;
+  void tick(const Wake& wake) noexcept UNDERACT_REAL_TIME;
   /// Zero force, for the end.
   void release() noexcept UNDERACT_REAL_TIME;
 
@@ -47,24 +51,45 @@ class Loop {
   void reap();                        // frees the instances that are out of use
   const Snapshot& snapshot() { return snapshots_.latest(); }
   void drain(const std::function<void(const TickRecord&)>& row);
+  /// The history of the oldest fault that was not taken yet, or null; it is given back by giveBack().
+  const History* takeHistory();
+  void giveBack(const History* history);
+
+  // Any thread.
+  /// Counts up with each tick: what a watchdog looks at.
+  std::int64_t beats() const noexcept { return beats_.load(std::memory_order_relaxed); }
+  /// The watchdog has cut the force: the tick that follows is a fault.
+  void stoodStill(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
 
  private:
   void takeUpCommands() noexcept UNDERACT_REAL_TIME;
   void replaceBy(Instance* instance, tick::Carry carry) noexcept UNDERACT_REAL_TIME;
   void retire(Instance* instance) noexcept UNDERACT_REAL_TIME;
   Mode mode() const noexcept UNDERACT_REAL_TIME;
+  Fault faultOf(const Wake& wake) noexcept UNDERACT_REAL_TIME;
+  void countLate(const Wake& wake) noexcept UNDERACT_REAL_TIME;
+  void remember(const Snapshot& snapshot) noexcept UNDERACT_REAL_TIME;
 
   DevicePort& device_;
   Instance* current_;
   Instance* waiting_ = nullptr;  // to come in at zero force
   bool engaged_ = false;
   bool restart_ = false;
+  bool hold_to_run_ = false;
+  bool was_faulted_ = false;
+  std::int64_t period_ns_, watchdog_ns_;
+  LateTicks late_;
+  std::atomic<std::int64_t> beats_{0};
+  std::atomic<std::int64_t> stood_still_ns_{0};
+  std::array<History, kHistories> histories_;
+  History* history_;  // the one being written
   std::int64_t ticks_ = 0;
   std::int64_t dropped_ = 0;
   Slot<Snapshot> snapshots_;
   boost::lockfree::spsc_queue<Command> commands_;
   boost::lockfree::spsc_queue<Instance*> retired_;
   boost::lockfree::spsc_queue<TickRecord> records_;
+  boost::lockfree::spsc_queue<History*> full_, spare_;
 };
 
 }  // namespace underact::servo

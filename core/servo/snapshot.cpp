@@ -28,6 +28,13 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.f_sent_T_W = report.force.f_T_W();
   record.level = report.level;
   record.cut_N = report.cut_N;
+  record.limits = safety::bitsOf(report.cuts);
+  Vec3 passive_T_W = Vec3::Zero();
+  for (const tick::Held& held : report.held) {
+    record.energy_J += held.energy_J;
+    passive_T_W += held.f_passive_T_W;
+  }
+  record.passive_N = passive_T_W.norm();
   record.fault = report.fault.kind;
   record.branch_changes = report.branch_changes;
   record.out_of_reach = report.out_of_reach;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "core/servo/late.h"
 #include "core/tick/report.h"
 
 namespace underact::servo {
@@ -18,6 +19,8 @@ struct Snapshot {
   std::int64_t lateness_ns = 0;  // of this tick's start
   std::int64_t tick_ns = 0;      // that the last tick took
   std::int64_t dropped = 0;      // records that found no room, because nobody fetched them
+  LateTicks late;
+  bool waits_for_button = false;  // hold to run: the servo would push if the stylus button were held
 };
 
 /// One tick as a row: what plots and recorders keep. Lengths m, forces N.
@@ -34,6 +37,9 @@ struct TickRecord {
   Vec3 f_sent_T_W = Vec3::Zero();
   double level = 0.0;
   double cut_N = 0.0;
+  unsigned limits = 0;     // which of the gate's limits acted: safety::CutBit
+  double energy_J = 0.0;   // that the stylus has put into all constraints and not got back
+  double passive_N = 0.0;  // what the passivity controllers add
   FaultKind fault = FaultKind::None;
   int branch_changes = 0;     // see tick::TickReport
   bool out_of_reach = false;  // see tick::TickReport

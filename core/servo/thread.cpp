@@ -19,12 +19,14 @@ constexpr int kPriority = 80;  // above what a desktop runs, below the kernel's 
 Scheduling askForRealTime() {
   sched_param wanted{};
   wanted.sched_priority = kPriority;
-  if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0) return {"FIFO " + std::to_string(kPriority), ""};
+  if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0)
+    return {"FIFO " + std::to_string(kPriority), "", {}};
   prctl(PR_SET_TIMERSLACK, 1UL);  // ns; the default of 50 us would be added to every wait
   return {"normal",
           "The system did not grant real-time scheduling, so ticks can come late when the machine is busy. To grant "
           "it, add "
-          "\"@users - rtprio 90\" to a file in /etc/security/limits.d and log in again."};
+          "\"@users - rtprio 90\" to a file in /etc/security/limits.d and log in again.",
+          {}};
 }
 
 void touchStack() noexcept {
@@ -40,7 +42,8 @@ void sleepUntil(std::int64_t deadline_ns) noexcept {
 
 }  // namespace
 
-Thread::Thread(Loop& loop, int rate_hz) : loop_(loop), period_ns_(1'000'000'000 / rate_hz) {
+Thread::Thread(Loop& loop, int rate_hz, const SchedulingWanted& wanted)
+    : loop_(loop), period_ns_(1'000'000'000 / rate_hz), wanted_(wanted) {
   std::promise<Scheduling> granted;
   std::future<Scheduling> scheduling = granted.get_future();
   thread_ = std::thread(&Thread::run, this, std::move(granted));
@@ -60,10 +63,10 @@ void Thread::run(std::promise<Scheduling> granted) {
   while (!ends_.load(std::memory_order_relaxed)) {
     sleepUntil(deadline_ns);
     const std::int64_t now_ns = monotonicNow_ns();
-    loop_.tick(now_ns - deadline_ns);
-    deadline_ns += period_ns_;
-    const std::int64_t behind_ns = now_ns - deadline_ns;
-    if (behind_ns > 0) deadline_ns += (behind_ns / period_ns_ + 1) * period_ns_;
+    const std::int64_t late_ns = now_ns - deadline_ns;
+    const std::int64_t left_out = late_ns > period_ns_ ? late_ns / period_ns_ : 0;
+    loop_.tick({late_ns, left_out, LateCause::Woken});
+    deadline_ns += (1 + left_out) * period_ns_;
   }
   loop_.release();
 }

@@ -5,6 +5,7 @@
 
 #include "core/servo/host.h"
 #include "core/servo/loop.h"
+#include "core/servo/scheduling.h"
 
 namespace underact::servo {
 
@@ -12,7 +13,7 @@ namespace underact::servo {
 /// grants. A late tick is not caught up in a burst: the deadlines that passed are left out.
 class Thread {
  public:
-  Thread(Loop& loop, int rate_hz);
+  Thread(Loop& loop, int rate_hz, const SchedulingWanted& wanted);
   ~Thread();  // zero force, then the thread ends
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
@@ -23,6 +24,7 @@ class Thread {
 
   Loop& loop_;
   std::int64_t period_ns_;
+  SchedulingWanted wanted_;
   std::atomic<bool> ends_{false};
   Scheduling scheduling_;
   std::thread thread_;

@@ -27,6 +27,7 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     program.needs.metric |= entry.constraint.weighted;
     program.needs.joints |= entry.space == Space::Joint;
   }
+  program.needs.motors = limits.edge_rad > 0.0 || (limits.thermal.continuous_N_m.array() > 0.0).any();
   program.needs.choice = combine == Combine::Nearest && program.entries.size() > 1;
   return program;
 }
@@ -51,8 +52,12 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.has_time = last.has_time;
   next.p_WT = last.p_WT;
   next.limited = last.limited;
+  next.q_rad = last.q_rad;
   next.gate = last.gate;
   if (what == Carry::Arm) return;
+  next.asked_T_W = last.asked_T_W;
+  next.bump_T_W = last.bump_T_W;
+  next.retuned = true;
   carryAll(last.laws, next.laws);
   if (what == Carry::ArmAndMovedLaws) {
     for (control::LawState& law : next.laws) law.has_last = false;

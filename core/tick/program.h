@@ -25,6 +25,7 @@ struct Needs {
   bool choice = false;       // which constraint is nearest (combine: nearest)
   bool robots = false;       // virtual manipulators' joints
   bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
+  bool motors = false;       // J_p for the gate: the heat of the motors, and the joints' stops
 };
 
 /// Where a law works. Cartesian: force from the error, N from m. Joint: torques of joints 1 to 3 from their errors,
@@ -55,8 +56,12 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
 struct TickState {
   std::int64_t time_ns = 0;
   bool has_time = false;
-  Vec3 p_WT = Vec3::Zero();  // the last tip that was known
-  bool limited = false;      // the gate cut or ramped the last force
+  Vec3 p_WT = Vec3::Zero();       // the last tip that was known
+  arm::JointAngles q_rad{};       // the last sample's joints
+  bool limited = false;           // the gate cut or ramped the last force
+  Vec3 asked_T_W = Vec3::Zero();  // the last force before the gate
+  Vec3 bump_T_W = Vec3::Zero();   // what is left of the step that a change of gains would have made
+  bool retuned = false;           // gains or targets were changed since the last tick
   safety::GateState gate;
   std::vector<control::LawState> laws;             // one for each entry; none where no law remembers anything
   std::vector<target::InfluenceState> influences;  // one for each entry; none where the stylus's turn does not count
@@ -70,8 +75,9 @@ TickState makeState(const TickProgram& program);
 std::size_t bytesOf(const TickState& state);
 
 /// What another program takes over from the one before it. Arm: time, tip and gate. Laws: also what each law remembers,
-/// entry by entry where both have as many, for a change of gains between two ticks. MovedLaws: the same, but the way a
-/// target went by that change is no rate of the error.
+/// entry by entry where both have as many, for a change of gains between two ticks; the force goes over to the new ones
+/// without a step (see kBumpless_s). MovedLaws: the same, but the way a target went by that change is no rate of the
+/// error.
 enum class Carry : std::uint8_t { Arm, ArmAndLaws, ArmAndMovedLaws };
 void carryOver(const TickState& last, TickState& next, Carry what = Carry::ArmAndLaws) noexcept UNDERACT_REAL_TIME;
 

@@ -15,10 +15,12 @@ struct Held {
   Vec3 f_T_W = Vec3::Zero();  // its own force, before the gate
   target::Status status = target::Status::Free;
   double distance_m = 0.0;
-  bool acts = false;           // it has a part in the force (not where it is free or another is nearer)
-  target::Angles angles = {};  // of an influenced target
-  target::Arc arc = {};        // of an influenced target
-  target::Robot robot = {};    // of a virtual manipulator
+  bool acts = false;                  // it has a part in the force (not where it is free or another is nearer)
+  target::Angles angles = {};         // of an influenced target
+  target::Arc arc = {};               // of an influenced target
+  target::Robot robot = {};           // of a virtual manipulator
+  double energy_J = 0.0;              // that the stylus has put into it and not got back; below 0: it is active
+  Vec3 f_passive_T_W = Vec3::Zero();  // what the passivity controller adds; part of f_T_W
 };
 
 /// Up to kMaxConstraints of them, in place; a copy copies only those in use.
@@ -54,7 +56,10 @@ struct TickReport {
   Vec3 f_T_W = Vec3::Zero();     // asked, before the gate
   safety::GatedForce force;      // sent
   double level = 0.0;            // share that the ramps let through
-  double cut_N = 0.0;            // what the clamp took away
+  safety::Cuts cuts;             // which limits act
+  double cut_N = 0.0;            // what they took away in all
+  Vec3 v_WT = Vec3::Zero();      // the tip's velocity, filtered by the gate
+  Vec3 heat = Vec3::Zero();      // of motors 1 to 3; 1: what they bear for good
   Fault fault;                   // why the force is zero, if a fault is why
   int branch_changes = 0;        // space joint: joints asked for that went over to another branch of the arm this tick
   bool out_of_reach = false;     // space joint: a target that the arm cannot reach; its joints are the nearest ones

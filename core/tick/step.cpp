@@ -4,7 +4,9 @@
 
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
+#include "core/arm/jacobian.h"
 #include "core/arm/statics.h"
+#include "core/base/norms.h"
 #include "core/base/units.h"
 
 namespace underact::tick {
@@ -12,12 +14,15 @@ namespace {
 
 /// A law is not let loose on a longer pause than this: after one, rate and integral start as on a first tick.
 constexpr double kLongestTick_s = 0.1;
+constexpr double kBumpOver_N = 1e-9;  // what is left of a smoothed step when it is forgotten
 
 void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (control::LawState& law : state.laws) law = control::LawState{};
   for (target::InfluenceState& influence : state.influences) influence = target::InfluenceState{};
   for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
+  state.bump_T_W.setZero();
+  state.retuned = false;
 }
 
 /// 0 at the first tick. The difference wraps instead of overflowing; what wraps is stale.
@@ -28,6 +33,7 @@ double secondsSince(const TickState& state, std::int64_t time_ns) noexcept UNDER
 }
 
 Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcept UNDERACT_REAL_TIME {
+  if (input.fault.kind != FaultKind::None) return input.fault;
   if (!input.has_sample) return {FaultKind::NoSample, 0.0, 0.0};
   for (const double angle_rad : input.sample.q_rad) {
     if (!std::isfinite(angle_rad)) return {FaultKind::NotFinite, angle_rad, 0.0};
@@ -39,16 +45,51 @@ Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcep
 }
 
 /// Where the tip is; and where the stylus points, if any target asks.
-void lookAtArm(const TickProgram& program, const arm::Sample& sample, TickState& state,
-               TickReport& report) noexcept UNDERACT_REAL_TIME {
+void lookAtArm(const TickProgram& program, const arm::Sample& sample, TickReport& report,
+               safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
   if (!program.needs.orientation) {
-    state.p_WT = arm::tipPosition(program.geometry, sample.q_rad);
+    if (!program.needs.motors) {
+      report.p_WT = arm::tipPosition(program.geometry, sample.q_rad);
+      return;
+    }
+    const arm::Tip tip = arm::tip(program.geometry, sample.q_rad);
+    report.p_WT = tip.p_WT;
+    motion.J_p = tip.J_p;
     return;
   }
   const Pose X_WT = arm::tipPose(program.geometry, sample.q_rad);
-  state.p_WT = X_WT.translation();
+  report.p_WT = X_WT.translation();
   report.R_WT = X_WT.linear();
   report.stylus_W = X_WT.linear().col(2);
+  if (program.needs.motors) motion.J_p = arm::positionJacobian(program.geometry, sample.q_rad);
+}
+
+/// How the arm moved since the last sample, and how far its driven joints are from their stops. dt_s: 0 where there is
+/// no last sample to compare with.
+void lookAtMotion(const TickProgram& program, const arm::Sample& sample, const TickState& state, double dt_s,
+                  const Vec3& p_WT, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
+  if (dt_s > 0.0) motion.v_WT = (p_WT - state.p_WT) / dt_s;
+  motion.moved = !(dt_s > 0.0) || sample.q_rad != state.q_rad;
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const auto axis = static_cast<Eigen::Index>(joint);
+    motion.room_below_rad[axis] = sample.q_rad[joint] - program.joint_limits.min_rad[joint];
+    motion.room_above_rad[axis] = program.joint_limits.max_rad[joint] - sample.q_rad[joint];
+  }
+}
+
+/// Takes the step out of a change of gains or targets: what the force would have jumped by is kept beside it and fades.
+void smoothOver(double dt_s, bool idle, TickState& state, Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
+  if (idle) {
+    state.bump_T_W.setZero();
+  } else if (state.retuned) {
+    state.bump_T_W = state.asked_T_W - f_T_W;
+  } else {
+    state.bump_T_W *= kBumpless_s / (kBumpless_s + dt_s);
+    if (largestOf(state.bump_T_W) < kBumpOver_N) state.bump_T_W.setZero();
+  }
+  state.retuned = false;
+  f_T_W += state.bump_T_W;
+  state.asked_T_W = f_T_W;
 }
 
 /// The target of the constraint at index.
@@ -178,30 +219,37 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   report.out_of_reach = false;
   report.damping_m = 0.0;
   double gate_dt_s = 0.0;
+  safety::Motion motion;
   if (fault.kind == FaultKind::None) {
     const double law_dt_s = dt_s <= kLongestTick_s ? dt_s : 0.0;
     if (dt_s > kLongestTick_s) forget(state);
     gate_dt_s = law_dt_s;
-    lookAtArm(program, input.sample, state, report);
-    report.p_WT = state.p_WT;  // the targets are found from it
+    lookAtArm(program, input.sample, report, motion);  // the targets are found from it
+    lookAtMotion(program, input.sample, state, law_dt_s, report.p_WT, motion);
+    state.p_WT = report.p_WT;
+    state.q_rad = input.sample.q_rad;
     report.held.resize(program.entries.size());
     findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);
     const bool stopped = state.gate.fault.kind != FaultKind::None && !input.restart;
     const bool idle = stopped || (!input.engage && state.gate.level == 0.0);
     report.f_T_W = sumForces(program, state, report, {law_dt_s, state.limited, idle});
+    smoothOver(law_dt_s, idle, state, report.f_T_W);
     state.time_ns = input.sample.time_ns;
     state.has_time = true;
   }
   report.p_WT = state.p_WT;
-  const safety::Gated gated =
-      safety::gate(program.limits, state.gate, {report.f_T_W, input.engage, input.restart, fault}, gate_dt_s);
+  const safety::Asked asked{report.f_T_W, input.engage, input.restart, fault, input.late, motion};
+  const safety::Gated gated = safety::gate(program.limits, state.gate, asked, gate_dt_s);
   state.gate = gated.next;
-  state.limited = gated.cut_N > 0.0 || gated.next.level < 1.0;
   report.force = gated.force;
   report.level = gated.next.level;
-  report.cut_N = gated.cut_N;
+  report.cuts = gated.cuts;
+  report.cut_N = safety::sumOf(gated.cuts);
+  report.v_WT = gated.next.v_WT;
+  report.heat = gated.next.heat;
   report.fault = gated.fault;
+  state.limited = report.cut_N > 0.0 || gated.next.level < 1.0;
 }
 
 }  // namespace underact::tick

@@ -11,7 +11,13 @@ struct TickInput {
   bool has_sample = true;  // false: the arm gave none in time
   bool engage = false;     // the servo is to push
   bool restart = false;    // Start was pressed in this tick: forget the last fault
+  bool late = false;       // this tick started a whole period late
+  Fault fault = {};        // what the servo found wrong before the tick; none: it is the sample that counts
 };
+
+// Time constant of the way from the old gains' force to the new ones'. Three of them are 60 ms: felt as at once, but
+// not as a knock.
+inline constexpr double kBumpless_s = 0.02;
 
 /// One tick: sample -> kinematics -> target -> law -> gate -> force. Everything it knows comes in by its arguments, all
 /// it remembers is in state, all it found out is in report; equal arguments give equal results to the last bit. state:

@@ -44,7 +44,7 @@ inline servo::Snapshot snapshotAt(const Vec3& p_WT, const Vec3& p_WP, const Vec3
   const safety::Gated gated = safety::gate(limits, gate, {f_T_W, true, false, {}}, 0.001);
   report.f_T_W = f_T_W;
   report.force = gated.force;
-  report.cut_N = gated.cut_N;
+  report.cut_N = safety::sumOf(gated.cuts);
   return snapshot;
 }
 

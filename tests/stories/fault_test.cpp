@@ -15,6 +15,7 @@ class LooseCable final : public servo::DevicePort {
       : arm_(options), plugged_in_(plugged_in) {}
   bool read(arm::Sample& sample) noexcept override { return arm_.read(sample) && plugged_in_.load(); }
   void write(const safety::GatedForce& force) noexcept override { arm_.write(force); }
+  void cut() noexcept override { arm_.cut(); }
   servo::DeviceInfo info() const override { return {"Arm on a loose cable", false, true}; }
 
  private:

@@ -88,14 +88,14 @@ TEST(Clamp, NeverAboveTheLimitAndInTheSameDirection) {
 TEST(Gate, OpenAndEngagedTheForcePassesAsItIs) {
   const Gated gated = gate(kLimits, open(), push(kSmall), 1e-3);
   EXPECT_EQ(gated.force.f_T_W(), kSmall);
-  EXPECT_EQ(gated.cut_N, 0.0);
+  EXPECT_EQ(sumOf(gated.cuts), 0.0);
   EXPECT_EQ(gated.fault.kind, FaultKind::None);
   EXPECT_EQ(gated.next.level, 1.0);
 }
 
 TEST(Gate, SaysHowMuchItCut) {
-  EXPECT_NEAR(gate(kLimits, open(), push({3, 4, 0}), 1e-3).cut_N, 5.0 - 0.88, 1e-15);
-  EXPECT_TRUE(std::isfinite(gate(kLimits, open(), push(Vec3::Constant(1.7e308)), 1e-3).cut_N));
+  EXPECT_NEAR(gate(kLimits, open(), push({3, 4, 0}), 1e-3).cuts.clamp_N, 5.0 - 0.88, 1e-15);
+  EXPECT_TRUE(std::isfinite(sumOf(gate(kLimits, open(), push(Vec3::Constant(1.7e308)), 1e-3).cuts)));
 }
 
 TEST(Gate, TheForceRisesInTheRiseTimeAndFallsInTheFallTime) {
@@ -247,7 +247,7 @@ TEST(Gate, WhateverComesInTheForceIsFiniteWithinItsLimitAndZeroInAFault) {
       ASSERT_EQ(f, kZero);
     }
     ASSERT_TRUE(gated.next.level >= 0.0 && gated.next.level <= 1.0);
-    ASSERT_TRUE(std::isfinite(gated.cut_N) && gated.cut_N >= 0.0);
+    ASSERT_TRUE(std::isfinite(sumOf(gated.cuts)) && sumOf(gated.cuts) >= 0.0);
     state = gated.next;
   }
 }

@@ -17,6 +17,7 @@ class ScriptedPort final : public servo::DevicePort {
     std::vector<Vec3> forces;
     std::atomic<std::int64_t> writes{0};
     std::atomic<double> last_size_N{0.0};
+    std::atomic<std::int64_t> cuts{0};
   };
   explicit ScriptedPort(Seen& seen, std::size_t keep = 0) : seen_(seen), keep_(keep) { seen_.forces.reserve(keep); }
 
@@ -35,6 +36,7 @@ class ScriptedPort final : public servo::DevicePort {
     seen_.last_size_N = force.f_T_W().norm();
     ++seen_.writes;
   }
+  void cut() noexcept override { ++seen_.cuts; }
   servo::DeviceInfo info() const override { return {"Scripted", true, false}; }
 
  private:

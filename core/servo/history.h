@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/servo/late.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::servo {
+
+inline constexpr std::size_t kHistories = 4;  // one is written, three may wait to be fetched
+
+/// The last second of ticks, in a ring that has its room from the start.
+class History {
+ public:
+  History() = default;
+  explicit History(std::size_t ticks) : ring_(ticks) {}
+  void add(const TickRecord& record) noexcept UNDERACT_REAL_TIME {
+    ring_[next_] = record;
+    next_ = next_ + 1 < ring_.size() ? next_ + 1 : 0;
+    full_ = full_ || next_ == 0;
+  }
+  void end(const Fault& fault, std::uint64_t revision, const LateTicks& late) noexcept UNDERACT_REAL_TIME {
+    fault_ = fault;
+    revision_ = revision;
+    late_ = late;
+  }
+  void clear() noexcept UNDERACT_REAL_TIME {
+    next_ = 0;
+    full_ = false;
+  }
+  const Fault& fault() const { return fault_; }
+  std::uint64_t revision() const { return revision_; }
+  const LateTicks& late() const { return late_; }
+  std::vector<TickRecord> inOrder() const;  // oldest first
+
+ private:
+  std::vector<TickRecord> ring_;
+  std::size_t next_ = 0;
+  bool full_ = false;
+  Fault fault_;
+  std::uint64_t revision_ = 0;
+  LateTicks late_;
+};
+
+}  // namespace underact::servo

@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace underact::servo {
+
+/// Why a tick started a whole period late, where it can be known.
+enum class LateCause : std::uint8_t {
+  Overrun,    // the tick before took longer than a period
+  Device,     // most of that time went into waiting for the arm
+  PageFault,  // the thread touched memory that was not there
+  Preempted,  // another thread had taken the core
+  Woken,      // none of these: the kernel, or the host of a virtual machine, woke it late
+};
+inline constexpr std::size_t kLateCauses = 5;
+const char* name(LateCause cause);  // "overrun", "device", "page_fault", "preempted", "woken"
+
+/// How a tick began: what the thread knows and the loop does not.
+struct Wake {
+  std::int64_t lateness_ns = 0;
+  std::int64_t left_out = 0;  // deadlines that had passed by then: they are not caught up
+  LateCause cause = LateCause::Woken;
+};
+
+/// Late ticks since the loop was made.
+struct LateTicks {
+  std::int64_t total = 0;
+  std::array<std::int64_t, kLateCauses> by_cause{};
+  std::int64_t left_out = 0;
+};
+
+}  // namespace underact::servo
