@@ -6,8 +6,10 @@
 
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
+#include "core/servo/guard.h"
 #include "core/servo/loop.h"
 #include "core/servo/thread.h"
+#include "core/servo/watchdog.h"
 
 namespace underact::servo {
 
@@ -18,8 +20,23 @@ struct Host::Impl {
         loop(*device, 1'000'000'000 / wanted.rate_hz, static_cast<std::int64_t>(1e9 * wanted.watchdog_s)),
         timing(wanted.rate_hz) {}
   ~Impl() {
-    thread.reset();
+    end();
     for (const Command& command : backlog) delete command.instance;
+  }
+
+  /// The watchers go first: a thread that ends in order has not stood still.
+  void end() {
+    watchdog.reset();
+    thread.reset();
+    loop.beatInto(nullptr);
+    guard.reset();
+  }
+  void begin() {
+    const auto limit_ns = static_cast<std::int64_t>(1e9 * options.watchdog_s);
+    if (limit_ns > 0) guard = Guard::start(device->lastWord(), limit_ns, options.guard_program, no_guard);
+    if (guard) loop.beatInto(&guard->beats());
+    thread.emplace(loop, options.rate_hz, options.scheduling);
+    if (limit_ns > 0) watchdog.emplace(loop, *device, limit_ns);
   }
 
   /// In order, and never lost: what finds no room now goes out with the next call.
@@ -46,7 +63,10 @@ struct Host::Impl {
   HostOptions options;
   std::unique_ptr<DevicePort> device;
   Loop loop;
+  std::unique_ptr<Guard> guard;
+  std::string no_guard;  // why there is none
   std::optional<Thread> thread;
+  std::optional<Watchdog> watchdog;
   std::deque<Command> backlog;
   scene::Description scene;
   std::uint64_t revision = 0;
@@ -110,7 +130,7 @@ bool Host::holdToRun() const {
 Problems Host::restart() {
   const bool was_begun = impl_->thread.has_value();
   stop();
-  impl_->thread.reset();
+  impl_->end();
   Problems problems = impl_->device->reopen();
   if (was_begun) begin();
   return problems;
@@ -151,7 +171,7 @@ void Host::drain(const std::function<void(const TickRecord&)>& row) {
 
 void Host::begin() {
   if (impl_->options.clock == Clock::Thread && !impl_->thread) {
-    impl_->thread.emplace(impl_->loop, impl_->options.rate_hz, impl_->options.scheduling);
+    impl_->begin();
   }
 }
 
@@ -165,7 +185,11 @@ int Host::rateHz() const {
 }
 
 Scheduling Host::scheduling() const {
-  if (impl_->thread) return impl_->thread->scheduling();
+  if (impl_->thread) {
+    Scheduling granted = impl_->thread->scheduling();
+    granted.also.push_back(impl_->guard ? "guarded by a process of its own" : "no guard: " + impl_->no_guard);
+    return granted;
+  }
   return {impl_->options.clock == Clock::Manual ? "manual" : "not begun", "", {}};
 }
 

@@ -190,7 +190,7 @@ void Loop::tick(const Wake& wake) noexcept {
   remember(snapshot);
   snapshot.dropped = dropped_;
   snapshots_.publish();
-  beats_.store(ticks_, std::memory_order_relaxed);
+  beats_->store(ticks_, std::memory_order_relaxed);
 }
 
 void Loop::release() noexcept {

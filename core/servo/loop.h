@@ -57,7 +57,9 @@ class Loop {
 
   // Any thread.
   /// Counts up with each tick: what a watchdog looks at.
-  std::int64_t beats() const noexcept { return beats_.load(std::memory_order_relaxed); }
+  std::int64_t beats() const noexcept { return beats_->load(std::memory_order_relaxed); }
+  /// Counts in memory of somebody else's from now on; null: in its own again. Not while it ticks.
+  void beatInto(std::atomic<std::int64_t>* beats) noexcept { beats_ = beats != nullptr ? beats : &own_beats_; }
   /// The watchdog has cut the force: the tick that follows is a fault.
   void stoodStill(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
 
@@ -79,7 +81,8 @@ class Loop {
   bool was_faulted_ = false;
   std::int64_t period_ns_, watchdog_ns_;
   LateTicks late_;
-  std::atomic<std::int64_t> beats_{0};
+  std::atomic<std::int64_t> own_beats_{0};
+  std::atomic<std::int64_t>* beats_ = &own_beats_;
   std::atomic<std::int64_t> stood_still_ns_{0};
   std::array<History, kHistories> histories_;
   History* history_;  // the one being written

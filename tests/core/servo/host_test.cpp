@@ -57,7 +57,7 @@ TEST(Host, PushesOnlyBetweenStartAndStop) {
   EXPECT_EQ(rig.seen.last_size_N, 0.0);
 }
 
-TEST(Host, AGainReachesTheNextTickAndJumpsNoMoreThanItImplies) {
+TEST(Host, AGainReachesTheNextTickAndFadesInWithoutAStep) {
   Rig rig;
   ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
   rig.host->start();
@@ -66,9 +66,33 @@ TEST(Host, AGainReachesTheNextTickAndJumpsNoMoreThanItImplies) {
   control.gains.kp_N_per_mm.setConstant(0.06);
   ASSERT_TRUE(rig.host->edit(withControl(rig.host->scene(), 0, control)).empty());
   rig.host->run(1);
-  EXPECT_NEAR(rig.seen.last_size_N, 0.6, 1e-9);
   EXPECT_EQ(rig.host->snapshot().revision, rig.host->revision());
-  EXPECT_NEAR(largestStep(rig.seen.forces), 0.1, 1e-9);  // 10 mm times 0.01 N/mm; the ramp's steps are 0.5 N / 300
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5, 1e-9);
+  rig.host->run(20);  // backward Euler: what is left of the step is (20 ms / (20 ms + 1 ms))^20 of it
+  EXPECT_NEAR(rig.seen.last_size_N, 0.6 - 0.1 * std::pow(20.0 / 21.0, 20), 1e-9);
+  rig.host->run(500);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.6, 1e-9);
+  EXPECT_LE(largestStep(rig.seen.forces), 0.1 / 21 + 1e-9);
+}
+
+TEST(Host, AnotherLawTakesOverWithoutAStep) {  // what the integral held is handed over, not dropped
+  Rig rig;
+  scene::Description scene = sphereScene(50);
+  scene.control.law = scene::LawType::PID;
+  scene.control.gains.ki_N_per_mm_s.setConstant(0.01);
+  ASSERT_TRUE(rig.host->load(scene).empty());
+  rig.host->start();
+  rig.host->run(2000);
+  const double before_N = rig.seen.last_size_N;
+  ASSERT_GT(before_N, 0.65);
+  scene.control.law = scene::LawType::PD;
+  scene.control.gains.ki_N_per_mm_s.setZero();
+  ASSERT_TRUE(rig.host->edit(scene).empty());
+  rig.host->run(1);
+  EXPECT_NEAR(rig.seen.last_size_N, before_N, 1e-9);
+  rig.host->run(500);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5, 1e-9);
+  EXPECT_LE(largestStep(rig.seen.forces), before_N / 21);
 }
 
 TEST(Host, AGainChangeKeepsTheIntegral) {
@@ -217,8 +241,10 @@ TEST(Host, AnInfluenceReachesTheNextTickAndTheTargetsWayIsNoRateOfTheError) {
   EXPECT_EQ(rig.host->snapshot().revision, 2U);
   const Vec3 way_W = rig.host->snapshot().report.held[0].p_WP - before_W;
   ASSERT_GT(way_W.norm(), 1e-3);
+  EXPECT_LT((rig.host->snapshot().report.f_T_W - force_before).norm(), 1e-12);  // and no step
   // kp times the way; of kd (2 N s/m) the way in one tick would make some 770 N/m more.
-  EXPECT_LT((rig.host->snapshot().report.f_T_W - force_before - 10.0 * way_W).norm(), 0.05 * 10.0 * way_W.norm());
+  const Vec3 own_T_W = rig.host->snapshot().report.held[0].f_T_W;
+  EXPECT_LT((own_T_W - force_before - 10.0 * way_W).norm(), 0.05 * 10.0 * way_W.norm());
 }
 
 TEST(Host, ARowHasTheAnglesOfTheFirstInfluencedTargetThatActs) {

@@ -1,0 +1,15 @@
+// underact-guard: started by the program for an arm behind a file descriptor; of no use on its own.
+#include <csignal>
+#include <cstdio>
+
+#include "app/guard/watch.h"
+
+int main(int argc, char** argv) {
+  const auto duty = underact::guard::readDuty(argc, argv);
+  if (!duty) {
+    std::fprintf(stderr, "underact-guard is started by underact; by hand it does nothing.\n");
+    return 2;
+  }
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_IGN);  // it outlives the program
+  return underact::guard::watch(*duty);
+}

@@ -1,0 +1,33 @@
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+
+#include "core/servo/loop.h"
+
+namespace underact::servo {
+
+/// Looks at a loop's ticks from a thread of its own. When none came for limit_ns, the device gets zero force, again and
+/// again for as long as ticks are missing, and the loop is told how long that was.
+class Watchdog {
+ public:
+  Watchdog(Loop& loop, DevicePort& device, std::int64_t limit_ns);
+  ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+ private:
+  void run();
+
+  Loop& loop_;
+  DevicePort& device_;
+  std::int64_t limit_ns_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace underact::servo

@@ -1,0 +1,61 @@
+// The servo at work on an arm behind a wire, until it dies. Arguments: the wire's descriptor, the guard, the way to
+// die.
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "core/servo/host.h"
+#include "tests/border/wire_port.h"
+
+namespace {
+
+using namespace underact;
+
+/// Where the arm stands (see border_test.cpp) it is pressed with some 0.4 N.
+scene::Description ball() {
+  scene::Description scene;
+  scene.title = "Ball";
+  scene.constraints.push_back({"ball", scene::Sphere{Vec3::Zero(), 50.8}, target::Side::Both, {}, {}});
+  return scene;
+}
+
+/// A word on standard output for everything that happens: the test listens there.
+void follow(servo::Host& host, const std::string& way) {
+  bool told = false;
+  for (;;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    host.drain([](const servo::TickRecord&) {});
+    const servo::Snapshot& snapshot = host.snapshot();
+    if (const auto fault = host.takeFault()) {
+      std::printf("fault %s\n", name(fault->fault.kind));
+      std::fflush(stdout);
+    }
+    if (snapshot.report.level < 1.0 || told) continue;
+    told = true;
+    std::printf("pushing\n");
+    std::fflush(stdout);
+    if (way == "abort") std::abort();
+    if (way == "segv") std::raise(SIGSEGV);
+    if (way == "exit") std::_Exit(3);
+    if (way == "return") return;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) return 2;
+  servo::HostOptions options;
+  options.guard_program = argv[2];
+  servo::Host host(std::make_unique<test::WirePort>(std::atoi(argv[1])), options);
+  if (!host.load(ball()).empty()) return 2;
+  host.start();
+  host.begin();
+  follow(host, argv[3]);
+  return 0;
+}
