@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -98,7 +99,7 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
   std::array<int, 2> life{-1, -1};
   guard->memory_fd_ = ::memfd_create("underact-beats", MFD_CLOEXEC);
   const bool has_memory = guard->memory_fd_ >= 0 && ::ftruncate(guard->memory_fd_, sizeof(Beats)) == 0;
-  if (!has_memory || ::pipe2(life.data(), O_CLOEXEC) != 0) {
+  if (!has_memory || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, life.data()) != 0) {
     why = std::strerror(errno);
     return nullptr;
   }
@@ -120,7 +121,7 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
 
 Guard::~Guard() {
   if (life_fd_ >= 0) {
-    [[maybe_unused]] const ssize_t written = ::write(life_fd_, &kGuardFarewell, 1);
+    ::send(life_fd_, &kGuardFarewell, 1, MSG_NOSIGNAL);  // it may be gone already, and that must not end us
     ::close(life_fd_);
   }
   if (pid_ > 0) {

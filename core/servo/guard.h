@@ -10,7 +10,7 @@ namespace underact::servo {
 
 /// A process beside the program that outlives it: when the program dies, however it dies, or its ticks stop, the guard
 /// writes the arm's last word. It holds a copy of the arm's file descriptor, sees the ticks in shared memory and the
-/// program's life in a pipe. Linux.
+/// program's life at the other end of a socket. Linux.
 class Guard {
  public:
   /// Starts it. program: where underact-guard is; empty: beside this program, or in libexec/underact. Null where there
