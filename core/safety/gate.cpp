@@ -98,12 +98,14 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   const bool engage = asked.engage && !cuts.frozen && next.letting_go.kind == FaultKind::None;
   next.level = moved(next.level, engage, dt_s, engage ? limits.rise_s : limits.fall_s);
   next.v_WT = followVelocity(state.v_WT, motion.v_WT, dt_s);
-  Vec3 f_T_W = through(asked.f_T_W, clampForce(asked.f_T_W, limits.max_force_N), cuts.clamp_N);
+  Vec3 f_T_W = clampForce(asked.f_T_W, limits.max_force_N);
+  if (f_T_W != asked.f_T_W) cuts.clamp_N = std::max(0.0, sizeOf(asked.f_T_W) - sizeOf(f_T_W));
   f_T_W = through(f_T_W, limitSpeed(limits, next.v_WT, f_T_W), cuts.speed_N);
   f_T_W = through(f_T_W, limitEdge(limits, motion, f_T_W), cuts.edge_N);
   f_T_W = through(f_T_W, limitHeat(limits.thermal, next.heat, motion.J_p, f_T_W), cuts.heat_N);
   const Vec3 ramped_T_W = next.level * f_T_W;
-  next.f_T_W = through(ramped_T_W, limitSlew(limits, next.f_T_W, ramped_T_W, dt_s), cuts.slew_N);
+  const Vec3 last_T_W = clampForce(next.f_T_W, limits.max_force_N);  // another scene may allow less
+  next.f_T_W = through(ramped_T_W, limitSlew(limits, last_T_W, ramped_T_W, dt_s), cuts.slew_N);
   next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, dt_s);
   return {GatedForce{next.f_T_W}, next, cuts, Fault{}};
 }

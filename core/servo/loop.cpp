@@ -146,7 +146,7 @@ void Loop::countLate(const Wake& wake) noexcept {
   ++late_.by_cause[static_cast<std::size_t>(wake.cause)];
 }
 
-/// The last second leaves with the fault that ended it; while nobody has fetched the ones before, the newest is kept.
+/// The last second leaves with the fault that ended it; while three wait to be fetched, a fourth is let go.
 void Loop::remember(const Snapshot& snapshot) noexcept {
   const TickRecord record = recordOf(snapshot);
   if (!records_.push(record)) ++dropped_;

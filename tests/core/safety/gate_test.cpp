@@ -236,9 +236,14 @@ TEST(Gate, WhateverComesInTheForceIsFiniteWithinItsLimitAndZeroInAFault) {
   for (int draw = 0; draw < test::sweep(200000, 10000000); ++draw) {
     const auto any = [&] { return random.below(4) == 0 ? odd[random.below(odd.size())] : random.between(-2.0, 2.0); };
     Asked asked{{any(), any(), any()}, random.below(10) != 0, random.below(10) == 0, {}};
-    if (random.below(10) == 0) asked.fault.kind = static_cast<FaultKind>(random.below(4));
-    Limits limits = kLimits;
+    if (random.below(10) == 0) asked.fault.kind = static_cast<FaultKind>(random.below(kFaultKinds));
+    Limits limits = random.below(2) == 0 ? kLimits : limitsForHands(0.88, Vec3(0.15, 0.15, 0.0));
     limits.max_force_N = random.between(0.0, 3.0);
+    asked.late = random.below(3) != 0;
+    asked.motion.moved = random.below(2) == 0;
+    asked.motion.v_WT = {any(), any(), any()};
+    for (int at = 0; at < 9; ++at) asked.motion.J_p(at / 3, at % 3) = any();
+    asked.motion.room_above_rad = {any(), any(), any()};
     const Gated gated = gate(limits, state, asked, random.between(0.0, 0.05));
     const Vec3 f = gated.force.f_T_W();
     ASSERT_TRUE(f.allFinite());

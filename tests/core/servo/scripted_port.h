@@ -23,7 +23,9 @@ class ScriptedPort final : public servo::DevicePort {
 
   std::function<Vec3(std::int64_t)> tip = [](std::int64_t) { return Vec3(0.0, 0.0, 0.06); };
   std::function<bool(std::int64_t, arm::Sample&)> spoil;
+  std::function<Problems()> opens_again;
   std::int64_t period_ns = 1'000'000;
+  double frozen_s = 0.0;
 
   bool read(arm::Sample& sample) noexcept override {
     ++reads_;
@@ -37,7 +39,8 @@ class ScriptedPort final : public servo::DevicePort {
     ++seen_.writes;
   }
   void cut() noexcept override { ++seen_.cuts; }
-  servo::DeviceInfo info() const override { return {"Scripted", true, false}; }
+  servo::DeviceInfo info() const override { return {"Scripted", true, false, frozen_s}; }
+  Problems reopen() override { return opens_again ? opens_again() : Problems{}; }
 
  private:
   Seen& seen_;
