@@ -78,6 +78,10 @@ class Run {
       summary_.add(record);
       if (csv_) csv_->add(record);
     });
+    if (csv_ && csv_->hasFailed() && !told_) {
+      told_ = true;
+      streams_.err << "The recording stopped: its file takes no more. The run goes on.\n";
+    }
     showProgress();
   }
   bool isDone() const { return summary_.ticks() >= wanted_; }
@@ -98,6 +102,7 @@ class Run {
   const Streams& streams_;
   RunSummary summary_;
   std::int64_t shown_percent_ = -1;
+  bool told_ = false;  // that the recording stopped
 };
 
 void runFast(servo::Host& host, Run& run, const Interrupt& interrupt) {

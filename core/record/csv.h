@@ -17,6 +17,8 @@ class CsvWriter {
   static Result<CsvWriter> open(const std::string& path);
   /// After a failure nothing more is written.
   void add(const servo::TickRecord& record);
+  /// Something could not be written; the sentence comes with close().
+  bool hasFailed() const { return error_ != 0; }
   /// Flushes and closes. Problems: something could not be written; what is there is whole up to a line.
   Problems close();
 

@@ -42,8 +42,9 @@ namespace {
 Fault faultNow(const Limits& limits, const Asked& asked) noexcept UNDERACT_REAL_TIME {
   if (asked.fault.kind != FaultKind::None) return asked.fault;
   if (!isFinite(asked.f_T_W)) return {FaultKind::NotFinite, 0.0, 0.0};
-  const double speed = sizeOf(asked.motion.v_WT);
-  if (speed > limits.max_jump_m_per_s) return {FaultKind::TooFast, speed, limits.max_jump_m_per_s};
+  const Vec3& v_WT = asked.motion.v_WT;
+  if (v_WT.squaredNorm() > limits.max_jump_m_per_s * limits.max_jump_m_per_s)
+    return {FaultKind::TooFast, sizeOf(v_WT), limits.max_jump_m_per_s};
   return {};
 }
 
@@ -104,7 +105,9 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   f_T_W = through(f_T_W, limitEdge(limits, motion, f_T_W), cuts.edge_N);
   f_T_W = through(f_T_W, limitHeat(limits.thermal, next.heat, motion.J_p, f_T_W), cuts.heat_N);
   const Vec3 ramped_T_W = next.level * f_T_W;
-  const Vec3 last_T_W = clampForce(next.f_T_W, limits.max_force_N);  // another scene may allow less
+  Vec3 last_T_W = next.f_T_W;
+  if (last_T_W.squaredNorm() > limits.max_force_N * limits.max_force_N)
+    last_T_W = clampForce(last_T_W, limits.max_force_N);  // another scene allows less
   next.f_T_W = through(ramped_T_W, limitSlew(limits, last_T_W, ramped_T_W, dt_s), cuts.slew_N);
   next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, dt_s);
   return {GatedForce{next.f_T_W}, next, cuts, Fault{}};

@@ -31,8 +31,8 @@ Vec3 followVelocity(const Vec3& last_W, const Vec3& v_WT, double dt_s) noexcept 
 }
 
 Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexcept {
+  if (!(v_WT.squaredNorm() > limits.calm_speed_m_per_s * limits.calm_speed_m_per_s)) return f_T_W;
   const double speed = sizeOf(v_WT);
-  if (!(speed > limits.calm_speed_m_per_s)) return f_T_W;
   const Vec3 along_W = v_WT / speed;
   const double drive_N = f_T_W.dot(along_W);
   if (!(drive_N > 0.0)) return f_T_W;
@@ -85,9 +85,9 @@ Vec3 heated(const Thermal& thermal, const Vec3& heat, const Mat3& J_p, const Vec
 Vec3 limitSlew(const Limits& limits, const Vec3& last_T_W, const Vec3& f_T_W, double dt_s) noexcept {
   const double most_N = limits.max_slew_N_per_s * std::max(0.0, dt_s);
   const Vec3 way_N = f_T_W - last_T_W;
-  const double size_N = way_N.norm();
-  if (!(size_N > most_N)) return f_T_W;  // an infinite limit times no time is no number, and limits nothing
-  return last_T_W + (most_N / size_N) * way_N;
+  const double square = way_N.squaredNorm();
+  if (!(square > most_N * most_N)) return f_T_W;  // an infinite limit times no time is no number, and limits nothing
+  return last_T_W + (most_N / std::sqrt(square)) * way_N;
 }
 
 }  // namespace underact::safety

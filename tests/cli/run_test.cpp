@@ -170,7 +170,7 @@ TEST(Run, WrongUsageIsToldWithStatus2) {
       {"--hand", "still", "--seconds", "nan"},
       {"--hand", "still", "--seconds", "inf"},
       {"--hand", "still", "--seconds", "1", "--rate", "99"},
-      {"--hand", "still", "--seconds", "1", "--rate", "4001"},
+      {"--hand", "still", "--seconds", "1", "--rate", "10001"},
       {"--hand", "still", "--seconds", "1", "--arm-model", "wood"},
       {"--hand", "still", "--seconds", "1", "--seed", "-1"},
       {"--hand", "still", "--seconds", "1", "--record", "session.h5"},
@@ -192,6 +192,19 @@ TEST(Run, FilesThatCannotBeReadOrWrittenGiveStatus4) {
   EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast"}, "no_such_scene.json").exit, Exit::File);
   EXPECT_EQ(run({"--hand", "/nowhere/hand.json", "--seconds", "1", "--fast"}).exit, Exit::File);
   EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/nowhere/a.csv"}).exit, Exit::File);
+}
+
+TEST(Run, AFullDiskIsToldAtOnceAndTheRunGoesOnToItsEnd) {
+  const std::filesystem::path link = std::filesystem::temp_directory_path() / "underact_full_disk.csv";
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink("/dev/full", link);
+  const Outcome outcome = run({"--hand", "still", "--seconds", "2", "--fast", "--record", link.string()});
+  std::filesystem::remove(link);
+  EXPECT_EQ(outcome.exit, Exit::File);
+  EXPECT_NE(outcome.err.find("The recording stopped"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("No space left"), std::string::npos) << outcome.err;
+  EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 2000.0);
+  EXPECT_TRUE(lines(outcome.out).at(0).find("faults") != nullptr);
 }
 
 TEST(Run, ABadSceneOrHandGivesStatus1) {

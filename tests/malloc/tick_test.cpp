@@ -99,6 +99,12 @@ TEST(Tick, AllocatesFreesAndLocksNothingWhateverTheScene) {
   }
 }
 
+TEST(Tick, WithTheLimitsOfAHandToo) {
+  expectQuiet(makeProgram(test::thesisGeometry(), {hold(test::middleShapes()[1], test::everyLaw()[2])}, Combine::Sum,
+                          safety::limitsForHands(0.88, Vec3(0.15, 0.11, 0.13)),
+                          arm::findPreset(arm::kDefaultArm)->limits));
+}
+
 TEST(Tick, WithInfluenceToo) {
   for (const shape::Shape& shape : test::middleShapes()) {
     Entry entry = hold(shape, test::everyLaw()[2]);
