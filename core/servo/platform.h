@@ -18,7 +18,7 @@ void nameThread(const char* name) noexcept;
 bool runOnCore(int core) noexcept;
 
 /// Asks for all that is wanted, for the calling thread, which is to tick rate_hz times a second, and touches its stack.
-/// Gives what the system granted. May wait some 2 s for another process to answer (rtkit).
+/// Gives what the system granted. May wait some 3 s for another process to answer (rtkit).
 Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz);
 
 /// What the system has done to the calling thread since it began; 0 where a system does not count by thread.

@@ -82,7 +82,7 @@ Place takeCore(int wanted, std::vector<std::string>& also) {
   }
   if (!runOnCore(core)) {
     also.push_back("core " + std::to_string(core) + " refused");
-    return Place::Refused;
+    return wanted >= 0 ? Place::Refused : Place::AllCores;  // an isolated one that is not for us
   }
   if (wanted >= 0) {
     also.push_back("core " + std::to_string(core));
