@@ -8,10 +8,12 @@
 #include <thread>
 #include <utility>
 
+#include "app/cli/arm_models.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/scheduling_options.h"
 #include "core/arm/preset.h"
 #include "core/record/csv.h"
 #include "core/scene/compile.h"
@@ -37,6 +39,7 @@ struct RunOptions {
   std::string record;
   std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
+  servo::SchedulingWanted scheduling;
 };
 
 /// "name: sentence" a line, for --help.
@@ -194,7 +197,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
   const Interrupt interrupt;
   servo::Host host(makeArm(options, *prepared),
-                   {options.rate_hz, options.fast ? servo::Clock::Manual : servo::Clock::Thread});
+                   {options.rate_hz, options.fast ? servo::Clock::Manual : servo::Clock::Thread, options.scheduling});
   const Problems problems = host.load(prepared->scene.description);
   if (!problems.empty()) {
     print(problems, streams.err);
@@ -221,12 +224,6 @@ std::string checkSeconds(const std::string& text) {
   return "must be a number of seconds above 0, at most 1e6";
 }
 
-std::vector<std::string> armModelNames() {
-  std::vector<std::string> names;
-  for (const sim::ArmModel& model : sim::armModels()) names.emplace_back(model.name);
-  return names;
-}
-
 }  // namespace
 
 void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
@@ -247,9 +244,8 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--record", options->record, "Write every tick to this file; its name must end in .csv");
   command->add_option("--space", options->space, "Where the control works, in place of what the scene says")
       ->check(CLI::IsMember({"cartesian", "joint"}));
-  command->add_option("--arm-model", options->arm_model, "What the simulated arm is made of")
-      ->capture_default_str()
-      ->check(CLI::IsMember(armModelNames()));
+  addArmModelOption(*command, options->arm_model);
+  addSchedulingOptions(*command, options->scheduling);
   command->footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
                   listOf("Arm models:", sim::armModels(), &sim::ArmModel::title));
   command->callback([options, &streams, &exit] { exit = runScene(*options, streams); });

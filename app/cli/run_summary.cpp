@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/percentiles_json.h"
 #include "core/base/units.h"
 
 namespace underact::cli {
@@ -13,15 +14,6 @@ JsonObject faultAt(const servo::TickRecord& record) {
   object.addNumber("time_s", kSecondPerNanosecond * static_cast<double>(record.time_ns));
   object.addText("kind", name(record.fault));
   object.addText("sentence", describe(Fault{record.fault}));
-  return object;
-}
-
-JsonObject percentiles(const servo::Percentiles& values) {
-  JsonObject object;
-  object.addNumber("p50", values.p50_us);
-  object.addNumber("p99", values.p99_us);
-  object.addNumber("p99.9", values.p999_us);
-  object.addNumber("max", values.max_us);
   return object;
 }
 
@@ -65,8 +57,8 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addInteger("branch_changes", branch_changes_);
   object.addInteger("out_of_reach_ticks", out_of_reach_);
   object.addList("faults", faults_);
-  object.addObject("lateness_us", percentiles(setting.fast ? kNoPercentiles : lateness_.percentiles()));
-  object.addObject("tick_us", percentiles(tick_time_.percentiles()));
+  object.addObject("lateness_us", percentilesObject(setting.fast ? kNoPercentiles : lateness_.percentiles()));
+  object.addObject("tick_us", percentilesObject(tick_time_.percentiles()));
   object.addText("scheduling", setting.scheduling);
   return object;
 }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <utility>
 
+#include "core/base/denormals.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/servo/guard.h"
@@ -177,6 +178,7 @@ void Host::begin() {
 
 void Host::run(std::int64_t ticks) {
   impl_->flush();
+  const FlushDenormals flush;  // as the servo thread does: the same bits
   for (std::int64_t tick = 0; tick < ticks; ++tick) impl_->loop.tick({});
 }
 

@@ -170,6 +170,7 @@ void Loop::tick(const Wake& wake) noexcept {
   tick::TickInput input;
   input.fault = faultOf(wake);
   input.late = wake.lateness_ns >= period_ns_;
+  const std::int64_t asked_ns = monotonicNow_ns();
   input.has_sample = device_.read(input.sample);
   const bool held = !hold_to_run_ || (input.sample.buttons & 1U) != 0;
   input.engage = engaged_ && held && waiting_ == nullptr;
@@ -177,6 +178,7 @@ void Loop::tick(const Wake& wake) noexcept {
   restart_ = false;
   Snapshot& snapshot = snapshots_.back();
   const std::int64_t begin_ns = monotonicNow_ns();
+  read_ns_ = begin_ns - asked_ns;
   tick::step(current_->program, input, current_->state, snapshot.report);
   device_.write(snapshot.report.force);
   snapshot.tick_ns = monotonicNow_ns() - begin_ns;

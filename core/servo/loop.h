@@ -45,6 +45,8 @@ class Loop {
   void tick(const Wake& wake) noexcept UNDERACT_REAL_TIME;
   /// Zero force, for the end.
   void release() noexcept UNDERACT_REAL_TIME;
+  /// How long the last tick waited for the arm's sample.
+  std::int64_t lastRead_ns() const noexcept { return read_ns_; }
 
   // The other side: one thread.
   bool send(const Command& command);  // false: no room; try again later
@@ -88,6 +90,7 @@ class Loop {
   History* history_;  // the one being written
   std::int64_t ticks_ = 0;
   std::int64_t dropped_ = 0;
+  std::int64_t read_ns_ = 0;
   Slot<Snapshot> snapshots_;
   boost::lockfree::spsc_queue<Command> commands_;
   boost::lockfree::spsc_queue<Instance*> retired_;

@@ -3,29 +3,36 @@
 #include <future>
 #include <thread>
 
-#include "core/servo/host.h"
 #include "core/servo/loop.h"
 #include "core/servo/scheduling.h"
 
 namespace underact::servo {
 
-/// The servo thread: ticks a loop on absolute deadlines of CLOCK_MONOTONIC, with the best scheduling that the system
+/// The servo thread: ticks a loop on absolute deadlines of monotonicNow_ns(), with the best scheduling that the system
 /// grants. A late tick is not caught up in a burst: the deadlines that passed are left out.
 class Thread {
  public:
+  /// rate_hz: 100 to 10000.
   Thread(Loop& loop, int rate_hz, const SchedulingWanted& wanted);
   ~Thread();  // zero force, then the thread ends
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
   const Scheduling& scheduling() const { return scheduling_; }
 
+  /// Zero force within a period, and no tick until resume(), which begins with a fresh deadline.
+  void rest();
+  void resume();
+
  private:
+  enum class Wish : std::uint8_t { Tick, Rest, End };
+  void tell(Wish wish);
   void run(std::promise<Scheduling> granted);
+  void tickWhileWished();
 
   Loop& loop_;
-  std::int64_t period_ns_;
+  int rate_hz_;
   SchedulingWanted wanted_;
-  std::atomic<bool> ends_{false};
+  std::atomic<Wish> wish_{Wish::Tick};
   Scheduling scheduling_;
   std::thread thread_;
 };

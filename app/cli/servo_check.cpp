@@ -1,0 +1,175 @@
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <utility>
+
+#include "app/cli/arm_models.h"
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/percentiles_json.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/scheduling_options.h"
+#include "core/arm/preset.h"
+#include "core/scene/compile.h"
+#include "core/servo/check.h"
+#include "core/sim/hand_script.h"
+#include "device/simulated_arm.h"
+
+namespace underact::cli {
+namespace {
+
+constexpr int kLongest_s = 86'400;
+
+struct Options {
+  servo::CheckOptions check;
+  std::string scene;  // empty: defaultScene()
+  std::string arm_model{sim::kDefaultArmModel};
+  bool json = false;
+};
+
+scene::Description defaultScene() {
+  scene::Description scene;
+  scene.title = "Sphere";
+  scene.constraints.push_back({"sphere", scene::Sphere{Vec3::Zero(), 50.0}, target::Side::Both, {}, {}});
+  return scene;
+}
+
+Result<LoadedScene> sceneOf(const Options& options) {
+  if (!options.scene.empty()) return loadScene(options.scene);
+  LoadedScene loaded{defaultScene(), {}};
+  Result<tick::TickProgram> program = scene::compile(loaded.description);
+  if (!program) return program.problems();
+  loaded.program = std::move(program).value();
+  return loaded;
+}
+
+device::SimulatedArm::Options armOf(const Options& options, const scene::Description& scene,
+                                    const sim::HandScript& hand) {
+  device::SimulatedArm::Options arm;
+  arm.arm = *arm::findPreset(scene.arm);
+  arm.model = *sim::findArmModel(options.arm_model);
+  arm.hand = hand.hand;
+  arm.rate_hz = options.check.rate_hz;
+  return arm;
+}
+
+JsonObject lateObject(const servo::LateTicks& late) {
+  JsonObject object;
+  for (std::size_t cause = 0; cause < servo::kLateCauses; ++cause) {
+    object.addInteger(servo::name(static_cast<servo::LateCause>(cause)), late.by_cause[cause]);
+  }
+  return object;
+}
+
+JsonObject asJson(const servo::CheckResult& result, const Options& options) {
+  JsonObject object;
+  object.addObject("floor_us", percentilesObject(result.floor));
+  object.addObject("servo_us", percentilesObject(result.servo));
+  object.addObject("tick_us", percentilesObject(result.tick_time));
+  object.addText("scheduling", result.scheduling.name);
+  object.addTexts("scheduling_also", result.scheduling.also);
+  object.addText("hint", result.scheduling.hint);
+  object.addInteger("late_ticks", result.late.total);
+  object.addObject("late_ticks_by_cause", lateObject(result.late));
+  object.addInteger("left_out_ticks", result.late.left_out);
+  object.addInteger("ticks", result.ticks);
+  object.addInteger("rate_hz", options.check.rate_hz);
+  object.addNumber("seconds", result.seconds);
+  object.addBool("load", options.check.load);
+  return object;
+}
+
+void printRow(std::ostream& out, const char* name, const servo::Percentiles& values) {
+  out << std::left << std::setw(26) << name << std::right << std::fixed << std::setprecision(1);
+  for (const double value_us : {values.p50_us, values.p99_us, values.p999_us, values.max_us}) {
+    out << std::setw(11) << value_us;
+  }
+  out << '\n';
+}
+
+void printRatios(std::ostream& out, const servo::CheckResult& result) {
+  out << std::left << std::setw(26) << "servo / bare loop" << std::right << std::fixed << std::setprecision(2)
+      << std::setw(22) << result.servo.p99_us / result.floor.p99_us << std::setw(11)
+      << result.servo.p999_us / result.floor.p999_us << '\n';
+}
+
+void printTable(std::ostream& out, const servo::CheckResult& result, const Options& options) {
+  out << "Scheduling: " << result.scheduling.name;
+  for (const std::string& phrase : result.scheduling.also) out << ", " << phrase;
+  out << '\n'
+      << result.ticks << " ticks at " << options.check.rate_hz << " Hz, in " << std::fixed << std::setprecision(1)
+      << result.seconds << " s shared with a bare loop" << (options.check.load ? ", each core kept busy" : "")
+      << "\n\n";
+  out << std::left << std::setw(26) << "us" << std::right;
+  for (const char* column : {"p50", "p99", "p99.9", "max"}) out << std::setw(11) << column;
+  out << '\n';
+  printRow(out, "lateness of a bare loop", result.floor);
+  printRow(out, "lateness of the servo", result.servo);
+  printRatios(out, result);
+  printRow(out, "time that a tick takes", result.tick_time);
+  out << "\nA period or more late: " << result.late.total;
+  const char* separator = " (";
+  for (std::size_t cause = 0; cause < servo::kLateCauses; ++cause) {
+    if (result.late.by_cause[cause] == 0) continue;
+    out << separator << servo::name(static_cast<servo::LateCause>(cause)) << ' ' << result.late.by_cause[cause];
+    separator = ", ";
+  }
+  out << (result.late.total > 0 ? ")" : "") << "; left out: " << result.late.left_out << '\n';
+}
+
+/// progress for checkServo(): tells how far it is, and ends it on Ctrl+C.
+std::function<bool(double)> reporter(const Streams& streams, const Interrupt& interrupt) {
+  return [&streams, &interrupt, shown_percent = -1](double share) mutable {
+    const int percent = static_cast<int>(100.0 * share);
+    if (streams.progress && percent != shown_percent) {
+      shown_percent = percent;
+      streams.err << '\r' << percent << " %" << (share >= 1.0 ? "\n" : "") << std::flush;
+    }
+    return !interrupt.came();
+  };
+}
+
+Exit checkIt(const Options& options, const Streams& streams) {
+  Result<LoadedScene> scene = sceneOf(options);
+  if (!scene) {
+    print(scene.problems(), streams.err);
+    return exitOf(scene.problems());
+  }
+  sim::HandScript hand = sim::builtInHand("sweep", 1).value();
+  device::SimulatedArm arm(armOf(options, scene.value().description, hand));
+  arm.follow(std::move(hand));
+  const Interrupt interrupt;
+  const servo::CheckResult result =
+      servo::checkServo(arm, std::move(scene.value().program), options.check, reporter(streams, interrupt));
+  if (options.json) {
+    streams.out << asJson(result, options).text() << '\n';
+    return Exit::Well;
+  }
+  printTable(streams.out, result, options);
+  if (!result.scheduling.hint.empty()) streams.err << result.scheduling.hint << '\n';
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "servo-check", "Measure how late the servo's ticks are, beside the least this machine can do");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--seconds", options->check.seconds, "How long in all; half of it is the bare loop's")
+      ->capture_default_str()
+      ->check(CLI::Range(1, kLongest_s));
+  command->add_option("--rate", options->check.rate_hz, "Ticks a second")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 10000));
+  command->add_flag("--load", options->check.load, "Keep each core busy meanwhile");
+  command->add_option("--scene", options->scene, "Scene file; without it a sphere");
+  addArmModelOption(*command, options->arm_model);
+  addSchedulingOptions(*command, options->check.scheduling);
+  command->add_flag("--json", options->json, "One JSON object in place of the table");
+  command->callback([options, &streams, &exit] { exit = checkIt(*options, streams); });
+}
+
+}  // namespace underact::cli

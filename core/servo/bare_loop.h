@@ -1,0 +1,36 @@
+#pragma once
+#include <atomic>
+#include <semaphore>
+#include <thread>
+
+#include "core/servo/histogram.h"
+#include "core/servo/scheduling.h"
+
+namespace underact::servo {
+
+/// A thread that wakes on deadlines as the servo thread does, notes how late it is, and does nothing else: what this
+/// machine can do at best. It shares the port to the system with the servo thread, and no other line of code. At rest
+/// until resume().
+class BareLoop {
+ public:
+  BareLoop(int rate_hz, const SchedulingWanted& wanted);
+  ~BareLoop();
+  BareLoop(const BareLoop&) = delete;
+  BareLoop& operator=(const BareLoop&) = delete;
+  void resume();
+  void rest();
+  /// Ends the thread; the lateness of each wake.
+  const Histogram& end();
+
+ private:
+  enum class Wish : std::uint8_t { Rest, Wake, End };
+  void tell(Wish wish);
+  void run(int rate_hz, const SchedulingWanted& wanted, std::binary_semaphore& ready);
+  void wakeWhileWished(std::int64_t period_ns);
+
+  std::atomic<Wish> wish_{Wish::Rest};
+  Histogram lateness_;
+  std::thread thread_;
+};
+
+}  // namespace underact::servo

@@ -1,0 +1,26 @@
+#pragma once
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace underact::servo {
+
+/// While one lives, each core has a thread that computes and moves memory without a pause, at normal priority.
+class Busy {
+ public:
+  Busy();
+  ~Busy();
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+  /// How often the threads have gone through their memory.
+  long rounds() const { return rounds_.load(std::memory_order_relaxed); }
+
+ private:
+  void work(int core);
+
+  std::atomic<bool> ends_{false};
+  std::atomic<long> rounds_{0};
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace underact::servo

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+
+#include "core/servo/clock.h"
+#include "core/servo/scheduling.h"
+
+// What the servo asks of the operating system, and nothing else: platform_linux.cpp, platform_windows.cpp and
+// platform_macos.cpp each answer all of it (monotonicNow_ns() of clock.h, too). Only Linux is tested.
+namespace underact::servo::platform {
+
+/// Returns once monotonicNow_ns() has reached deadline_ns; at once where it has passed.
+void sleepUntil(std::int64_t deadline_ns) noexcept;
+
+/// The calling thread's name, for debuggers and system monitors; at most 15 characters.
+void nameThread(const char* name) noexcept;
+
+/// Runs the calling thread on one core alone. false: refused, or there is no such core.
+bool runOnCore(int core) noexcept;
+
+/// Asks for all that is wanted, for the calling thread, which is to tick rate_hz times a second, and touches its stack.
+/// Gives what the system granted. May wait some 3 s for another process to answer (rtkit).
+Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz);
+
+/// What the system has done to the calling thread since it began; 0 where a system does not count by thread.
+struct Interruptions {
+  std::int64_t page_faults = 0;
+  std::int64_t preemptions = 0;  // the core was taken away from it
+};
+Interruptions interruptions() noexcept;
+
+}  // namespace underact::servo::platform

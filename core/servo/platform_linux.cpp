@@ -1,0 +1,53 @@
+#ifdef __linux__
+#include <pthread.h>
+#include <sched.h>
+#include <sys/resource.h>
+
+#include <ctime>
+
+#include "core/servo/platform.h"
+
+namespace underact::servo {
+
+std::int64_t monotonicNow_ns() noexcept {
+#if defined(__clang__) && __clang_major__ >= 20
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wfunction-effects"
+#endif
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+#if defined(__clang__) && __clang_major__ >= 20
+#pragma clang diagnostic pop
+#endif
+  return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
+namespace platform {
+
+void sleepUntil(std::int64_t deadline_ns) noexcept {
+  const timespec at{static_cast<time_t>(deadline_ns / 1'000'000'000), static_cast<long>(deadline_ns % 1'000'000'000)};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) != 0) {  // a signal came
+  }
+}
+
+void nameThread(const char* name) noexcept {
+  pthread_setname_np(pthread_self(), name);
+}
+
+bool runOnCore(int core) noexcept {
+  if (core < 0 || core >= CPU_SETSIZE) return false;
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  CPU_SET(static_cast<std::size_t>(core), &cores);
+  return pthread_setaffinity_np(pthread_self(), sizeof cores, &cores) == 0;
+}
+
+Interruptions interruptions() noexcept {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return {usage.ru_minflt + usage.ru_majflt, usage.ru_nivcsw};
+}
+
+}  // namespace platform
+}  // namespace underact::servo
+#endif

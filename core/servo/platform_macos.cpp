@@ -1,0 +1,82 @@
+#ifdef __APPLE__
+#include <mach/mach.h>
+#include <mach/mach_time.h>
+#include <mach/thread_policy.h>
+#include <pthread.h>
+
+#include <string>
+
+#include "core/servo/platform.h"
+
+// Never compiled and never run: written after Apple's reference (Technical Note TN2169).
+namespace underact::servo {
+namespace {
+
+mach_timebase_info_data_t timebase() noexcept {
+  static const mach_timebase_info_data_t kBase = [] {
+    mach_timebase_info_data_t base{};
+    mach_timebase_info(&base);
+    return base;
+  }();
+  return kBase;
+}
+
+// 128 bits: on Apple's own processors a step is 125/3 ns, and the product would overflow after some years.
+std::int64_t fromMach_ns(std::uint64_t steps) noexcept {
+  const mach_timebase_info_data_t base = timebase();
+  return static_cast<std::int64_t>(static_cast<unsigned __int128>(steps) * base.numer / base.denom);
+}
+
+std::uint64_t toMach(std::int64_t ns) noexcept {
+  const mach_timebase_info_data_t base = timebase();
+  return static_cast<std::uint64_t>(static_cast<unsigned __int128>(ns) * base.denom / base.numer);
+}
+
+}  // namespace
+
+std::int64_t monotonicNow_ns() noexcept {
+  return fromMach_ns(mach_absolute_time());
+}
+
+namespace platform {
+
+void sleepUntil(std::int64_t deadline_ns) noexcept {
+  while (monotonicNow_ns() < deadline_ns) mach_wait_until(toMach(deadline_ns));
+}
+
+void nameThread(const char* name) noexcept {
+  pthread_setname_np(name);
+}
+
+bool runOnCore(int /*core*/) noexcept {
+  return false;  // macOS lets no thread choose its core
+}
+
+Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz) {
+  Scheduling granted{
+      "normal", "On macOS the servo has never been tried: what it reports of lateness is all that is known.", {}};
+  granted.also.emplace_back(wanted.core >= 0 ? "core " + std::to_string(wanted.core) + " refused" : "all cores");
+  granted.also.emplace_back("memory not locked");
+  if (wanted.way != Way::Normal) {
+    const std::int64_t period_ns = 1'000'000'000 / rate_hz;
+    thread_time_constraint_policy_data_t policy{};
+    policy.period = static_cast<std::uint32_t>(toMach(period_ns));
+    policy.computation = static_cast<std::uint32_t>(toMach(period_ns / 5));  // a tick takes some 20 us at worst
+    policy.constraint = static_cast<std::uint32_t>(toMach(period_ns / 2));
+    policy.preemptible = 1;
+    const kern_return_t answer =
+        thread_policy_set(pthread_mach_thread_np(pthread_self()), THREAD_TIME_CONSTRAINT_POLICY,
+                          reinterpret_cast<thread_policy_t>(&policy), THREAD_TIME_CONSTRAINT_POLICY_COUNT);
+    if (answer == KERN_SUCCESS) granted.name = "time constraint";
+  }
+  granted.also.emplace_back("untested");
+  return granted;
+}
+
+Interruptions interruptions() noexcept {
+  return {};  // macOS counts them by process only
+}
+
+}  // namespace platform
+}  // namespace underact::servo
+#endif

@@ -1,0 +1,148 @@
+#ifdef __linux__
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "core/servo/cores.h"
+#include "core/servo/platform.h"
+#include "core/servo/rtkit.h"
+
+namespace underact::servo::platform {
+namespace {
+
+constexpr int kPriority = 80;                    // above what a desktop runs, below the kernel's own threads (99)
+constexpr std::size_t kStackBytes = 256 * 1024;  // several times what the deepest tick takes
+
+constexpr const char* kLimits = "a file in /etc/security/limits.d and log in again";
+constexpr const char* kPage = "the guide's page real_time.md tells how.";
+
+/// Where it is granted: FIFO at kPriority, or as near to it as the limit of this login allows. 0: not granted.
+int askForFifo() {
+  rlimit limit{};
+  getrlimit(RLIMIT_RTPRIO, &limit);
+  const int allowed = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, kPriority));
+  for (const int priority : {kPriority, allowed}) {
+    const sched_param wanted{priority};
+    if (priority > 0 && pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0) return priority;
+  }
+  return 0;
+}
+
+void beNormal() {
+  const sched_param none{};
+  pthread_setschedparam(pthread_self(), SCHED_OTHER, &none);  // a new thread inherits what its maker has
+}
+
+/// Whether this process may lock more than its limit says: unlimited, or privileged. Tried on pages nobody may touch,
+/// which therefore cost nothing.
+bool mayLockEverything() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
+  if (limit.rlim_cur == RLIM_INFINITY) return true;
+  const std::size_t beyond_bytes = static_cast<std::size_t>(limit.rlim_cur) + static_cast<std::size_t>(getpagesize());
+  void* probe = mmap(nullptr, beyond_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_LOCKED, -1, 0);
+  if (probe == MAP_FAILED) return false;
+  munmap(probe, beyond_bytes);
+  return true;
+}
+
+/// Where there is a limit, MCL_FUTURE would make allocations fail once it is reached, long after this.
+bool lockMemory() {
+  return mayLockEverything() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+}
+
+[[gnu::noinline]] void touchStack() noexcept {
+  std::array<volatile char, kStackBytes> stack;
+  for (std::size_t at = 0; at < stack.size(); at += 1024) stack[at] = 0;
+}
+
+std::optional<int> isolatedCore() {
+  std::ifstream file("/sys/devices/system/cpu/isolated");
+  const std::string list{std::istreambuf_iterator<char>(file), {}};
+  return firstCore(list);
+}
+
+enum class Place : std::uint8_t { AllCores, OneCore, IsolatedCore, Refused };
+
+Place takeCore(int wanted, std::vector<std::string>& also) {
+  const std::optional<int> isolated = isolatedCore();
+  const int core = wanted >= 0 ? wanted : isolated.value_or(-1);
+  if (core < 0) {
+    also.emplace_back("all cores");
+    return Place::AllCores;
+  }
+  if (!runOnCore(core)) {
+    also.push_back("core " + std::to_string(core) + " refused");
+    return wanted >= 0 ? Place::Refused : Place::AllCores;  // an isolated one that is not for us
+  }
+  if (wanted >= 0) {
+    also.push_back("core " + std::to_string(core));
+    return Place::OneCore;
+  }
+  also.push_back("isolated core " + std::to_string(core));
+  return Place::IsolatedCore;
+}
+
+/// The name of what was granted. priority: that of FIFO, else 0.
+std::string takeWay(Way way, std::vector<std::string>& also, int& priority) {
+  beNormal();
+  priority = way == Way::Auto || way == Way::Fifo ? askForFifo() : 0;
+  if (priority > 0) return "FIFO " + std::to_string(priority);
+  if (way == Way::Auto || way == Way::Rtkit) {
+    const RtkitAnswer answer = askRtkit();
+    if (answer.priority > 0) return "rtkit " + std::to_string(answer.priority);
+    also.push_back("rtkit: " + answer.refusal);
+  }
+  return "normal";
+}
+
+std::string hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked, Place place) {
+  const std::string limits =
+      std::string("Put \"@users - rtprio 90\" and \"@users - memlock unlimited\" into ") + kLimits;
+  if (place == Place::Refused) return "The core that was asked for is not there, or not for this program.";
+  if (granted.name == "normal" && wanted.way == Way::Normal)
+    return "Real time was not asked for, so ticks can come late when the machine is busy.";
+  if (granted.name == "normal") {
+    return "The system did not grant real-time scheduling, so ticks can come late when the machine is busy. " + limits +
+           ", or install rtkit; " + kPage;
+  }
+  if (priority < kPriority) return "A higher priority would be better still. " + limits + "; " + kPage;
+  if (wanted.lock_memory && !locked) {
+    return std::string(
+               "Parts of the program may leave the memory, and a tick then waits for them. Put \"@users - memlock "
+               "unlimited\" into ") +
+           kLimits + "; " + kPage;
+  }
+  if (place == Place::IsolatedCore) return {};
+  return std::string("On a machine that is always busy, a core for the servo alone (isolcpus) is better still; ") +
+         kPage;
+}
+
+}  // namespace
+
+Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
+  Scheduling granted;
+  int priority = 0;
+  const Place place = takeCore(wanted.core, granted.also);
+  const bool locked = wanted.lock_memory && lockMemory();
+  granted.also.emplace_back(locked ? "memory locked" : "memory not locked");
+  // Without real time the kernel puts every wait off by 50 us, so as to wake less often.
+  granted.also.emplace_back(prctl(PR_SET_TIMERSLACK, 1UL) == 0 ? "timer slack 1 ns" : "timer slack as it was");
+  touchStack();
+  granted.also.emplace_back("stack in memory");
+  granted.name = takeWay(wanted.way, granted.also, priority);
+  granted.hint = hintFor(granted, wanted, priority, locked, place);
+  return granted;
+}
+
+}  // namespace underact::servo::platform
+#endif
