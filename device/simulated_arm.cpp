@@ -42,7 +42,7 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
   sample.time_ns = time_ns;
   sample.q_rad = plant_.model.encoders ? sim::throughEncoders(plant_.arm.counts_per_turn, state_.q_rad) : state_.q_rad;
-  sample.buttons = 0;
+  sample.buttons = button_.load(std::memory_order_relaxed) ? 1U : 0U;
   return true;
 }
 

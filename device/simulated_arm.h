@@ -27,6 +27,10 @@ class SimulatedArm final : public servo::DevicePort {
   void cut() noexcept UNDERACT_REAL_TIME override;
   servo::DeviceInfo info() const override;
 
+  /// The stylus button nearer to the tip (bit 0 of a sample's buttons) is held, or not, from the next read() on. Any
+  /// thread.
+  void holdButton(bool held) { button_.store(held, std::memory_order_relaxed); }
+
   /// The hand follows a script from the next read() on; if that is the first one, the arm rests where the script
   /// begins. Before the servo thread starts only.
   void follow(sim::HandScript script);
@@ -44,6 +48,7 @@ class SimulatedArm final : public servo::DevicePort {
   std::int64_t reads_ = 0;
   Vec3 f_T_W_ = Vec3::Zero();
   std::atomic<bool> is_cut_{false};
+  std::atomic<bool> button_{false};
   sim::HandScript script_;
   std::int64_t script_start_ns_ = 0;
   bool scripted_ = false;

@@ -16,6 +16,7 @@
 #include "app/cli/scheduling_options.h"
 #include "core/arm/preset.h"
 #include "core/record/csv.h"
+#include "core/record/fault_file.h"
 #include "core/scene/compile.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
@@ -37,6 +38,7 @@ struct RunOptions {
   bool fast = false;
   std::uint64_t seed = 1;
   std::string record;
+  std::string fault_file;
   std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
   servo::SchedulingWanted scheduling;
@@ -87,6 +89,7 @@ class Run {
     }
     showProgress();
   }
+  void tell(const servo::FaultReport& report) { summary_.tell(report.tick, report.fault); }
   bool isDone() const { return summary_.ticks() >= wanted_; }
   std::int64_t left() const { return wanted_ - summary_.ticks(); }
   const RunSummary& summary() const { return summary_; }
@@ -120,6 +123,19 @@ void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt) {
     std::this_thread::sleep_for(kPause);
     run.take(host);
   }
+}
+
+/// Has the summary tell of every fault, and keeps the first in a file where one was asked for.
+Problems tellFaults(servo::Host& host, Run& run, const std::string& file) {
+  Problems problems;
+  bool first = run.summary().faulted();  // one that came after the last tick asked for is none of this run
+  while (const std::optional<servo::FaultReport> report = host.takeFault()) {
+    run.tell(*report);
+    if (first && !file.empty())
+      problems = record::writeFaultFile(record::faultText(*report, record::wordsOf(report->fault)), file);
+    first = false;
+  }
+  return problems;
 }
 
 struct Prepared {
@@ -210,9 +226,11 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
   }
+  const Problems unkept = tellFaults(host, run, options.fault_file);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
   streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling}).text() << '\n';
-  const Problems unwritten = run.closeRecording();
+  Problems unwritten = run.closeRecording();
+  unwritten.insert(unwritten.end(), unkept.begin(), unkept.end());
   print(unwritten, streams.err);
   if (run.summary().faulted()) return Exit::Fault;
   return unwritten.empty() ? Exit::Well : Exit::File;
@@ -242,6 +260,8 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command->add_option("--record", options->record, "Write every tick to this file; its name must end in .csv");
+  command->add_option("--fault-file", options->fault_file,
+                      "Where the servo stops by a fault, write it here, with its last second of ticks");
   command->add_option("--space", options->space, "Where the control works, in place of what the scene says")
       ->check(CLI::IsMember({"cartesian", "joint"}));
   addArmModelOption(*command, options->arm_model);

@@ -9,11 +9,13 @@
 namespace underact::cli {
 namespace {
 
-JsonObject faultAt(const servo::TickRecord& record) {
+JsonObject faultAt(std::int64_t time_ns, const Fault& fault) {
   JsonObject object;
-  object.addNumber("time_s", kSecondPerNanosecond * static_cast<double>(record.time_ns));
-  object.addText("kind", name(record.fault));
-  object.addText("sentence", describe(Fault{record.fault}));
+  object.addNumber("time_s", kSecondPerNanosecond * static_cast<double>(time_ns));
+  object.addText("kind", name(fault.kind));
+  object.addText("sentence", describe(fault));
+  object.addText("what", whatHappened(fault));
+  object.addText("what_to_do", whatToDo(fault));
   return object;
 }
 
@@ -35,10 +37,19 @@ void RunSummary::add(const servo::TickRecord& record) {
   out_of_reach_ += record.out_of_reach ? 1 : 0;
   p_WT_ = record.p_WT;
   f_T_W_ = record.f_sent_T_W;
-  if (record.fault != fault_ && record.fault != FaultKind::None) faults_.push_back(faultAt(record));
+  if (record.fault != fault_ && record.fault != FaultKind::None) {
+    faults_.push_back({record.tick, record.time_ns, Fault{record.fault}});
+  }
   fault_ = record.fault;
   lateness_.add(record.lateness_ns);
   tick_time_.add(record.tick_ns);
+}
+
+void RunSummary::tell(std::int64_t tick, const Fault& fault) {
+  // The row of its kind that began it: of samples that were missing it is the first, and the servo stops later.
+  const auto found = std::find_if(faults_.rbegin(), faults_.rend(),
+                                  [&](const Found& one) { return one.fault.kind == fault.kind && one.tick <= tick; });
+  if (found != faults_.rend()) found->fault = fault;
 }
 
 JsonObject RunSummary::json(const Setting& setting) const {
@@ -56,7 +67,9 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addNumber("most_work_mJ", 1e3 * most_work_J_);  // and at most on the way
   object.addInteger("branch_changes", branch_changes_);
   object.addInteger("out_of_reach_ticks", out_of_reach_);
-  object.addList("faults", faults_);
+  std::vector<JsonObject> faults;
+  for (const Found& one : faults_) faults.push_back(faultAt(one.time_ns, one.fault));
+  object.addList("faults", faults);
   object.addObject("lateness_us", percentilesObject(setting.fast ? kNoPercentiles : lateness_.percentiles()));
   object.addObject("tick_us", percentilesObject(tick_time_.percentiles()));
   object.addText("scheduling", setting.scheduling);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/cli/json_object.h"
+#include "core/base/fault.h"
 #include "core/servo/histogram.h"
 #include "core/servo/snapshot.h"
 
@@ -13,6 +14,8 @@ namespace underact::cli {
 class RunSummary {
  public:
   void add(const servo::TickRecord& record);
+  /// What the servo says of a fault, with the numbers that a row has no room for. tick: that found it.
+  void tell(std::int64_t tick, const Fault& fault);
   std::int64_t ticks() const { return ticks_; }
   bool faulted() const { return !faults_.empty(); }
 
@@ -36,7 +39,12 @@ class RunSummary {
   Vec3 p_WT_ = Vec3::Constant(kNotANumber);
   Vec3 f_T_W_ = Vec3::Zero();          // written at the last tick
   FaultKind fault_ = FaultKind::None;  // of the last tick
-  std::vector<JsonObject> faults_;
+  struct Found {
+    std::int64_t tick = 0;
+    std::int64_t time_ns = 0;
+    Fault fault;
+  };
+  std::vector<Found> faults_;
   servo::Histogram lateness_;
   servo::Histogram tick_time_;
 };

@@ -26,6 +26,8 @@ QString handTable() {
              QObject::tr("move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view)")) +
          row(QObject::tr("Page Up, Page Down"), QObject::tr("move the hand in depth")) +
          row(QObject::tr("Ctrl and arrow keys"), QObject::tr("turn the stylus")) +
+         row(QObject::tr("Space"),
+             QObject::tr("is the stylus button, for as long as it is held (press F2 first, or click the view)")) +
          row(QObject::tr("Rings o and p"),
              QObject::tr("of a scene with influence: where the stylus points, and what is nearest to its tip")) +
          row(QObject::tr("Drag beside the stylus"), QObject::tr("turns the view; with the middle button it is moved")) +

@@ -1,4 +1,3 @@
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLocale>
@@ -8,6 +7,7 @@
 #include <cstdio>
 
 #include "app/gui/actions.h"
+#include "app/gui/application.h"
 #include "app/gui/main_window.h"
 #include "app/gui/options.h"
 #include "app/gui/picture.h"
@@ -38,7 +38,7 @@ QString sceneToOpen(const Options& options) {
 }
 
 int runWindow(const Options& options, const QElapsedTimer& since_start) {
-  SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz});
+  SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz, .scheduling = options.scheduling});
   ThemeWatcher theme;
   MainWindow window({*simulated.host, simulated.arm, theme});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
@@ -78,7 +78,7 @@ int run(int argc, char** argv) {
   QApplication::setApplicationDisplayName("Underact");
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("underact");
-  QApplication application(argc, argv);
+  Application application(argc, argv);
   QApplication::setStyle("Fusion");   // the one style that takes light and dark from a palette everywhere
   std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's; scene files and VTK read points
   QLocale::setDefault(QLocale::c());  // and a number on the screen reads as the same number in a file

@@ -13,6 +13,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
+#include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
 #include "app/gui/icons.h"
@@ -30,9 +31,10 @@ MainWindow::~MainWindow() = default;
 void MainWindow::frame() {
   const servo::Snapshot& snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
-    status_->add(record);
+    faults_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
+  faults_->look(snapshot);
   if (!pacer_->isSeen()) return;
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
@@ -87,6 +89,7 @@ void MainWindow::setTheme(const Theme& theme) {
   actions_->setIcons([&theme](const QString& name) { return icon(name, theme); });
   setWindowIcon(icon("underact", theme));
   view_->setTheme(theme);
+  faults_->setTheme(theme);
   for (Panel* panel : panels_) panel->setTheme(theme);
 }
 

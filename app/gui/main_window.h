@@ -13,6 +13,7 @@ namespace underact::gui {
 
 class Actions;
 class Document;
+class FaultWatch;
 class FramePacer;
 class Hand;
 class Panel;
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
   SceneView* view_;
   Hand* hand_ = nullptr;
   StatusLine* status_ = nullptr;
+  FaultWatch* faults_;
   FramePacer* pacer_;
   QHash<QString, QDockWidget*> docks_;
   QHash<QString, Panel*> panels_;

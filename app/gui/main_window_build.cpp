@@ -8,6 +8,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
+#include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
 #include "app/gui/help_dialog.h"
@@ -19,12 +20,13 @@
 #include "app/gui/scene_library.h"
 #include "app/gui/status_line.h"
 #include "app/gui/stop_key.h"
+#include "app/gui/stylus_key.h"
 #include "app/gui/view_actions.h"
 #include "core/arm/preset.h"
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 3;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 4;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
@@ -34,6 +36,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       recent_(new RecentFiles(this)),
       files_(new SceneFiles(*document_, *recent_, this)),
       view_(new SceneView(this)),
+      faults_(new FaultWatch(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -150,6 +153,7 @@ void MainWindow::buildView() {
   view_->setMinimumSize(320, 240);
   setCentralWidget(view_);
   hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
+  if (parts_.arm != nullptr) new StylusKey(*parts_.arm, this, view_);
   const double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   view_->setForceLimit(limit_N);
   status_ = new StatusLine(parts_.host, limit_N, this);
@@ -230,6 +234,8 @@ void MainWindow::restore() {
   if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);
   if (!settings_.layout.isEmpty() && !restoreState(settings_.layout, kLayoutVersion)) settings_.layout.clear();
   static_cast<PlotsPanel*>(panels_["plots"])->setAxis(settings_.plot_axis);
+  actions_->perform("plots.energy", settings_.energy_plot);
+  actions_->perform("session.hold_to_run", settings_.hold_to_run);
 }
 
 void MainWindow::remember() {
@@ -239,6 +245,8 @@ void MainWindow::remember() {
   settings_.layers = view_->layers();
   settings_.recent = recent_->paths();
   settings_.plot_axis = static_cast<PlotsPanel*>(panels_["plots"])->axis();
+  settings_.energy_plot = static_cast<PlotsPanel*>(panels_["plots"])->showsEnergy();
+  settings_.hold_to_run = parts_.host.holdToRun();
   settings_.has_pushed = hand_->hasPushed();
   writeSettings(settings_);
 }

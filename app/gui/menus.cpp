@@ -67,7 +67,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "app.quit"});
   fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions, {"edit.undo", "edit.redo", "-", "gains.reset"});
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
-       {"session.start", "session.stop", "-", "calibration.left", "calibration.right"});
+       {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.fault", "-",
+        "calibration.left", "calibration.right"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fill(view, actions,
        {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",

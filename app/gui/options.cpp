@@ -1,14 +1,50 @@
 #include "app/gui/options.h"
 
 #include <charconv>
+#include <functional>
 
 namespace underact::gui {
 namespace {
 
-bool readRate(const std::string& text, int& rate_hz) {
+bool readNumber(const std::string& text, int least, int most, int& number) {
   const char* end = text.data() + text.size();
-  const std::from_chars_result read = std::from_chars(text.data(), end, rate_hz);
-  return read.ec == std::errc() && read.ptr == end && rate_hz >= 100 && rate_hz <= 4000;
+  int value = 0;
+  const std::from_chars_result read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || value < least || value > most) return false;
+  number = value;
+  return true;
+}
+
+bool readWay(const std::string& text, servo::Way& way) {
+  struct Row {
+    const char* word;
+    servo::Way way;
+  };
+  for (const Row& row : {Row{"auto", servo::Way::Auto}, Row{"fifo", servo::Way::Fifo}, Row{"rtkit", servo::Way::Rtkit},
+                         Row{"normal", servo::Way::Normal}}) {
+    if (text != row.word) continue;
+    way = row.way;
+    return true;
+  }
+  return false;
+}
+
+/// The options that a number or a word follows. False: it is none of them.
+bool readServoOption(const std::string& argument, const std::function<std::string()>& value, Options& options) {
+  constexpr int kMostCores = 4095;
+  if (argument == "--rate") {
+    if (!readNumber(value(), 100, 10000, options.rate_hz) && options.wrong.empty())
+      options.wrong = "--rate is a number of Hz from 100 to 10000.";
+  } else if (argument == "--scheduling") {
+    if (!readWay(value(), options.scheduling.way) && options.wrong.empty())
+      options.wrong = "--scheduling is auto, fifo, rtkit or normal.";
+  } else if (argument == "--core") {
+    if (!readNumber(value(), 0, kMostCores, options.scheduling.core) && options.wrong.empty())
+      options.wrong = "--core is the number of a core, from 0.";
+  } else {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -17,25 +53,21 @@ Options parseOptions(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t index = 0; index < arguments.size(); ++index) {
     const std::string& argument = arguments[index];
-    const auto value = [&](std::string& into) {
-      if (index + 1 < arguments.size())
-        into = arguments[++index];
-      else
-        options.wrong = argument + " needs a value.";
+    const auto value = [&] {
+      if (index + 1 < arguments.size()) return arguments[++index];
+      options.wrong = argument + " needs a value.";
+      return std::string();
     };
-    std::string rate;
+    if (readServoOption(argument, value, options)) continue;
     if (argument == "--help" || argument == "-h")
       options.help = true;
     else if (argument == "--version")
       options.version = true;
     else if (argument == "--picture")
-      value(options.picture);
+      options.picture = value();
     else if (argument == "--out")
-      value(options.out);
-    else if (argument == "--rate") {
-      value(rate);
-      if (!readRate(rate, options.rate_hz)) options.wrong = "--rate is a number of Hz from 100 to 4000.";
-    } else if (argument.size() > 1 && argument.front() == '-')
+      options.out = value();
+    else if (argument.size() > 1 && argument.front() == '-')
       options.wrong = "There is no option " + argument + ".";
     else if (options.scene.empty())
       options.scene = argument;
@@ -53,9 +85,11 @@ std::string usage() {
 
   underact [SCENE]                          opens the window, with a scene file or the last one
   underact --picture SCENE --out FILE.png   draws the 3D view of a scene and quits
-  --rate HZ      ticks a second, 100 to 4000 (1000)
-  --help         this text
-  --version      the version
+  --rate HZ          ticks a second, 100 to 10000 (1000)
+  --scheduling WAY   how the servo thread is scheduled: auto, fifo, rtkit or normal (auto)
+  --core N           the one core the servo thread runs on
+  --help             this text
+  --version          the version
 
 Without an arm it runs on a simulated one. underact-cli is everything without a window.
 )";

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "core/servo/scheduling.h"
+
 namespace underact::gui {
 
 /// What the command line asks of the window.
@@ -10,6 +12,7 @@ struct Options {
   std::string picture;  // a scene to draw into out, without a window
   std::string out;
   int rate_hz = 1000;
+  servo::SchedulingWanted scheduling;
   bool help = false;
   bool version = false;
   std::string wrong;  // a sentence, where the command line cannot be understood

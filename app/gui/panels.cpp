@@ -10,6 +10,7 @@
 #include "app/gui/plots_panel.h"
 #include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
+#include "app/gui/servo_panel.h"
 #include "app/gui/shape_panel.h"
 
 namespace underact::gui {
@@ -23,7 +24,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 8> kRows{{
+  static const std::array<PanelRow, 9> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -45,6 +46,9 @@ std::span<const PanelRow> panels() {
       {"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
        QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
        make<CalibrationPanel>, "scenes"},
+      {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
+       QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
+       make<ServoPanel>, "scenes"},
   }};
   return kRows;
 }

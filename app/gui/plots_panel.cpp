@@ -1,5 +1,6 @@
 #include "app/gui/plots_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,7 +17,10 @@ namespace underact::gui {
 constexpr int kFramesAPlot = 3;
 
 PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
-    : Panel(parent), plot_(new LivePlot(this)), axis_(new QComboBox(this)) {
+    : Panel(parent),
+      plot_(new LivePlot(this)),
+      axis_(new QComboBox(this)),
+      energy_(new QCheckBox(tr("Ener&gy"), this)) {
   plot_->setObjectName("panel.plots.plot");
   plot_->setAccessibleName(tr("Error and force over the last 10 s, and displacement against force"));
   plot_->setMinimumHeight(96);
@@ -25,12 +29,19 @@ PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
   axis_->setToolTip(tr("Which axis of W the plot of displacement against force shows (thesis figure 4.3)."));
   axis_->addItems({tr("x"), tr("y"), tr("z")});
   axis_->setFocusPolicy(Qt::StrongFocus);
+  energy_->setObjectName("panel.plots.energy");
+  energy_->setAccessibleName(tr("Energy plot"));
+  energy_->setToolTip(
+      tr("The energy that the stylus has put into the constraints and not got back, E = Σ −f·Δp; below zero they give "
+         "more than they got: they are active."));
+  energy_->setChecked(plot_->showsEnergy());
   auto* label = new QLabel(tr("&Displacement against force, axis"), this);
   label->setProperty("role", "quiet");
   label->setBuddy(axis_);
   auto* strip = new QHBoxLayout;
   strip->setContentsMargins(12, 4, 12, 0);
   strip->setSpacing(8);
+  strip->addWidget(energy_);
   strip->addStretch(1);
   strip->addWidget(label);
   strip->addWidget(axis_);
@@ -40,6 +51,12 @@ PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
   column->addLayout(strip);
   column->addWidget(plot_, 1);
   connect(axis_, &QComboBox::currentIndexChanged, plot_, &LivePlot::setAxis);
+  connect(plot_, &LivePlot::pathShown, this, [this, label, tip = axis_->toolTip()](bool shown) {
+    axis_->setEnabled(shown);
+    label->setEnabled(shown);
+    axis_->setToolTip(shown ? tip : tr("There is no room for this plot: hide Energy, or make the window wider."));
+  });
+  connect(energy_, &QCheckBox::toggled, plot_, &LivePlot::showEnergy);
   const auto showAngles = [this, &document = parts.document] {
     const std::vector<scene::Constraint>& held = document.scene().constraints;
     plot_->showAngles(std::any_of(held.begin(), held.end(), [](const scene::Constraint& constraint) {
@@ -51,6 +68,10 @@ PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
   connect(&parts.document, &Document::opened, this, [this, &document = parts.document] {
     plot_->clear();
     if (const arm::Preset* arm = arm::findPreset(document.scene().arm)) plot_->setForceLimit(arm->continuous_force_N);
+  });
+  parts.actions.addCommand("plots.energy", [this](const QVariantList& on) {
+    energy_->setChecked(on.value(0).toBool());
+    return true;
   });
   parts.actions.addCommand("plots.axis", [this](const QVariantList& values) {
     const auto axis = static_cast<int>(QStringList{"x", "y", "z"}.indexOf(values.value(0).toString()));
@@ -73,6 +94,10 @@ void PlotsPanel::setTheme(const Theme& theme) {
 
 void PlotsPanel::setAxis(int axis) {
   axis_->setCurrentIndex(axis);
+}
+
+bool PlotsPanel::showsEnergy() const {
+  return plot_->showsEnergy();
 }
 
 int PlotsPanel::axis() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/gui/panel.h"
 
+class QCheckBox;
 class QComboBox;
 
 namespace underact::gui {
@@ -17,11 +18,13 @@ class PlotsPanel : public Panel {
   void setTheme(const Theme& theme) override;
   void setAxis(int axis);
   int axis() const;
+  bool showsEnergy() const;
   LivePlot& plot() { return *plot_; }
 
  private:
   LivePlot* plot_;
   QComboBox* axis_;
+  QCheckBox* energy_;
   int frame_ = 0;
 };
 

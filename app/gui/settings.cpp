@@ -39,6 +39,8 @@ Settings readSettings() {
   settings.recent = stored.value("files/recent").toStringList();
   settings.last_scene = stored.value("files/last").toString();
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
+  settings.energy_plot = stored.value("plots/energy", fresh.energy_plot).toBool();
+  settings.hold_to_run = stored.value("servo/hold_to_run", fresh.hold_to_run).toBool();
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
   return settings;
 }
@@ -54,6 +56,8 @@ void writeSettings(const Settings& settings) {
   stored.setValue("files/recent", settings.recent);
   stored.setValue("files/last", settings.last_scene);
   stored.setValue("plots/axis", settings.plot_axis);
+  stored.setValue("plots/energy", settings.energy_plot);
+  stored.setValue("servo/hold_to_run", settings.hold_to_run);
   stored.setValue("hints/has_pushed", settings.has_pushed);
 }
 

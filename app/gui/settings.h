@@ -16,6 +16,8 @@ struct Settings {
   QStringList recent;
   QString last_scene;
   int plot_axis = 0;
+  bool energy_plot = true;
+  bool hold_to_run = false;
   bool has_pushed = false;  // a hand has pushed once: the first hint has done its work
 };
 

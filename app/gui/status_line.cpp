@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <cmath>
 
+#include "app/gui/servo/limit_names.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -12,8 +13,9 @@ namespace {
 constexpr int kMeasureEvery_ms = 500;
 constexpr double kRateIsTrue = 0.02;  // a measured rate this near to the one asked for is that one
 
-QString modeText(servo::Mode mode) {
-  switch (mode) {
+QString modeText(const servo::Snapshot& snapshot) {
+  if (snapshot.waits_for_button) return QObject::tr("Hold the button");
+  switch (snapshot.mode) {
     case servo::Mode::Idle:
       return QObject::tr("Stopped");
     case servo::Mode::Running:
@@ -33,12 +35,11 @@ void setText(QLabel* label, const QString& text) {
 }  // namespace
 
 StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
-    : QWidget(parent), host_(host), force_limit_N_(force_limit_N), lateness_(host.rateHz()) {
+    : QWidget(parent), host_(host), force_limit_N_(force_limit_N) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 2, 12, 2);
   row->setSpacing(20);
   const servo::DeviceInfo info = host.device();
-  const servo::Scheduling scheduling = host.scheduling();
   mode_ = field("status.mode", tr("Servo"), tr("What the servo does."), tr("Stopping"));
   device_ = field("status.device", tr("Arm"),
                   info.simulated ? tr("A simulation in software: no arm is moved.") : QString(), {});
@@ -49,9 +50,8 @@ StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
   rate_ = field("status.rate", tr("Servo rate"), tr("Ticks a second."), tr("4000 Hz"));
   late_ = field("status.late", tr("Lateness"), tr("99 of 100 ticks in the last 10 s started no later than this."),
                 tr("late p99 9999 µs"));
-  scheduling_ = field("status.scheduling", tr("Scheduling"), QString::fromStdString(scheduling.hint), {});
-  const QString granted = QString::fromStdString(scheduling.name);
-  scheduling_->setText(granted == "normal" ? tr("real time: not granted") : tr("real time: %1").arg(granted));
+  scheduling_ = field("status.scheduling", tr("Scheduling"), {}, {});
+  presentScheduling();
   force_ = field("status.force", tr("Force"), tr("The force sent to the arm, and the most that it is ever sent."),
                  tr("force 0.00 / 0.00 N"));
   tip_ = new QLabel(this);
@@ -74,19 +74,37 @@ QLabel* StatusLine::field(const char* name, const QString& spoken, const QString
 }
 
 void StatusLine::present(const servo::Snapshot& snapshot) {
-  setText(mode_, modeText(snapshot.mode));
-  const char* role = snapshot.mode == servo::Mode::Running   ? "running"
+  presentMode(snapshot);
+  const double sent_N = snapshot.report.force.f_T_W().norm();
+  const QString limit = snapshot.report.level > 0.0 ? mostLimiting(snapshot.report.cuts) : QString();
+  setText(force_, tr("force %1 / %2 N%3")
+                      .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
+                           limit.isEmpty() ? QString() : tr(" limited: %1").arg(limit)));
+  if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) {
+    presentRate(snapshot);
+    presentScheduling();
+  }
+}
+
+void StatusLine::presentMode(const servo::Snapshot& snapshot) {
+  setText(mode_, modeText(snapshot));
+  const char* role = snapshot.waits_for_button               ? "amber-text"
+                     : snapshot.mode == servo::Mode::Running ? "running"
                      : snapshot.mode == servo::Mode::Faulted ? "alarm-text"
                                                              : "";
   if (mode_->property("role").toString() != role) {
     mode_->setProperty("role", role);
     mode_->setStyleSheet(mode_->styleSheet());  // has the style look at the property again
   }
-  const double sent_N = snapshot.report.force.f_T_W().norm();
-  setText(force_, tr("force %1 / %2 N%3")
-                      .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
-                           snapshot.report.cut_N > 0.0 && snapshot.report.level > 0.0 ? tr(" limited") : QString()));
-  if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) presentRate(snapshot);
+}
+
+/// It changes when the servo is begun anew.
+void StatusLine::presentScheduling() {
+  const servo::Scheduling scheduling = host_.scheduling();
+  setText(scheduling_, schedulingText(scheduling));
+  QStringList lines{QString::fromStdString(scheduling.hint), phrasesOf(scheduling.also)};
+  lines.removeAll(QString());
+  scheduling_->setToolTip(lines.join("\n"));
 }
 
 void StatusLine::presentRate(const servo::Snapshot& snapshot) {
@@ -99,7 +117,7 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
   const bool as_asked = by_hand || std::abs(measured_hz - host_.rateHz()) <= kRateIsTrue * host_.rateHz();
   setText(rate_, as_asked ? tr("%1 Hz").arg(host_.rateHz())
                           : tr("%1 Hz of %2").arg(measured_hz, 0, 'f', 0).arg(host_.rateHz()));
-  setText(late_, tr("late p99 %1 µs").arg(numberText(lateness_.percentile_us(0.99), 0)));
+  setText(late_, tr("late p99 %1 µs").arg(numberText(host_.timing().lateLately().p99_us, 0)));
 }
 
 void StatusLine::setFault(const QString& sentence) {

@@ -2,7 +2,6 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
-#include "app/gui/lateness.h"
 #include "core/servo/host.h"
 
 class QLabel;
@@ -15,8 +14,6 @@ class StatusLine : public QWidget {
   Q_OBJECT
  public:
   StatusLine(servo::Host& host, double force_limit_N, QWidget* parent = nullptr);
-  void add(const servo::TickRecord& record) { lateness_.add(record.lateness_ns); }
-  const Lateness& lateness() const { return lateness_; }
   void present(const servo::Snapshot& snapshot);
   /// What the thing under the pointer does; empty: nothing.
   void setTip(const QString& tip);
@@ -26,11 +23,12 @@ class StatusLine : public QWidget {
 
  private:
   QLabel* field(const char* name, const QString& spoken, const QString& tip, const QString& widest);
+  void presentMode(const servo::Snapshot& snapshot);
   void presentRate(const servo::Snapshot& snapshot);
+  void presentScheduling();
 
   servo::Host& host_;
   double force_limit_N_;
-  Lateness lateness_;
   QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;

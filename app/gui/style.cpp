@@ -17,6 +17,8 @@ QString styleSheet(const Theme& theme) {
   const QString line = between(theme.ink, theme.background, 0.16);
   const QString hover = between(theme.ink, theme.background, 0.09);
   const QString red = alarm(theme).name(), warm = amber(theme).name();
+  // Vermillion, as far towards the ink as a small word needs.
+  const QString limited = between(theme.ink, theme.force_limited, theme.dark ? 0.25 : 0.2);
   const QString red_ground = between(alarm(theme), theme.background, 0.10);
   const QString warm_ground = between(amber(theme), theme.background, 0.14);
   return QString(R"(
@@ -44,6 +46,7 @@ QLabel[role="quiet"] { color: %quiet; }
 QLabel[role="section"] { font-weight: 600; padding-top: 4px; }
 QLabel[role="running"] { color: %green; font-weight: 600; }
 QLabel[role="alarm-text"] { color: %red; font-weight: 600; }
+QLabel[role="limited-text"] { color: %limited; font-weight: 600; }
 QLabel[role="amber-text"] { color: %warm; font-weight: 600; }
 QLabel[role="alarm"] { color: %ink; background: %redground; border-left: 3px solid %red; padding: 6px 8px; }
 QLabel[role="amber"] { color: %ink; background: %warmground; border-left: 3px solid %warm; padding: 6px 8px; }
@@ -69,6 +72,7 @@ QListWidget::item:selected:focus { background: %selected; }
       .replace("%warmground", warm_ground)
       .replace("%selected", between(theme.constraint, theme.background, theme.dark ? 0.45 : 0.22))
       .replace("%ground", ground)
+      .replace("%limited", limited)
       .replace("%line", line)
       .replace("%hover", hover)
       .replace("%quiet", quiet)

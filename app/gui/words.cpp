@@ -33,4 +33,15 @@ QString directionText(const Vec3& direction) {
   return QString("%1, %2, %3").arg(numberText(unit.x(), 3), numberText(unit.y(), 3), numberText(unit.z(), 3));
 }
 
+QString schedulingText(const servo::Scheduling& scheduling) {
+  const QString granted = QString::fromStdString(scheduling.name);
+  return granted == "normal" ? QObject::tr("real time: not granted") : QObject::tr("real time: %1").arg(granted);
+}
+
+QString phrasesOf(const std::vector<std::string>& phrases) {
+  QStringList list;
+  for (const std::string& phrase : phrases) list << QString::fromStdString(phrase);
+  return list.join(", ");
+}
+
 }  // namespace underact::gui

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/base/types.h"
+#include "core/servo/scheduling.h"
 
 namespace underact::gui {
 
@@ -20,5 +21,11 @@ QString directionText(const Vec3& direction);
 
 /// A number with a real minus sign, so that columns line up; -0.0 is 0.0.
 QString numberText(double value, int decimals);
+
+/// "real time: FIFO 80"
+QString schedulingText(const servo::Scheduling& scheduling);
+
+/// "memory locked, all cores"
+QString phrasesOf(const std::vector<std::string>& phrases);
 
 }  // namespace underact::gui

@@ -7,17 +7,16 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/base/units.h"
+#include "core/record/columns.h"
 
 namespace underact::record {
 namespace {
 
-constexpr double kMicrosecondPerNanosecond = 1e-3;
-
-constexpr std::string_view kHeader =
-    "tick,time_s,q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad,x_mm,y_mm,z_mm,target_x_mm,target_y_mm,target_z_mm,error_mm,"
-    "force_asked_x_N,force_asked_y_N,force_asked_z_N,force_sent_x_N,force_sent_y_N,force_sent_z_N,gate_level,cut_N,"
-    "fault,alpha_rad,beta_rad,theta_rad,lateness_us,tick_us,buttons,revision\n";
+std::string header() {
+  std::string text;
+  for (const std::string_view column : kColumns) text.append(text.empty() ? "" : ",").append(column);
+  return text + "\n";
+}
 
 /// One line, in place. 31 fields of at most 25 characters each fit.
 class Row {
@@ -31,9 +30,6 @@ class Row {
   void number(double value) {
     if (std::isfinite(value)) end_ = std::to_chars(end_, text_.data() + text_.size(), value).ptr;
     separate();
-  }
-  void vector(const Vec3& value) {
-    for (const double coordinate : value) number(coordinate);
   }
   void word(std::string_view value) {
     end_ = std::copy(value.begin(), value.end(), end_);
@@ -58,7 +54,7 @@ Result<CsvWriter> CsvWriter::open(const std::string& path) {
     return Problems{{std::string("The recording cannot be made: ") + std::strerror(errno) + ".", {path}}};
   }
   CsvWriter writer(file, path);
-  writer.write(kHeader);
+  writer.write(header());
   return writer;
 }
 
@@ -69,24 +65,7 @@ void CsvWriter::write(std::string_view text) {
 void CsvWriter::add(const servo::TickRecord& record) {
   if (error_ != 0) return;
   Row row;
-  row.integer(record.tick);
-  row.number(kSecondPerNanosecond * static_cast<double>(record.time_ns));
-  for (const double angle_rad : record.q_rad) row.number(angle_rad);
-  row.vector(kMillimetrePerMetre * record.p_WT);
-  row.vector(kMillimetrePerMetre * record.p_WP);
-  row.number(kMillimetrePerMetre * record.error_m);
-  row.vector(record.f_asked_T_W);
-  row.vector(record.f_sent_T_W);
-  row.number(record.level);
-  row.number(record.cut_N);
-  row.word(name(record.fault));
-  row.number(record.angles.alpha_rad);
-  row.number(record.angles.beta_rad);
-  row.number(record.angles.theta_rad);
-  row.number(kMicrosecondPerNanosecond * static_cast<double>(record.lateness_ns));
-  row.number(kMicrosecondPerNanosecond * static_cast<double>(record.tick_ns));
-  row.integer(record.buttons);
-  row.integer(record.revision);
+  fillRow(record, row);
   write(row.finished());
 }
 

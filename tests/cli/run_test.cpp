@@ -72,6 +72,45 @@ TEST(Run, ARecordingOfAnInfluencedCircleHasItsAngles) {
   EXPECT_GT(told, 400);
 }
 
+// A hand that is elsewhere within a millisecond, as no hand is.
+constexpr const char* kLeap = R"({"underact_hand": 1,
+  "hand": {"mass_kg": 0.001, "damping_N_s_per_m": 10, "stiffness_N_per_m": 1e7},
+  "path": [{"t_s": 0, "p_mm": [0, 0, 60]}, {"t_s": 0.5, "p_mm": [0, 0, 60]}, {"t_s": 0.501, "p_mm": [60, 0, 60]}]})";
+
+TEST(Run, AFaultIsInTheSummaryAndInItsFileWithTheTicksBeforeIt) {
+  const ScratchFile hand(kLeap, "leap.json"), file("", "fault.json");
+  const Outcome outcome =
+      run({"--hand", hand.path(), "--seconds", "1", "--fast", "--arm-model", "ideal", "--fault-file", file.path()});
+  EXPECT_EQ(outcome.exit, Exit::Fault) << outcome.err;
+  const std::vector<Value> all = lines(outcome.out);
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_EQ(all[0].find("faults")->items.size(), 1U);
+  const Value& told = all[0].find("faults")->items[0];
+  EXPECT_EQ(textAt(told, "kind"), "too_fast");
+  EXPECT_EQ(textAt(told, "sentence"), textAt(told, "what") + " Force is off. " + textAt(told, "what_to_do"));
+  EXPECT_EQ(textAt(told, "what").find(" 0.0 m/s"), std::string::npos) << textAt(told, "what");
+  const std::vector<Value> kept = {json::parse(textOf(file.path()), "fault").value()};
+  EXPECT_EQ(textAt(kept[0], "kind"), "too_fast");
+  EXPECT_EQ(textAt(kept[0], "what"), textAt(told, "what"));
+  const std::size_t rows = kept[0].find("rows")->items.size();
+  EXPECT_GT(rows, 499U);  // the servo ran for no longer than that
+  EXPECT_LT(rows, 505U);
+}
+
+TEST(Run, WithoutAFaultThereIsNoFaultFile) {
+  const std::string path = ScratchFile("", "none.json").path();
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--fault-file", path}).exit, Exit::Well);
+  EXPECT_FALSE(std::ifstream(path).good());
+}
+
+TEST(Run, AFaultFileThatCannotBeWrittenIsTold) {
+  const ScratchFile hand(kLeap, "leap.json");
+  const Outcome outcome = run({"--hand", hand.path(), "--seconds", "1", "--fast", "--arm-model", "ideal",
+                               "--fault-file", "/nowhere/at/all.json"});
+  EXPECT_EQ(outcome.exit, Exit::Fault);
+  EXPECT_NE(outcome.err.find("/nowhere/at/all.json"), std::string::npos) << outcome.err;
+}
+
 TEST(Run, GivesEveryFigureOfTheContract) {
   const Value all = summary({"--hand", "probe", "--seconds", "2", "--fast", "--seed", "7"});
   EXPECT_EQ(numberAt(all, "ticks"), 2000.0);

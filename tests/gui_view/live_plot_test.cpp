@@ -61,11 +61,11 @@ TEST(PlotHistory, ColumnsKeepTheirTicksAsTimeGoesOn) {
   }
 }
 
-TEST(PlotHistory, HoldsTenSecondsAtFourThousandTicks) {
+TEST(PlotHistory, HoldsTenSecondsAtTenThousandTicks) {
   PlotHistory history;
-  for (std::int64_t tick = 0; tick < 100'000; ++tick) {
+  for (std::int64_t tick = 0; tick < 150'000; ++tick) {
     servo::TickRecord record = recordAt(tick, 0.001, 0);
-    record.time_ns = tick * 250'000;
+    record.time_ns = tick * 100'000;
     history.add(record);
   }
   EXPECT_EQ(history.size(), PlotHistory::kCapacity);
@@ -131,6 +131,19 @@ TEST(PlotHistory, AnAngleThatIsNotThereIsLeftOut) {
   EXPECT_EQ(thinAngle(history, &PlotRow::alpha_deg, 300, points), 0U);
 }
 
+TEST(PlotHistory, WhatIsBelowZeroIsFilledStrokeByStroke) {
+  const std::vector<PlotPoint> line{{-4, 2}, {-3, -1}, {-2, 0}, {-1, -3}};
+  std::vector<PlotPoint> points(3 * line.size());
+  ASSERT_EQ(strokesBelowZero(line, points), 6U);
+  EXPECT_EQ(points[0].x, -3.0F);
+  EXPECT_EQ(points[0].y, 0.0F);
+  EXPECT_EQ(points[1].y, -1.0F);
+  EXPECT_TRUE(std::isnan(points[2].y));
+  EXPECT_EQ(points[3].x, -1.0F);
+  EXPECT_EQ(points[4].y, -3.0F);
+  EXPECT_EQ(strokesBelowZero(std::vector<PlotPoint>{{-1, 1}}, points), 0U);
+}
+
 TEST(PlotRange, GrowsAtOnceAndShrinksLater) {
   PlotRange range(1.0);
   EXPECT_EQ(range.update(0.2, 0.0), 1.0);
@@ -157,6 +170,7 @@ TEST(LivePlot, TheAnglesHaveAChartOnlyWhenTheyAreAskedFor) {
     record.angles = {0.5, 1.5, 1.0};
     plot.add(record);
   }
+  plot.showEnergy(false);  // of a blue that is near to it
   const auto isSkyBlue = [](const QColor& c) { return c.saturation() > 100 && c.hue() > 195 && c.hue() < 208; };
   const auto isPurple = [](const QColor& c) { return c.saturation() > 60 && c.hue() > 315 && c.hue() < 340; };
   const QPointF middle(595, 90);
@@ -166,6 +180,35 @@ TEST(LivePlot, TheAnglesHaveAChartOnlyWhenTheyAreAskedFor) {
     EXPECT_EQ(count(picture, middle, 600.0, isSkyBlue) > 100, shown);
     EXPECT_EQ(count(picture, middle, 600.0, isPurple) > 100, shown);
   }
+  EXPECT_EQ(plot.glErrors(), 0);
+}
+
+TEST(LivePlot, EnergyBelowZeroIsMarkedAndThePassiveForceIsBesideIt) {
+  LivePlot plot;
+  plot.resize(1190, 180);
+  plot.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
+  const auto isVermillion = [](const QColor& c) { return c.saturation() > 200 && c.hue() > 20 && c.hue() < 32; };
+  const auto isBlue = [](const QColor& c) { return c.saturation() > 200 && c.hue() > 198 && c.hue() < 206; };
+  struct Seen {
+    int active, blue_of_force;
+  };
+  const auto see = [&](double energy_J, double passive_N) {
+    plot.clear();
+    for (std::int64_t tick = 0; tick < 10'000; ++tick) {
+      servo::TickRecord record = recordAt(tick, 0.0, 0.3);
+      record.energy_J = energy_J * std::sin(0.002 * static_cast<double>(tick));
+      record.passive_N = passive_N;
+      plot.add(record);
+    }
+    const QImage picture = plot.picture();
+    return Seen{count(picture, {735, 100}, 130.0, isVermillion), count(picture, {440, 60}, 140.0, isBlue)};
+  };
+  const Seen quiet = see(0.0, 0.0), active = see(0.004, 0.2);
+  EXPECT_GT(active.active, quiet.active + 1000);  // filled, not only a line
+  EXPECT_GT(active.blue_of_force, quiet.blue_of_force + 100);
+  EXPECT_TRUE(plot.showsEnergy());
+  plot.showEnergy(false);
   EXPECT_EQ(plot.glErrors(), 0);
 }
 

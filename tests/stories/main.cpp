@@ -1,17 +1,19 @@
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QLocale>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <clocale>
 
+#include "app/gui/application.h"
+
 // The same preparations as the program's own main, but with settings of nobody: no story reads or writes the user's.
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);  // before Qt: the build lists the tests where there is no screen
   QTemporaryDir settings;
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+  qputenv("XDG_DATA_HOME", settings.path().toUtf8());  // faults are kept there
   qputenv("UNDERACT_DATA_DIR", UNDERACT_SOURCE);
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   QSurfaceFormat format;
@@ -21,7 +23,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setOrganizationName("Underact");
   QApplication::setApplicationName("underact-stories");
-  QApplication application(argc, argv);
+  underact::gui::Application application(argc, argv);
   QApplication::setStyle("Fusion");
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());

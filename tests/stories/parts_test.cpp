@@ -1,20 +1,59 @@
 #include <gtest/gtest.h>
 
-#include "app/gui/lateness.h"
+#include <QCoreApplication>
+
+#include "app/gui/application.h"
 #include "app/gui/options.h"
+#include "app/gui/servo/limit_names.h"
 #include "app/gui/stability.h"
 #include "app/gui/words.h"
+#include "core/servo/timing.h"
 #include "tests/stories/picture_difference.h"
 
 namespace underact::gui::test {
 
-TEST(Parts, LatenessForgetsWhatIsOlderThanTenSeconds) {
-  Lateness lateness(100);
-  for (int tick = 0; tick < 1000; ++tick) lateness.add(500'000);
-  EXPECT_DOUBLE_EQ(lateness.percentile_us(0.99), 500.0);
-  for (int tick = 0; tick < 1000; ++tick) lateness.add(tick < 980 ? 7'000 : 90'000);
-  EXPECT_DOUBLE_EQ(lateness.percentile_us(0.5), 7.0);
-  EXPECT_DOUBLE_EQ(lateness.percentile_us(0.99), 90.0);
+TEST(Parts, LatenessLatelyForgetsWhatIsOlderThanTenSeconds) {
+  servo::Timing timing(100);
+  const auto add = [&timing](std::int64_t lateness_ns) {
+    servo::TickRecord record;
+    record.lateness_ns = lateness_ns;
+    timing.add(record);
+  };
+  for (int tick = 0; tick < 1000; ++tick) add(500'000);
+  EXPECT_NEAR(timing.lateLately().p99_us, 500.0, 500.0 / 32.0);
+  for (int tick = 0; tick < 1000; ++tick) add(tick < 980 ? 7'000 : 90'000);
+  EXPECT_NEAR(timing.lateLately().p50_us, 7.0, 7.0 / 32.0);
+  EXPECT_NEAR(timing.lateLately().p99_us, 90.0, 90.0 / 32.0);
+  EXPECT_NEAR(timing.lateness().max_us, 500.0, 500.0 / 32.0);  // since the start, it is still known
+}
+
+TEST(Parts, TheLimitThatCutsMostIsTheOneNamed) {
+  EXPECT_EQ(mostLimiting({}), "");
+  EXPECT_EQ(mostLimiting({.clamp_N = 0.2, .speed_N = 0.3, .slew_N = 0.1}), "speed");
+  EXPECT_EQ(mostLimiting({.clamp_N = 0.4, .speed_N = 0.3}), "greatest force");
+  EXPECT_EQ(mostLimiting({.edge_N = 0.1}), "edge");
+  EXPECT_EQ(mostLimiting({.heat_N = 0.1}), "heat");
+  EXPECT_EQ(mostLimiting({.slew_N = 0.1}), "change");
+  EXPECT_EQ(mostLimiting({.clamp_N = 9.0, .frozen = true}), "frozen sample");  // nothing is sent then
+}
+
+TEST(Parts, AnExceptionInAnEventIsToldAndTheProgramGoesOn) {
+  class Throwing : public QObject {
+    bool event(QEvent* event) override {
+      if (event->type() == QEvent::User) throw std::runtime_error("a bad day");
+      return QObject::event(event);
+    }
+  } throwing;
+  std::string told;
+  Application::onException([&told](const std::string& what) {
+    told = what;
+    throw std::runtime_error("and a worse one");  // from telling: ends nothing either
+  });
+  QEvent event(QEvent::User);
+  EXPECT_FALSE(QCoreApplication::sendEvent(&throwing, &event));
+  EXPECT_EQ(told, "a bad day");
+  Application::onException({});
+  EXPECT_FALSE(QCoreApplication::sendEvent(&throwing, &event));
 }
 
 TEST(Parts, CalmStiffnessIsBelowTheExactLimitsOfTheTable) {
@@ -37,6 +76,16 @@ TEST(Parts, TheCommandLineIsUnderstoodOrSaidToBeWrong) {
   EXPECT_EQ(parseOptions({"a.json", "--rate", "2000"}).rate_hz, 2000);
   EXPECT_EQ(parseOptions({"a.json"}).scene, "a.json");
   EXPECT_TRUE(parseOptions({"--help"}).help);
+  EXPECT_EQ(parseOptions({"--rate", "10000"}).rate_hz, 10000);
+  EXPECT_EQ(parseOptions({"--scheduling", "rtkit"}).scheduling.way, servo::Way::Rtkit);
+  EXPECT_EQ(parseOptions({"--scheduling", "normal", "--core", "1"}).scheduling.core, 1);
+  EXPECT_EQ(parseOptions({}).scheduling.way, servo::Way::Auto);
+  EXPECT_EQ(parseOptions({}).scheduling.core, -1);
+  EXPECT_FALSE(parseOptions({"--scheduling", "best"}).wrong.empty());
+  EXPECT_FALSE(parseOptions({"--core", "-1"}).wrong.empty());
+  EXPECT_FALSE(parseOptions({"--core"}).wrong.empty());
+  EXPECT_EQ(parseOptions({"--core"}).wrong, "--core needs a value.");
+  EXPECT_FALSE(parseOptions({"--rate", "10001"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--rate", "50"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--rate"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--picture", "a.json"}).wrong.empty());

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/gui/lateness.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -15,13 +14,13 @@ namespace {
 
 // Lateness p99 of the servo over a while in which the window does what `each` says, 20 times a second.
 double latenessWhile(Story& story, const std::function<void(int)>& each) {
-  Lateness lateness(story.host().rateHz());
+  servo::Histogram lateness;
   for (int step = 0; step < 60; ++step) {
     each(step);
     QTest::qWait(50);
     lateness.add(story.snapshot().lateness_ns);
   }
-  return lateness.percentile_us(0.99);
+  return lateness.percentiles().p99_us;
 }
 
 }  // namespace

@@ -100,14 +100,16 @@ void Chart::setColours(const Theme& theme, const std::vector<QColor>& curves) {
 }
 
 void Chart::setPlace(const QRectF& area, double widget_height, double scale, const QFont& font) {
+  usual_font_ = font;
+  widget_height_ = widget_height;
   font_ = smaller(font);
   const QFontMetricsF metrics(font_);
   const double left = std::ceil(metrics.horizontalAdvance(QStringLiteral("\u221200.0")) + kGap);
-  legend_below_ = left + titleWidth() + legendWidth() + 1.5 * kGap > area.width();
-  const double lines = legend_below_ ? 2.0 : 1.0;
+  area_ = area;
+  legend_lines_ = left + titleWidth() + legendWidth() + 1.5 * kGap > area.width() ? legendLines() : 0;
+  const double lines = 1.0 + legend_lines_;
   const double top = std::ceil(lines * metrics.height() + 1.5 * kGap),
                bottom = std::ceil(metrics.height() + 1.25 * kGap);
-  area_ = area;
   axes_ = area.adjusted(left, top, -1.5 * kGap, -bottom);
   if (axes_.width() < 8.0) axes_.setWidth(8.0);
   if (axes_.height() < 8.0) axes_.setHeight(8.0);
@@ -117,6 +119,13 @@ void Chart::setPlace(const QRectF& area, double widget_height, double scale, con
   scale_ = scale;
   if (!colours_.empty()) setColours(theme_, colours_);
   setTicks();
+}
+
+void Chart::setCurveShown(std::size_t curve, bool shown) {
+  if (curves_[curve].shown == shown) return;
+  curves_[curve].shown = shown;
+  plots_[curve]->SetVisible(shown);
+  setPlace(area_, widget_height_, scale_, usual_font_);  // the legend may go below the title, or back
 }
 
 std::size_t Chart::columns() const {
@@ -194,7 +203,7 @@ void Chart::paintWords(QPainter& painter) const {
                      text);
   }
   const double title_base = std::round(area_.top() + 0.5 * kGap + metrics.ascent());
-  paintLegend(painter, legend_below_ ? std::round(title_base + metrics.height()) : title_base);
+  paintLegend(painter, legend_lines_ > 0 ? std::round(title_base + metrics.height()) : title_base);
   painter.setFont(boldOf(font_));
   painter.setPen(theme_.ink);
   // Above the axis it belongs to; further left where it is too long for that.
@@ -205,34 +214,57 @@ void Chart::paintWords(QPainter& painter) const {
 
 void Chart::paintLegend(QPainter& painter, double base) const {
   const QFontMetricsF metrics(font_);
-  const QColor quiet = mixed(theme_.quiet, theme_.ink, 0.55);
-  double left = axes_.right() - legendWidth();
-  if (legend_below_) left = std::max(left, area_.left() + kGap);
+  const double from = legend_lines_ > 1 ? area_.left() + kGap : axes_.right() - legendWidth();
+  double left = legend_lines_ > 0 ? std::max(from, area_.left() + kGap) : from;
   painter.setFont(font_);
-  painter.setPen(quiet);
+  painter.setPen(mixed(theme_.quiet, theme_.ink, 0.55));
   for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
-    const QString& name = curves_[curve].name;
-    if (name.isEmpty()) continue;
+    const double width = nameWidth(curves_[curve]);
+    if (width <= 0.0) continue;
+    if (legend_lines_ > 1 && left > from && left + width > area_.right() - kGap) {
+      left = from;
+      base += std::round(metrics.height());
+    }
     const double thick = std::max(1.0, std::round(static_cast<double>(curves_[curve].width)));
     const double top = std::round(base - 0.32 * metrics.ascent() - 0.5 * thick);
     const double dash = curves_[curve].dashed ? 0.4 * kSwatch_px : kSwatch_px;
     for (double at = 0.0; at < kSwatch_px; at += 1.5 * dash) {
       painter.fillRect(QRectF(std::round(left + at), top, std::round(dash), thick), colours_[curve]);
     }
-    left += kSwatch_px + kSwatchGap_px;
-    painter.drawText(QPointF(std::round(left), base), name);
-    left += metrics.horizontalAdvance(name) + kNameGap_px;
+    painter.drawText(QPointF(std::round(left + kSwatch_px + kSwatchGap_px), base), curves_[curve].name);
+    left += width + kNameGap_px;
   }
 }
 
+/// With its swatch; 0: it is not in the legend.
+double Chart::nameWidth(const Curve& curve) const {
+  if (curve.name.isEmpty() || !curve.shown) return 0.0;
+  return kSwatch_px + kSwatchGap_px + QFontMetricsF(font_).horizontalAdvance(curve.name);
+}
+
 double Chart::legendWidth() const {
-  const QFontMetricsF metrics(font_);
   double width = 0.0;
   for (const Curve& curve : curves_) {
-    if (curve.name.isEmpty()) continue;
-    width += kSwatch_px + kSwatchGap_px + metrics.horizontalAdvance(curve.name) + (width > 0.0 ? kNameGap_px : 0.0);
+    const double name = nameWidth(curve);
+    if (name > 0.0) width += name + (width > 0.0 ? kNameGap_px : 0.0);
   }
   return width;
+}
+
+int Chart::legendLines() const {
+  const double room = area_.width() - 2.0 * kGap;
+  double used = 0.0;
+  int lines = 1;
+  for (const Curve& curve : curves_) {
+    const double name = nameWidth(curve);
+    if (name <= 0.0) continue;
+    if (used > 0.0 && used + name > room) {
+      used = 0.0;
+      ++lines;
+    }
+    used += name + kNameGap_px;
+  }
+  return lines;
 }
 
 double Chart::titleWidth() const {

@@ -26,11 +26,14 @@ class Chart {
     QString name;  // in the legend; empty: not there
     float width = 1.5F;
     bool dashed = false;
+    bool shown = true;
   };
   Chart(const QString& title, const QString& x_title, const std::vector<Curve>& curves);
   ~Chart();
 
   vtkChartXY* item() const { return chart_; }
+  /// A curve that is not shown is not in the legend either.
+  void setCurveShown(std::size_t curve, bool shown);
   void setTitle(const QString& title) { title_ = title; }
   /// Ticks of y at multiples of least, 2 least, ...; 0: at round numbers.
   void setTickStep(double least) { tick_step_ = least; }
@@ -50,16 +53,20 @@ class Chart {
  private:
   void setTicks();
   void paintLegend(QPainter& painter, double base) const;
+  double nameWidth(const Curve& curve) const;
   double legendWidth() const;
+  /// How many lines the legend takes below the title.
+  int legendLines() const;
   double titleWidth() const;
 
   QString title_, x_title_;
   std::vector<Curve> curves_;
   std::vector<QColor> colours_;
   Theme theme_ = Theme::light();
-  QFont font_;
+  QFont usual_font_, font_;
+  double widget_height_ = 1.0;
   QRectF area_, axes_;
-  bool legend_below_ = false;  // the title, where both have no room in one line
+  int legend_lines_ = 0;  // below the title; 0: both have room in one line
   double scale_ = 1.0;
   double x_from_ = 0.0, x_to_ = 1.0, y_from_ = 0.0, y_to_ = 1.0;
   double tick_step_ = 0.0;

@@ -22,7 +22,10 @@ namespace {
 constexpr std::size_t kPathGroups = 250;  // of displacement against force: 1000 points
 constexpr double kAskedShown =
     2.5;  // times the limit: beyond it the force asked leaves the plot, so that the one sent is read
-constexpr double kLeastError_mm = 1.0, kLeastAway_mm = 1.0, kLeastForce_N = 0.2;
+constexpr double kLeastError_mm = 1.0, kLeastAway_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0,
+                 kLeastActive_mJ = 0.1;
+constexpr double kLeastChart_lines = 9.0;  // of text: as wide as a chart has to be for its words
+constexpr double kBelowZero = 0.1;         // of the energy's range
 
 QString pathTitle(int axis) {
   return LivePlot::tr("Force along %1 [N]").arg(QLatin1Char("xyz"[axis]));
@@ -40,11 +43,10 @@ struct LivePlot::Impl {
   explicit Impl(LivePlot* owner) : plot(owner) {
     surface = new GlSurface([this](QSize pixels) { before(pixels); },
                             [this](QPainter& painter) {
-                              for (const Chart* chart : {&error, &force, &path}) chart->paintWords(painter);
-                              if (angles_shown) angles.paintWords(painter);
+                              for (const Chart* chart : shown()) chart->paintWords(painter);
                             },
                             plot);
-    for (Chart* chart : {&error, &force, &path, &angles}) actor->GetScene()->AddItem(chart->item());
+    for (Chart* chart : {&error, &force, &path, &angles, &energy}) actor->GetScene()->AddItem(chart->item());
     angles.item()->SetVisible(false);
     angles.setTickStep(45.0);
     angles.setRange(-PlotHistory::kSpan_s, 0.0, -180.0, 180.0);
@@ -55,12 +57,20 @@ struct LivePlot::Impl {
   void place(QSize pixels) {
     const double width = plot->width(), height = plot->height();
     const double scale = pixels.height() / std::max(1.0, height);
-    const double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
-    const double each = (width - path_width) / (angles_shown ? 3.0 : 2.0);
-    error.setPlace({0.0, 0.0, each, height}, height, scale, plot->font());
-    force.setPlace({each, 0.0, each, height}, height, scale, plot->font());
-    path.setPlace({width - path_width, 0.0, path_width, height}, height, scale, plot->font());
-    if (angles_shown) angles.setPlace({2.0 * each, 0.0, each, height}, height, scale, plot->font());
+    double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
+    const double against_time = 2.0 + (energy_shown ? 1.0 : 0.0) + (angles_shown ? 1.0 : 0.0);
+    const double least = kLeastChart_lines * plot->fontMetrics().lineSpacing();
+    letPathFit(against_time <= 2.0 || (width - path_width) / against_time >= least);
+    if (!path_fits) path_width = 0.0;
+    const double each = (width - path_width) / against_time;
+    const std::vector<Chart*> charts = shown();
+    double left = 0.0;
+    for (Chart* chart : charts) {
+      const double wide = chart == &path ? path_width : each;
+      chart->setPlace({left, 0.0, wide, height}, height, scale, plot->font());
+      left += wide;
+    }
+    energy.reserve(6 * (energy.columns() + 2));
     angles.reserve(4 * (angles.columns() + 2));
     error.reserve(2 * (error.columns() + 2));
     force.reserve(2 * (force.columns() + 2));
@@ -79,6 +89,7 @@ struct LivePlot::Impl {
     const std::size_t errors = thinByTime(history, &PlotRow::error_mm, error.columns(), error.points(0));
     const std::size_t asked = thinByTime(history, &PlotRow::asked_N, force.columns(), force.points(1));
     const std::size_t sent = thinByTime(history, &PlotRow::sent_N, force.columns(), force.points(2));
+    const std::size_t passive = thinByTime(history, &PlotRow::passive_N, force.columns(), force.points(3));
     const std::size_t steps = thinPath(history, static_cast<std::size_t>(axis), kPathGroups, path.points(0));
     const double limit = limit_N;
     std::fill(force.points(0).begin(), force.points(0).end(), PlotPoint{0.0F, static_cast<float>(limit)});
@@ -86,6 +97,7 @@ struct LivePlot::Impl {
 
     const double top_mm = error_range.update(greatestOf(error.points(0).first(errors)), now_s);
     const double most_N = std::max(greatestOf(force.points(2).first(sent)), greatestOf(force.points(1).first(asked)));
+    force.setCurveShown(3, greatestOf(force.points(3).first(passive)) > 0.0);
     force_range.update(std::min(std::max(most_N, limit), kAskedShown * limit) / 1.05, now_s);
     double away_mm = 0.0, along_N = 0.0;
     for (const PlotPoint& point : path.points(0).first(steps)) {
@@ -99,6 +111,43 @@ struct LivePlot::Impl {
     path.setRange(-away_range.end(), away_range.end(), -along_range.end(), along_range.end());
     for (Chart* chart : {&error, &force, &path}) chart->pointsChanged();
     if (angles_shown) drawAngles();
+    if (energy_shown) drawEnergy(now_s);
+  }
+
+  void drawEnergy(double now_s) {
+    const std::size_t stored = thinByTime(history, &PlotRow::energy_mJ, energy.columns(), energy.points(2));
+    const std::span<const PlotPoint> line = energy.points(2).first(stored);
+    const std::size_t active = strokesBelowZero(line, energy.points(1));
+    if (active == 0) std::fill(energy.points(1).begin(), energy.points(1).end(), PlotPoint{});
+    std::fill(energy.points(0).begin(), energy.points(0).end(), PlotPoint{});
+    energy.points(0)[0].x = static_cast<float>(-PlotHistory::kSpan_s);
+    double most_mJ = 0.0, least_mJ = 0.0;
+    for (const PlotPoint& point : line) {
+      most_mJ = std::max(most_mJ, static_cast<double>(point.y));
+      least_mJ = std::min(least_mJ, static_cast<double>(point.y));
+    }
+    const double top_mJ = stored_range.update(most_mJ, now_s), bottom_mJ = active_range.update(-least_mJ, now_s);
+    // Room below zero also while nothing is there, so that the zero line is a line and not the frame.
+    energy.setRange(-PlotHistory::kSpan_s, 0.0, -std::max(bottom_mJ, kBelowZero * top_mJ), top_mJ);
+    energy.pointsChanged();
+  }
+
+  /// Where all would be too narrow to be read, the one against displacement leaves its room to those against time.
+  void letPathFit(bool fits) {
+    if (fits == path_fits) return;
+    path_fits = fits;
+    path.item()->SetVisible(fits);
+    QMetaObject::invokeMethod(
+        plot, [this] { emit plot->pathShown(path_fits); }, Qt::QueuedConnection);  // not in a paint
+  }
+
+  /// From left to right.
+  std::vector<Chart*> shown() {
+    std::vector<Chart*> charts{&error, &force};
+    if (energy_shown) charts.push_back(&energy);
+    if (angles_shown) charts.push_back(&angles);
+    if (path_fits) charts.push_back(&path);
+    return charts;
   }
 
   void drawAngles() {
@@ -114,18 +163,27 @@ struct LivePlot::Impl {
   Chart error{LivePlot::tr("Error [mm]"), LivePlot::tr("time [s]"), {{QString(), 1.5F}}};
   Chart force{LivePlot::tr("Force [N]"),
               LivePlot::tr("time [s]"),
-              {{LivePlot::tr("limit"), 1.0F}, {LivePlot::tr("asked"), 1.0F}, {LivePlot::tr("sent"), 2.0F}}};
+              {{LivePlot::tr("limit"), 1.0F},
+               {LivePlot::tr("asked"), 1.0F},
+               {LivePlot::tr("sent"), 2.0F},
+               {LivePlot::tr("passive"), 1.5F}}};
   Chart path{pathTitle(0), LivePlot::tr("displacement [mm]"), {{QString(), 1.5F}}};
   Chart angles{
       LivePlot::tr("Angle [°]"),
       LivePlot::tr("time [s]"),
       {{LivePlot::tr("α stylus"), 1.5F, true}, {LivePlot::tr("β tip"), 1.5F}, {LivePlot::tr("θ target"), 2.5F}}};
+  Chart energy{LivePlot::tr("Energy [mJ]"),
+               LivePlot::tr("time [s]"),
+               {{QString(), 1.0F}, {LivePlot::tr("active"), 1.0F}, {LivePlot::tr("stored"), 2.0F}}};
+  PlotRange stored_range{kLeastEnergy_mJ}, active_range{kLeastActive_mJ};
   PlotRange error_range{kLeastError_mm}, force_range{kLeastForce_N}, away_range{kLeastAway_mm},
       along_range{kLeastForce_N};
   vtkNew<vtkContextActor> actor;
   double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   int axis = 0;
   bool angles_shown = false;
+  bool energy_shown = true;
+  bool path_fits = true;
   bool data_changed = true;
   QSize placed;
 };
@@ -160,6 +218,8 @@ void LivePlot::clear() {
   impl_->history.clear();
   for (PlotRange* range : {&impl_->error_range, &impl_->force_range, &impl_->away_range, &impl_->along_range})
     range->clear();
+  impl_->stored_range.clear();
+  impl_->active_range.clear();
   impl_->data_changed = true;
   impl_->surface->update();
 }
@@ -168,7 +228,9 @@ void LivePlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
   my.surface->setBackground(theme.background);
   my.error.setColours(theme, {theme.target});
-  my.force.setColours(theme, {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force});
+  my.force.setColours(theme,
+                      {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force, theme.constraint});
+  my.energy.setColours(theme, {theme.ink, theme.force_limited, theme.constraint});
   my.path.setColours(theme, {theme.force});
   my.angles.setColours(theme, {theme.orientation, theme.position, theme.target});
   my.surface->update();
@@ -193,6 +255,18 @@ void LivePlot::showAngles(bool shown) {
   impl_->angles.item()->SetVisible(shown);
   impl_->placed = {};  // the others give or take room
   impl_->surface->update();
+}
+
+void LivePlot::showEnergy(bool shown) {
+  if (shown == impl_->energy_shown) return;
+  impl_->energy_shown = shown;
+  impl_->energy.item()->SetVisible(shown);
+  impl_->placed = {};
+  impl_->surface->update();
+}
+
+bool LivePlot::showsEnergy() const {
+  return impl_->energy_shown;
 }
 
 bool LivePlot::showsAngles() const {

@@ -87,6 +87,8 @@ void PlotHistory::add(const servo::TickRecord& record) {
   fresh.alpha_deg = onScreen(record.angles.alpha_rad, 1.0 / kRadPerDegree);
   fresh.beta_deg = onScreen(record.angles.beta_rad, 1.0 / kRadPerDegree);
   fresh.theta_deg = onScreen(record.angles.theta_rad, 1.0 / kRadPerDegree);
+  fresh.energy_mJ = onScreen(record.energy_J, 1e3);
+  fresh.passive_N = onScreen(record.passive_N, 1.0);
 }
 
 std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
@@ -97,6 +99,18 @@ std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::s
 std::size_t thinAngle(const PlotHistory& history, float PlotRow::*value_deg, std::size_t columns,
                       std::span<PlotPoint> points) {
   return thin(history, value_deg, columns, points, 180.0F);
+}
+
+std::size_t strokesBelowZero(std::span<const PlotPoint> line, std::span<PlotPoint> points) {
+  std::size_t used = 0;
+  for (const PlotPoint& point : line) {
+    if (!(point.y < 0.0F) || used + 3 > points.size()) continue;
+    points[used++] = {point.x, 0.0F};
+    points[used++] = point;
+    points[used++] = {point.x, std::numeric_limits<float>::quiet_NaN()};
+  }
+  fillUp(points, used);
+  return used;
 }
 
 std::size_t thinPath(const PlotHistory& history, std::size_t axis, std::size_t groups, std::span<PlotPoint> points) {

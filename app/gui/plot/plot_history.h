@@ -20,13 +20,15 @@ struct PlotRow {
   float alpha_deg = 0.0F;
   float beta_deg = 0.0F;
   float theta_deg = 0.0F;
+  float energy_mJ = 0.0F;  // that the stylus has put in and not got back
+  float passive_N = 0.0F;  // what the passivity controllers add
 };
 
-/// The last 10 s of ticks, up to 4000 a second, in a ring that never grows.
+/// The last 10 s of ticks, up to 10000 a second, in a ring that never grows.
 class PlotHistory {
  public:
   static constexpr double kSpan_s = 10.0;
-  static constexpr std::size_t kCapacity = 40'000;
+  static constexpr std::size_t kCapacity = 100'000;
 
   PlotHistory();
   /// A clock that goes backwards is another device: what was before is dropped.
@@ -59,6 +61,10 @@ std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::s
 /// and a point that is no number breaks the line there. points: at least 4 (columns + 2).
 std::size_t thinAngle(const PlotHistory& history, float PlotRow::*value_deg, std::size_t columns,
                       std::span<PlotPoint> points);
+
+/// What of a line is below zero, as strokes from zero down to it, each closed by a point that is no number. points: 3
+/// for each of line's; what is left over repeats the last. Gives how many were used.
+std::size_t strokesBelowZero(std::span<const PlotPoint> line, std::span<PlotPoint> points);
 
 /// The way of (away_mm, force_N) along an axis: of each of `groups` stretches of time the extreme points, in order.
 /// points: at least 4 (groups + 2); what is left over repeats the last.

@@ -1,0 +1,133 @@
+#include "app/gui/fault_watch.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QStandardPaths>
+#include <QTimer>
+#include <QWidget>
+#include <ctime>
+
+#include "app/gui/actions.h"
+#include "app/gui/application.h"
+#include "app/gui/fault_dialog.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr const char* kWindowKind = "window";
+
+record::FaultWords wordsOfException(const std::string& message) {
+  return {
+      kWindowKind, "The window met an error of its own: " + message + ".",
+      "Save the scene under another name, then press Start. If it comes again, end the program and send the file to "
+      "its makers."};
+}
+
+}  // namespace
+
+QString faultFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/faults";
+}
+
+FaultWatch::FaultWatch(servo::Host& host, Actions& actions, QWidget* window)
+    : QObject(window),
+      host_(host),
+      actions_(actions),
+      window_(window),
+      recent_(static_cast<std::size_t>(host.rateHz())) {
+  actions_
+      .add({"servo.fault", tr("Show the last &fault"), QKeySequence("Ctrl+Alt+F"),
+            tr("What stopped the servo last, and where its file is.")},
+           [this](const QVariantList&) { return showLast(); })
+      ->setEnabled(false);
+  Application::onException([this](const std::string& message) { tellException(message); });
+}
+
+FaultWatch::~FaultWatch() {
+  Application::onException({});
+}
+
+void FaultWatch::look(const servo::Snapshot& snapshot) {
+  while (std::optional<servo::FaultReport> report = host_.takeFault()) {
+    const record::FaultWords words = record::wordsOf(report->fault);
+    keepAndTell(std::move(*report), words);
+  }
+  if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);
+}
+
+void FaultWatch::tellException(const std::string& message) {
+  host_.stop();
+  QTimer::singleShot(0, this, [this, message] { tellOfWindow(message); });
+}
+
+void FaultWatch::tellOfWindow(const std::string& message) {
+  const record::FaultWords words = wordsOfException(message);
+  // What throws in every frame is told once, and counted.
+  const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
+  if (before != nullptr && before->words.kind == kWindowKind && before->words.what == words.what) {
+    dialog_->tellAgain();
+    return;
+  }
+  servo::FaultReport report;
+  report.tick = host_.snapshot().ticks;
+  report.unix_time_s = static_cast<std::int64_t>(std::time(nullptr));
+  report.last_second = recent_.inOrder();
+  report.scene = host_.scene();
+  report.device = host_.device();
+  report.scheduling = host_.scheduling();
+  report.rate_hz = host_.rateHz();
+  report.late = host_.snapshot().late;
+  keepAndTell(std::move(report), words);
+}
+
+void FaultWatch::keepAndTell(servo::FaultReport&& report, const record::FaultWords& words) {
+  ToldFault told;
+  told.words = words;
+  told.when = QDateTime::fromSecsSinceEpoch(report.unix_time_s).toString("hh:mm:ss");
+  told.rate_hz = report.rate_hz;
+  const Result<std::string> kept = record::keepFault(report, words, faultFolder().toStdString());
+  if (kept) {
+    told.path = QString::fromStdString(kept.value());
+  } else {
+    const Problem& problem = kept.problems().front();
+    told.not_kept =
+        QString("%1 (%2)").arg(QString::fromStdString(problem.sentence), QString::fromStdString(problem.place.file));
+  }
+  told.last_second = std::move(report.last_second);
+  tell(told);
+}
+
+void FaultWatch::tell(const ToldFault& told) {
+  last_ = std::make_unique<ToldFault>(told);
+  actions_.find("servo.fault")->setEnabled(true);
+  dialog().tell(told);
+}
+
+bool FaultWatch::showLast() {
+  if (last_ == nullptr) return false;
+  if (dialog().last() == nullptr) dialog().tell(*last_);
+  dialog().activateWindow();
+  return true;
+}
+
+FaultDialog& FaultWatch::dialog() {
+  if (dialog_ == nullptr) {
+    dialog_ = new FaultDialog(window_);
+    dialog_->setTheme(theme_);
+    connect(dialog_, &FaultDialog::startAsked, this, [this] {
+      if (actions_.perform("session.start")) dialog_->close();
+    });
+    connect(dialog_, &FaultDialog::restartAsked, this, [this] {
+      if (actions_.perform("servo.restart")) dialog_->close();
+    });
+  }
+  return *dialog_;
+}
+
+void FaultWatch::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (dialog_ != nullptr) dialog_->setTheme(theme);
+}
+
+}  // namespace underact::gui

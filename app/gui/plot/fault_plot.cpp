@@ -1,0 +1,116 @@
+#include "app/gui/plot/fault_plot.h"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/gui/plot/chart.h"
+#include "app/gui/plot/plot_range.h"
+#include "app/gui/view/gl_surface.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kLeastForce_N = 0.2, kLeastLateness_us = 100.0;
+constexpr double kAskedShown = 3.0;  // times the greatest force sent: what was asked may be anything
+constexpr double kRoom = 1.05;
+
+float onScreen(double value) {
+  return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
+}
+
+double greatestOf(std::span<const PlotPoint> points) {
+  float greatest = 0.0F;
+  for (const PlotPoint& point : points) {
+    if (std::isfinite(point.y)) greatest = std::max(greatest, point.y);
+  }
+  return static_cast<double>(greatest);
+}
+
+}  // namespace
+
+struct FaultPlot::Impl {
+  explicit Impl(FaultPlot* owner) : plot(owner) {
+    surface = new GlSurface([this](QSize pixels) { before(pixels); },
+                            [this](QPainter& painter) {
+                              force.paintWords(painter);
+                              lateness.paintWords(painter);
+                            },
+                            plot);
+    for (Chart* chart : {&force, &lateness}) actor->GetScene()->AddItem(chart->item());
+    surface->renderer().AddActor(actor);
+    actor->GetScene()->SetRenderer(&surface->renderer());
+  }
+
+  void before(QSize pixels) {
+    if (pixels == placed) return;
+    placed = pixels;
+    const double width = plot->width(), height = plot->height();
+    const double scale = pixels.height() / std::max(1.0, height);
+    force.setPlace({0.0, 0.0, 0.5 * width, height}, height, scale, plot->font());
+    lateness.setPlace({0.5 * width, 0.0, 0.5 * width, height}, height, scale, plot->font());
+  }
+
+  FaultPlot* plot;
+  GlSurface* surface = nullptr;
+  Chart force{FaultPlot::tr("Force [N]"),
+              FaultPlot::tr("time [s]"),
+              {{FaultPlot::tr("asked"), 1.0F}, {FaultPlot::tr("sent"), 2.0F}}};
+  Chart lateness{FaultPlot::tr("Lateness [µs]"), FaultPlot::tr("time [s]"), {{QString(), 1.5F}}};
+  vtkNew<vtkContextActor> actor;
+  QSize placed;
+};
+
+FaultPlot::FaultPlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+  setObjectName("dialog.fault.plot");
+  setAccessibleName(tr("The second before the fault"));
+  setToolTip(tr("Force and lateness of the ticks before the fault, which is at the right edge."));
+  setMinimumSize(240, 140);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(impl_->surface);
+  setTheme(Theme::light());
+}
+
+FaultPlot::~FaultPlot() {
+  delete impl_->surface;
+}
+
+void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_hz) {
+  Impl& my = *impl_;
+  const std::size_t count = std::max<std::size_t>(ticks.size(), 1);
+  my.force.reserve(count);
+  my.lateness.reserve(count);
+  for (std::size_t index = 0; index < ticks.size(); ++index) {
+    const servo::TickRecord& tick = ticks[index];
+    const auto time_s = static_cast<float>(static_cast<double>(tick.tick - ticks.back().tick) / rate_hz);
+    my.force.points(0)[index] = {time_s, onScreen(tick.f_asked_T_W.norm())};
+    my.force.points(1)[index] = {time_s, onScreen(tick.f_sent_T_W.norm())};
+    my.lateness.points(0)[index] = {time_s, onScreen(1e-3 * static_cast<double>(tick.lateness_ns))};
+  }
+  const double sent_N = std::max(greatestOf(my.force.points(1)), kLeastForce_N);
+  const double asked_N = std::min(greatestOf(my.force.points(0)), kAskedShown * sent_N);
+  const double late_us = std::max(greatestOf(my.lateness.points(0)), kLeastLateness_us);
+  my.force.setRange(-1.0, 0.0, 0.0, roundUp(kRoom * std::max(sent_N, asked_N)));
+  my.lateness.setRange(-1.0, 0.0, 0.0, roundUp(kRoom * late_us));
+  my.force.pointsChanged();
+  my.lateness.pointsChanged();
+  my.surface->update();
+}
+
+void FaultPlot::setTheme(const Theme& theme) {
+  Impl& my = *impl_;
+  my.surface->setBackground(theme.background);
+  my.force.setColours(theme, {mixed(theme.background, theme.ink, 0.55), theme.force});
+  my.lateness.setColours(theme, {mixed(theme.background, theme.ink, 0.7)});
+  my.surface->update();
+}
+
+}  // namespace underact::gui

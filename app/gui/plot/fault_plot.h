@@ -1,0 +1,26 @@
+#pragma once
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::gui {
+
+/// The ticks before a fault: force asked and sent [N], and lateness [us], against the time before it. It does not move.
+class FaultPlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FaultPlot(QWidget* parent = nullptr);
+  ~FaultPlot() override;
+  /// Oldest first; the fault is at the last one.
+  void setTicks(const std::vector<servo::TickRecord>& ticks, int rate_hz);
+  void setTheme(const Theme& theme);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,35 @@
+#include <QVBoxLayout>
+
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/servo/sections.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+
+SchedulingSection::SchedulingSection(QWidget* parent)
+    : Section("scheduling", tr("Scheduling"), tr("What the system granted the servo thread."), parent, "servo"),
+      name_(quietLabel("panel.servo.scheduling.name", {}, this)),
+      also_(quietLabel("panel.servo.scheduling.also", {}, this)),
+      hint_(quietLabel("panel.servo.scheduling.hint", {}, this)) {
+  name_->setProperty("role", "");
+  name_->setAccessibleName(tr("Scheduling in effect"));
+  also_->setAccessibleName(tr("What else was granted"));
+  hint_->setAccessibleName(tr("How to get better"));
+  for (QLabel* label : {name_, also_, hint_}) {
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column().addWidget(label);
+  }
+}
+
+void SchedulingSection::present(const servo::Scheduling& scheduling) {
+  const QString name = schedulingText(scheduling);
+  if (name_->text() != name) name_->setText(name);
+  const QString also = phrasesOf(scheduling.also);
+  if (also_->text() != also) also_->setText(also);
+  also_->setVisible(!also.isEmpty());
+  const QString hint =
+      scheduling.hint.empty() ? tr("It is as good as it gets.") : QString::fromStdString(scheduling.hint);
+  if (hint_->text() != hint) hint_->setText(hint);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,97 @@
+#include <QCoreApplication>
+#include <QVBoxLayout>
+
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/readout.h"
+#include "app/gui/servo/lateness_chart.h"
+#include "app/gui/servo/sections.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+enum RateRow { kAsked, kMeasured };
+enum LateRow { kLate, kFirstCause, kLeftOut = kFirstCause + static_cast<int>(servo::kLateCauses), kDropped };
+enum TimeRow { kSinceStart, kLately, kTickTime };
+
+struct CauseWords {
+  servo::LateCause cause;
+  const char *label, *tip;
+};
+
+constexpr CauseWords kCauses[] = {
+    {servo::LateCause::Overrun, QT_TRANSLATE_NOOP("cause", "the tick before was long"),
+     QT_TRANSLATE_NOOP("cause", "The tick before took longer than a period.")},
+    {servo::LateCause::Device, QT_TRANSLATE_NOOP("cause", "waited for the arm"),
+     QT_TRANSLATE_NOOP("cause", "Most of that time went into waiting for the arm.")},
+    {servo::LateCause::PageFault, QT_TRANSLATE_NOOP("cause", "memory was not there"),
+     QT_TRANSLATE_NOOP("cause", "The servo thread touched memory that the system first had to fetch.")},
+    {servo::LateCause::Preempted, QT_TRANSLATE_NOOP("cause", "core was taken"),
+     QT_TRANSLATE_NOOP("cause", "Another thread ran on the servo's core.")},
+    {servo::LateCause::Woken, QT_TRANSLATE_NOOP("cause", "woken late"),
+     QT_TRANSLATE_NOOP("cause", "None of these: the system, or the machine a virtual one runs on, woke it late.")}};
+
+Readout* withoutMargins(Readout* readout) {
+  readout->layout()->setContentsMargins(0, 0, 0, 0);
+  return readout;
+}
+
+}  // namespace
+
+TimeSection::TimeSection(QWidget* parent)
+    : Section("time", tr("Time"), tr("How evenly the servo ticks."), parent, "servo"),
+      rate_(withoutMargins(new Readout("panel.servo.rate", this))),
+      late_(withoutMargins(new Readout("panel.servo.late", this))),
+      percentiles_(new NumberTable(
+          "panel.servo.times", {{"p50", "99999"}, {"p99", "99999"}, {"p99.9", "99999"}, {tr("max"), "999999"}}, this)),
+      chart_(new LatenessChart(this)) {
+  rate_->addRow(tr("Rate asked"), tr("Ticks a second, as the program was told (--rate)."));
+  rate_->addRow(tr("measured"), tr("Ticks a second by the clock on the wall."));
+  percentiles_->addRow(tr("late"), tr("How late ticks started since the servo was begun, µs. p99: 99 of 100 no later "
+                                      "than this."));
+  percentiles_->addRow(tr("last 10 s"), tr("How late the ticks of the last 10 s started, µs."));
+  percentiles_->addRow(tr("tick"), tr("How long ticks took, from the sample to the force, µs."));
+  late_->addRow(tr("Late ticks"), tr("Ticks that started a whole period late or more. They are not caught up."));
+  for (const CauseWords& cause : kCauses) {
+    late_->addRow(QString(QChar(0x2013)) + " " + QCoreApplication::translate("cause", cause.label),
+                  QCoreApplication::translate("cause", cause.tip));
+  }
+  late_->addRow(tr("Left out"), tr("Deadlines that had passed when a late tick came: they are left out, not made up "
+                                   "for in a burst."));
+  late_->addRow(tr("Lost rows"), tr("Ticks that plots and recordings did not get, because the window was busy. The "
+                                    "servo was not."));
+  column().addWidget(rate_);
+  column().addWidget(quietLabel("panel.servo.unit", tr("Microseconds:"), this));
+  column().addWidget(percentiles_);
+  column().addWidget(chart_);
+  column().addWidget(late_);
+}
+
+void TimeSection::present(const servo::Snapshot& snapshot, const servo::Timing& timing, int rate_hz,
+                          double measured_hz) {
+  rate_->set(kAsked, tr("%1 Hz").arg(rate_hz));
+  rate_->set(kMeasured, measured_hz == 0.0 ? tr("by hand") : tr("%1 Hz").arg(numberText(measured_hz, 0)));
+  const auto row = [this](int index, const servo::Percentiles& us) {
+    const double values[] = {us.p50_us, us.p99_us, us.p999_us, us.max_us};
+    for (int column = 0; column < 4; ++column) {
+      percentiles_->set(index, column, numberText(values[column], values[column] < 9.95 ? 1 : 0));
+    }
+  };
+  row(kSinceStart, timing.lateness());
+  row(kLately, timing.lateLately());
+  row(kTickTime, timing.tickTime());
+  chart_->present(timing.latenessHistogram(), 1e6 / rate_hz);
+  late_->set(kLate, QString::number(snapshot.late.total));
+  int line = kFirstCause;
+  for (const CauseWords& cause : kCauses) {
+    late_->set(line++, QString::number(snapshot.late.by_cause[static_cast<std::size_t>(cause.cause)]));
+  }
+  late_->set(kLeftOut, QString::number(snapshot.late.left_out));
+  late_->set(kDropped, QString::number(snapshot.dropped));
+}
+
+void TimeSection::setTheme(const Theme& theme) {
+  chart_->setTheme(theme);
+}
+
+}  // namespace underact::gui

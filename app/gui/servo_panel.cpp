@@ -1,0 +1,129 @@
+#include "app/gui/servo_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/servo/sections.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kTimesASecond = 4;  // that numbers change: more cannot be read
+constexpr qint64 kMeasureEvery_ms = 500;
+
+}  // namespace
+
+ServoPanel::ServoPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+  addActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  buildSwitches(column);
+  column->addWidget(limits_ = new LimitsSection(content));
+  column->addWidget(time_ = new TimeSection(content));
+  column->addWidget(scheduling_ = new SchedulingSection(content));
+  column->addStretch(1);
+  QScrollArea* scroll = panelScroll(content, this);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
+}
+
+void ServoPanel::addActions() {
+  parts_.actions.add({"session.hold_to_run",
+                      tr("&Hold to run"),
+                      QKeySequence("Ctrl+Alt+H"),
+                      tr("The servo pushes only while the stylus button is held."),
+                      {},
+                      {},
+                      true},
+                     [this](const QVariantList& on) {
+                       parts_.host.setHoldToRun(on.value(0).toBool());
+                       return true;
+                     });
+  parts_.actions.add({"servo.restart", tr("&Restart the servo"), QKeySequence("Shift+F5"),
+                      tr("Ends the servo thread, opens the arm again and begins anew; the scene stays.")},
+                     [this](const QVariantList&) { return restart(); });
+}
+
+void ServoPanel::buildSwitches(QVBoxLayout* column) {
+  QAction* hold = parts_.actions.find("session.hold_to_run");
+  auto* box = new QCheckBox(tr("Hold to run"), this);
+  box->setObjectName("panel.servo.hold_to_run");
+  box->setAccessibleName(tr("Hold to run"));
+  box->setToolTip(parts_.arm == nullptr
+                      ? hold->toolTip()
+                      : tr("The servo pushes only while the stylus button is held: here the Space key, with the focus "
+                           "in the view (F2)."));
+  connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
+  connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
+  auto* again = new QPushButton(tr("Restart the servo"), this);
+  again->setObjectName("panel.servo.restart");
+  again->setAccessibleName(tr("Restart the servo"));
+  again->setToolTip(parts_.actions.find("servo.restart")->toolTip());
+  connect(again, &QPushButton::clicked, this, [this] { parts_.actions.perform("servo.restart"); });
+  told_ = new QLabel(this);
+  told_->setObjectName("panel.servo.told");
+  told_->setAccessibleName(tr("What came of the restart"));
+  told_->setWordWrap(true);
+  told_->hide();
+  column->addWidget(box);
+  column->addWidget(again);
+  column->addWidget(told_);
+}
+
+bool ServoPanel::restart() {
+  const Problems problems = parts_.host.restart();
+  const bool done = problems.empty();
+  told_->setText(done ? tr("The servo was begun anew. Start lets it push.")
+                      : tr("The arm did not open again. %1").arg(sentencesOf(problems)));
+  told_->setProperty("role", done ? "quiet" : "alarm");
+  told_->style()->polish(told_);
+  told_->show();
+  if (!done) parts_.actions.perform("dock.servo", true);  // where it stands, whoever asked
+  shown_ticks_ = -1;
+  return done;
+}
+
+void ServoPanel::measureRate(const servo::Snapshot& snapshot) {
+  if (since_measured_.isValid() && since_measured_.elapsed() < kMeasureEvery_ms) return;
+  const double elapsed_s = since_measured_.isValid() ? 1e-9 * static_cast<double>(since_measured_.nsecsElapsed()) : 0.0;
+  if (elapsed_s > 0.0) measured_hz_ = static_cast<double>(snapshot.ticks - ticks_at_measure_) / elapsed_s;
+  since_measured_.start();
+  ticks_at_measure_ = snapshot.ticks;
+}
+
+void ServoPanel::present(const servo::Snapshot& snapshot) {
+  measureRate(snapshot);
+  if (snapshot.mode == servo::Mode::Running) told_->hide();  // Start has been pressed since
+  if (visibleRegion().isEmpty()) return;                     // behind another tab it is visible, and not seen
+  const int rate_hz = parts_.host.rateHz();
+  limits_->present(snapshot, rate_hz);
+  const std::int64_t since = snapshot.ticks - shown_ticks_;
+  if (shown_ticks_ >= 0 && since >= 0 && since < rate_hz / kTimesASecond) return;
+  shown_ticks_ = snapshot.ticks;
+  const servo::Scheduling scheduling = parts_.host.scheduling();
+  time_->present(snapshot, parts_.host.timing(), rate_hz, scheduling.name == "manual" ? 0.0 : measured_hz_);
+  scheduling_->present(scheduling);
+}
+
+void ServoPanel::add(const servo::TickRecord& record) {
+  limits_->add(record);
+}
+
+void ServoPanel::setTheme(const Theme& theme) {
+  time_->setTheme(theme);
+  limits_->setTheme(theme);
+}
+
+}  // namespace underact::gui

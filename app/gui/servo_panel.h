@@ -1,0 +1,42 @@
+#pragma once
+#include <QElapsedTimer>
+
+#include "app/gui/panel.h"
+
+class QCheckBox;
+class QLabel;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class LimitsSection;
+class SchedulingSection;
+class TimeSection;
+
+/// What the servo does with its time and with the force: time, scheduling, limits; and hold to run.
+class ServoPanel : public Panel {
+  Q_OBJECT
+ public:
+  ServoPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void add(const servo::TickRecord& record) override;
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void addActions();
+  void buildSwitches(QVBoxLayout* column);
+  bool restart();
+  void measureRate(const servo::Snapshot& snapshot);
+
+  PanelParts parts_;
+  TimeSection* time_;
+  SchedulingSection* scheduling_;
+  LimitsSection* limits_;
+  QLabel* told_ = nullptr;  // what came of a restart
+  QElapsedTimer since_measured_;
+  std::int64_t ticks_at_measure_ = 0;
+  std::int64_t shown_ticks_ = -1;
+  double measured_hz_ = kNotANumber;  // not yet
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,204 @@
+#include "core/record/fault_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "core/json/json.h"
+#include "core/record/columns.h"
+#include "core/scene/write.h"
+#include "underact/version.h"
+
+namespace underact::record {
+namespace {
+
+constexpr std::string_view kBegin = "fault_";
+constexpr std::string_view kEnd = ".json";
+constexpr int kMostInASecond = 99;
+
+/// A row as a JSON list.
+class JsonRow {
+ public:
+  explicit JsonRow(std::string& text) : text_(text) {}
+  template <class Integer>
+  void integer(Integer value) {
+    add(std::to_string(value));
+  }
+  void number(double value) { add(json::numberText(value)); }
+  void word(std::string_view value) { add(json::quoted(value)); }
+
+ private:
+  void add(std::string_view value) {
+    text_.append(first_ ? "" : ", ").append(value);
+    first_ = false;
+  }
+  std::string& text_;
+  bool first_ = true;
+};
+
+void member(std::string& text, std::string_view key, std::string_view json) {
+  text.append(text.empty() ? "{\n  " : ",\n  ").append(json::quoted(key)).append(": ").append(json);
+}
+
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+std::string object(const Members& members) {
+  std::string text;
+  for (const auto& [key, json] : members) {
+    text.append(text.empty() ? "{" : ", ").append(json::quoted(key)).append(": ").append(json);
+  }
+  return text + "}";
+}
+
+std::string lateText(const servo::LateTicks& late) {
+  Members members{{"total", std::to_string(late.total)}};
+  for (std::size_t cause = 0; cause < late.by_cause.size(); ++cause) {
+    members.emplace_back(servo::name(static_cast<servo::LateCause>(cause)), std::to_string(late.by_cause[cause]));
+  }
+  members.emplace_back("left_out", std::to_string(late.left_out));
+  return object(members);
+}
+
+std::string listText(const std::vector<std::string>& phrases) {
+  std::string text;
+  for (const std::string& phrase : phrases) text.append(text.empty() ? "" : ", ").append(json::quoted(phrase));
+  return "[" + text + "]";
+}
+
+std::string rowsText(const std::vector<servo::TickRecord>& records) {
+  std::string text = "[";
+  for (const servo::TickRecord& record : records) {
+    text += text.size() > 1 ? ",\n    [" : "\n    [";
+    JsonRow row(text);
+    fillRow(record, row);
+    text += "]";
+  }
+  return text + "]";
+}
+
+std::string twoDigits(int value) {
+  return (value < 10 ? "0" : "") + std::to_string(value);
+}
+
+Problems cannotBeKept(const std::string& path, int error) {
+  return {{std::string("The fault cannot be written to a file: ") + std::strerror(error) + ".", {path}}};
+}
+
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// The faults kept in a folder, by name: the time comes first in it, so the oldest is first.
+std::vector<std::filesystem::path> faultsIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(kBegin) && name.ends_with(kEnd)) found.push_back(entry->path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// A clock that was set back makes the newest look old: it stays all the same.
+void removeOldest(const std::filesystem::path& folder, const std::filesystem::path& newest) {
+  const std::vector<std::filesystem::path> found = faultsIn(folder);
+  std::size_t kept = found.size();
+  for (const std::filesystem::path& one : found) {
+    if (kept <= kFaultFilesKept) return;
+    if (one == newest) continue;
+    std::error_code left_there;
+    std::filesystem::remove(one, left_there);
+    --kept;
+  }
+}
+
+}  // namespace
+
+FaultWords wordsOf(const Fault& fault) {
+  return {name(fault.kind), whatHappened(fault), whatToDo(fault)};
+}
+
+std::string isoTime(std::int64_t unix_time_s) {
+  using namespace std::chrono;
+  const sys_seconds time{seconds{unix_time_s}};
+  const year_month_day day{floor<days>(time)};
+  const hh_mm_ss clock{time - floor<days>(time)};
+  std::string year = std::to_string(static_cast<int>(day.year()));
+  year.insert(0, year.size() < 4 ? 4 - year.size() : 0, '0');
+  return year + "-" + twoDigits(static_cast<int>(static_cast<unsigned>(day.month()))) + "-" +
+         twoDigits(static_cast<int>(static_cast<unsigned>(day.day()))) + "T" +
+         twoDigits(static_cast<int>(clock.hours().count())) + ":" +
+         twoDigits(static_cast<int>(clock.minutes().count())) + ":" +
+         twoDigits(static_cast<int>(clock.seconds().count())) + "Z";
+}
+
+std::string faultText(const servo::FaultReport& report, const FaultWords& words) {
+  std::vector<std::string> columns(kColumns.begin(), kColumns.end());
+  const auto yesNo = [](bool is) { return std::string(is ? "true" : "false"); };
+  std::string text;
+  member(text, "underact_fault", "1");
+  member(text, "program", json::quoted(kVersion));
+  member(text, "what", json::quoted(words.what));
+  member(text, "what_to_do", json::quoted(words.what_to_do));
+  member(text, "kind", json::quoted(words.kind));
+  member(text, "seen", json::numberText(report.fault.seen));
+  member(text, "allowed", json::numberText(report.fault.allowed));
+  member(text, "time", json::quoted(isoTime(report.unix_time_s)));
+  member(text, "tick", std::to_string(report.tick));
+  member(text, "rate_hz", std::to_string(report.rate_hz));
+  member(text, "device",
+         object(Members{{"title", json::quoted(report.device.title)},
+                        {"simulated", yesNo(report.device.simulated)},
+                        {"untested", yesNo(report.device.untested)}}));
+  member(text, "scheduling",
+         object(Members{{"name", json::quoted(report.scheduling.name)}, {"also", listText(report.scheduling.also)}}));
+  member(text, "late_ticks", lateText(report.late));
+  member(text, "scene", scene::writeScene(report.scene));
+  while (text.back() == '\n') text.pop_back();  // of the scene's own file
+  member(text, "columns", listText(columns));
+  member(text, "rows", rowsText(report.last_second));
+  return text + "\n}\n";
+}
+
+Problems writeFaultFile(std::string_view text, const std::string& path) {
+  const std::string part = path + ".part";
+  std::unique_ptr<std::FILE, Closer> file(std::fopen(part.c_str(), "wbe"));
+  if (file == nullptr) return cannotBeKept(path, errno);
+  int error = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) error = errno;
+  if (std::fclose(file.release()) != 0 && error == 0) error = errno;
+  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return {};
+  std::remove(part.c_str());
+  return cannotBeKept(path, error);
+}
+
+Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return cannotBeKept(folder, error.value());
+  std::string time = isoTime(report.unix_time_s);
+  std::erase_if(time, [](char letter) { return letter == '-' || letter == ':'; });
+  int number = 1;  // of the faults of that second
+  for (const std::filesystem::path& one : faultsIn(folder)) {
+    const std::string name = one.filename().string(), begin = std::string(kBegin) + time + "_";
+    int taken = 0;
+    if (name.starts_with(begin)) std::from_chars(name.data() + begin.size(), name.data() + name.size(), taken);
+    number = std::min(std::max(number, taken + 1), kMostInASecond);
+  }
+  const std::string file = std::string(kBegin) + time + "_" + twoDigits(number) + "_" + words.kind + std::string(kEnd);
+  const std::filesystem::path path = std::filesystem::path(folder) / file;
+  const Problems problems = writeFaultFile(faultText(report, words), path.string());
+  if (!problems.empty()) return problems;
+  removeOldest(folder, path);
+  return path.string();
+}
+
+}  // namespace underact::record
