@@ -67,7 +67,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "app.quit"});
   fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions, {"edit.undo", "edit.redo", "-", "gains.reset"});
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
-       {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.fault", "-",
+       {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
         "calibration.left", "calibration.right"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fill(view, actions,

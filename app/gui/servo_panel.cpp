@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/check/check_dialog.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/servo/sections.h"
 #include "app/gui/words.h"
@@ -54,6 +55,26 @@ void ServoPanel::addActions() {
   parts_.actions.add({"servo.restart", tr("&Restart the servo"), QKeySequence("Shift+F5"),
                       tr("Ends the servo thread, opens the arm again and begins anew; the scene stays.")},
                      [this](const QVariantList&) { return restart(); });
+  parts_.actions.add({"servo.check", tr("&Check the servo…"), QKeySequence("Ctrl+Alt+K"),
+                      tr("Measures how late the servo's ticks are, beside the least that this machine allows.")},
+                     [this](const QVariantList&) {
+                       if (check_ == nullptr) {
+                         check_ = new CheckDialog(parts_.host.rateHz(), parts_.host.schedulingWanted(), window());
+                         check_->setAttribute(Qt::WA_DeleteOnClose);
+                       }
+                       check_->show();
+                       check_->raise();
+                       return true;
+                     });
+}
+
+QPushButton* ServoPanel::buttonFor(const QString& action, const QString& words) {
+  auto* button = new QPushButton(words, this);
+  button->setObjectName(QString(action).replace("servo.", "panel.servo."));
+  button->setAccessibleName(words);
+  button->setToolTip(parts_.actions.find(action)->toolTip());
+  connect(button, &QPushButton::clicked, this, [this, action] { parts_.actions.perform(action); });
+  return button;
 }
 
 void ServoPanel::buildSwitches(QVBoxLayout* column) {
@@ -67,18 +88,14 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
                            "in the view (F2)."));
   connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
   connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
-  auto* again = new QPushButton(tr("Restart the servo"), this);
-  again->setObjectName("panel.servo.restart");
-  again->setAccessibleName(tr("Restart the servo"));
-  again->setToolTip(parts_.actions.find("servo.restart")->toolTip());
-  connect(again, &QPushButton::clicked, this, [this] { parts_.actions.perform("servo.restart"); });
   told_ = new QLabel(this);
   told_->setObjectName("panel.servo.told");
   told_->setAccessibleName(tr("What came of the restart"));
   told_->setWordWrap(true);
   told_->hide();
   column->addWidget(box);
-  column->addWidget(again);
+  column->addWidget(buttonFor("servo.restart", tr("Restart the servo")));
+  column->addWidget(buttonFor("servo.check", tr("Check the servo…")));
   column->addWidget(told_);
 }
 

@@ -1,14 +1,17 @@
 #pragma once
 #include <QElapsedTimer>
+#include <QPointer>
 
 #include "app/gui/panel.h"
 
 class QCheckBox;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace underact::gui {
 
+class CheckDialog;
 class LimitsSection;
 class SchedulingSection;
 class TimeSection;
@@ -25,6 +28,7 @@ class ServoPanel : public Panel {
  private:
   void addActions();
   void buildSwitches(QVBoxLayout* column);
+  QPushButton* buttonFor(const QString& action, const QString& words);
   bool restart();
   void measureRate(const servo::Snapshot& snapshot);
 
@@ -33,6 +37,7 @@ class ServoPanel : public Panel {
   SchedulingSection* scheduling_;
   LimitsSection* limits_;
   QLabel* told_ = nullptr;  // what came of a restart
+  QPointer<CheckDialog> check_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
   std::int64_t shown_ticks_ = -1;

@@ -195,6 +195,10 @@ Scheduling Host::scheduling() const {
   return {impl_->options.clock == Clock::Manual ? "manual" : "not begun", "", {}};
 }
 
+const SchedulingWanted& Host::schedulingWanted() const {
+  return impl_->options.scheduling;
+}
+
 DeviceInfo Host::device() const {
   return impl_->device->info();
 }

@@ -85,6 +85,7 @@ class Host {
 
   int rateHz() const;
   Scheduling scheduling() const;
+  const SchedulingWanted& schedulingWanted() const;
   DeviceInfo device() const;
 
  private:
