@@ -76,7 +76,8 @@ QLabel* StatusLine::field(const char* name, const QString& spoken, const QString
 void StatusLine::present(const servo::Snapshot& snapshot) {
   presentMode(snapshot);
   const double sent_N = snapshot.report.force.f_T_W().norm();
-  const QString limit = snapshot.report.level > 0.0 ? mostLimiting(snapshot.report.cuts) : QString();
+  const bool let_go = snapshot.report.cuts.frozen && snapshot.mode == servo::Mode::Running;
+  const QString limit = snapshot.report.level > 0.0 || let_go ? mostLimiting(snapshot.report.cuts) : QString();
   setText(force_, tr("force %1 / %2 N%3")
                       .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
                            limit.isEmpty() ? QString() : tr(" limited: %1").arg(limit)));

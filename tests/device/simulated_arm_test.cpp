@@ -40,6 +40,21 @@ safety::GatedForce wall(const arm::Sample& sample) {
   return gated(Vec3(-200.0 * tipOf(sample).x(), 0.0, 0.0));
 }
 
+TEST(SimulatedArm, TheStylusButtonIsBitZeroFromTheNextReadOn) {
+  SimulatedArm arm(optionsOf("ideal"));
+  arm::Sample sample;
+  arm.read(sample);
+  EXPECT_EQ(sample.buttons, 0U);
+  arm.holdButton(true);
+  for (int read = 0; read < 3; ++read) {
+    arm.read(sample);
+    EXPECT_EQ(sample.buttons, 1U);
+  }
+  arm.holdButton(false);
+  arm.read(sample);
+  EXPECT_EQ(sample.buttons, 0U);
+}
+
 TEST(SimulatedArm, EachReadIsOnePeriodLater) {
   for (const int rate_hz : {1000, 4000, 100}) {
     SimulatedArm arm(optionsOf("vendor-nominal", rate_hz));

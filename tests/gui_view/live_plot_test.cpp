@@ -212,6 +212,27 @@ TEST(LivePlot, EnergyBelowZeroIsMarkedAndThePassiveForceIsBesideIt) {
   EXPECT_EQ(plot.glErrors(), 0);
 }
 
+TEST(LivePlot, WhereAllWouldBeTooNarrowThePathLeavesItsRoomAndSaysSo) {
+  LivePlot plot;
+  std::vector<bool> said;
+  QObject::connect(&plot, &LivePlot::pathShown, [&said](bool shown) { said.push_back(shown); });
+  const int line = plot.fontMetrics().lineSpacing();
+  plot.resize(28 * line, 12 * line);  // three charts of nine lines, and no more
+  plot.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
+  plot.picture();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return said == std::vector<bool>{false}; }));
+  plot.showEnergy(false);
+  plot.picture();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return said == std::vector<bool>{false, true}; }));
+  plot.showEnergy(true);
+  plot.resize(60 * line, 12 * line);
+  plot.picture();
+  QTest::qWait(20);
+  EXPECT_TRUE(said.back());
+  EXPECT_EQ(plot.glErrors(), 0);
+}
+
 TEST(LivePlot, DrawsWhatWasAddedAndOnlyThen) {
   LivePlot plot;
   plot.resize(1190, 180);

@@ -77,6 +77,21 @@ TEST(ServoStory, ALimitThatActedForOneTickBetweenTwoFramesIsNotMissed) {
   EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.clamp.note")->text(), "has not acted");
 }
 
+TEST(ServoStory, AFrozenSampleIsALimitOnlyWhileTheServoWouldPush) {
+  Story story("02_sphere");
+  LimitsSection limits;
+  servo::Snapshot snapshot;
+  snapshot.ticks = 100;
+  snapshot.report.cuts.frozen = true;  // and no force is left by then
+  limits.present(snapshot, 1000);
+  const auto* frozen = limits.findChild<ShareBar*>("panel.servo.limit.frozen");
+  EXPECT_FALSE(frozen->acts());
+  snapshot.mode = servo::Mode::Running;
+  limits.present(snapshot, 1000);
+  EXPECT_TRUE(frozen->acts());
+  EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.frozen.value")->text(), "let go");
+}
+
 TEST(ServoStory, ThePanelTellsOfTimeAndScheduling) {
   Story story("02_sphere");
   openPanel(story);

@@ -79,7 +79,7 @@ void LimitsSection::present(const servo::Snapshot& snapshot, int rate_hz) {
     Limit& limit = limits_[index];
     const bool whole = name.cut_N == nullptr;
     const double cut_N = whole || !(report.level > 0.0) ? 0.0 : report.cuts.*name.cut_N;
-    const bool acts = whole ? report.cuts.frozen : cut_N > 0.0;
+    const bool acts = whole ? report.cuts.frozen && snapshot.mode == servo::Mode::Running : cut_N > 0.0;
     limit.most_N = std::max(limit.most_N, cut_N);
     if (acts) limit.last_tick = snapshot.ticks;
     const double share = whole ? (acts ? 1.0 : 0.0) : cut_N > 0.0 ? cut_N / (cut_N + sent_N) : 0.0;

@@ -11,7 +11,6 @@
 #include "app/gui/actions.h"
 #include "app/gui/main_window.h"
 #include "app/gui/simulated_host.h"
-#include "app/gui/status_line.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/scene_view.h"
 #include "core/scene/read.h"
@@ -27,10 +26,9 @@ QString scenePath(const char* name) {
   return QString(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
 }
 
-void print(const char* phase, const Lateness& lateness, std::int64_t dropped) {
-  std::printf("%-34s p50 %6.1f  p99 %6.1f  p99.9 %6.1f  max %8.1f us   dropped %lld\n", phase,
-              lateness.percentile_us(0.5), lateness.percentile_us(0.99), lateness.percentile_us(0.999),
-              lateness.percentile_us(1.0), static_cast<long long>(dropped));
+void print(const char* phase, const servo::Percentiles& late, std::int64_t dropped) {
+  std::printf("%-34s p50 %6.1f  p99 %6.1f  p99.9 %6.1f  max %8.1f us   dropped %lld\n", phase, late.p50_us, late.p99_us,
+              late.p999_us, late.max_us, static_cast<long long>(dropped));
   std::fflush(stdout);
 }
 
@@ -57,12 +55,11 @@ void measureAlone() {
   SimulatedHost alone = makeSimulatedHost({});
   alone.host->load(scene::readSceneFile(scenePath("02_sphere").toStdString()).value());
   alone.host->start();
-  Lateness lateness(alone.host->rateHz());
   pass([&](double ms) {
     moveHand(*alone.arm, ms);
-    alone.host->drain([&](const servo::TickRecord& record) { lateness.add(record.lateness_ns); });
+    alone.host->drain([](const servo::TickRecord&) {});
   });
-  print("servo alone", lateness, alone.host->snapshot().dropped);
+  print("servo alone", alone.host->timing().lateLately(), alone.host->snapshot().dropped);
 }
 
 void measureWithWindow(bool first_round) {
@@ -79,12 +76,11 @@ void measureWithWindow(bool first_round) {
   window.show();
   window.actions().perform("scene.open", scenePath("02_sphere"));
   window.actions().perform("session.start");
-  const auto* status = window.findChild<StatusLine*>();
   const auto dropped = [&] { return simulated.host->snapshot().dropped; };
 
   const qint64 before = window.view().framesDrawn();
   pass([&](double ms) { moveHand(*simulated.arm, ms); });
-  print("with the window drawing", status->lateness(), dropped());
+  print("with the window drawing", simulated.host->timing().lateLately(), dropped());
   std::printf("%-34s %.1f frames/s at %d x %d, first picture %.0f ms after show, %s\n", "",
               static_cast<double>(window.view().framesDrawn() - before) * 1e3 / kPhase_ms, window.width(),
               window.height(), first_ms, window.view().graphicsName().toUtf8().constData());
@@ -95,7 +91,7 @@ void measureWithWindow(bool first_round) {
     window.resize(1280 + static_cast<int>(ms / 16) % 200, 800 + static_cast<int>(ms / 24) % 100);
     window.move(static_cast<int>(ms / 16) % 300, static_cast<int>(ms / 24) % 100);
   });
-  print("with the window dragged and sized", status->lateness(), dropped());
+  print("with the window dragged and sized", simulated.host->timing().lateLately(), dropped());
 
   const char* scenes[] = {"01_point", "02_sphere", "05_circle", "06_cylinder", "07_box_outside"};
   int loads = 0;
@@ -103,7 +99,7 @@ void measureWithWindow(bool first_round) {
     moveHand(*simulated.arm, ms);
     if (static_cast<int>(ms / 200) > loads) window.actions().perform("scene.open", scenePath(scenes[++loads % 5]));
   });
-  print("with a scene loaded every 200 ms", status->lateness(), dropped());
+  print("with a scene loaded every 200 ms", simulated.host->timing().lateLately(), dropped());
 }
 
 void measure() {
