@@ -60,7 +60,7 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.retuned = true;
   carryAll(last.laws, next.laws);
   if (what == Carry::ArmAndMovedLaws) {
-    for (control::LawState& law : next.laws) law.has_last = false;
+    for (control::LawState& law : next.laws) law.velocity.has_last = false;
   }
   carryAll(last.influences, next.influences);
   carryAll(last.robots, next.robots);

@@ -17,7 +17,7 @@ constexpr double kLongestTick_s = 0.1;
 constexpr double kBumpOver_N = 1e-9;  // what is left of a smoothed step when it is forgotten
 
 void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
-  for (control::LawState& law : state.laws) law = control::LawState{};
+  for (control::LawState& law : state.laws) control::forget(law);
   for (target::InfluenceState& influence : state.influences) influence = target::InfluenceState{};
   for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
@@ -142,9 +142,17 @@ struct Around {
   TickReport& report;
 };
 
+/// law: null where none remembers anything; then each is P.
+Vec3 forceOfLaw(const Around& around, const Entry& entry, const Vec3& e,
+                control::LawState* law) noexcept UNDERACT_REAL_TIME {
+  if (law != nullptr) return control::force(entry.law, *law, e, around.moment);
+  const control::P* const p = std::get_if<control::P>(&entry.law);
+  return p != nullptr ? control::force(*p, e) : Vec3(Vec3::Zero());
+}
+
 /// The force of the torques that draw joints 1 to 3 to those that the target asks for.
 /// Source: Beckman 2007, section 4.1 (its joint-space scheme), with errata section 2's inverse; tau = J_p^T f.
-Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, control::LawState& law,
+Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, control::LawState* law,
                    arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
   const arm::JointAngles& q_rad = around.report.sample.q_rad;
   if (!follower.begun) follower.q_rad = q_rad;
@@ -152,8 +160,7 @@ Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, c
   follower = asked.next;
   const arm::JointAngles wanted_rad = arm::withinLimits(around.program.joint_limits, asked.next.q_rad);
   const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
-  const arm::ForceOfTorque pushed =
-      arm::forceOf(around.program.geometry, q_rad, control::force(entry.law, law, e_rad, around.moment));
+  const arm::ForceOfTorque pushed = arm::forceOf(around.program.geometry, q_rad, forceOfLaw(around, entry, e_rad, law));
   around.report.branch_changes += asked.changed ? 1 : 0;
   around.report.out_of_reach |= !asked.reachable;
   around.report.damping_m = std::fmax(around.report.damping_m, pushed.damping_m);
@@ -161,26 +168,27 @@ Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, c
 }
 
 /// What the law asks for; a wall never pulls.
-Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, control::LawState& law,
+Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, control::LawState* law,
             arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
   const Vec3 e_W = held.p_WP - around.report.p_WT;
   const Vec3 f_T_W = entry.space == Space::Joint ? forceByJoints(around, entry, held.p_WP, law, follower)
-                                                 : control::force(entry.law, law, e_W, around.moment);
+                                                 : forceOfLaw(around, entry, e_W, law);
   if (held.robot.joints > 0) return f_T_W + held.robot.f_along_T_W;
   if (entry.constraint.side != target::Side::Both && f_T_W.dot(e_W) < 0.0) return Vec3::Zero();
   return f_T_W;
 }
 
 /// The force of one constraint; zero where it is free, degenerate or not chosen.
-Vec3 forceOf(const Around& around, const Entry& entry, const Held& held, control::LawState& law,
+Vec3 forceOf(const Around& around, const Entry& entry, const Held& held, control::LawState* law,
              arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
   if (held.status == target::Status::Unique && held.acts) return pushOf(around, entry, held, law, follower);
   follower.begun = false;
+  if (law == nullptr) return Vec3::Zero();
   if (held.status == target::Status::Free || held.acts) {
-    control::rest(law, held.status == target::Status::Degenerate);
-    if (around.moment.idle) law.integral_T_W.setZero();
+    control::rest(*law, held.status == target::Status::Degenerate);
+    if (around.moment.idle) law->integral_T_W.setZero();
   } else {
-    law = control::LawState{};  // another is nearer: an old integral would come back as a jump
+    control::forget(*law);  // another is nearer: an old integral would come back as a jump
   }
   return Vec3::Zero();
 }
@@ -190,9 +198,8 @@ Vec3 sumForces(const TickProgram& program, TickState& state, TickReport& report,
   const Around around{program, moment, report};
   Vec3 sum_T_W = Vec3::Zero();
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    control::LawState no_law;
     arm::FollowerState no_follower;
-    control::LawState& law = index < state.laws.size() ? state.laws[index] : no_law;
+    control::LawState* const law = index < state.laws.size() ? &state.laws[index] : nullptr;
     arm::FollowerState& follower = index < state.followers.size() ? state.followers[index] : no_follower;
     Held& held = report.held[index];
     held.f_T_W = forceOf(around, program.entries[index], held, law, follower);
