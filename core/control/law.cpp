@@ -74,8 +74,10 @@ bool needsIntegral(const Law& law) {
   return std::holds_alternative<PID>(law);
 }
 
-const Vec3& stiffness(const Law& law) {
-  return std::visit([](const auto& chosen) -> const Vec3& { return chosen.kp_N_per_m; }, law);
+const Vec3& stiffness(const Law& law) noexcept {
+  if (const PD* pd = std::get_if<PD>(&law)) return pd->kp_N_per_m;
+  if (const PID* pid = std::get_if<PID>(&law)) return pid->kp_N_per_m;
+  return std::get_if<P>(&law)->kp_N_per_m;
 }
 
 }  // namespace underact::control

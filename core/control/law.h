@@ -64,6 +64,6 @@ bool needsRate(const Law& law);
 bool needsIntegral(const Law& law);
 
 /// The proportional gains of any law.
-const Vec3& stiffness(const Law& law);
+const Vec3& stiffness(const Law& law) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::control
