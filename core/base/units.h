@@ -9,6 +9,7 @@ inline constexpr double kMetrePerMillimetre = 1e-3;
 inline constexpr double kMillimetrePerMetre = 1e3;
 inline constexpr double kNewtonPerMetre = 1e3;  // 1 N/mm; also 1 N s/mm in N s/m, and 1 N/(mm s) in N/(m s)
 inline constexpr double kRadPerDegree = kPi / 180.0;
+inline constexpr double kSecondPerMillisecond = 1e-3;
 inline constexpr double kSecondPerNanosecond = 1e-9;
 
 }  // namespace underact

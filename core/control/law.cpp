@@ -5,15 +5,6 @@
 namespace underact::control {
 namespace {
 
-void followRate(LawState& state, const Vec3& e_W, double dt_s) noexcept UNDERACT_REAL_TIME {
-  if (state.has_last && dt_s > 0.0) {
-    const Vec3 raw_W = (e_W - state.e_last_W) / dt_s;
-    state.rate_W += (dt_s / (dt_s + kRateFilter_s)) * (raw_W - state.rate_W);
-  }
-  state.e_last_W = e_W;
-  state.has_last = true;
-}
-
 void integrate(const PID& law, LawState& state, const Vec3& e_W, const Vec3& others_T_W,
                const Moment& moment) noexcept UNDERACT_REAL_TIME {
   if (moment.idle) {
@@ -21,6 +12,10 @@ void integrate(const PID& law, LawState& state, const Vec3& e_W, const Vec3& oth
     return;
   }
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (!(law.ki_N_per_m_s[axis] > 0.0)) {  // what nothing can unwind must not stay
+      state.integral_T_W[axis] = 0.0;
+      continue;
+    }
     const double added_N = law.ki_N_per_m_s[axis] * e_W[axis] * moment.dt_s;
     const double so_far_N = others_T_W[axis] + state.integral_T_W[axis];
     if (!(moment.limited && added_N * so_far_N > 0.0)) state.integral_T_W[axis] += added_N;
@@ -29,16 +24,28 @@ void integrate(const PID& law, LawState& state, const Vec3& e_W, const Vec3& oth
   if (size_N > law.integral_limit_N) state.integral_T_W *= law.integral_limit_N / size_N;
 }
 
+/// kp e + kd de/dt.
+Vec3 springAndDamper(const Vec3& kp_N_per_m, const Vec3& kd_N_s_per_m, const VelocityState& velocity,
+                     const Vec3& e_W) noexcept UNDERACT_REAL_TIME {
+  return kp_N_per_m.cwiseProduct(e_W) + kd_N_s_per_m.cwiseProduct(velocity.rate_W);
+}
+
 }  // namespace
 
+Vec3 force(const P& law, const Vec3& e_W) noexcept {
+  return law.kp_N_per_m.cwiseProduct(e_W);
+}
+
 Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& moment) noexcept {
-  if (const P* p = std::get_if<P>(&law)) return p->kp_N_per_m.cwiseProduct(e_W);
-  followRate(state, e_W, moment.dt_s);
+  if (const P* p = std::get_if<P>(&law)) return force(*p, e_W);
   if (const PD* pd = std::get_if<PD>(&law)) {
-    return pd->kp_N_per_m.cwiseProduct(e_W) + pd->kd_N_s_per_m.cwiseProduct(state.rate_W);
+    followRate(pd->velocity, state.velocity, e_W, moment.dt_s);
+    state.integral_T_W.setZero();  // of a PID before it: not to come back with the next one
+    return springAndDamper(pd->kp_N_per_m, pd->kd_N_s_per_m, state.velocity, e_W);
   }
   if (const PID* pid = std::get_if<PID>(&law)) {
-    const Vec3 others_T_W = pid->kp_N_per_m.cwiseProduct(e_W) + pid->kd_N_s_per_m.cwiseProduct(state.rate_W);
+    followRate(pid->velocity, state.velocity, e_W, moment.dt_s);
+    const Vec3 others_T_W = springAndDamper(pid->kp_N_per_m, pid->kd_N_s_per_m, state.velocity, e_W);
     integrate(*pid, state, e_W, others_T_W, moment);
     return others_T_W + state.integral_T_W;
   }
@@ -46,10 +53,17 @@ Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& momen
 }
 
 void rest(LawState& state, bool lost) noexcept {
-  state.e_last_W.setZero();
-  state.rate_W.setZero();
-  state.has_last = !lost;
-  if (!lost) state.integral_T_W.setZero();
+  if (lost) {
+    forget(state.velocity);
+    return;
+  }
+  standAtZero(state.velocity);
+  state.integral_T_W.setZero();
+}
+
+void forget(LawState& state) noexcept {
+  forget(state.velocity);
+  state.integral_T_W.setZero();
 }
 
 bool needsRate(const Law& law) {
@@ -60,8 +74,10 @@ bool needsIntegral(const Law& law) {
   return std::holds_alternative<PID>(law);
 }
 
-const Vec3& stiffness(const Law& law) {
-  return std::visit([](const auto& chosen) -> const Vec3& { return chosen.kp_N_per_m; }, law);
+const Vec3& stiffness(const Law& law) noexcept {
+  if (const PD* pd = std::get_if<PD>(&law)) return pd->kp_N_per_m;
+  if (const PID* pid = std::get_if<PID>(&law)) return pid->kp_N_per_m;
+  return std::get_if<P>(&law)->kp_N_per_m;
 }
 
 }  // namespace underact::control

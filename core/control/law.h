@@ -3,6 +3,7 @@
 
 #include "core/base/real_time.h"
 #include "core/base/types.h"
+#include "core/control/velocity.h"
 
 namespace underact::control {
 
@@ -11,32 +12,32 @@ struct P {
   Vec3 kp_N_per_m = Vec3::Zero();
 };
 
-/// Proportional and derivative: f = kp e + kd de/dt, the rate filtered (see kRateFilter_s). The error's own rate, not
+/// Proportional and derivative: f = kp e + kd de/dt, the rate by one of the filters. The error's own rate, not
 /// the tip's: along the constraint the stylus stays free of drag. Source: eq. 4.1 with the K_e term that its left side
 /// omits.
 struct PD {
   Vec3 kp_N_per_m = Vec3::Zero();
   Vec3 kd_N_s_per_m = Vec3::Zero();
+  Velocity velocity = {};
 };
 
 /// And integral: + the integral of ki e, kept as a force so that a change of ki makes no jump. It is held within
-/// integral_limit_N, does not grow while the gate cuts the force it would add to, and is emptied while the servo is
-/// idle. Source: eq. B.15 (with its missing d tau).
+/// integral_limit_N, on no axis does it grow while the gate cuts the force it would add to, and it is emptied while the
+/// servo is idle and on an axis whose ki is 0. Source: eq. B.15 (with its missing d tau).
 struct PID {
   Vec3 kp_N_per_m = Vec3::Zero();
   Vec3 kd_N_s_per_m = Vec3::Zero();
   Vec3 ki_N_per_m_s = Vec3::Zero();
   double integral_limit_N = 0.0;
+  Velocity velocity = {};
 };
 
 using Law = std::variant<P, PD, PID>;
 
 /// All memory that a law has. P has none.
 struct LawState {
-  Vec3 e_last_W = Vec3::Zero();
-  Vec3 rate_W = Vec3::Zero();        // of the error, m/s, filtered
+  VelocityState velocity = {};       // of the error, m/s
   Vec3 integral_T_W = Vec3::Zero();  // N
-  bool has_last = false;
 };
 
 /// What a law is told of the moment besides the error.
@@ -46,23 +47,23 @@ struct Moment {
   bool idle = false;     // no force is sent at all
 };
 
-// Time constant of the rate's first-order filter. One encoder step (0.055 mm) at 1 kHz is 55 mm/s unfiltered; 1.6 ms
-// (100 Hz) leaves 21 mm/s of it and costs 1.6 ms of delay.
-inline constexpr double kRateFilter_s = 1.6e-3;
-
 /// The force on the tip for the error e_W = p_WP - p_WT, m. Finite in, finite out (up to overflow, which the gate
 /// refuses). state is not touched by P. Cost: constant.
+Vec3 force(const P& law, const Vec3& e_W) noexcept UNDERACT_REAL_TIME;
 Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& moment) noexcept UNDERACT_REAL_TIME;
 
 /// To be called instead of force() when there is no error to follow. lost: not even its rate is known (a degenerate
 /// target); otherwise the error is zero (an untouched wall), which is where a contact starts from.
 void rest(LawState& state, bool lost) noexcept UNDERACT_REAL_TIME;
 
+/// As on a first tick.
+void forget(LawState& state) noexcept UNDERACT_REAL_TIME;
+
 /// The quantities a law needs beyond the error itself.
 bool needsRate(const Law& law);
 bool needsIntegral(const Law& law);
 
 /// The proportional gains of any law.
-const Vec3& stiffness(const Law& law);
+const Vec3& stiffness(const Law& law) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::control

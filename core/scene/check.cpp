@@ -41,6 +41,7 @@ class Checker {
   void checkField(const std::string& key, Meaning meaning, const Vec3& numbers);
   void checkField(const std::string& key, Meaning meaning, const Mat3& numbers);
   void checkControl(const std::string& key, const Control& control);
+  void checkVelocity(const std::string& key, const Velocity& velocity);
   void checkConstraint(std::size_t index);
   void checkMetric(const std::string& key, const Control& control, const Shape& shape);
   void checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control);
@@ -87,6 +88,21 @@ void Checker::checkControl(const std::string& key, const Control& control) {
                         (field.from == LawType::PD ? "PD (or PID)" : "PID") + " does. Change the law or take it away.");
     }
   }
+  checkVelocity(key + ".velocity", control.velocity);
+}
+
+void Checker::checkVelocity(const std::string& key, const Velocity& velocity) {
+  std::visit(
+      [&](const auto& filter) {
+        eachSetting(filter, [&](const auto& setting, double number) {
+          if (number >= setting.least && number <= setting.most && (!setting.whole || number == std::floor(number)))
+            return;
+          add(key + "." + setting.key, std::string("This must be ") + (setting.whole ? "a whole number " : "") +
+                                           "from " + numberText(setting.least) + " to " + numberText(setting.most) +
+                                           "; here it is " + numberText(number) + ".");
+        });
+      },
+      velocity);
 }
 
 /// The metric that unequal gains make: zero gains flatten the shape to nothing. Source: target/target.h,

@@ -48,6 +48,19 @@ Vec3 leversOf(const arm::Geometry& geometry) {
   return arm::positionJacobian(geometry, arm::reach(geometry, Vec3::Zero()).q_rad).colwise().norm();
 }
 
+/// Noise and acceleration of a joint are those of the tip at the end of its lever.
+control::Velocity velocityOf(const Velocity& velocity, const Vec3& lever_m) {
+  if (const auto* low_pass = std::get_if<LowPassFilter>(&velocity))
+    return control::LowPass{kSecondPerMillisecond * low_pass->time_constant_ms};
+  if (const auto* adaptive = std::get_if<AdaptiveWindowFilter>(&velocity)) {
+    const Vec3 noise = Vec3::Constant(metres(adaptive->noise_mm)).cwiseQuotient(lever_m);
+    return control::AdaptiveWindow{static_cast<int>(adaptive->window), noise};
+  }
+  if (const auto* kalman = std::get_if<KalmanFilter>(&velocity))
+    return control::Kalman{metres(kalman->noise_mm), metres(kalman->acceleration_mm_per_s2)};
+  return control::RawDifference{};
+}
+
 /// lever_m: 1 where the law works in Cartesian space. A joint's gain is that of the file where its lever is the one in
 /// the middle of the workspace: kp of 0.5 N/mm on a lever of 0.176 m is 15.5 N m/rad.
 control::Law lawOf(const Control& control, double max_force_N, const Vec3& lever_m) {
@@ -56,13 +69,14 @@ control::Law lawOf(const Control& control, double max_force_N, const Vec3& lever
   const Vec3 kd_N_s_per_m = per_turn.cwiseProduct(control.gains.kd_N_s_per_mm);
   const Vec3 ki_N_per_m_s = per_turn.cwiseProduct(control.gains.ki_N_per_mm_s);
   const double integral_limit_N = max_force_N * lever_m.minCoeff();
+  const control::Velocity velocity = velocityOf(control.velocity, lever_m);
   switch (control.law) {
     case LawType::P:
       return control::P{kp_N_per_m};
     case LawType::PD:
-      return control::PD{kp_N_per_m, kd_N_s_per_m};
+      return control::PD{kp_N_per_m, kd_N_s_per_m, velocity};
     case LawType::PID:
-      return control::PID{kp_N_per_m, kd_N_s_per_m, ki_N_per_m_s, integral_limit_N};
+      return control::PID{kp_N_per_m, kd_N_s_per_m, ki_N_per_m_s, integral_limit_N, velocity};
   }
   return control::P{};
 }
@@ -114,7 +128,8 @@ Result<tick::TickProgram> compile(const Description& scene) {
       held.influence = {constraint.influence->t, sign, kRadPerDegree * constraint.influence->blend_deg};
       held.influenced = true;
     }
-    entries.push_back({std::move(held), lawOf(control, preset.continuous_force_N, lever_m), control.space});
+    entries.push_back(
+        {std::move(held), lawOf(control, preset.continuous_force_N, lever_m), control.space, control.passivity});
   }
   if (!problems.empty()) return problems;
   const safety::Limits limits =

@@ -10,6 +10,10 @@ const char* typeName(const Shape& shape) {
   return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kType; }, shape);
 }
 
+const char* filterName(const Velocity& velocity) {
+  return std::visit([](const auto& chosen) { return Settings<std::decay_t<decltype(chosen)>>::kFilter; }, velocity);
+}
+
 const Control& controlOf(const Description& scene, std::size_t index) {
   const std::optional<Control>& own = scene.constraints[index].control;
   return own ? *own : scene.control;

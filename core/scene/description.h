@@ -93,11 +93,34 @@ struct Gains {
   bool operator==(const Gains&) const = default;
 };
 
+// How the rate of the error is found, with the settings of each filter. The usual one is the first; the guide's page
+// velocity.md has the measurements that chose it and its numbers.
+struct KalmanFilter {
+  double noise_mm = 0.016;
+  double acceleration_mm_per_s2 = 8000.0;
+  bool operator==(const KalmanFilter&) const = default;
+};
+struct LowPassFilter {
+  double time_constant_ms = 1.6;
+  bool operator==(const LowPassFilter&) const = default;
+};
+struct AdaptiveWindowFilter {
+  double window = 8.0;  // ticks, a whole number
+  double noise_mm = 0.11;
+  bool operator==(const AdaptiveWindowFilter&) const = default;
+};
+struct RawFilter {
+  bool operator==(const RawFilter&) const = default;
+};
+using Velocity = std::variant<KalmanFilter, LowPassFilter, AdaptiveWindowFilter, RawFilter>;
+
 struct Control {
   LawType law = LawType::P;
   Gains gains;
   Anisotropy anisotropy = Anisotropy::Weighted;
   tick::Space space = tick::Space::Cartesian;
+  Velocity velocity = {};
+  control::Passivity passivity = control::Passivity::Observe;
   bool operator==(const Control&) const = default;
 };
 

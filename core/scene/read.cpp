@@ -11,7 +11,7 @@ namespace underact::scene {
 namespace {
 
 constexpr double kVersion = 1.0;
-const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"friction", "search", "damping"};
 
 void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);
@@ -76,6 +76,7 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
     isKind(*schema, json::Kind::String, "$schema", "text in double quotes", findings);
   }
+  object.refuse("velocity", kBelongsToControl);
   object.refuseLater(kLaterKeys);
   object.finish();
   return scene;

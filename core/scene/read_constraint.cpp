@@ -10,7 +10,7 @@ namespace {
 
 // In the contract, but not in this version.
 const std::vector<std::string> kLaterTypes{"mesh", "curve"};
-const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"friction", "search", "damping"};
 
 template <std::size_t... kIndex>
 std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
@@ -135,6 +135,7 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
   if (const json::Value* control = object.find("control")) {
     into.control = readControl(*control, object.pathOf("control"), findings);
   }
+  object.refuse("velocity", kBelongsToControl);
   object.refuseLater(kLaterKeys);
   object.finish(shape.has_value());
 }

@@ -3,7 +3,7 @@
 namespace underact::scene {
 namespace {
 
-const std::vector<std::string> kLaterKeys{"velocity", "friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"friction", "search", "damping"};
 
 /// A number for all axes, or one for each.
 void readGain(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
@@ -37,6 +37,12 @@ Control readControl(const json::Value& value, const std::string& path, Findings&
   }
   if (const json::Value* space = object.find("space")) {
     readWord(*space, object.pathOf("space"), kSpaceWords, control.space, findings);
+  }
+  if (const json::Value* velocity = object.find("velocity")) {
+    control.velocity = readVelocity(*velocity, object.pathOf("velocity"), findings);
+  }
+  if (const json::Value* passivity = object.find("passivity")) {
+    readWord(*passivity, object.pathOf("passivity"), kPassivityWords, control.passivity, findings);
   }
   object.refuseLater(kLaterKeys);
   object.finish();

@@ -15,8 +15,15 @@ using json::notYet;
 using json::ObjectReader;
 using json::shown;
 
+/// Where "velocity" stands in the wrong object.
+inline constexpr const char* kBelongsToControl =
+    "This is a part of the control, as in \"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}.";
+
 /// A constraint; its name stays empty where the file gives none.
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings);
+
+/// velocity of a control.
+Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings);
 
 /// control of the scene or of one constraint.
 Control readControl(const json::Value& value, const std::string& path, Findings& findings);

@@ -52,6 +52,19 @@ std::string gainText(const Vec3& gain) {
   return sameBits(gain, Vec3(Vec3::Constant(gain.x()))) ? text(gain.x()) : text(gain);
 }
 
+std::string velocityText(const Velocity& velocity) {
+  Members members{{"filter", json::quoted(filterName(velocity))}};
+  std::visit(
+      [&](const auto& filter) {
+        const std::decay_t<decltype(filter)> usual;
+        eachSetting(filter, [&](const auto& setting, double number) {
+          if (number != usual.*setting.member) members.emplace_back(setting.key, text(number));
+        });
+      },
+      velocity);
+  return objectText(members, 6);
+}
+
 std::string controlText(const Control& control, std::size_t indent) {
   const Control usual;
   Members members{{"law", json::quoted(wordOf(kLawWords, control.law))}};
@@ -62,13 +75,18 @@ std::string controlText(const Control& control, std::size_t indent) {
   if (control.anisotropy != usual.anisotropy) {
     members.emplace_back("anisotropy", json::quoted(wordOf(kAnisotropyWords, control.anisotropy)));
   }
+  if (!(control.velocity == usual.velocity)) members.emplace_back("velocity", velocityText(control.velocity));
+  if (control.passivity != usual.passivity) {
+    members.emplace_back("passivity", json::quoted(wordOf(kPassivityWords, control.passivity)));
+  }
   if (control.space != usual.space) members.emplace_back("space", json::quoted(wordOf(kSpaceWords, control.space)));
   return objectText(members, indent);
 }
 
 bool isUsual(const Control& control) {
   const Control usual;
-  bool same = control.law == usual.law && control.anisotropy == usual.anisotropy && control.space == usual.space;
+  bool same = control.law == usual.law && control.anisotropy == usual.anisotropy && control.space == usual.space &&
+              control.velocity == usual.velocity && control.passivity == usual.passivity;
   for (const GainField& field : kGainFields) {
     same = same && sameBits(control.gains.*field.member, usual.gains.*field.member);
   }

@@ -25,6 +25,7 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     program.needs.orientation |= entry.constraint.influenced || turns;
     program.needs.robots |= robot.has_value();
     program.needs.metric |= entry.constraint.weighted;
+    program.needs.energy |= entry.passivity != control::Passivity::Off;
     program.needs.joints |= entry.space == Space::Joint;
   }
   program.needs.motors = limits.edge_rad > 0.0 || (limits.thermal.continuous_N_m.array() > 0.0).any();
@@ -37,6 +38,7 @@ TickState makeState(const TickProgram& program) {
   if (program.needs.rate) state.laws.resize(program.entries.size());
   if (program.needs.orientation) state.influences.resize(program.entries.size());
   if (program.needs.robots) state.robots.resize(program.entries.size());
+  if (program.needs.energy) state.energies.resize(program.entries.size());
   if (program.needs.joints) state.followers.resize(program.entries.size());
   return state;
 }
@@ -44,7 +46,7 @@ TickState makeState(const TickProgram& program) {
 std::size_t bytesOf(const TickState& state) {
   return sizeof(TickState) + state.laws.size() * sizeof(control::LawState) +
          state.influences.size() * sizeof(target::InfluenceState) + state.robots.size() * sizeof(manipulator::State) +
-         state.followers.size() * sizeof(arm::FollowerState);
+         state.energies.size() * sizeof(control::EnergyState) + state.followers.size() * sizeof(arm::FollowerState);
 }
 
 void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
@@ -60,8 +62,9 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.retuned = true;
   carryAll(last.laws, next.laws);
   if (what == Carry::ArmAndMovedLaws) {
-    for (control::LawState& law : next.laws) law.has_last = false;
+    for (control::LawState& law : next.laws) law.velocity.has_last = false;
   }
+  carryAll(last.energies, next.energies);
   carryAll(last.influences, next.influences);
   carryAll(last.robots, next.robots);
   carryAll(last.followers, next.followers);

@@ -6,6 +6,7 @@
 #include "core/arm/follower.h"
 #include "core/arm/preset.h"
 #include "core/control/law.h"
+#include "core/control/passivity.h"
 #include "core/safety/gate.h"
 #include "core/target/manipulated.h"
 
@@ -25,6 +26,7 @@ struct Needs {
   bool choice = false;       // which constraint is nearest (combine: nearest)
   bool robots = false;       // virtual manipulators' joints
   bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
+  bool energy = false;       // what each constraint was given and gave back (passivity)
   bool motors = false;       // J_p for the gate: the heat of the motors, and the joints' stops
 };
 
@@ -36,6 +38,7 @@ struct Entry {
   target::Constraint constraint;
   control::Law law;  // in N and m, or in N m and rad, as the space says
   Space space = Space::Cartesian;
+  control::Passivity passivity = control::Passivity::Off;
 };
 
 /// What a scene compiles to; const from then on, so that any thread may read it. Made by makeProgram().
@@ -66,6 +69,7 @@ struct TickState {
   std::vector<control::LawState> laws;             // one for each entry; none where no law remembers anything
   std::vector<target::InfluenceState> influences;  // one for each entry; none where the stylus's turn does not count
   std::vector<manipulator::State> robots;          // one for each entry; none where there is no virtual manipulator
+  std::vector<control::EnergyState> energies;      // one for each entry; none where nobody looks at passivity
   std::vector<arm::FollowerState> followers;       // one for each entry; none where no law works on joints
 };
 

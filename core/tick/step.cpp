@@ -8,6 +8,7 @@
 #include "core/arm/statics.h"
 #include "core/base/norms.h"
 #include "core/base/units.h"
+#include "core/control/passivity.h"
 
 namespace underact::tick {
 namespace {
@@ -17,7 +18,8 @@ constexpr double kLongestTick_s = 0.1;
 constexpr double kBumpOver_N = 1e-9;  // what is left of a smoothed step when it is forgotten
 
 void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
-  for (control::LawState& law : state.laws) law = control::LawState{};
+  for (control::LawState& law : state.laws) control::forget(law);
+  for (control::EnergyState& energy : state.energies) energy = control::EnergyState{};
   for (target::InfluenceState& influence : state.influences) influence = target::InfluenceState{};
   for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
@@ -119,6 +121,8 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
     held.status = target.status;
     held.distance_m = target.distance_m;
     held.acts = acts;
+    held.energy_J = 0.0;
+    held.f_passive_T_W.setZero();
     held.angles = target.angles;
     held.arc = target.arc;
   }
@@ -142,9 +146,17 @@ struct Around {
   TickReport& report;
 };
 
+/// law: null where none remembers anything; then each is P.
+Vec3 forceOfLaw(const Around& around, const Entry& entry, const Vec3& e,
+                control::LawState* law) noexcept UNDERACT_REAL_TIME {
+  if (law != nullptr) return control::force(entry.law, *law, e, around.moment);
+  const control::P* const p = std::get_if<control::P>(&entry.law);
+  return p != nullptr ? control::force(*p, e) : Vec3(Vec3::Zero());
+}
+
 /// The force of the torques that draw joints 1 to 3 to those that the target asks for.
 /// Source: Beckman 2007, section 4.1 (its joint-space scheme), with errata section 2's inverse; tau = J_p^T f.
-Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, control::LawState& law,
+Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, control::LawState* law,
                    arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
   const arm::JointAngles& q_rad = around.report.sample.q_rad;
   if (!follower.begun) follower.q_rad = q_rad;
@@ -152,50 +164,117 @@ Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP, c
   follower = asked.next;
   const arm::JointAngles wanted_rad = arm::withinLimits(around.program.joint_limits, asked.next.q_rad);
   const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
-  const arm::ForceOfTorque pushed =
-      arm::forceOf(around.program.geometry, q_rad, control::force(entry.law, law, e_rad, around.moment));
+  const arm::ForceOfTorque pushed = arm::forceOf(around.program.geometry, q_rad, forceOfLaw(around, entry, e_rad, law));
   around.report.branch_changes += asked.changed ? 1 : 0;
   around.report.out_of_reach |= !asked.reachable;
   around.report.damping_m = std::fmax(around.report.damping_m, pushed.damping_m);
   return pushed.f_T_W;
 }
 
-/// What the law asks for; a wall never pulls.
-Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, control::LawState& law,
+/// A wall never pulls.
+Vec3 pushOnly(const Entry& entry, const Held& held, const Vec3& e_W, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
+  const bool is_wall = entry.constraint.side != target::Side::Both && held.robot.joints == 0;
+  return is_wall && f_T_W.dot(e_W) < 0.0 ? Vec3(Vec3::Zero()) : f_T_W;
+}
+
+/// What the law asks for.
+Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, control::LawState* law,
             arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
   const Vec3 e_W = held.p_WP - around.report.p_WT;
   const Vec3 f_T_W = entry.space == Space::Joint ? forceByJoints(around, entry, held.p_WP, law, follower)
-                                                 : control::force(entry.law, law, e_W, around.moment);
+                                                 : forceOfLaw(around, entry, e_W, law);
   if (held.robot.joints > 0) return f_T_W + held.robot.f_along_T_W;
-  if (entry.constraint.side != target::Side::Both && f_T_W.dot(e_W) < 0.0) return Vec3::Zero();
-  return f_T_W;
+  return pushOnly(entry, held, e_W, f_T_W);
 }
 
 /// The force of one constraint; zero where it is free, degenerate or not chosen.
-Vec3 forceOf(const Around& around, const Entry& entry, const Held& held, control::LawState& law,
+Vec3 forceOf(const Around& around, const Entry& entry, const Held& held, control::LawState* law,
              arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
   if (held.status == target::Status::Unique && held.acts) return pushOf(around, entry, held, law, follower);
   follower.begun = false;
+  if (law == nullptr) return Vec3::Zero();
   if (held.status == target::Status::Free || held.acts) {
-    control::rest(law, held.status == target::Status::Degenerate);
-    if (around.moment.idle) law.integral_T_W.setZero();
+    control::rest(*law, held.status == target::Status::Degenerate);
+    if (around.moment.idle) law->integral_T_W.setZero();
   } else {
-    law = control::LawState{};  // another is nearer: an old integral would come back as a jump
+    control::forget(*law);  // another is nearer: an old integral would come back as a jump
   }
   return Vec3::Zero();
 }
 
-Vec3 sumForces(const TickProgram& program, TickState& state, TickReport& report,
+/// What its spring holds, as far as the clamp lets its force through.
+double storedIn(const Around& around, const Entry& entry, const Held& held,
+                const arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
+  const double most_N = around.program.limits.max_force_N;
+  if (held.robot.joints > 0) return control::clampedEnergy(held.robot.energy_J, held.f_T_W.norm(), most_N);
+  const Vec3& kp = control::stiffness(entry.law);
+  if (entry.space == Space::Cartesian) {
+    const Vec3 e_W = held.p_WP - around.report.p_WT, f_T_W = kp.cwiseProduct(e_W);
+    return control::clampedEnergy(0.5 * f_T_W.dot(e_W), f_T_W.norm(), most_N);
+  }
+  const arm::JointAngles& q_rad = around.report.sample.q_rad;
+  const arm::JointAngles wanted_rad = arm::withinLimits(around.program.joint_limits, follower.q_rad);
+  const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
+  return control::clampedEnergy(0.5 * kp.cwiseProduct(e_rad).dot(e_rad), held.f_T_W.norm(), most_N);
+}
+
+/// The part of the force sent last that belongs to a constraint which asked for f_T_W of it. A lone one has it all;
+/// several share it as they asked for it, and what the gate's slew limit adds beside that belongs to none.
+Vec3 partOf(const TickState& state, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
+  if (state.energies.size() == 1) return state.gate.f_T_W;
+  const double asked2_N2 = state.asked_T_W.squaredNorm();
+  if (!(asked2_N2 > 0.0) || !std::isfinite(asked2_N2)) return Vec3::Zero();
+  return (state.gate.f_T_W.dot(state.asked_T_W) / asked2_N2) * f_T_W;
+}
+
+/// Counts the energy of one constraint and, where it is to stay passive, adds to its force.
+void watchEnergy(const Around& around, const Entry& entry, const arm::FollowerState& follower, std::size_t index,
+                 const Vec3& way_T_W, TickState& state) noexcept UNDERACT_REAL_TIME {
+  Held& held = around.report.held[index];
+  control::EnergyState& energy = state.energies[index];
+  if (around.moment.idle || entry.passivity == control::Passivity::Off) {
+    energy = control::EnergyState{};
+    return;
+  }
+  control::Passage passage;
+  passage.way_T_W = way_T_W;
+  passage.f_T_W = partOf(state, energy.f_T_W);
+  passage.level = state.gate.level;
+  passage.dt_s = around.moment.dt_s;
+  passage.pulls = held.status == target::Status::Unique && held.acts;
+  passage.untouched = held.status == target::Status::Free;
+  passage.edited = state.retuned;
+  if (passage.pulls) {
+    passage.e_W = held.p_WP - around.report.p_WT;
+    passage.stored_J = storedIn(around, entry, held, follower);
+  }
+  control::observe(energy, passage);
+  if (passage.pulls && entry.passivity == control::Passivity::Control) {
+    const Vec3 f_T_W = held.f_T_W, damper_T_W = control::damper(energy, passage);
+    if (damper_T_W != Vec3::Zero()) {
+      // Beside a force beyond what the gate lets through, a damper would be nothing.
+      const Vec3 pushed_T_W = safety::clampForce(f_T_W, around.program.limits.max_force_N);
+      held.f_T_W = pushed_T_W + damper_T_W;
+      if (held.f_T_W.dot(passage.e_W) < 0.0) held.f_T_W.setZero();  // nor is the arm to be thrown the other way
+      held.f_passive_T_W = held.f_T_W - pushed_T_W;
+    }
+  }
+  held.energy_J = energy.energy_J;
+  control::remember(energy, passage, held.f_T_W);
+}
+
+/// way_T_W: of the tip since the last tick.
+Vec3 sumForces(const TickProgram& program, const Vec3& way_T_W, TickState& state, TickReport& report,
                const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
   const Around around{program, moment, report};
   Vec3 sum_T_W = Vec3::Zero();
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    control::LawState no_law;
     arm::FollowerState no_follower;
-    control::LawState& law = index < state.laws.size() ? state.laws[index] : no_law;
+    control::LawState* const law = index < state.laws.size() ? &state.laws[index] : nullptr;
     arm::FollowerState& follower = index < state.followers.size() ? state.followers[index] : no_follower;
     Held& held = report.held[index];
     held.f_T_W = forceOf(around, program.entries[index], held, law, follower);
+    if (program.needs.energy) watchEnergy(around, program.entries[index], follower, index, way_T_W, state);
     sum_T_W += held.f_T_W;
   }
   return sum_T_W;
@@ -226,6 +305,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     gate_dt_s = law_dt_s;
     lookAtArm(program, input.sample, report, motion);  // the targets are found from it
     lookAtMotion(program, input.sample, state, law_dt_s, report.p_WT, motion);
+    const Vec3 way_T_W = law_dt_s > 0.0 ? Vec3(report.p_WT - state.p_WT) : Vec3(Vec3::Zero());
     state.p_WT = report.p_WT;
     state.q_rad = input.sample.q_rad;
     report.held.resize(program.entries.size());
@@ -233,7 +313,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     if (program.needs.choice) keepNearest(report.held);
     const bool stopped = state.gate.fault.kind != FaultKind::None && !input.restart;
     const bool idle = stopped || (!input.engage && state.gate.level == 0.0);
-    report.f_T_W = sumForces(program, state, report, {law_dt_s, state.limited, idle});
+    report.f_T_W = sumForces(program, way_T_W, state, report, {law_dt_s, state.limited, idle});
     smoothOver(law_dt_s, idle, state, report.f_T_W);
     state.time_ns = input.sample.time_ns;
     state.has_time = true;

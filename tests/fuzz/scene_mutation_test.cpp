@@ -19,9 +19,11 @@ std::vector<std::string> theScenes() {
   for (const std::filesystem::path& file : sceneFiles()) texts.push_back(fileText(file));
   texts.push_back(R"({"underact_scene": 1, "title": "all", "combine": "nearest", "arm": "touch-measured",
  "control": {"law": "PID", "kp_N_per_mm": [1, 2, 3], "kd_N_s_per_mm": 0.25, "ki_N_per_mm_s": [4, 5, 6],
-             "anisotropy": "weighted", "space": "cartesian"},
+             "anisotropy": "weighted", "space": "cartesian",
+             "velocity": {"filter": "adaptive_window", "window": 12, "noise_mm": 0.2}, "passivity": "control"},
  "constraints": [{"type": "box", "center_mm": [1, 2, 3], "size_mm": [4, 5, 6], "side": "both",
-                  "R_WB": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "control": {"kp_N_per_mm": 0}},
+                  "R_WB": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "control": {"kp_N_per_mm": 0,
+                  "velocity": {"filter": "kalman", "noise_mm": 0.02, "acceleration_mm_per_s2": 1e4}}},
                  {"name": "\u00e4\ud83d\ude00\n", "type": "cylinder", "point_mm": [-0, 1e-300, 1e5], "axis": [1e300, 0, 1],
                   "radius_mm": 1e-9, "side": "inside"}]})");
   return texts;
@@ -137,10 +139,10 @@ class Mutator {
   }
 
   void replaceText(std::string& text) {
-    static const std::array<const char*, 22> kWords{
-        "point",     "sphere", "line",  "plane",     "circle",    "cylinder", "box",         "mesh",
-        "P",         "PD",     "PID",   "radius_mm", "center_mm", "normal",   "kp_N_per_mm", "weighted",
-        "euclidean", "inside", "joint", "",          "\\u0000",   "name"};
+    static const std::array<const char*, 28> kWords{
+        "point",   "sphere",    "line",      "plane",  "circle",      "cylinder", "box",       "mesh",    "P",     "PD",
+        "PID",     "radius_mm", "center_mm", "normal", "kp_N_per_mm", "weighted", "euclidean", "inside",  "joint", "",
+        "\\u0000", "name",      "velocity",  "filter", "raw",         "low_pass", "kalman",    "noise_mm"};
     std::size_t start = text.find('"', placeIn(text));
     if (start == std::string::npos) start = text.find('"');
     if (start == std::string::npos) return;

@@ -105,6 +105,21 @@ TEST(Tick, WithTheLimitsOfAHandToo) {
                           arm::findPreset(arm::kDefaultArm)->limits));
 }
 
+TEST(Tick, UnderEveryVelocityFilterAndThePassivityControllerToo) {
+  const Vec3 kp = Vec3::Constant(500.0), kd = Vec3::Constant(2.0);
+  for (const control::Velocity& velocity :
+       {control::Velocity(control::LowPass{}), control::Velocity(control::RawDifference{}),
+        control::Velocity(control::AdaptiveWindow{32, Vec3::Constant(1e-4)}),
+        control::Velocity(control::Kalman{16e-6, 8.0})}) {
+    for (const Space space : {Space::Cartesian, Space::Joint}) {
+      Entry entry = hold(test::middleShapes()[1], control::PD{kp, kd, velocity});
+      entry.space = space;
+      entry.passivity = control::Passivity::Control;
+      expectQuiet(makeProgram(test::thesisGeometry(), {entry, entry}, Combine::Sum, test::kTestLimits));
+    }
+  }
+}
+
 TEST(Tick, WithInfluenceToo) {
   for (const shape::Shape& shape : test::middleShapes()) {
     Entry entry = hold(shape, test::everyLaw()[2]);

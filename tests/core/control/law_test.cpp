@@ -17,7 +17,7 @@ Moment after(double dt_s) {
 TEST(LawP, IsTheGainTimesTheErrorAxisByAxis) {
   LawState state;
   EXPECT_EQ(force(P{{100, 200, 300}}, state, {0.01, -0.02, 0.03}, after(0.0)), Vec3(1.0, -4.0, 9.0));
-  EXPECT_FALSE(state.has_last);  // untouched
+  EXPECT_FALSE(state.velocity.has_last);  // untouched
 }
 
 TEST(LawPD, ByHand) {  // kp 100, kd 2, dt = the filter's time constant, so half of the new rate comes through
@@ -28,7 +28,7 @@ TEST(LawPD, ByHand) {  // kp 100, kd 2, dt = the filter's time constant, so half
   EXPECT_NEAR(force(law, state, {0.012, 0, 0}, after(kRateFilter_s)).x(), 1.2 + 1.25, 1e-14);
   // Stands still: half of it again.
   EXPECT_NEAR(force(law, state, {0.012, 0, 0}, after(kRateFilter_s)).x(), 1.2 + 0.625, 1e-14);
-  EXPECT_EQ(state.rate_W.y(), 0.0);
+  EXPECT_EQ(state.velocity.rate_W.y(), 0.0);
 }
 
 TEST(LawPD, TheRateFollowsAStepAsAFirstOrderFilter) {  // after n ticks 1 - (tau / (tau + dt))^n of it
@@ -40,7 +40,7 @@ TEST(LawPD, TheRateFollowsAStepAsAFirstOrderFilter) {  // after n ticks 1 - (tau
     // e_last - e loses ulp(0.004) = 9e-19 m, over 1 ms.
     ASSERT_NEAR(force(law, state, {e_m, -e_m, 0}, after(n == 0 ? 0.0 : kTick_s)).x(), right, 1e-14) << n;
   }
-  EXPECT_NEAR(state.rate_W.y(), -state.rate_W.x(), 0.0);
+  EXPECT_NEAR(state.velocity.rate_W.y(), -state.velocity.rate_W.x(), 0.0);
 }
 
 TEST(LawPD, NoKickAtTheFirstTick) {
@@ -64,7 +64,7 @@ TEST(LawPD, AfterALostTargetTheRateStartsAnew) {
   LawState state;
   (void)force(law, state, {0.01, 0, 0}, after(0.0));
   (void)force(law, state, {0.02, 0, 0}, after(kTick_s));
-  EXPECT_GT(state.rate_W.x(), 1.0);
+  EXPECT_GT(state.velocity.rate_W.x(), 1.0);
   rest(state, true);
   EXPECT_EQ(force(law, state, {-0.02, 0, 0}, after(kTick_s)),
             kZero);  // through the centre: the error jumps, the hand does not
@@ -141,18 +141,18 @@ TEST(LawPID, IsEmptyWhileTheServoIsIdle) {
 TEST(LawRest, AnUntouchedWallForgetsALostTargetKeepsTheIntegral) {
   LawState state;
   state.integral_T_W = {0.1, 0, 0};
-  state.rate_W = {1, 0, 0};
-  state.e_last_W = {1, 0, 0};
+  state.velocity.rate_W = {1, 0, 0};
+  state.velocity.e_last_W = {1, 0, 0};
   LawState lost = state;
   rest(state, false);
   EXPECT_EQ(state.integral_T_W, kZero);
-  EXPECT_EQ(state.rate_W, kZero);
-  EXPECT_EQ(state.e_last_W, kZero);
-  EXPECT_TRUE(state.has_last);
+  EXPECT_EQ(state.velocity.rate_W, kZero);
+  EXPECT_EQ(state.velocity.e_last_W, kZero);
+  EXPECT_TRUE(state.velocity.has_last);
   rest(lost, true);
   EXPECT_EQ(lost.integral_T_W, Vec3(0.1, 0, 0));
-  EXPECT_EQ(lost.rate_W, kZero);
-  EXPECT_FALSE(lost.has_last);
+  EXPECT_EQ(lost.velocity.rate_W, kZero);
+  EXPECT_FALSE(lost.velocity.has_last);
 }
 
 TEST(Law, SaysWhatItNeeds) {
@@ -188,7 +188,7 @@ TEST(Law, FiniteInFiniteOut) {
                         random.below(50) == 0};
     const Vec3 f = force(law, state, any() * random.direction(), moment);
     ASSERT_TRUE(f.allFinite());
-    ASSERT_TRUE(state.integral_T_W.allFinite() && state.rate_W.allFinite());
+    ASSERT_TRUE(state.integral_T_W.allFinite() && state.velocity.rate_W.allFinite());
     if (random.below(20) == 0) rest(state, random.below(2) == 0);
   }
 }

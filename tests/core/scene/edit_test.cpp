@@ -50,6 +50,14 @@ TEST(Edit, AScenePutBackIsTheSameWhoeverHoldsTheControl) {
 TEST(Edit, WhatARunningServoKeepsFollowsFromWhatChanged) {
   const Description scene = twoRings();
   EXPECT_EQ(changeBetween(scene, withControl(scene, 0, stiffer())), Change::Gains);
+  Control filtered;
+  filtered.velocity = LowPassFilter{5.0};
+  EXPECT_FALSE(isSame(scene, withControl(scene, 0, filtered)));
+  EXPECT_EQ(changeBetween(scene, withControl(scene, 0, filtered)), Change::Gains);
+  Control passive;
+  passive.passivity = control::Passivity::Control;
+  EXPECT_FALSE(isSame(scene, withControl(scene, 0, passive)));
+  EXPECT_EQ(changeBetween(scene, withControl(scene, 0, passive)), Change::Gains);
   EXPECT_EQ(changeBetween(scene, withInfluence(scene, 1, Influence{0.25})), Change::Targets);
   EXPECT_EQ(changeBetween(scene, withInfluence(scene, 1, std::nullopt)), Change::Scene);
   EXPECT_EQ(changeBetween(scene, withInfluence(scene, 0, Influence{})), Change::Scene);

@@ -133,6 +133,18 @@ class RandomScene {
     if (chance(2)) return Vec3::Constant(random_.between(0.0, 2.0));
     return {random_.between(0.01, 2.0), random_.between(0.01, 2.0), random_.between(0.01, 2.0)};
   }
+  scene::Velocity velocity() {
+    switch (random_.below(4)) {
+      case 0:
+        return scene::KalmanFilter{random_.between(1e-6, 1.0), random_.between(1e-3, 1e9)};
+      case 1:
+        return scene::LowPassFilter{chance(3) ? -0.0 : random_.between(0.0, 1e3)};
+      case 2:
+        return scene::AdaptiveWindowFilter{std::floor(random_.between(1.0, 33.0)), random_.between(0.0, 1e3)};
+      default:
+        return scene::RawFilter{};
+    }
+  }
   scene::Control control() {
     scene::Control made;
     made.law = static_cast<scene::LawType>(random_.below(3));
@@ -141,6 +153,8 @@ class RandomScene {
     if (!chance(4)) made.gains.kp_N_per_mm = gain();
     if (made.law != scene::LawType::P) made.gains.kd_N_s_per_mm = gain();
     if (made.law == scene::LawType::PID) made.gains.ki_N_per_mm_s = gain();
+    if (chance(2)) made.velocity = velocity();
+    made.passivity = static_cast<control::Passivity>(random_.below(3));
     return made;
   }
 

@@ -130,7 +130,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 4:10: arm: The arm "omnni" is not known. There are "omni-thesis" and "touch-measured".
 5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
 5:43: control.kp_N_per_mm: A gain must be 0 or above, or the arm pushes away; here it is -1.
-5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy" and "space".
+5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "space", "velocity" and "passivity".
 6:14: combine: This must be "sum" or "nearest"; here it is "add".
 8:5: constraints[0].center_mm: The key "center_mm" is missing; a sphere needs it.
 8:24: constraints[0].centre_mm: The key "centre_mm" is not known in a sphere. Did you mean "center_mm"?
@@ -231,15 +231,68 @@ TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "influence": {"t": 0.5}})"),
             "2:45: constraints[0].influence: A point has no influence; a circle, a cylinder and a sphere have. Take it "
             "away.\n");
-  for (const char* key : {"velocity", "friction", "search", "damping"}) {
+  for (const char* key : {"friction", "search", "damping"}) {
     const std::string sentence = std::string(": \"") + key + "\" is not in this version of Underact.\n";
     EXPECT_EQ(problemWith("\"" + std::string(key) + "\": {},"), "1:2: " + std::string(key) + sentence);
     EXPECT_EQ(problemWith("\"control\": {\"" + std::string(key) + "\": 1},"),
               "1:14: control." + std::string(key) + sentence);
   }
+  EXPECT_EQ(
+      problemWith(R"("velocity": {"filter": "raw"},)"),
+      "1:2: velocity: This is a part of the control, as in \"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": "
+      "\"kalman\"}}.\n");
+  EXPECT_EQ(problemWith(R"("control": {"passivity": "on"},)"),
+            "1:27: control.passivity: This must be \"observe\", \"off\" or \"control\"; here it is \"on\".\n");
   EXPECT_EQ(problemWith(R"("control": {"space": "joint"},)"), "");
   EXPECT_EQ(problemWith(R"("control": {"space": "tool"},)"),
             "1:23: control.space: This must be \"cartesian\" or \"joint\"; here it is \"tool\".\n");
+}
+
+TEST(ReadScene, EveryVelocityFilterWithItsSettings) {
+  const auto velocityIn = [](const std::string& velocity) {
+    return readScene(test::sceneWith(R"({"type": "point", "position_mm": [0, 0, 0], "control": {"velocity": )" +
+                                     velocity + "}}"),
+                     "test")
+        .value()
+        .constraints[0]
+        .control->velocity;
+  };
+  EXPECT_EQ(velocityIn(R"({"filter": "kalman"})"), Velocity(KalmanFilter{}));
+  EXPECT_EQ(velocityIn(R"({"filter": "kalman", "noise_mm": 0.02, "acceleration_mm_per_s2": 3000})"),
+            Velocity(KalmanFilter{0.02, 3000.0}));
+  EXPECT_EQ(velocityIn(R"({"filter": "low_pass", "time_constant_ms": 5})"), Velocity(LowPassFilter{5.0}));
+  EXPECT_EQ(velocityIn(R"({"filter": "adaptive_window", "window": 16, "noise_mm": 0.2})"),
+            Velocity(AdaptiveWindowFilter{16.0, 0.2}));
+  EXPECT_EQ(velocityIn(R"({"filter": "raw"})"), Velocity(RawFilter{}));
+  EXPECT_EQ(Control{}.velocity, Velocity(KalmanFilter{})) << "the usual one";
+}
+
+TEST(ReadScene, AVelocityFilterHasItsOwnSettingsAndNoOthers) {
+  const auto problem = [](const std::string& velocity) {
+    return problemWith(R"("control": {"velocity": )" + velocity + "},");
+  };
+  EXPECT_EQ(problem(R"({})"), "1:26: control.velocity.filter: The key \"filter\" is missing; a velocity needs it.\n");
+  EXPECT_EQ(problem(R"("kalman")"),
+            "1:26: control.velocity: This must be an object, as in {\"filter\": \"kalman\"}; here it is text.\n");
+  EXPECT_EQ(
+      problem(R"({"filter": "median", "window": 3})"),
+      "1:37: control.velocity.filter: This must be \"kalman\", \"low_pass\", \"adaptive_window\" or \"raw\"; here it "
+      "is \"median\".\n");
+  EXPECT_EQ(problem(R"({"filter": "raw", "noise_mm": 1})"),
+            "1:44: control.velocity.noise_mm: The filter \"raw\" does not use this; \"kalman\" and \"adaptive_window\" "
+            "would. Change the filter or take it away.\n");
+  EXPECT_EQ(problem(R"({"filter": "low_pass", "time_constant_ms": -1})"),
+            "1:69: control.velocity.time_constant_ms: This must be from 0 to 1000; here it is -1.\n");
+  EXPECT_EQ(problem(R"({"filter": "adaptive_window", "window": 2.5})"),
+            "1:66: control.velocity.window: This must be a whole number from 1 to 32; here it is 2.5.\n");
+  EXPECT_EQ(problem(R"({"filter": "adaptive_window", "window": 33, "noise_mm": -0.1})"),
+            "1:66: control.velocity.window: This must be a whole number from 1 to 32; here it is 33.\n"
+            "1:82: control.velocity.noise_mm: This must be from 0 to 1000; here it is -0.1.\n");
+  EXPECT_EQ(problem(R"({"filter": "kalman", "noise_mm": 0})"),
+            "1:59: control.velocity.noise_mm: This must be from 1e-06 to 1000; here it is 0.\n");
+  EXPECT_EQ(
+      problem(R"({"filter": "kalman", "acceleration_mm_per_s2": 1e999})").find("acceleration_mm_per_s2: This must"),
+      std::string("1:73: control.velocity.").size());
 }
 
 TEST(ReadScene, WrongKindsSayWhatIsAllowed) {

@@ -200,6 +200,7 @@ TEST(SceneSchema, HasTheWordsThatTheReaderHas) {
   const json::Value& control = *root.find("$defs")->find("control")->find("properties");
   EXPECT_EQ(wordsOf(*control.find("law")->find("enum")), words(kLawWords));
   EXPECT_EQ(wordsOf(*control.find("anisotropy")->find("enum")), words(kAnisotropyWords));
+  EXPECT_EQ(wordsOf(*control.find("passivity")->find("enum")), words(kPassivityWords));
   EXPECT_EQ(wordsOf(*root.find("$defs")->find("side")->find("enum")), words(kSideWords));
   EXPECT_EQ(wordsOf(*root.find("properties")->find("combine")->find("enum")), words(kCombineWords));
   std::set<std::string> arms;

@@ -258,10 +258,10 @@ TEST(Step, AfterALongPauseRateAndIntegralStartAsOnAFirstTick) {
   Hand hand({hold(kPoint, law)}, Combine::Sum);
   hand.settle(kAway);
   for (int tick = 0; tick < 100; ++tick) hand.at(kAway + Vec3(1e-4 * tick, 0, 0));
-  ASSERT_GT(hand.state().laws[0].rate_W.norm(), 0.05);
+  ASSERT_GT(hand.state().laws[0].velocity.rate_W.norm(), 0.05);
   ASSERT_GT(hand.state().laws[0].integral_T_W.norm(), 0.01);
   hand.at(kAway, 0.2);
-  EXPECT_EQ(hand.state().laws[0].rate_W, kZero);
+  EXPECT_EQ(hand.state().laws[0].velocity.rate_W, kZero);
   EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
   Hand fresh({hold(kPoint, law)}, Combine::Sum);
   EXPECT_EQ(hand.report().f_T_W, fresh.at(kAway).f_T_W);

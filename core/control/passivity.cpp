@@ -1,0 +1,90 @@
+#include "core/control/passivity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace underact::control {
+namespace {
+
+// What was dissipated long ago does not pay for a burst now: 0.5 mJ moves 0.145 kg at 83 mm/s.
+constexpr double kMostSurplus_J = 5e-4;
+// The apparent mass of the arm alone. A damper of m / dt stops it within a tick; a stronger one throws it back.
+constexpr double kLeastMass_kg = 0.045;
+
+// An encoder shows a way of 5 mm/s as 0.055 mm each 11 ms and none between: so long the last ones are remembered.
+constexpr double kSmooth_s = 2e-3;
+
+/// It was given over, or is there for the first time: not by the way of the hand, as where a wall is touched or left.
+bool isHandedOver(const EnergyState& state, const Passage& passage) noexcept UNDERACT_REAL_TIME {
+  const bool by_hand = passage.untouched || state.untouched;
+  return !state.begun || passage.edited || (state.pulled != passage.pulls && !by_hand);
+}
+
+Vec3 partAlong(const Vec3& v_W, const Vec3& direction_W) noexcept UNDERACT_REAL_TIME {
+  const double size2 = direction_W.squaredNorm();
+  return size2 > 0.0 && std::isfinite(size2) ? Vec3((v_W.dot(direction_W) / size2) * direction_W) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+double clampedEnergy(double spring_J, double force_N, double max_force_N) noexcept {
+  if (!(spring_J > 0.0) || !std::isfinite(spring_J) || !std::isfinite(force_N)) return 0.0;
+  if (!(force_N > max_force_N)) return spring_J;
+  const double share = max_force_N / force_N;
+  return spring_J * share * (2.0 - share);
+}
+
+/// A tip that is read in steps stands still until a step is full. The way then shown went on all the while, so the
+/// force that was in effect on it is the mean since the step before; where every tick moves, it is the last one.
+Vec3 meanForce(EnergyState& state, const Passage& passage) noexcept UNDERACT_REAL_TIME {
+  if (!state.begun) return Vec3::Zero();
+  state.impulse_N_s += passage.dt_s * passage.f_T_W;
+  state.still_s += passage.dt_s;
+  if (passage.way_T_W == Vec3::Zero() || !(state.still_s > 0.0)) return Vec3::Zero();
+  const Vec3 mean_T_W = state.impulse_N_s / state.still_s;
+  state.impulse_N_s.setZero();
+  state.still_s = 0.0;
+  return mean_T_W;
+}
+
+void observe(EnergyState& state, const Passage& passage) noexcept {
+  const double taken_J = -meanForce(state, passage).dot(passage.way_T_W);
+  const double grown_J = passage.level * (passage.stored_J - state.stored_J);
+  const double ramped_J = (passage.level - state.level) * state.stored_J;
+  const bool handed_over = isHandedOver(state, passage);
+  state.energy_J += taken_J + ramped_J + (handed_over ? grown_J : 0.0);
+  state.balance_J = std::min(state.balance_J + taken_J - (handed_over ? 0.0 : grown_J), kMostSurplus_J);
+  const double share = handed_over ? 1.0 : passage.dt_s / (passage.dt_s + kSmooth_s);
+  const Vec3 change_W = handed_over ? Vec3(-passage.way_T_W) : Vec3(passage.e_W - state.e_last_W);
+  state.way_T_W += share * (passage.way_T_W - state.way_T_W);
+  state.change_W += share * (change_W - state.change_W);
+  if (!std::isfinite(state.energy_J)) state.energy_J = 0.0;
+  if (!std::isfinite(state.balance_J)) state.balance_J = 0.0;
+}
+
+Vec3 damper(const EnergyState& state, const Passage& passage) noexcept {
+  if (!(state.balance_J < 0.0) || !(passage.dt_s > 0.0) || isHandedOver(state, passage)) return Vec3::Zero();
+  // Of the way that part which the spring feels: along its pull, or along the change of its error, whichever is more.
+  // The second counts where the pull turns, as on a ring about a point.
+  const Vec3 along_pull_W = partAlong(state.way_T_W, passage.e_W);
+  const bool gives_way = state.change_W.dot(state.way_T_W) < 0.0;
+  const Vec3 along_change_W = gives_way ? partAlong(state.way_T_W, state.change_W) : Vec3(Vec3::Zero());
+  const Vec3& felt_W = along_change_W.squaredNorm() > along_pull_W.squaredNorm() ? along_change_W : along_pull_W;
+  // What a damper along it takes in the next tick: as now, or as of late where the encoders show no step now.
+  const double felt2_m2 = std::max(felt_W.squaredNorm(), felt_W.dot(passage.way_T_W));
+  if (!(felt2_m2 > 0.0)) return Vec3::Zero();
+  const double most_N_per_m = kLeastMass_kg / (passage.dt_s * passage.dt_s);
+  return -std::min(-state.balance_J / felt2_m2, most_N_per_m) * felt_W;
+}
+
+void remember(EnergyState& state, const Passage& passage, const Vec3& f_T_W) noexcept {
+  state.stored_J = passage.stored_J;
+  state.level = passage.level;
+  state.e_last_W = passage.e_W;
+  state.f_T_W = f_T_W;
+  state.pulled = passage.pulls;
+  state.untouched = passage.untouched;
+  state.begun = true;
+}
+
+}  // namespace underact::control
