@@ -156,7 +156,7 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
   rlimit limit{};
   getrlimit(RLIMIT_MEMLOCK, &limit);
   if (limit.rlim_cur == RLIM_INFINITY || !kLocksMemory)
-    GTEST_SKIP() << "SKIPPED: there is no limit on locked memory here.";
+    GTEST_SKIP() << "SKIPPED: there is no limit on locked memory here (or a sanitizer stands in for locking).";
   const std::size_t beyond_bytes = 2 * limit.rlim_cur + (std::size_t{64} << 20U);
   void* memory = MAP_FAILED;
   munlockall();  // what a test before this one may have locked, as root
