@@ -1,15 +1,19 @@
 #include "core/sim/plant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/arm/conventions.h"
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
+#include "core/arm/jacobian.h"
 #include "core/base/units.h"
 
 namespace underact::sim {
 namespace {
+
+constexpr double kLeastLever_m = 1e-3;  // a joint that moves the tip less than this a radian brings it nowhere
 
 bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
@@ -44,16 +48,40 @@ void substep(const Pull& pull, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& 
   state.p_WT += dt_s * state.v_WT;
 }
 
+/// Joints 1 to 3 within their limits that bring the tip near to p_WT, a place that they cannot reach: one joint after
+/// the other, from q_rad on, which is the nearer of where they are and of where p_WT's own joints end up when they are
+/// cut. (Cut joints alone point 30 mm beside it where the elbow is nearly straight.)
+void slideAtStop(const arm::Preset& arm, const Vec3& p_WT, arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  constexpr int kSweeps = 8;  // joint 1 moves across the plane of 2 and 3, of which mostly one is at its stop
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (std::size_t joint = 0; joint < 3; ++joint) {
+      const arm::Tip tip = arm::tip(arm.geometry, q_rad);
+      const Vec3 way = tip.J_p.col(static_cast<Eigen::Index>(joint));
+      const double way2 = way.squaredNorm();
+      if (!(way2 > kLeastLever_m * kLeastLever_m)) continue;
+      const double wanted_rad = q_rad[joint] + way.dot(p_WT - tip.p_WT) / way2;
+      q_rad[joint] = std::clamp(wanted_rad, arm.limits.min_rad[joint], arm.limits.max_rad[joint]);
+    }
+  }
+}
+
 /// Brings tip and joints 1 to 3 together, inside reach and limits; the wrist stays.
 void holdInLimits(const arm::Preset& arm, PlantState& state) noexcept UNDERACT_REAL_TIME {
   const arm::Reach reach = arm::reach(arm.geometry, state.p_WT);
   const arm::JointAngles held_rad = arm::withinLimits(arm.limits, reach.q_rad);
-  bool cut = !reach.reachable;
+  const arm::JointAngles before_rad = state.q_rad;
+  bool at_stop = false;
   for (std::size_t joint = 0; joint < 3; ++joint) {
-    cut = cut || held_rad[joint] != reach.q_rad[joint];
+    at_stop = at_stop || held_rad[joint] != reach.q_rad[joint];
     state.q_rad[joint] = held_rad[joint];
   }
-  if (!cut) return;
+  if (reach.reachable && !at_stop) return;
+  if (at_stop) {
+    const Vec3 p_WBefore = arm::tipPosition(arm.geometry, before_rad),
+               p_WCut = arm::tipPosition(arm.geometry, state.q_rad);
+    if ((p_WBefore - state.p_WT).squaredNorm() < (p_WCut - state.p_WT).squaredNorm()) state.q_rad = before_rad;
+    slideAtStop(arm, state.p_WT, state.q_rad);
+  }
   const Vec3 p_WL = arm::tipPosition(arm.geometry, state.q_rad);
   const Vec3 beyond_W = state.p_WT - p_WL;
   const double beyond_m = beyond_W.norm();

@@ -235,8 +235,34 @@ TEST(Plant, ALimitStopsItAndLetsItGoAgain) {
     for (int tick = 0; tick < 100; ++tick) {
       state = advance(plant, state, -2.0 * direction, stayAt(kMiddle), kMillisecond_ns);
     }
-    EXPECT_LT((state.p_WT - at_limit).dot(direction), -0.05)
-        << direction.transpose();  // free: 2 N, 0.1 kg, 0.1 s: 0.1 m
+    // Free: 2 N, 0.1 kg, 0.1 s: 0.1 m. From the corner of +y it slides down along the stop of joint 2: 11 mm.
+    EXPECT_LT((state.p_WT - at_limit).dot(direction), -0.01) << direction.transpose();
+  }
+}
+
+TEST(Plant, AtAStopTheTipSlidesAndDoesNotLeap) {
+  for (const arm::Preset& preset : arm::presets()) {
+    const Plant plant{preset, *findArmModel("vendor-nominal"), {}};
+    const double mass_kg = plant.model.mass_kg + plant.hand.mass_kg;
+    PlantState state = restAt(plant, kMiddle);
+    int cut = 0;
+    for (const Vec3& p_WH : test::pointsInBox(0.3, 200, test::Seed{20261121})) {  // most are out of reach
+      for (int tick = 0; tick < 100; ++tick) {
+        const PlantState before = state;
+        state = advance(plant, state, Vec3::Zero(), stayAt(p_WH), kMillisecond_ns);
+        // Freely it would get no further than this; at a stop it goes to the place that is nearest to there, and the
+        // one it came from is one of those there are: at most twice as far.
+        const double pull_m_per_s2 = plant.hand.stiffness_N_per_m * (p_WH - before.p_WT).norm() / mass_kg;
+        const double freely_m = 0.001 * (before.v_WT.norm() + 0.001 * pull_m_per_s2);
+        ASSERT_LE((state.p_WT - before.p_WT).norm(), 2.0 * freely_m + 1e-9) << preset.name << " " << p_WH.transpose();
+        ASSERT_TRUE(isInside(plant, state));
+        for (std::size_t joint = 0; joint < 3; ++joint) {
+          if (state.q_rad[joint] == preset.limits.max_rad[joint] || state.q_rad[joint] == preset.limits.min_rad[joint])
+            ++cut;
+        }
+      }
+    }
+    EXPECT_GT(cut, 1000) << preset.name;
   }
 }
 
