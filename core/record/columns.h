@@ -8,7 +8,7 @@
 namespace underact::record {
 
 /// What a row of ticks says, in the order of a CSV recording: lengths mm, angles rad, forces N, time s.
-inline constexpr std::array<std::string_view, 31> kColumns{
+inline constexpr std::array<std::string_view, 34> kColumns{
     "tick",
     "time_s",
     "q1_rad",
@@ -40,6 +40,9 @@ inline constexpr std::array<std::string_view, 31> kColumns{
     "tick_us",
     "buttons",
     "revision",
+    "limits",
+    "energy_mJ",
+    "passive_N",
 };
 
 /// Hands the fields of a tick to a row in the order of kColumns, each by row.integer(), row.number() or row.word().
@@ -67,6 +70,9 @@ void fillRow(const servo::TickRecord& record, Row& row) {
   row.number(kMicrosecondPerNanosecond * static_cast<double>(record.tick_ns));
   row.integer(record.buttons);
   row.integer(record.revision);
+  row.integer(record.limits);
+  row.number(1e3 * record.energy_J);
+  row.number(record.passive_N);
 }
 
 }  // namespace underact::record

@@ -18,7 +18,7 @@ std::string header() {
   return text + "\n";
 }
 
-/// One line, in place. 31 fields of at most 25 characters each fit.
+/// One line, in place. 34 fields of at most 25 characters each fit.
 class Row {
  public:
   template <class Integer>

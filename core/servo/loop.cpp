@@ -11,7 +11,13 @@ namespace {
 constexpr std::size_t kCommands = 64;
 // Each instance comes with a command, one is in use and one waits; the Host reaps before it sends.
 constexpr std::size_t kRetired = 2 * kCommands;
-constexpr std::size_t kRecords = 16384;  // 4 s at 4 kHz: how long a window may be busy before a plot loses ticks
+// How long a window may be busy before a plot loses ticks: 4 s at any rate, 16 at 1 kHz.
+constexpr std::int64_t kKept_ns = 4'000'000'000;
+constexpr std::size_t kKeptAtLeast = 16384;
+
+std::size_t ticksIn(std::int64_t time_ns, std::int64_t period_ns) {
+  return static_cast<std::size_t>(std::max<std::int64_t>(time_ns / std::max<std::int64_t>(period_ns, 1), 1));
+}
 
 /// Writes every page of a queue once, so that the servo thread meets no page fault there.
 template <class T>
@@ -31,13 +37,12 @@ Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns)
       history_(&histories_[0]),
       commands_(kCommands),
       retired_(kRetired),
-      records_(kRecords),
+      records_(std::max(kKeptAtLeast, ticksIn(kKept_ns, period_ns))),
       full_(kHistories),
       spare_(kHistories) {
   current_->program.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   touchPages(records_);
-  const auto a_second = static_cast<std::size_t>(1'000'000'000 / std::max<std::int64_t>(period_ns, 1));
-  for (History& history : histories_) history = History(std::max<std::size_t>(a_second, 1));
+  for (History& history : histories_) history = History(ticksIn(1'000'000'000, period_ns));
   for (std::size_t index = 1; index < kHistories; ++index) spare_.push(&histories_[index]);
 }
 

@@ -58,7 +58,7 @@ TEST(Run, ARecordingOfAnInfluencedCircleHasItsAngles) {
     std::istringstream fields(row);
     std::vector<std::string> field;
     for (std::string one; std::getline(fields, one, ',');) field.push_back(one);
-    ASSERT_EQ(field.size(), 31U);
+    ASSERT_EQ(field.size(), 34U);
     if (field[24].empty() || field[25].empty()) continue;
     ++told;
     const double alpha_rad = std::stod(field[24]), beta_rad = std::stod(field[25]), theta_rad = std::stod(field[26]);

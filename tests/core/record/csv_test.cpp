@@ -67,13 +67,16 @@ servo::TickRecord someTick() {
   record.tick_ns = 250;
   record.buttons = 3;
   record.revision = 2;
+  record.limits = safety::kClampBit | safety::kSlewBit;
+  record.energy_J = 0.25;
+  record.passive_N = 0.0625;
   return record;
 }
 
 TEST(CsvWriter, ARowHasAFieldForEachColumnOfTheHeader) {
   const auto rows = written({someTick(), someTick()}, "columns");
   ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0].size(), 31U);
+  EXPECT_EQ(rows[0].size(), 34U);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
 }
 
@@ -97,6 +100,9 @@ TEST(CsvWriter, ValuesStandUnderTheirNamesInTheUnitsTheNamesSay) {
   EXPECT_EQ(number(field(rows, 1, "tick_us")), 0.25);
   EXPECT_EQ(field(rows, 1, "buttons"), "3");
   EXPECT_EQ(field(rows, 1, "revision"), "2");
+  EXPECT_EQ(field(rows, 1, "limits"), "17");
+  EXPECT_EQ(number(field(rows, 1, "energy_mJ")), 250.0);
+  EXPECT_EQ(number(field(rows, 1, "passive_N")), 0.0625);
 }
 
 TEST(CsvWriter, NumbersReadBackToTheSameDouble) {
@@ -130,13 +136,13 @@ TEST(CsvWriter, TheLongestNumbersFitARow) {
   record.q_rad.fill(longest);
   record.p_WT.setConstant(longest);
   record.p_WP.setConstant(longest);
-  record.error_m = record.level = record.cut_N = longest;
+  record.error_m = record.level = record.cut_N = record.energy_J = record.passive_N = longest;
   record.f_asked_T_W.setConstant(longest);
   record.f_sent_T_W.setConstant(longest);
   record.angles = {longest, longest, longest};
   record.tick = record.time_ns = record.lateness_ns = record.tick_ns = std::numeric_limits<std::int64_t>::min();
   record.revision = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(written({record}, "longest")[1].size(), 31U);
+  EXPECT_EQ(written({record}, "longest")[1].size(), 34U);
 }
 
 TEST(CsvWriter, AFullDiskIsToldAtTheEnd) {
