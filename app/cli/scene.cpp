@@ -26,7 +26,7 @@ Exit check(const std::vector<std::string>& paths, const Streams& streams) {
 }
 
 /// The quantities that a tick may need, in the words of scene show.
-std::array<std::pair<const char*, bool>, 8> needsOf(const tick::Needs& needs) {
+std::array<std::pair<const char*, bool>, 9> needsOf(const tick::Needs& needs) {
   return {{{"position", true},
            {"orientation", needs.orientation},
            {"error_rate", needs.rate},
@@ -34,7 +34,8 @@ std::array<std::pair<const char*, bool>, 8> needsOf(const tick::Needs& needs) {
            {"gain_metric", needs.metric},
            {"nearest_choice", needs.choice},
            {"joint_targets", needs.joints},
-           {"virtual_robots", needs.robots}}};
+           {"virtual_robots", needs.robots},
+           {"energy", needs.energy}}};
 }
 
 const char* lawName(const scene::Control& control) {

@@ -12,6 +12,7 @@
 #include "app/gui/document.h"
 #include "app/gui/gain_row.h"
 #include "app/gui/influence_section.h"
+#include "app/gui/rate_section.h"
 #include "app/gui/stability.h"
 #include "app/gui/words.h"
 #include "core/scene/edit.h"
@@ -56,6 +57,12 @@ void FeelPanel::addActions() {
     const auto space = static_cast<int>(QStringList{"cartesian", "joint"}.indexOf(values.value(0).toString()));
     return space >= 0 && setSpace(static_cast<tick::Space>(space));
   });
+  parts_.actions.addCommand("passivity.set", [this](const QVariantList& values) {
+    for (const auto& word : scene::kPassivityWords) {
+      if (values.value(0).toString() == word.word) return setPassivity(word.value);
+    }
+    return false;
+  });
 }
 
 void FeelPanel::addInfluenceCommands() {
@@ -74,7 +81,7 @@ void FeelPanel::addInfluenceCommands() {
 }
 
 void FeelPanel::present(const servo::Snapshot&) {
-  if (!stale_ || influence_->isHeld()) return;
+  if (!stale_ || influence_->isHeld() || rate_->isHeld()) return;
   for (const auto& axes : rows_) {
     for (const GainRow* row : axes) {
       if (row->isHeld()) return;  // the hand wins; what holds is shown when it lets go
@@ -108,6 +115,20 @@ bool FeelPanel::setSpace(tick::Space space) {
   scene::Control control = scene::controlOf(parts_.document.scene(), index_);
   control.space = space;
   return send(control, tr("where the control works"), true);
+}
+
+bool FeelPanel::setVelocity(const scene::Velocity& velocity, const QString& what, bool fresh) {
+  if (!hasScene()) return false;
+  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
+  control.velocity = velocity;
+  return send(control, what, fresh);
+}
+
+bool FeelPanel::setPassivity(control::Passivity passivity) {
+  if (!hasScene()) return false;
+  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
+  control.passivity = passivity;
+  return send(control, tr("passivity"), true);
 }
 
 bool FeelPanel::resetToScene() {
@@ -197,6 +218,7 @@ void FeelPanel::refresh() {
       parts_.document.scene().constraints[index_].influence == parts_.document.ownInfluence(index_);
   parts_.actions.find("gains.reset")->setEnabled(!(control == own && same_influence));
   refreshInfluence();
+  rate_->present(control, own);
   refreshWarnings(control);
 }
 

@@ -14,6 +14,7 @@ namespace underact::gui {
 
 class GainRow;
 class InfluenceSection;
+class RateSection;
 
 /// What the constraint feels like: law and gains, changed while the hand is on the stylus.
 class FeelPanel : public Panel {
@@ -27,6 +28,8 @@ class FeelPanel : public Panel {
   bool setGain(int gain, int axis, double value, bool fresh);
   bool setLaw(scene::LawType law);
   bool setSpace(tick::Space space);
+  bool setVelocity(const scene::Velocity& velocity, const QString& what, bool fresh);
+  bool setPassivity(control::Passivity passivity);
   /// Of the constraint shown; none: position only. what: for the undo menu.
   bool setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh);
   /// The whole control and the influence of the constraint shown, as the file has them.
@@ -63,6 +66,7 @@ class FeelPanel : public Panel {
   std::array<QWidget*, 3> sections_{};
   std::array<std::array<GainRow*, 3>, 3> rows_{};
   InfluenceSection* influence_ = nullptr;
+  RateSection* rate_ = nullptr;
 };
 
 }  // namespace underact::gui

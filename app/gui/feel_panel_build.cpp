@@ -17,6 +17,7 @@
 #include "app/gui/gain_row.h"
 #include "app/gui/influence_section.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/rate_section.h"
 
 namespace underact::gui {
 namespace {
@@ -46,6 +47,10 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   influence_ = new InfluenceSection(this);
   column->addWidget(influence_);
   connect(influence_, &InfluenceSection::changed, this, &FeelPanel::setInfluence);
+  rate_ = new RateSection(this);
+  column->addWidget(rate_);
+  connect(rate_, &RateSection::velocityChanged, this, &FeelPanel::setVelocity);
+  connect(rate_, &RateSection::passivityChanged, this, &FeelPanel::setPassivity);
   column->addStretch(1);
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);

@@ -10,8 +10,8 @@ namespace {
 constexpr double kMostSurplus_J = 5e-4;
 // The apparent mass of the arm alone. A damper of m / dt stops it within a tick; a stronger one throws it back.
 constexpr double kLeastMass_kg = 0.045;
-
-// An encoder shows a way of 5 mm/s as 0.055 mm each 11 ms and none between: so long the last ones are remembered.
+// An encoder shows an even way of 50 mm/s as 0.055 mm a tick, a slower one as steps and none between: a step is
+// remembered for two ticks or so, and one to and fro is none.
 constexpr double kSmooth_s = 2e-3;
 
 /// It was given over, or is there for the first time: not by the way of the hand, as where a wall is touched or left.
@@ -23,15 +23,6 @@ bool isHandedOver(const EnergyState& state, const Passage& passage) noexcept UND
 Vec3 partAlong(const Vec3& v_W, const Vec3& direction_W) noexcept UNDERACT_REAL_TIME {
   const double size2 = direction_W.squaredNorm();
   return size2 > 0.0 && std::isfinite(size2) ? Vec3((v_W.dot(direction_W) / size2) * direction_W) : Vec3(Vec3::Zero());
-}
-
-}  // namespace
-
-double clampedEnergy(double spring_J, double force_N, double max_force_N) noexcept {
-  if (!(spring_J > 0.0) || !std::isfinite(spring_J) || !std::isfinite(force_N)) return 0.0;
-  if (!(force_N > max_force_N)) return spring_J;
-  const double share = max_force_N / force_N;
-  return spring_J * share * (2.0 - share);
 }
 
 /// A tip that is read in steps stands still until a step is full. The way then shown went on all the while, so the
@@ -47,6 +38,15 @@ Vec3 meanForce(EnergyState& state, const Passage& passage) noexcept UNDERACT_REA
   return mean_T_W;
 }
 
+}  // namespace
+
+double clampedEnergy(double spring_J, double force_N, double max_force_N) noexcept {
+  if (!(spring_J > 0.0) || !std::isfinite(spring_J) || !std::isfinite(force_N)) return 0.0;
+  if (!(force_N > max_force_N)) return spring_J;
+  const double share = max_force_N / force_N;
+  return spring_J * share * (2.0 - share);
+}
+
 void observe(EnergyState& state, const Passage& passage) noexcept {
   const double taken_J = -meanForce(state, passage).dot(passage.way_T_W);
   const double grown_J = passage.level * (passage.stored_J - state.stored_J);
@@ -60,6 +60,8 @@ void observe(EnergyState& state, const Passage& passage) noexcept {
   state.change_W += share * (change_W - state.change_W);
   if (!std::isfinite(state.energy_J)) state.energy_J = 0.0;
   if (!std::isfinite(state.balance_J)) state.balance_J = 0.0;
+  if (!std::isfinite(state.way_T_W.squaredNorm())) state.way_T_W.setZero();
+  if (!std::isfinite(state.change_W.squaredNorm())) state.change_W.setZero();
 }
 
 Vec3 damper(const EnergyState& state, const Passage& passage) noexcept {

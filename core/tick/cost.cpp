@@ -17,6 +17,10 @@ constexpr double kByIteration_ns = 135.0;  // what unequal gains make of sphere,
 constexpr double kP_ns = 1.0;
 constexpr double kPD_ns = 12.0;
 constexpr double kPID_ns = 18.0;
+constexpr double kKalman_ns = 14.0;        // beside the low-pass, which is in the law's
+constexpr double kWindowOfTick_ns = 15.0;  // of an adaptive window, for each of its ticks
+constexpr double kObserve_ns = 28.0;
+constexpr double kPassive_ns = 60.0;     // observed and damped
 constexpr double kInfluence_ns = 130.0;  // the wrist, and the target between orientation and position
 constexpr double kWrist_ns = 60.0;
 constexpr double kClosedForm_ns = 130.0;    // of a virtual manipulator
@@ -38,11 +42,22 @@ struct ShapeCost {
   double operator()(const shape::Parallelepiped&) const { return kByIteration_ns; }
 };
 
+double costOf(const control::Velocity& velocity) {
+  if (const auto* adaptive = std::get_if<control::AdaptiveWindow>(&velocity))
+    return kWindowOfTick_ns * adaptive->window;
+  return std::holds_alternative<control::Kalman>(velocity) ? kKalman_ns : 0.0;
+}
+
 struct LawCost {
   double operator()(const control::P&) const { return kP_ns; }
-  double operator()(const control::PD&) const { return kPD_ns; }
-  double operator()(const control::PID&) const { return kPID_ns; }
+  double operator()(const control::PD& pd) const { return kPD_ns + costOf(pd.velocity); }
+  double operator()(const control::PID& pid) const { return kPID_ns + costOf(pid.velocity); }
 };
+
+double costOf(control::Passivity passivity) {
+  if (passivity == control::Passivity::Off) return 0.0;
+  return passivity == control::Passivity::Control ? kPassive_ns : kObserve_ns;
+}
 
 double costOf(const manipulator::Manipulator& robot) {
   const double turn_ns = robot.orientation == manipulator::Orientation::None ? 0.0 : kWrist_ns;
@@ -58,6 +73,7 @@ double predictedCost_ns(const TickProgram& program) {
     const std::optional<manipulator::Manipulator>& robot = entry.constraint.manipulator;
     cost_ns += robot ? costOf(*robot) : std::visit(ShapeCost{}, entry.constraint.shape);
     cost_ns += std::visit(LawCost{}, entry.law);
+    cost_ns += costOf(entry.passivity);
     if (entry.constraint.influenced) cost_ns += kInfluence_ns;
     if (entry.space == Space::Joint) cost_ns += kJoints_ns;
   }
