@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <ctime>
 #include <string_view>
@@ -15,7 +14,6 @@
 namespace underact::guard {
 namespace {
 
-using Beats = std::atomic<std::int64_t>;
 constexpr int kLooksInLimit = 5;
 // The last word is said more than once: a report can be lost on its way, and a tick that was at work when the program
 // died may still come after the first.
@@ -60,19 +58,15 @@ std::optional<Duty> readDuty(int argc, const char* const* argv) {
 }
 
 int watch(const Duty& duty) {
-  void* memory = ::mmap(nullptr, sizeof(Beats), PROT_READ, MAP_SHARED, servo::kGuardBeatsFd, 0);
+  void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ, MAP_SHARED, servo::kGuardLineFd, 0);
   if (memory == MAP_FAILED) return 2;
-  const Beats& beats = *static_cast<const Beats*>(memory);
+  const auto& line = *static_cast<const servo::GuardLine*>(memory);
   const int look_ms = static_cast<int>(std::clamp<std::int64_t>(duty.limit_ns / kLooksInLimit / 1'000'000, 1, 1000));
-  std::int64_t seen = beats.load(std::memory_order_relaxed), seen_ns = now_ns();
+  std::int64_t seen = line.beats.load(std::memory_order_relaxed), seen_ns = now_ns();
   pollfd life{servo::kGuardLifeFd, POLLIN, 0};
   for (;;) {
-    if (::poll(&life, 1, look_ms) > 0) {
-      char farewell = 0;
-      const bool orderly = ::read(servo::kGuardLifeFd, &farewell, 1) == 1 && farewell == servo::kGuardFarewell;
-      return orderly ? 0 : sayLast(duty.word);
-    }
-    const std::int64_t count = beats.load(std::memory_order_relaxed), time_ns = now_ns();
+    if (::poll(&life, 1, look_ms) > 0) return line.farewell == 0 ? sayLast(duty.word) : 0;
+    const std::int64_t count = line.beats.load(std::memory_order_relaxed), time_ns = now_ns();
     if (count != seen) {
       seen = count;
       seen_ns = time_ns;

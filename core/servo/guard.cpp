@@ -8,7 +8,6 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,15 +16,10 @@
 #include <vector>
 #endif
 
-#include "core/servo/guard_line.h"
-
 namespace underact::servo {
 
 #ifdef __linux__
 namespace {
-
-using Beats = std::atomic<std::int64_t>;
-static_assert(Beats::is_always_lock_free, "two processes share it");
 
 /// Beside the running program, one folder up (the tests' place), or where an installed one has its helpers.
 std::string findProgram() {
@@ -62,11 +56,11 @@ int moveUp(int fd) {
   return ::fcntl(fd, F_DUPFD_CLOEXEC, 64);
 }
 
-int spawn(const std::string& program, int beats_fd, int life_fd, int device_fd, std::int64_t limit_ns,
+int spawn(const std::string& program, int line_fd, int life_fd, int device_fd, std::int64_t limit_ns,
           const std::string& word) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, beats_fd, kGuardBeatsFd);
+  posix_spawn_file_actions_adddup2(&actions, line_fd, kGuardLineFd);
   posix_spawn_file_actions_adddup2(&actions, life_fd, kGuardLifeFd);
   posix_spawn_file_actions_adddup2(&actions, device_fd, kGuardDeviceFd);
   posix_spawn_file_actions_addclosefrom_np(&actions, kGuardDeviceFd + 1);
@@ -97,20 +91,20 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
   }
   std::unique_ptr<Guard> guard(new Guard);
   std::array<int, 2> life{-1, -1};
-  guard->memory_fd_ = ::memfd_create("underact-beats", MFD_CLOEXEC);
-  const bool has_memory = guard->memory_fd_ >= 0 && ::ftruncate(guard->memory_fd_, sizeof(Beats)) == 0;
-  if (!has_memory || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, life.data()) != 0) {
+  guard->memory_fd_ = ::memfd_create("underact-guard", MFD_CLOEXEC);
+  const bool has_memory = guard->memory_fd_ >= 0 && ::ftruncate(guard->memory_fd_, sizeof(GuardLine)) == 0;
+  if (!has_memory || ::pipe2(life.data(), O_CLOEXEC) != 0) {
     why = std::strerror(errno);
     return nullptr;
   }
   guard->life_fd_ = life[1];
-  void* memory = ::mmap(nullptr, sizeof(Beats), PROT_READ | PROT_WRITE, MAP_SHARED, guard->memory_fd_, 0);
+  void* memory = ::mmap(nullptr, sizeof(GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED, guard->memory_fd_, 0);
   const Closing closing{{life[0], moveUp(guard->memory_fd_), moveUp(life[0]), moveUp(word.fd)}};
   if (memory == MAP_FAILED) {
     why = std::strerror(errno);
     return nullptr;
   }
-  guard->beats_ = new (memory) Beats(0);
+  guard->line_ = new (memory) GuardLine;
   guard->pid_ = spawn(path, closing.fds[1], closing.fds[2], closing.fds[3], limit_ns, word.bytes);
   if (guard->pid_ < 0) {
     why = std::strerror(-guard->pid_);
@@ -121,14 +115,14 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
 
 Guard::~Guard() {
   if (life_fd_ >= 0) {
-    ::send(life_fd_, &kGuardFarewell, 1, MSG_NOSIGNAL);  // it may be gone already, and that must not end us
+    if (line_ != nullptr) line_->farewell = 1;
     ::close(life_fd_);
   }
   if (pid_ > 0) {
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
-  if (beats_ != nullptr) ::munmap(beats_, sizeof(Beats));
+  if (line_ != nullptr) ::munmap(line_, sizeof(GuardLine));
   if (memory_fd_ >= 0) ::close(memory_fd_);
 }
 

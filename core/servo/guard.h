@@ -5,12 +5,13 @@
 #include <string>
 
 #include "core/servo/device_port.h"
+#include "core/servo/guard_line.h"
 
 namespace underact::servo {
 
 /// A process beside the program that outlives it: when the program dies, however it dies, or its ticks stop, the guard
 /// writes the arm's last word. It holds a copy of the arm's file descriptor, sees the ticks in shared memory and the
-/// program's life at the other end of a socket. Linux.
+/// program's life at the other end of a pipe. Linux.
 class Guard {
  public:
   /// Starts it. program: where underact-guard is; empty: beside this program, or in libexec/underact. Null where there
@@ -22,11 +23,11 @@ class Guard {
   Guard& operator=(const Guard&) = delete;
 
   /// What the servo counts up each tick; lives as long as the guard.
-  std::atomic<std::int64_t>& beats() { return *beats_; }
+  std::atomic<std::int64_t>& beats() { return line_->beats; }
 
  private:
   Guard() = default;
-  std::atomic<std::int64_t>* beats_ = nullptr;
+  GuardLine* line_ = nullptr;
   int memory_fd_ = -1;
   int life_fd_ = -1;
   int pid_ = -1;

@@ -1,11 +1,19 @@
 #pragma once
+#include <atomic>
+#include <cstdint>
 
 namespace underact::servo {
 
-// Where the guard finds what it is given, and what it is told: one place for both programs.
-inline constexpr int kGuardBeatsFd = 3;      // shared memory: one 64 bit count, up by one each tick
-inline constexpr int kGuardLifeFd = 4;       // a socket: it ends when the program does
-inline constexpr int kGuardDeviceFd = 5;     // the arm
-inline constexpr char kGuardFarewell = 'q';  // through the socket: an orderly end, say nothing
+// Where the guard finds what it is given: one place for both programs.
+inline constexpr int kGuardLineFd = 3;    // shared memory: a GuardLine
+inline constexpr int kGuardLifeFd = 4;    // a pipe that nobody writes to: it ends when the program does
+inline constexpr int kGuardDeviceFd = 5;  // the arm
+
+/// What both programs see.
+struct GuardLine {
+  std::atomic<std::int64_t> beats{0};     // up by one each tick
+  std::atomic<std::int64_t> farewell{0};  // not 0: the program ends in order, say nothing
+};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "two processes share it");
 
 }  // namespace underact::servo
