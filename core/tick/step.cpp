@@ -8,7 +8,7 @@
 #include "core/arm/statics.h"
 #include "core/base/norms.h"
 #include "core/base/units.h"
-#include "core/control/passivity.h"
+#include "core/tick/energy.h"
 
 namespace underact::tick {
 namespace {
@@ -202,67 +202,6 @@ Vec3 forceOf(const Around& around, const Entry& entry, const Held& held, control
   return Vec3::Zero();
 }
 
-/// What its spring holds, as far as the clamp lets its force through.
-double storedIn(const Around& around, const Entry& entry, const Held& held,
-                const arm::FollowerState& follower) noexcept UNDERACT_REAL_TIME {
-  const double most_N = around.program.limits.max_force_N;
-  if (held.robot.joints > 0) return control::clampedEnergy(held.robot.energy_J, held.f_T_W.norm(), most_N);
-  const Vec3& kp = control::stiffness(entry.law);
-  if (entry.space == Space::Cartesian) {
-    const Vec3 e_W = held.p_WP - around.report.p_WT, f_T_W = kp.cwiseProduct(e_W);
-    return control::clampedEnergy(0.5 * f_T_W.dot(e_W), f_T_W.norm(), most_N);
-  }
-  const arm::JointAngles& q_rad = around.report.sample.q_rad;
-  const arm::JointAngles wanted_rad = arm::withinLimits(around.program.joint_limits, follower.q_rad);
-  const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
-  return control::clampedEnergy(0.5 * kp.cwiseProduct(e_rad).dot(e_rad), held.f_T_W.norm(), most_N);
-}
-
-/// The part of the force sent last that belongs to a constraint which asked for f_T_W of it. A lone one has it all;
-/// several share it as they asked for it, and what the gate's slew limit adds beside that belongs to none.
-Vec3 partOf(const TickState& state, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
-  if (state.energies.size() == 1) return state.gate.f_T_W;
-  const double asked2_N2 = state.asked_T_W.squaredNorm();
-  if (!(asked2_N2 > 0.0) || !std::isfinite(asked2_N2)) return Vec3::Zero();
-  return (state.gate.f_T_W.dot(state.asked_T_W) / asked2_N2) * f_T_W;
-}
-
-/// Counts the energy of one constraint and, where it is to stay passive, adds to its force.
-void watchEnergy(const Around& around, const Entry& entry, const arm::FollowerState& follower, std::size_t index,
-                 const Vec3& way_T_W, TickState& state) noexcept UNDERACT_REAL_TIME {
-  Held& held = around.report.held[index];
-  control::EnergyState& energy = state.energies[index];
-  if (around.moment.idle || entry.passivity == control::Passivity::Off) {
-    energy = control::EnergyState{};
-    return;
-  }
-  control::Passage passage;
-  passage.way_T_W = way_T_W;
-  passage.f_T_W = partOf(state, energy.f_T_W);
-  passage.level = state.gate.level;
-  passage.dt_s = around.moment.dt_s;
-  passage.pulls = held.status == target::Status::Unique && held.acts;
-  passage.untouched = held.status == target::Status::Free;
-  passage.edited = state.retuned;
-  if (passage.pulls) {
-    passage.e_W = held.p_WP - around.report.p_WT;
-    passage.stored_J = storedIn(around, entry, held, follower);
-  }
-  control::observe(energy, passage);
-  if (passage.pulls && entry.passivity == control::Passivity::Control) {
-    const Vec3 f_T_W = held.f_T_W, damper_T_W = control::damper(energy, passage);
-    if (damper_T_W != Vec3::Zero()) {
-      // Beside a force beyond what the gate lets through, a damper would be nothing.
-      const Vec3 pushed_T_W = safety::clampForce(f_T_W, around.program.limits.max_force_N);
-      held.f_T_W = pushed_T_W + damper_T_W;
-      if (held.f_T_W.dot(passage.e_W) < 0.0) held.f_T_W.setZero();  // nor is the arm to be thrown the other way
-      held.f_passive_T_W = held.f_T_W - pushed_T_W;
-    }
-  }
-  held.energy_J = energy.energy_J;
-  control::remember(energy, passage, held.f_T_W);
-}
-
 /// way_T_W: of the tip since the last tick.
 Vec3 sumForces(const TickProgram& program, const Vec3& way_T_W, TickState& state, TickReport& report,
                const control::Moment& moment) noexcept UNDERACT_REAL_TIME {
@@ -274,7 +213,7 @@ Vec3 sumForces(const TickProgram& program, const Vec3& way_T_W, TickState& state
     arm::FollowerState& follower = index < state.followers.size() ? state.followers[index] : no_follower;
     Held& held = report.held[index];
     held.f_T_W = forceOf(around, program.entries[index], held, law, follower);
-    if (program.needs.energy) watchEnergy(around, program.entries[index], follower, index, way_T_W, state);
+    if (program.needs.energy) watchEnergy(program, moment, way_T_W, index, state, report);
     sum_T_W += held.f_T_W;
   }
   return sum_T_W;
