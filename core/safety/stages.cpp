@@ -42,7 +42,8 @@ Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexc
 }
 
 Vec3 limitEdge(const Limits& limits, const Motion& motion, const Vec3& f_T_W) noexcept {
-  if (!(limits.edge_rad > 0.0)) return f_T_W;
+  const double least_rad = std::min(leastOf(motion.room_above_rad), leastOf(motion.room_below_rad));
+  if (!(limits.edge_rad > 0.0) || least_rad >= limits.edge_rad) return f_T_W;
   const Vec3 torque_N_m = motion.J_p.transpose() * f_T_W;
   double keep = 1.0;
   for (Eigen::Index joint = 0; joint < 3; ++joint) {
@@ -55,6 +56,7 @@ Vec3 limitEdge(const Limits& limits, const Motion& motion, const Vec3& f_T_W) no
 }
 
 Vec3 limitHeat(const Thermal& thermal, const Vec3& heat, const Mat3& J_p, const Vec3& f_T_W) noexcept {
+  if (!(heat.x() > kWarm || heat.y() > kWarm || heat.z() > kWarm)) return f_T_W;
   const Vec3 torque_N_m = J_p.transpose() * f_T_W;
   double keep = 1.0;
   for (Eigen::Index motor = 0; motor < 3; ++motor) {

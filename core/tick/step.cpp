@@ -85,7 +85,7 @@ void smoothOver(double dt_s, bool idle, TickState& state, Vec3& f_T_W) noexcept 
     state.bump_T_W.setZero();
   } else if (state.retuned) {
     state.bump_T_W = state.asked_T_W - f_T_W;
-  } else {
+  } else if (state.bump_T_W != Vec3::Zero()) {
     state.bump_T_W *= kBumpless_s / (kBumpless_s + dt_s);
     if (largestOf(state.bump_T_W) < kBumpOver_N) state.bump_T_W.setZero();
   }

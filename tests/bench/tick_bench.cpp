@@ -47,7 +47,7 @@ tick::TickProgram programOf(const shape::Shape& shape, const control::Law& law, 
   const arm::Preset& arm = *arm::findPreset(arm::kDefaultArm);
   const tick::Entry entry{target::makeConstraint(shape, target::Side::Both, stiffness), law};
   return tick::makeProgram(arm.geometry, std::vector<tick::Entry>(count, entry), tick::Combine::Sum,
-                           {arm.continuous_force_N});
+                           safety::limitsForHands(arm.continuous_force_N, Vec3(0.155, 0.112, 0.131)), arm.limits);
 }
 
 const bool kRegistered = [] {

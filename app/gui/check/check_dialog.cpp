@@ -25,7 +25,7 @@ constexpr int kLeastSeconds = 2, kSeconds = 60, kMostSeconds = 3600;
 QStringList cellsOf(const servo::Percentiles& values) {
   QStringList cells;
   for (const double value_us : {values.p50_us, values.p99_us, values.p999_us, values.max_us})
-    cells << numberText(value_us, 0);
+    cells << numberText(value_us, value_us < 9.95 ? 1 : 0);
   return cells;
 }
 

@@ -32,7 +32,8 @@ void follow(servo::Host& host, const std::string& way) {
     host.drain([](const servo::TickRecord&) {});
     const servo::Snapshot& snapshot = host.snapshot();
     if (const auto fault = host.takeFault()) {
-      std::printf("fault %s\n", name(fault->fault.kind));
+      if (!told) host.start();  // a busy machine: not what is looked for
+      if (told) std::printf("fault %s\n", name(fault->fault.kind));
       std::fflush(stdout);
     }
     if (snapshot.report.level < 1.0 || told) continue;
