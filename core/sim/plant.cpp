@@ -31,13 +31,18 @@ struct Pull {
   double friction_N;
 };
 
-/// One substep. The momentum equation is solved for the velocity at its end, at which damper, spring and friction act:
-///   (M + b dt + k dt^2) v' = M v + dt (f + k (x_w - x) + b v_w) - r, |r| <= mu dt, and r against v'.
-/// Its solution is exact: a pull below the friction leaves v' = 0, no direction is ever reversed by it.
+/// One substep. The momentum equation is solved for the velocity at its end, at which damper, spring and friction act;
+/// the way is that of the mean velocity, x' = x + dt (v + v') / 2, so that a force has its effect when it is there (by
+/// v' alone, half a substep before):
+///   (M + b dt + k dt^2 / 2) v' = M v + dt (f + k (x_w - x - dt v / 2) + b v_w) - r, |r| <= mu dt, and r against v'.
+/// Its solution is exact: a pull below the friction leaves v' = 0, no direction is ever reversed by it. Without a mass
+/// there is no velocity to start from, and v' alone counts.
 void substep(const Pull& pull, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& v_WH, double dt_s,
              PlantState& state) noexcept UNDERACT_REAL_TIME {
-  const double inertia_kg = pull.mass_kg + dt_s * (pull.damping_N_s_per_m + dt_s * pull.stiffness_N_per_m);
-  const Vec3 spring_N = pull.stiffness_N_per_m * (p_WH - state.p_WT) + pull.damping_N_s_per_m * v_WH;
+  const double before = pull.mass_kg > 0.0 ? 0.5 * dt_s : 0.0, after = dt_s - before;  // what each velocity counts
+  const double inertia_kg = pull.mass_kg + dt_s * (pull.damping_N_s_per_m + after * pull.stiffness_N_per_m);
+  const Vec3 p_WFree = state.p_WT + before * state.v_WT;
+  const Vec3 spring_N = pull.stiffness_N_per_m * (p_WH - p_WFree) + pull.damping_N_s_per_m * v_WH;
   const Vec3 impulse_N_s = pull.mass_kg * state.v_WT + dt_s * (f_T_W + spring_N);
   const double size_N_s = impulse_N_s.norm(), friction_N_s = pull.friction_N * dt_s;
   if (size_N_s > friction_N_s && inertia_kg > 0.0) {
@@ -45,7 +50,7 @@ void substep(const Pull& pull, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& 
   } else {
     state.v_WT.setZero();
   }
-  state.p_WT += dt_s * state.v_WT;
+  state.p_WT = p_WFree + after * state.v_WT;
 }
 
 /// Joints 1 to 3 within their limits that bring the tip near to p_WT, a place that they cannot reach: one joint after

@@ -30,12 +30,12 @@ PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept;
 // 340 of them.
 inline constexpr std::int64_t kSubstep_ns = 50'000;
 
-/// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish: symplectic Euler
-/// with the hand's damper and spring and the Coulomb friction taken implicitly, so that it sticks without chatter at
-/// any step. wish: at the end of the period; on the way there it moves evenly at its v_WT. Where reach or a joint limit
-/// cuts the motion, the tip stands at the limit and keeps only the velocity along it. A force that is not finite counts
-/// as none, a wish that is not finite as one to stay here. Finite in, finite out; the same bits every time. Cost:
-/// linear in period_ns.
+/// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish: the way by
+/// the mean velocity of each substep, so that a force is neither early nor late, with the hand's damper and spring and
+/// the Coulomb friction taken implicitly, so that it sticks without chatter at any step. wish: at the end of the
+/// period; on the way there it moves evenly at its v_WT. Where reach or a joint limit cuts the motion, the tip stands
+/// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a wish that is not
+/// finite as one to stay here. Finite in, finite out; the same bits every time. Cost: linear in period_ns.
 PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
                    std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 

@@ -12,10 +12,6 @@ namespace {
 using test::SampledWall;
 
 constexpr double kShare = 0.02;
-// The plant's integrator takes a force half a substep early, which is as much less delay: at 50 us 5 % of the half
-// period that a sampled wall at 1 kHz lags, at a 100th of the period 1 % of it. advance() is therefore called in
-// parts.
-constexpr std::int64_t kParts = 100;
 
 /// Whether the simulated arm under the project's own law is calm after a nudge: its swing at the end is smaller than
 /// it was halfway.
@@ -38,7 +34,7 @@ bool isCalm(const SampledWall& wall, double stiffness_N_per_m) {
     const Vec3 f_T_W = under_way.front();
     under_way.erase(under_way.begin());
     wish.p_WT = p_WP;
-    for (std::int64_t part = 0; part < kParts; ++part) state = advance(plant, state, f_T_W, wish, period_ns / kParts);
+    state = advance(plant, state, f_T_W, wish, period_ns);
     const double off_m = (state.p_WT - p_WP).norm();
     if (off_m > 1e-3) return false;  // a thousand times the nudge, and still far from any joint's limit
     if (tick >= ticks / 4 && tick < ticks / 2) first_m = std::max(first_m, off_m);
