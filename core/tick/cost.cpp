@@ -4,18 +4,18 @@ namespace underact::tick {
 namespace {
 
 // ns, measured by underact-bench (resources/guide/figures.md).
-constexpr double kKinematics_ns = 42.0;
-constexpr double kGateAndReport_ns = 33.0;
+constexpr double kKinematics_ns = 88.0;
+constexpr double kGateAndReport_ns = 140.0;
 constexpr double kPoint_ns = 3.0;
-constexpr double kSphere_ns = 16.0;
-constexpr double kLine_ns = 9.0;
-constexpr double kPlane_ns = 9.0;
-constexpr double kCircle_ns = 30.0;
-constexpr double kCylinder_ns = 32.0;
-constexpr double kBox_ns = 13.0;
-constexpr double kByIteration_ns = 135.0;  // what unequal gains make of sphere, circle, cylinder and box
+constexpr double kSphere_ns = 3.0;
+constexpr double kLine_ns = 4.0;
+constexpr double kPlane_ns = 3.0;
+constexpr double kCircle_ns = 18.0;
+constexpr double kCylinder_ns = 15.0;
+constexpr double kBox_ns = 7.0;
+constexpr double kByIteration_ns = 165.0;  // what unequal gains make of sphere, circle, cylinder and box
 constexpr double kP_ns = 1.0;
-constexpr double kPD_ns = 12.0;
+constexpr double kPD_ns = 11.0;
 constexpr double kPID_ns = 18.0;
 constexpr double kKalman_ns = 14.0;        // beside the low-pass, which is in the law's
 constexpr double kWindowOfTick_ns = 15.0;  // of an adaptive window, for each of its ticks
