@@ -35,6 +35,7 @@ struct RunOptions {
   std::string hand;
   double seconds = 0.0;
   int rate_hz = 1000;
+  int max_late = 20;
   bool fast = false;
   std::uint64_t seed = 1;
   std::string record;
@@ -212,8 +213,10 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
   const Interrupt interrupt;
-  servo::Host host(makeArm(options, *prepared),
-                   {options.rate_hz, options.fast ? servo::Clock::Manual : servo::Clock::Thread, options.scheduling});
+  servo::Host host(makeArm(options, *prepared), {.rate_hz = options.rate_hz,
+                                                 .clock = options.fast ? servo::Clock::Manual : servo::Clock::Thread,
+                                                 .scheduling = options.scheduling,
+                                                 .max_late = options.max_late});
   const Problems problems = host.load(prepared->scene.description);
   if (!problems.empty()) {
     print(problems, streams.err);
@@ -252,6 +255,9 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--seconds", options->seconds, "How long, by the arm's clock")
       ->required()
       ->check(CLI::Validator(checkSeconds, "", "seconds"));
+  command->add_option("--max-late", options->max_late, "Ticks in a row a whole period late that are borne")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000));
   command->add_option("--rate", options->rate_hz, "Ticks a second")
       ->capture_default_str()
       ->check(CLI::Range(100, 10000));

@@ -38,7 +38,8 @@ QString sceneToOpen(const Options& options) {
 }
 
 int runWindow(const Options& options, const QElapsedTimer& since_start) {
-  SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz, .scheduling = options.scheduling});
+  SimulatedHost simulated =
+      makeSimulatedHost({.rate_hz = options.rate_hz, .scheduling = options.scheduling, .max_late = options.max_late});
   ThemeWatcher theme;
   MainWindow window({*simulated.host, simulated.arm, theme});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {

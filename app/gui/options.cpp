@@ -31,13 +31,16 @@ bool readWay(const std::string& text, servo::Way& way) {
 
 /// The options that a number or a word follows. False: it is none of them.
 bool readServoOption(const std::string& argument, const std::function<std::string()>& value, Options& options) {
-  constexpr int kMostCores = 4095;
+  constexpr int kMostCores = 4095, kMostLate = 1'000'000;
   if (argument == "--rate") {
     if (!readNumber(value(), 100, 10000, options.rate_hz) && options.wrong.empty())
       options.wrong = "--rate is a number of Hz from 100 to 10000.";
   } else if (argument == "--scheduling") {
     if (!readWay(value(), options.scheduling.way) && options.wrong.empty())
       options.wrong = "--scheduling is auto, fifo, rtkit or normal.";
+  } else if (argument == "--max-late") {
+    if (!readNumber(value(), 1, kMostLate, options.max_late) && options.wrong.empty())
+      options.wrong = "--max-late is a number of ticks in a row, from 1.";
   } else if (argument == "--core") {
     if (!readNumber(value(), 0, kMostCores, options.scheduling.core) && options.wrong.empty())
       options.wrong = "--core is the number of a core, from 0.";
@@ -88,6 +91,7 @@ std::string usage() {
   --rate HZ          ticks a second, 100 to 10000 (1000)
   --scheduling WAY   how the servo thread is scheduled: auto, fifo, rtkit or normal (auto)
   --core N           the one core the servo thread runs on
+  --max-late N       ticks in a row a whole period late that are borne before the force is let go (20)
   --help             this text
   --version          the version
 

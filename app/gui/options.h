@@ -13,6 +13,7 @@ struct Options {
   std::string out;
   int rate_hz = 1000;
   servo::SchedulingWanted scheduling;
+  int max_late = 20;  // ticks in a row
   bool help = false;
   bool version = false;
   std::string wrong;  // a sentence, where the command line cannot be understood

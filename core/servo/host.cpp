@@ -54,6 +54,7 @@ struct Host::Impl {
     Result<tick::TickProgram> program = scene::compile(wanted);
     if (!program) return program.problems();
     program.value().limits.frozen_s = device->info().frozen_s;
+    program.value().limits.max_late = options.max_late;
     tick::TickState state = tick::makeState(program.value());
     scene = wanted;
     ++revision;

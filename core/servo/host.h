@@ -23,6 +23,7 @@ struct HostOptions {
   Clock clock = Clock::Thread;
   SchedulingWanted scheduling = {};
   double watchdog_s = 0.1;  // no tick for so long: the arm gets zero force from outside the servo thread, and a fault
+  int max_late = 20;        // ticks in a row a whole period late that are borne; more let the force go, and are a fault
   std::string guard_program = {};  // underact-guard, for an arm that has a last word; empty: it is looked for
 };
 

@@ -210,6 +210,7 @@ TEST(Run, WrongUsageIsToldWithStatus2) {
       {"--hand", "still", "--seconds", "inf"},
       {"--hand", "still", "--seconds", "1", "--rate", "99"},
       {"--hand", "still", "--seconds", "1", "--rate", "10001"},
+      {"--hand", "still", "--seconds", "1", "--max-late", "0"},
       {"--hand", "still", "--seconds", "1", "--arm-model", "wood"},
       {"--hand", "still", "--seconds", "1", "--seed", "-1"},
       {"--hand", "still", "--seconds", "1", "--record", "session.h5"},

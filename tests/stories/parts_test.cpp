@@ -85,6 +85,8 @@ TEST(Parts, TheCommandLineIsUnderstoodOrSaidToBeWrong) {
   EXPECT_FALSE(parseOptions({"--core", "-1"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--core"}).wrong.empty());
   EXPECT_EQ(parseOptions({"--core"}).wrong, "--core needs a value.");
+  EXPECT_EQ(parseOptions({"--max-late", "5"}).max_late, 5);
+  EXPECT_FALSE(parseOptions({"--max-late", "0"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--rate", "10001"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--rate", "50"}).wrong.empty());
   EXPECT_FALSE(parseOptions({"--rate"}).wrong.empty());

@@ -209,6 +209,21 @@ TEST(Injection, TicksThatAreLateAllTheTimeLetGo) {
   EXPECT_GT(rig.host->snapshot().late.left_out, 20) << "what has passed is not caught up";
 }
 
+TEST(Injection, HowManyLateTicksAreBorneIsToChoose) {
+  Rig rig(
+      [&](ScriptedPort& port) {
+        port.spoil = [](std::int64_t, arm::Sample&) {
+          std::this_thread::sleep_for(3ms);
+          return true;
+        };
+      },
+      {.clock = Clock::Thread, .max_late = 3});
+  rig.host->begin();
+  ASSERT_TRUE(comes([&] { return rig.host->snapshot().mode == Mode::Faulted; }));
+  EXPECT_EQ(rig.fault(), FaultKind::TooLate);
+  EXPECT_EQ(rig.host->snapshot().report.fault.allowed, 3.0);
+}
+
 TEST(Injection, AThousandScenesAreSwappedWhileItPushesAndNoStepIsFelt) {
   Rig rig([](ScriptedPort&) {}, {1000, Clock::Manual});
   rig.host->run(400);
