@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QHideEvent>
 #include <QLabel>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -43,11 +42,7 @@ KinematicsPanel::KinematicsPanel(const PanelParts& parts, QWidget* parent) : Pan
   column->addWidget(angles_ = new AnglesSection(content));
   column->addWidget(jacobian_ = new JacobianSection(content));
   column->addStretch(1);
-  QScrollArea* scroll = panelScroll(content, this);
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addWidget(scroll);
+  fillWithScroll(this, content);
   connect(joints_, &JointsSection::asked, this, [this](int joint, double deg) { wishJoint(joint, deg, false); });
   connect(joints_, &JointsSection::stepped, this, [this](int joint, double deg) { wishJoint(joint, deg, true); });
   connect(solutions_, &SolutionsSection::wanted, this, &KinematicsPanel::showSolution);

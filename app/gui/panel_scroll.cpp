@@ -1,6 +1,7 @@
 #include "app/gui/panel_scroll.h"
 
 #include <QScrollArea>
+#include <QVBoxLayout>
 
 namespace underact::gui {
 
@@ -12,6 +13,14 @@ QScrollArea* panelScroll(QWidget* content, QWidget* parent) {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
   return scroll;
+}
+
+void fillWithScroll(QWidget* panel, QWidget* content) {
+  QScrollArea* scroll = panelScroll(content, panel);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+  auto* outer = new QVBoxLayout(panel);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
 }
 
 }  // namespace underact::gui

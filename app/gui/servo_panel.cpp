@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
 
@@ -33,11 +32,7 @@ ServoPanel::ServoPanel(const PanelParts& parts, QWidget* parent) : Panel(parent)
   column->addWidget(time_ = new TimeSection(content));
   column->addWidget(scheduling_ = new SchedulingSection(content));
   column->addStretch(1);
-  QScrollArea* scroll = panelScroll(content, this);
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addWidget(scroll);
+  fillWithScroll(this, content);
 }
 
 void ServoPanel::addActions() {

@@ -7,7 +7,7 @@
 namespace underact::servo {
 
 /// Lateness and tick time of every tick since the start, and lateness of the last 10 s, in steps of a second. One
-/// thread; 360 KB.
+/// thread; 100 KB.
 class Timing {
  public:
   explicit Timing(int rate_hz) : ticks_a_second_(rate_hz) {}

@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QVBoxLayout>
@@ -35,11 +34,7 @@ CalibrationPanel::CalibrationPanel(const PanelParts& parts, QWidget* parent)
   pages_->addWidget(run_ = new RunPage(parts_.actions));
   pages_->addWidget(result_ = new ResultPage);
   pages_->setContentsMargins(8, 8, 8, 8);
-  QScrollArea* scroll = panelScroll(pages_, this);
-  scroll->setMinimumWidth(pages_->minimumSizeHint().width() + 16);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addWidget(scroll);
+  fillWithScroll(this, pages_);
   connect(session_, &CalibrationSession::changed, this, &CalibrationPanel::showState);
   connect(begin_, &BeginPage::begin, this, &CalibrationPanel::begin);
   connect(run_, &RunPage::cancelled, session_, [this] { session_->cancel(); });
