@@ -11,11 +11,11 @@
 #include "app/cli/arm_models.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/scheduling_options.h"
 #include "core/arm/preset.h"
-#include "core/record/csv.h"
 #include "core/record/fault_file.h"
 #include "core/scene/compile.h"
 #include "core/servo/host.h"
@@ -39,6 +39,7 @@ struct RunOptions {
   bool fast = false;
   std::uint64_t seed = 1;
   std::string record;
+  record::SessionWords words;  // of the recording
   std::string fault_file;
   std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
@@ -75,16 +76,16 @@ Exit exitOfHand(const std::string& hand, const Problems& problems) {
 /// A run in progress: takes the ticks as they come, up to the number asked for.
 class Run {
  public:
-  Run(std::int64_t wanted, std::optional<record::CsvWriter> csv, const Streams& streams)
-      : wanted_(wanted), csv_(std::move(csv)), streams_(streams) {}
+  Run(std::int64_t wanted, std::optional<Recording> recording, const Streams& streams)
+      : wanted_(wanted), recording_(std::move(recording)), streams_(streams) {}
 
   void take(servo::Host& host) {
     host.drain([this](const servo::TickRecord& record) {
       if (isDone()) return;
       summary_.add(record);
-      if (csv_) csv_->add(record);
+      if (recording_) recording_->add(record);
     });
-    if (csv_ && csv_->hasFailed() && !told_) {
+    if (recording_ && recording_->hasFailed() && !told_) {
       told_ = true;
       streams_.err << "The recording stopped: its file takes no more. The run goes on.\n";
     }
@@ -94,7 +95,7 @@ class Run {
   bool isDone() const { return summary_.ticks() >= wanted_; }
   std::int64_t left() const { return wanted_ - summary_.ticks(); }
   const RunSummary& summary() const { return summary_; }
-  Problems closeRecording() { return csv_ ? csv_->close() : Problems{}; }
+  Problems closeRecording() { return recording_ ? recording_->close() : Problems{}; }
 
  private:
   void showProgress() {
@@ -105,7 +106,7 @@ class Run {
   }
 
   std::int64_t wanted_;
-  std::optional<record::CsvWriter> csv_;
+  std::optional<Recording> recording_;
   const Streams& streams_;
   RunSummary summary_;
   std::int64_t shown_percent_ = -1;
@@ -142,7 +143,6 @@ Problems tellFaults(servo::Host& host, Run& run, const std::string& file) {
 struct Prepared {
   LoadedScene scene;
   sim::HandScript hand;
-  std::optional<record::CsvWriter> csv;
 };
 
 /// The scene with every control in that space; empty: as it is.
@@ -161,11 +161,6 @@ Result<LoadedScene> inSpace(LoadedScene loaded, const std::string& space) {
 
 /// Empty: something was wrong, has been told, and exit says what.
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
-  if (!options.record.empty() && !options.record.ends_with(".csv")) {
-    streams.err << "--record: this version records CSV only; the file's name must end in .csv.\n";
-    exit = Exit::Usage;
-    return {};
-  }
   Result<LoadedScene> scene = loadScene(options.scene);
   if (!scene) {
     print(scene.problems(), streams.err);
@@ -184,16 +179,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = exitOfHand(options.hand, hand.problems());
     return {};
   }
-  Prepared prepared{std::move(in_space).value(), std::move(hand).value(), {}};
-  if (options.record.empty()) return prepared;
-  Result<record::CsvWriter> csv = record::CsvWriter::open(options.record);
-  if (!csv) {
-    print(csv.problems(), streams.err);
-    exit = Exit::File;
-    return {};
-  }
-  prepared.csv = std::move(csv).value();
-  return prepared;
+  return Prepared{std::move(in_space).value(), std::move(hand).value()};
 }
 
 std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const Prepared& prepared) {
@@ -205,6 +191,17 @@ std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const P
   auto simulated = std::make_unique<device::SimulatedArm>(arm);
   simulated->follow(prepared.hand);
   return simulated;
+}
+
+/// A session that nobody named says what was run.
+record::SessionWords wordsOf(const RunOptions& options) {
+  record::SessionWords words = options.words;
+  if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
+  if (words.notes.empty()) {
+    words.notes =
+        "Hand " + options.hand + ", seed " + std::to_string(options.seed) + ", arm model " + options.arm_model + ".";
+  }
+  return words;
 }
 
 Exit runScene(const RunOptions& options, const Streams& streams) {
@@ -223,8 +220,17 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
     return Exit::BadInput;
   }
   host.start();
+  std::optional<Recording> recording;
+  if (!options.record.empty()) {
+    Result<Recording> started = Recording::start(host, options.record, wordsOf(options), ticks);
+    if (!started) {
+      print(started.problems(), streams.err);
+      return Exit::File;
+    }
+    recording = std::move(started).value();
+  }
   host.begin();
-  Run run(ticks, std::move(prepared->csv), streams);
+  Run run(ticks, std::move(recording), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt);
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
@@ -265,7 +271,12 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--seed", options->seed, "Of all that is random")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--record", options->record, "Write every tick to this file; its name must end in .csv");
+  command->add_option("--record", options->record,
+                      "Write every tick to this file: CSV where its name ends in .csv, else a session");
+  command->add_option("--name", options->words.name, "Of the session; by itself the scene file's");
+  command->add_option("--notes", options->words.notes, "On the session");
+  command->add_option("--tags", options->words.tags, "Of the session: words with commas between");
+  command->add_option("--subject", options->words.subject, "Whose hand it is: a code, and nothing personal");
   command->add_option("--fault-file", options->fault_file,
                       "Where the servo stops by a fault, write it here, with its last second of ticks");
   command->add_option("--space", options->space, "Where the control works, in place of what the scene says")

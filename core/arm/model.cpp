@@ -38,6 +38,11 @@ const Model* findModel(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::string_view fileOf(std::string_view name) {
+  const Model* const model = findModel(name);
+  return model == nullptr ? std::string_view() : kArmFiles[model - models().data()];
+}
+
 std::optional<Geometry> omniGeometry(const Model& model) {
   constexpr std::array<double, 6> kTwists_deg{0, 90, 0, 90, -90, 90};
   for (std::size_t row = 0; row < 6; ++row) {

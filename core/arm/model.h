@@ -38,6 +38,9 @@ Result<Model> readArmFile(const std::string& path);
 std::span<const Model> models();
 const Model* findModel(std::string_view name);
 
+/// The file (JSON) that the shipped model of that name was read from; empty: there is none.
+std::string_view fileOf(std::string_view name);
+
 /// The lengths of a table shaped as table 3.1 of the thesis (a shoulder that turns about the upright, two links, a
 /// wrist at the end of the second), in the workspace of eq. 3.1; empty for any other arm. Such arms have straight-line
 /// code.

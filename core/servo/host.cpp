@@ -1,7 +1,11 @@
 #include "core/servo/host.h"
 
+#include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <deque>
+#include <map>
+#include <thread>
 #include <utility>
 
 #include "core/base/denormals.h"
@@ -22,6 +26,8 @@ struct Host::Impl {
         timing(wanted.rate_hz) {}
   ~Impl() {
     end();
+    if (tap) tap->end();
+    for (const auto& one : ending) one->end();
     for (const Command& command : backlog) delete command.instance;
   }
 
@@ -58,8 +64,33 @@ struct Host::Impl {
     tick::TickState state = tick::makeState(program.value());
     scene = wanted;
     ++revision;
+    keepScene();
     send({order, new Instance{std::move(program).value(), std::move(state), revision}});
     return {};
+  }
+
+  /// Of the program in effect and of all that came after it: whoever begins to record is told of them.
+  void keepScene() {
+    scenes[revision] = scene;
+    scenes.erase(scenes.begin(), scenes.lower_bound(loop.snapshot().revision));
+    if (tap) tap->announce(revision, scene);
+  }
+  void record(std::shared_ptr<Tap> wanted) {
+    ending.erase(std::remove_if(ending.begin(), ending.end(), [](const auto& one) { return one->ended(); }),
+                 ending.end());
+    if (tap) ending.push_back(std::move(tap));
+    tap = std::move(wanted);
+    Command command{tap ? Order::Record : Order::EndRecord};
+    command.tap = tap.get();
+    if (tap) {
+      for (const auto& [number, kept] : scenes) tap->announce(number, kept);
+    }
+    send(command);
+    if (!thread) loop.takeUpCommands();
+  }
+  /// A recorder that is behind is waited for; one that is gone is not.
+  void waitForRoom(std::size_t ticks) const {
+    while (tap && tap->room() < ticks && !tap->givenUp()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   HostOptions options;
@@ -72,6 +103,9 @@ struct Host::Impl {
   std::deque<Command> backlog;
   scene::Description scene;
   std::uint64_t revision = 0;
+  std::map<std::uint64_t, scene::Description> scenes;
+  std::shared_ptr<Tap> tap;                  // who records
+  std::vector<std::shared_ptr<Tap>> ending;  // the servo may still write into them
   bool started = false;
   bool hold_to_run = false;
   Timing timing;
@@ -179,8 +213,20 @@ void Host::begin() {
 
 void Host::run(std::int64_t ticks) {
   impl_->flush();
-  const FlushDenormals flush;  // as the servo thread does: the same bits
-  for (std::int64_t tick = 0; tick < ticks; ++tick) impl_->loop.tick({});
+  const FlushDenormals flush;             // as the servo thread does: the same bits
+  constexpr std::int64_t kAtOnce = 1000;  // far fewer than a tap has room for
+  for (std::int64_t tick = 0; tick < ticks; ++tick) {
+    if (tick % kAtOnce == 0) impl_->waitForRoom(kAtOnce);
+    impl_->loop.tick({});
+  }
+}
+
+void Host::record(std::shared_ptr<Tap> tap) {
+  impl_->record(std::move(tap));
+}
+
+void Host::endRecord() {
+  if (impl_->tap) impl_->record(nullptr);
 }
 
 int Host::rateHz() const {
@@ -198,6 +244,10 @@ Scheduling Host::scheduling() const {
 
 const SchedulingWanted& Host::schedulingWanted() const {
   return impl_->options.scheduling;
+}
+
+int Host::maxLate() const {
+  return impl_->options.max_late;
 }
 
 DeviceInfo Host::device() const {

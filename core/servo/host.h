@@ -10,6 +10,7 @@
 #include "core/servo/device_port.h"
 #include "core/servo/scheduling.h"
 #include "core/servo/snapshot.h"
+#include "core/servo/tap.h"
 #include "core/servo/timing.h"
 
 namespace underact::servo {
@@ -84,9 +85,17 @@ class Host {
   /// Manual clock only.
   void run(std::int64_t ticks);
 
+  /// From the next tick on everything goes to the tap, too; one at a time, the one before it ends. Manual clock: run()
+  /// waits while the tap is full.
+  void record(std::shared_ptr<Tap> tap);
+  /// No more goes to the tap; it has ended when Tap::ended() says so.
+  void endRecord();
+
   int rateHz() const;
   Scheduling scheduling() const;
   const SchedulingWanted& schedulingWanted() const;
+  /// After so many late ticks in a row the force is let go.
+  int maxLate() const;
   DeviceInfo device() const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/servo/clock.h"
+#include "core/servo/touch_pages.h"
 
 namespace underact::servo {
 namespace {
@@ -19,12 +20,9 @@ std::size_t ticksIn(std::int64_t time_ns, std::int64_t period_ns) {
   return static_cast<std::size_t>(std::max<std::int64_t>(time_ns / std::max<std::int64_t>(period_ns, 1), 1));
 }
 
-/// Writes every page of a queue once, so that the servo thread meets no page fault there.
-template <class T>
-void touchPages(boost::lockfree::spsc_queue<T>& queue) {
-  while (queue.push(T{})) {
-  }
-  queue.reset();
+unsigned bitsOf(const tick::TickInput& input) noexcept UNDERACT_REAL_TIME {
+  return (input.has_sample ? kHadSample : 0U) | (input.engage ? kEngaged : 0U) | (input.restart ? kRestarted : 0U) |
+         (input.late ? kLate : 0U);
 }
 
 }  // namespace
@@ -90,6 +88,13 @@ void Loop::replaceBy(Instance* instance, tick::Carry carry) noexcept {
   tick::carryOver(current_->state, instance->state, carry);
   retire(current_);
   current_ = instance;
+  if (tap_ != nullptr) tap_->add(Change{ticks_ + 1, instance->revision, carry});
+}
+
+void Loop::listen(Tap* tap) noexcept {
+  if (tap_ != nullptr) tap_->end();
+  tap_ = tap;
+  if (tap_ != nullptr) tap_->begin(ticks_ + 1, current_->revision, current_->state);
 }
 
 void Loop::takeUpCommands() noexcept {
@@ -105,6 +110,11 @@ void Loop::takeUpCommands() noexcept {
       case Order::HoldToRun:
       case Order::RunFreely:
         hold_to_run_ = command.order == Order::HoldToRun;
+        break;
+      case Order::Record:
+      case Order::EndRecord:
+        letIn();  // a recording begins with the scene that was asked for before it, where that can be
+        listen(command.tap);
         break;
       case Order::Load:
         if (waiting_ != nullptr) retire(waiting_);
@@ -122,10 +132,13 @@ void Loop::takeUpCommands() noexcept {
         break;
     }
   }
-  if (waiting_ != nullptr && current_->state.gate.level == 0.0) {
-    replaceBy(waiting_, tick::Carry::Arm);
-    waiting_ = nullptr;
-  }
+  letIn();
+}
+
+void Loop::letIn() noexcept {
+  if (waiting_ == nullptr || current_->state.gate.level > 0.0) return;
+  replaceBy(waiting_, tick::Carry::Arm);
+  waiting_ = nullptr;
 }
 
 Mode Loop::mode() const noexcept {
@@ -157,6 +170,10 @@ void Loop::remember(const Snapshot& snapshot) noexcept {
   if (!records_.push(record)) ++dropped_;
   history_->add(record);
   const bool faulted = snapshot.mode == Mode::Faulted;
+  if (tap_ != nullptr) {
+    if (faulted && !was_faulted_) tap_->add(FaultMark{snapshot.ticks, snapshot.report.fault, false});
+    tap_->add(record);
+  }
   if (faulted && !was_faulted_) {
     history_->end(snapshot.report.fault, snapshot.revision, late_);
     History* spare = nullptr;
@@ -179,11 +196,14 @@ void Loop::tick(const Wake& wake) noexcept {
   input.has_sample = device_.read(input.sample);
   const bool held = !hold_to_run_ || (input.sample.buttons & 1U) != 0;
   input.engage = engaged_ && held && waiting_ == nullptr;
-  input.restart = restart_;
+  const bool anew = input.has_sample && input.sample.epoch != epoch_;
+  if (anew) epoch_ = input.sample.epoch;
+  input.restart = restart_ || (anew && mode() != Mode::Faulted);
   restart_ = false;
   Snapshot& snapshot = snapshots_.back();
   const std::int64_t begin_ns = monotonicNow_ns();
   read_ns_ = begin_ns - asked_ns;
+  if (tap_ != nullptr && input.fault.kind != FaultKind::None) tap_->add(FaultMark{ticks_ + 1, input.fault, true});
   tick::step(current_->program, input, current_->state, snapshot.report);
   device_.write(snapshot.report.force);
   snapshot.tick_ns = monotonicNow_ns() - begin_ns;
@@ -191,6 +211,7 @@ void Loop::tick(const Wake& wake) noexcept {
   snapshot.ticks = ++ticks_;
   snapshot.revision = current_->revision;
   snapshot.mode = mode();
+  snapshot.input = bitsOf(input);
   snapshot.lateness_ns = wake.lateness_ns;
   snapshot.late = late_;
   snapshot.waits_for_button = engaged_ && !held;

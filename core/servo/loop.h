@@ -10,6 +10,7 @@
 #include "core/servo/history.h"
 #include "core/servo/slot.h"
 #include "core/servo/snapshot.h"
+#include "core/servo/tap.h"
 #include "core/tick/step.h"
 
 namespace underact::servo {
@@ -23,12 +24,13 @@ struct Instance {
 
 /// What the servo can be told. Load: another scene, swapped in once the force has ramped to zero. Retune: the same
 /// scene with other gains, swapped in before the next tick. Move: so is the same scene with its targets elsewhere.
-/// HoldToRun and RunFreely: whether the stylus button has to be held.
-enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely };
+/// HoldToRun and RunFreely: whether the stylus button has to be held. Record and EndRecord: ticks go to a tap, too.
+enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely, Record, EndRecord };
 
 struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
+  Tap* tap = nullptr;            // Record: lives until it has ended
 };
 
 /// What the servo thread does each period: take up commands, read the arm, tick, write the force, hand the results on.
@@ -43,6 +45,8 @@ class Loop {
 
   // The servo thread, or whoever stands in for it.
   void tick(const Wake& wake) noexcept UNDERACT_REAL_TIME;
+  /// Does what it was told without a tick: where no thread ticks.
+  void takeUpCommands() noexcept UNDERACT_REAL_TIME;
   /// Zero force, for the end.
   void release() noexcept UNDERACT_REAL_TIME;
   /// How long the last tick waited for the arm's sample.
@@ -66,7 +70,8 @@ class Loop {
   void stoodStill(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
 
  private:
-  void takeUpCommands() noexcept UNDERACT_REAL_TIME;
+  void letIn() noexcept UNDERACT_REAL_TIME;
+  void listen(Tap* tap) noexcept UNDERACT_REAL_TIME;
   void replaceBy(Instance* instance, tick::Carry carry) noexcept UNDERACT_REAL_TIME;
   void retire(Instance* instance) noexcept UNDERACT_REAL_TIME;
   Mode mode() const noexcept UNDERACT_REAL_TIME;
@@ -77,8 +82,10 @@ class Loop {
   DevicePort& device_;
   Instance* current_;
   Instance* waiting_ = nullptr;  // to come in at zero force
+  Tap* tap_ = nullptr;           // who listens
   bool engaged_ = false;
   bool restart_ = false;
+  std::uint32_t epoch_ = 0;  // of the last sample
   bool hold_to_run_ = false;
   bool was_faulted_ = false;
   std::int64_t period_ns_, watchdog_ns_;

@@ -23,11 +23,13 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
     record.angles = held.angles;
     break;
   }
+  record.v_WT = report.v_WT;
   record.error_m = tick::errorOf(report);
   record.f_asked_T_W = report.f_T_W;
   record.f_sent_T_W = report.force.f_T_W();
   record.level = report.level;
   record.cut_N = report.cut_N;
+  record.heat = report.heat;
   record.limits = safety::bitsOf(report.cuts);
   Vec3 passive_T_W = Vec3::Zero();
   for (const tick::Held& held : report.held) {
@@ -39,6 +41,7 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.branch_changes = report.branch_changes;
   record.out_of_reach = report.out_of_reach;
   record.revision = snapshot.revision;
+  record.input = snapshot.input;
   record.lateness_ns = snapshot.lateness_ns;
   record.tick_ns = snapshot.tick_ns;
   return record;

@@ -10,12 +10,21 @@ namespace underact::servo {
 /// stopped by itself; report.fault says why.
 enum class Mode : std::uint8_t { Idle, Running, Stopping, Faulted };
 
+/// What came into a tick besides the sample; bits of Snapshot::input.
+enum InputBit : unsigned {
+  kHadSample = 1,  // the arm gave one
+  kEngaged = 2,    // the servo was to push
+  kRestarted = 4,  // it was started in this tick
+  kLate = 8,       // the tick started a whole period late
+};
+
 /// What anyone outside the servo thread knows of the servo: the last tick, and the loop's own state.
 struct Snapshot {
   tick::TickReport report;
   std::int64_t ticks = 0;      // since the loop was made
   std::uint64_t revision = 0;  // of the program in effect; counts the loads and edits of the Host
   Mode mode = Mode::Idle;
+  unsigned input = 0;            // InputBit
   std::int64_t lateness_ns = 0;  // of this tick's start
   std::int64_t tick_ns = 0;      // that the last tick took
   std::int64_t dropped = 0;      // records that found no room, because nobody fetched them
@@ -31,19 +40,22 @@ struct TickRecord {
   std::uint32_t buttons = 0;
   Vec3 p_WT = Vec3::Zero();
   Vec3 p_WP = Vec3::Zero();  // of the first constraint that acts; NaN where none does
+  Vec3 v_WT = Vec3::Zero();  // the tip's velocity, filtered by the gate
   double error_m = 0.0;      // over all that act
   target::Angles angles;     // of the first influenced target that acts; NaN where none does
   Vec3 f_asked_T_W = Vec3::Zero();
   Vec3 f_sent_T_W = Vec3::Zero();
   double level = 0.0;
   double cut_N = 0.0;
-  unsigned limits = 0;     // which of the gate's limits acted: safety::CutBit
-  double energy_J = 0.0;   // that the stylus has put into all constraints and not got back
-  double passive_N = 0.0;  // what the passivity controllers add
+  Vec3 heat = Vec3::Zero();  // see tick::TickReport
+  unsigned limits = 0;       // which of the gate's limits acted: safety::CutBit
+  double energy_J = 0.0;     // that the stylus has put into all constraints and not got back
+  double passive_N = 0.0;    // what the passivity controllers add
   FaultKind fault = FaultKind::None;
   int branch_changes = 0;     // see tick::TickReport
   bool out_of_reach = false;  // see tick::TickReport
   std::uint64_t revision = 0;
+  unsigned input = 0;  // InputBit
   std::int64_t lateness_ns = 0;
   std::int64_t tick_ns = 0;
 };

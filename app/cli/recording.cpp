@@ -1,0 +1,31 @@
+#include "app/cli/recording.h"
+
+#include <utility>
+
+namespace underact::cli {
+
+Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionWords& words,
+                                   std::int64_t ticks) {
+  Recording recording;
+  if (path.ends_with(".csv")) {
+    Result<record::CsvWriter> csv = record::CsvWriter::open(path);
+    if (!csv) return csv.problems();
+    recording.csv_ = std::move(csv).value();
+    return recording;
+  }
+  Result<std::unique_ptr<record::Recorder>> session = record::Recorder::start(host, path, words, {.most_ticks = ticks});
+  if (!session) return session.problems();
+  recording.session_ = std::move(session).value();
+  return recording;
+}
+
+bool Recording::hasFailed() const {
+  return (csv_ && csv_->hasFailed()) || (session_ && !session_->status().problems.empty());
+}
+
+Problems Recording::close() {
+  if (csv_) return csv_->close();
+  return session_ ? session_->stop() : Problems{};
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/record/csv.h"
+#include "core/record/recorder.h"
+
+namespace underact::cli {
+
+/// What `run --record FILE` writes: CSV where the name ends in .csv, else a session.
+class Recording {
+ public:
+  /// Before the first tick; ticks: no more than these. Problems: the file cannot be made.
+  static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionWords& words,
+                                 std::int64_t ticks);
+  /// Of a CSV file; a session has its own way to the ticks.
+  void add(const servo::TickRecord& record) {
+    if (csv_) csv_->add(record);
+  }
+  /// It takes no more; close() says why.
+  bool hasFailed() const;
+  Problems close();
+
+ private:
+  std::optional<record::CsvWriter> csv_;
+  std::unique_ptr<record::Recorder> session_;
+};
+
+}  // namespace underact::cli

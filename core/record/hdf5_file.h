@@ -1,0 +1,71 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/record/table.h"
+
+namespace underact::record {
+
+/// An attribute of a file: words or a number.
+struct Attribute {
+  std::string name;
+  std::variant<std::string, std::int64_t, double> value;
+};
+
+/// Tables in an HDF5 file, written by one and read by many at the same time (SWMR). Any one thread at a time. Sentences
+/// of problems are the user's; their place is the file.
+class Hdf5File {
+ public:
+  ~Hdf5File();
+  Hdf5File(Hdf5File&&) noexcept;
+  Hdf5File& operator=(Hdf5File&&) noexcept;
+
+  /// A new file, in place of one of that name; from then on readers may follow it. Problems: it cannot be made.
+  static Result<Hdf5File> create(const std::string& path, std::span<const Attribute> attributes,
+                                 std::span<const Table> tables);
+  /// For reading, also while another program writes it or after that one was killed. tables: those that must be there
+  /// with just these columns; their block_rows are read from the file. Problems: no such file, not HDF5, damaged.
+  static Result<Hdf5File> open(const std::string& path, std::span<const Table> tables);
+  /// For writing on, alone. killed: the mark that a killed writer left is taken away. Problems: also where another
+  /// program is recording into it.
+  static Result<Hdf5File> reopen(const std::string& path, std::span<const Table> tables, bool killed);
+
+  /// Writer: a block at the end of a table, all those before it being full; to a table of one column any number of
+  /// them. Problems: the disk takes no more; then nothing further is written, and each call says so.
+  Problems append(std::size_t table, const Block& block);
+  /// Writer: what was appended can be read by others, and outlives this process.
+  Problems flush();
+  /// reopen(): cuts a table to so many rows.
+  Problems cut(std::size_t table, std::int64_t rows);
+  /// reopen(): writes an attribute anew.
+  Problems set(const Attribute& attribute);
+  /// Problems: what is in memory could not be written. The destructor closes, too, and says nothing.
+  Problems close();
+
+  /// Reader: rows that all columns have, as of now, with a checksum for each of their blocks.
+  std::int64_t rows(std::size_t table);
+  std::int64_t blockRows(std::size_t table) const;
+  /// Reader: whole blocks, from first on, at most count; a damaged one has no bytes. Problems: the file cannot be read.
+  Result<std::vector<Block>> read(std::size_t table, std::int64_t first, std::int64_t count);
+  /// Reader: sees what was written since.
+  void refresh();
+  /// Reader. Not there, or of another kind: the fallback.
+  std::string text(std::string_view attribute) const;
+  std::int64_t integer(std::string_view attribute, std::int64_t fallback) const;
+  double real(std::string_view attribute, double fallback) const;
+  /// The file was opened as one that a writer has not closed.
+  bool isOpenElsewhere() const;
+
+ private:
+  struct Impl;
+  explicit Hdf5File(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace underact::record

@@ -1,0 +1,212 @@
+#include "core/record/recorder.h"
+
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace underact::record {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kPause{20};
+constexpr milliseconds kLookAtDisk{500};
+constexpr milliseconds kWaitForEnd{1000};
+
+std::int64_t unixNow_ns() {
+  timespec now{};
+  timespec_get(&now, TIME_UTC);
+  return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
+}
+
+SessionHeader headerOf(const servo::Host& host, const SessionWords& words) {
+  SessionHeader header;
+  header.words = words;
+  header.scene_title = host.scene().title;
+  header.arm = host.scene().arm;
+  header.device = host.device().title;
+  header.scheduling = host.scheduling().name;
+  header.started_unix_ns = unixNow_ns();
+  header.rate_hz = host.rateHz();
+  header.frozen_s = host.device().frozen_s;
+  header.max_late = host.maxLate();
+  return header;
+}
+
+struct Mark {
+  std::int64_t tick = 0;
+  std::string label;
+};
+
+}  // namespace
+
+struct Recorder::Impl {
+  Impl(servo::Host& servo, std::string file, SessionWriter made, const RecorderOptions& wanted)
+      : host(servo),
+        path(std::move(file)),
+        options(wanted),
+        writer(std::move(made)),
+        tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.most_ticks)) {}
+
+  void run() {
+    while (!failed() && !tap->ended() && !ends.load()) {
+      const bool busy = room() < 0.5;  // a run as fast as it can is not kept waiting
+      takeAll();
+      if (!failed()) lookAtDisk();
+      if (!busy) std::this_thread::sleep_for(kPause);
+    }
+    tap->giveUp();
+    takeAll();
+    finish();
+  }
+  double room() const { return static_cast<double>(tap->room()) / static_cast<double>(capacity); }
+  bool failed() const { return !problems.empty(); }
+
+  /// What belongs to a tick is written before it, so that a file that ends anywhere can be replayed to there.
+  void takeAll() {
+    if (!tap->begun()) return;
+    if (!begun) {
+      begun = true;
+      note(writer.begin(tap->firstTick(), tap->firstRevision(), tap->start(), tap->takeScene(tap->firstRevision())));
+    }
+    batch.clear();
+    for (servo::TickRecord record; tap->take(record);) batch.push_back(record);
+    for (servo::Change change; tap->take(change);) note(writer.add(change, tap->takeScene(change.revision)));
+    for (servo::FaultMark fault; tap->take(fault);) note(writer.add(fault));
+    for (const Mark& mark : takeMarks()) note(writer.mark(mark.tick, mark.label));
+    for (const servo::TickRecord& record : batch) note(writer.add(record));
+    note(writer.flush());
+    const std::scoped_lock lock(mutex);
+    shown.ticks = writer.ticks();
+    shown.dropped = tap->dropped();
+    if (batch.empty()) return;
+    if (first_ns == 0) first_ns = batch.front().time_ns;
+    shown.duration_s = 1e-9 * static_cast<double>(std::max<std::int64_t>(batch.back().time_ns - first_ns, 0));
+  }
+  std::deque<Mark> takeMarks() {
+    const std::scoped_lock lock(mutex);
+    return std::exchange(marks, {});
+  }
+  void note(Problems found) {
+    if (problems.empty()) problems = std::move(found);
+  }
+
+  void lookAtDisk() {
+    if (steady_clock::now() < next_look) return;
+    next_look = steady_clock::now() + kLookAtDisk;
+    std::error_code error;
+    const auto size = static_cast<double>(std::filesystem::file_size(path, error));
+    if (error)
+      return note({{"The recording's file is gone: somebody moved or deleted it. The recording stopped.", {path}}});
+    const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
+    const std::filesystem::space_info space = std::filesystem::space(folder, error);
+    if (error) return;
+    const auto left = static_cast<double>(space.available) - static_cast<double>(options.reserve_bytes);
+    {
+      const std::scoped_lock lock(mutex);
+      shown.bytes = static_cast<std::int64_t>(size);
+      shown.disk_left_bytes = static_cast<std::int64_t>(space.available);
+      shown.disk_left_s = size > 0.0 ? std::max(0.0, left) * shown.duration_s / size : 0.0;
+    }
+    if (left > 0.0) return;
+    disk_full = true;
+    note(
+        {{"The disk is nearly full: the recording was stopped and is whole. Free some space, or record into another "
+          "folder.",
+          {path}}});
+  }
+
+  void finish() {
+    const bool in_order = problems.empty() || disk_full;
+    const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
+    if (in_order && !begun) note({{"The servo did not tick: there is nothing in the recording.", {path}}});
+    if (in_order) note(writer.end({0, tap->dropped(), unixNow_ns(), reason}));
+    if (!in_order) {
+      writer.abandon();
+      const Result<std::int64_t> whole = recover(path);
+      problems.front().sentence += whole ? " What was written until then is whole." : "";
+    }
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    const std::scoped_lock lock(mutex);
+    if (!error) shown.bytes = static_cast<std::int64_t>(size);
+    shown.problems = problems;
+    shown.recording = false;
+  }
+
+  servo::Host& host;
+  std::string path;
+  RecorderOptions options;
+  SessionWriter writer;
+  std::shared_ptr<servo::Tap> tap;
+  std::size_t capacity = tap->room();
+  std::vector<servo::TickRecord> batch;
+  Problems problems;  // the recorder's thread; others read shown
+  bool disk_full = false;
+  std::atomic<EndReason> wished_reason{EndReason::Stopped};
+  bool begun = false;
+  std::int64_t first_ns = 0;
+  steady_clock::time_point next_look{};
+  std::atomic<bool> ends{false};
+  mutable std::mutex mutex;  // of what follows
+  std::deque<Mark> marks;
+  RecorderStatus shown;
+  bool stopped = false;  // the host's thread
+  std::thread thread;
+};
+
+Recorder::Recorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Recorder::~Recorder() {
+  stop(EndReason::ProgramEnded);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::string& path, const SessionWords& words,
+                                                  const RecorderOptions& options) {
+  Result<SessionWriter> writer = SessionWriter::create(path, headerOf(host, words));
+  if (!writer) return writer.problems();
+  auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options);
+  Impl* const running = impl.get();
+  std::unique_ptr<Recorder> recorder(new Recorder(std::move(impl)));
+  running->thread = std::thread([running] { running->run(); });
+  host.record(running->tap);
+  return recorder;
+}
+
+void Recorder::mark(const std::string& label) {
+  const std::int64_t tick = impl_->host.snapshot().ticks;
+  const std::scoped_lock lock(impl_->mutex);
+  impl_->marks.push_back({tick, label});
+}
+
+Problems Recorder::stop(EndReason reason) {
+  if (!std::exchange(impl_->stopped, true)) {
+    impl_->wished_reason = reason;
+    impl_->host.endRecord();
+    const auto limit = steady_clock::now() + kWaitForEnd;
+    while (!impl_->tap->ended() && steady_clock::now() < limit) {
+      impl_->host.snapshot();  // hands on what waits to be told
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    impl_->ends = true;
+    impl_->thread.join();
+  }
+  return status().problems;
+}
+
+RecorderStatus Recorder::status() const {
+  const std::scoped_lock lock(impl_->mutex);
+  return impl_->shown;
+}
+
+const std::string& Recorder::path() const {
+  return impl_->path;
+}
+
+}  // namespace underact::record

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/record/session_writer.h"
+#include "core/servo/host.h"
+
+namespace underact::record {
+
+struct RecorderOptions {
+  std::int64_t most_ticks = 0;              // no more than these; 0: until stop()
+  std::int64_t reserve_bytes = 64LL << 20;  // with less left on the disk the recording ends in order
+};
+
+/// How a recording goes.
+struct RecorderStatus {
+  bool recording = true;  // false: it ended, by itself or by stop()
+  std::int64_t ticks = 0;
+  double duration_s = 0.0;
+  std::int64_t bytes = 0;    // of the file
+  std::int64_t dropped = 0;  // ticks that found no room
+  std::int64_t disk_left_bytes = 0;
+  double disk_left_s = 0.0;  // at the pace of this recording, until it ends by itself; 0: not known yet
+  Problems problems;         // why it ended by itself
+};
+
+/// Records what a servo does into a session file, in a thread of its own. The servo never waits for it. Its file can
+/// be read while it grows; after a kill at most the last 0.25 s are missing.
+class Recorder {
+ public:
+  /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be made.
+  static Result<std::unique_ptr<Recorder>> start(servo::Host& host, const std::string& path, const SessionWords& words,
+                                                 const RecorderOptions& options = {});
+  ~Recorder();  // as stop(), if that was not called
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  // The thread that calls the host.
+  /// Sets a mark at the tick that is the newest now.
+  void mark(const std::string& label);
+  /// Ends the recording and closes the file; waits for that, some milliseconds. Problems: what is missing, and why.
+  Problems stop(EndReason reason = EndReason::Stopped);
+  /// Any thread.
+  RecorderStatus status() const;
+  const std::string& path() const;
+
+ private:
+  struct Impl;
+  explicit Recorder(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A file that a killed program left: made whole up to the last block that all tables have, marked as recovered, so
+/// that every program opens it. In place. A session that ended in order stays as it is. Gives how many ticks it holds.
+/// Problems: no session; being recorded; it cannot be written.
+Result<std::int64_t> recover(const std::string& path);
+
+}  // namespace underact::record

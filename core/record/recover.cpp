@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "core/record/recorder.h"
+#include "core/record/session.h"
+
+namespace underact::record {
+namespace {
+
+/// Rows up to the last block that can be read.
+Result<std::int64_t> wholeRows(Hdf5File& file, std::size_t table) {
+  std::int64_t rows = file.rows(table);
+  const std::int64_t block_rows = file.blockRows(table);
+  while (rows > 0) {
+    const std::int64_t last = (rows - 1) / block_rows;
+    const Result<std::vector<Block>> block = file.read(table, last, 1);
+    if (!block) return block.problems();
+    if (!block.value().empty() && !block.value().back().bytes.empty()) break;
+    rows = last * block_rows;
+  }
+  return rows;
+}
+
+}  // namespace
+
+Result<std::int64_t> recover(const std::string& path) {
+  std::int64_t dropped = 0;
+  {
+    const Result<Session> session = Session::open(path);
+    if (!session) return session.problems();
+    if (session.value().info().isComplete()) return session.value().info().ticks;
+    dropped = session.value().info().dropped;
+  }
+  const std::array tables = sessionTables(1000);
+  Result<Hdf5File> file = Hdf5File::reopen(path, tables, true);
+  if (!file) return file.problems();
+  EndRow end;
+  end.dropped = dropped;
+  end.reason = EndReason::Recovered;
+  std::int64_t ticks = 0;
+  for (std::size_t table = 0; table < kTables; ++table) {
+    const Result<std::int64_t> rows = wholeRows(file.value(), table);
+    if (!rows) return rows.problems();
+    Problems problems = file.value().cut(table, rows.value());
+    if (!problems.empty()) return problems;
+    if (table != kTicks || rows.value() == 0) continue;
+    ticks = rows.value();
+    const std::int64_t block_rows = file.value().blockRows(kTicks);
+    const Result<std::vector<Block>> last = file.value().read(kTicks, (ticks - 1) / block_rows, 1);
+    if (last && !last.value().empty()) end.tick = unpackTicks(last.value().back()).back().tick;
+  }
+  Problems problems = file.value().append(kEnd, blockOf(end));
+  if (problems.empty()) problems = file.value().close();
+  if (!problems.empty()) return problems;
+  return ticks;
+}
+
+}  // namespace underact::record

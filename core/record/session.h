@@ -1,0 +1,83 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/record/session_tables.h"
+#include "core/record/session_writer.h"
+#include "core/scene/description.h"
+
+namespace underact::record {
+
+/// What a session says of itself.
+struct SessionInfo {
+  std::string path;
+  std::string program_version;
+  SessionHeader header;
+  std::int64_t ticks = 0;     // rows that can be read
+  double duration_s = 0.0;    // from the first sample to the last
+  std::int64_t dropped = 0;   // ticks that the recorder missed; known when the session ended in order
+  std::optional<EndRow> end;  // none: it is being recorded, or was when the program died
+  std::int64_t bytes = 0;     // of the file
+  Problems damage;            // what could not be read of the small tables
+  bool isComplete() const { return end.has_value(); }
+};
+
+struct Marker {
+  std::int64_t tick = 0;
+  std::string label;
+};
+
+/// Ticks that cannot be read.
+struct Gap {
+  std::int64_t first_row = 0;
+  std::int64_t rows = 0;
+};
+
+/// A recorded session, for reading; also one that is still growing, and one whose writer was killed.
+class Session {
+ public:
+  /// Problems: no such file; no session; another version of the layout; damaged at its beginning.
+  static Result<Session> open(const std::string& path);
+
+  const SessionInfo& info() const { return info_; }
+  const std::vector<ChangeRow>& changes() const { return changes_; }
+  const std::vector<Marker>& markers() const { return markers_; }
+  const std::vector<servo::FaultMark>& faults() const { return faults_; }
+
+  /// The scene of a change, as JSON; empty: the servo had none. Problems: those words are damaged.
+  Result<std::string> sceneText(const ChangeRow& change);
+  Result<scene::Description> scene(const ChangeRow& change);
+  /// The servo's memory at the first row. Problems: damaged, or another layout.
+  Result<tick::TickState> start(const tick::TickProgram& program);
+
+  std::int64_t blockRows() const { return file_.blockRows(kTicks); }
+  std::int64_t blocks() const { return (info_.ticks + blockRows() - 1) / blockRows(); }
+  /// Whole blocks of ticks; a damaged one has no bytes.
+  Result<std::vector<Block>> readTicks(std::int64_t first_block, std::int64_t count);
+  /// Every block in order, a damaged one as what it lacks, until visit() gives false. progress: 0 to 1; may be empty.
+  Problems eachBlock(const std::function<bool(const Block&, std::int64_t first_row)>& visit,
+                     const std::function<void(const Gap&)>& damaged, const std::function<void(double)>& progress = {});
+  /// Sees what was written since.
+  void refresh();
+
+ private:
+  explicit Session(Hdf5File file) : file_(std::move(file)) {}
+  Problems readInfo(const std::string& path);
+  void readSmallTables();
+  Result<std::string> words(const Words& words);
+  template <class Row>
+  std::vector<Row> rowsOf(TableIndex table, std::vector<Row> (*unpack)(const Block&));
+
+  Hdf5File file_;
+  SessionInfo info_;
+  std::vector<ChangeRow> changes_;
+  std::vector<Marker> markers_;
+  std::vector<servo::FaultMark> faults_;
+};
+
+}  // namespace underact::record

@@ -1,0 +1,63 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/record/table.h"
+#include "core/record/tick_table.h"
+#include "core/servo/tap.h"
+
+namespace underact::record {
+
+/// The tables of a session, in this order. Layout: resources/guide/session_file.md.
+enum TableIndex : std::size_t { kTicks, kChanges, kMarkers, kFaults, kEnd, kText, kStart, kTables };
+
+inline constexpr std::int64_t kSessionVersion = 1;
+inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
+inline constexpr std::int64_t kStartBlock = 4096;  // bytes
+
+/// rate_hz: 10 at least; a block of ticks is a tenth of a second.
+std::array<Table, kTables> sessionTables(std::int64_t rate_hz);
+
+/// Why a recording ended.
+enum class EndReason : std::uint8_t { Stopped, ProgramEnded, DiskFull, Recovered };
+const char* name(EndReason reason);  // "stopped", "program_ended", "disk_full", "recovered"
+
+/// Where in /text.
+struct Words {
+  std::int64_t at = 0;
+  std::int64_t bytes = 0;
+};
+
+struct ChangeRow {
+  std::int64_t tick = 0;
+  std::uint64_t revision = 0;
+  tick::Carry carry = tick::Carry::Arm;
+  Words scene;
+};
+struct MarkerRow {
+  std::int64_t tick = 0;
+  Words label;
+};
+struct EndRow {
+  std::int64_t tick = 0;  // the last one
+  std::int64_t dropped = 0;
+  std::int64_t unix_ns = 0;
+  EndReason reason = EndReason::Stopped;
+};
+
+Block blockOf(const ChangeRow& row);
+Block blockOf(const MarkerRow& row);
+Block blockOf(const servo::FaultMark& row);
+Block blockOf(const EndRow& row);
+/// Filled up to whole blocks of kTextBlock.
+Block textBlock(std::string_view text);
+
+// Of a block that is whole; what a row says beyond the enumerations is taken for their first.
+std::vector<ChangeRow> unpackChanges(const Block& block);
+std::vector<MarkerRow> unpackMarkers(const Block& block);
+std::vector<servo::FaultMark> unpackFaults(const Block& block);
+std::vector<EndRow> unpackEnd(const Block& block);
+
+}  // namespace underact::record

@@ -1,0 +1,141 @@
+#include "core/record/session_writer.h"
+
+#include <underact/version.h>
+
+#include <array>
+#include <utility>
+
+#include "core/arm/model.h"
+#include "core/record/state_bytes.h"
+#include "core/scene/write.h"
+
+namespace underact::record {
+namespace {
+
+std::vector<Attribute> attributesOf(const SessionHeader& header) {
+  return {{"underact_session", kSessionVersion},
+          {"program_version", std::string(kVersion)},
+          {"name", header.words.name},
+          {"notes", header.words.notes},
+          {"tags", header.words.tags},
+          {"subject", header.words.subject},
+          {"scene_title", header.scene_title},
+          {"arm", header.arm},
+          {"arm_file", std::string(arm::fileOf(header.arm))},
+          {"device", header.device},
+          {"scheduling", header.scheduling},
+          {"started_unix_ns", header.started_unix_ns},
+          {"rate_hz", header.rate_hz},
+          {"frozen_s", header.frozen_s},
+          {"max_late", std::int64_t{header.max_late}},
+          {"start_layout", stateLayout()}};
+}
+
+void keep(Problems& problems, const Problems& more) {
+  problems.insert(problems.end(), more.begin(), more.end());
+}
+
+arm::Geometry geometryOf(const std::string& arm) {
+  const arm::Preset* const preset = arm::findPreset(arm);
+  return preset != nullptr ? preset->geometry : arm::findPreset(arm::kDefaultArm)->geometry;
+}
+
+}  // namespace
+
+SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
+    : file_(std::move(file)),
+      geometry_(geometryOf(header.arm)),
+      block_rows_(sessionTables(header.rate_hz)[kTicks].block_rows),
+      packer_(tickColumns()) {
+  packer_.begin(block_rows_);
+}
+
+Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header) {
+  const std::array tables = sessionTables(header.rate_hz);
+  Result<Hdf5File> file = Hdf5File::create(path, attributesOf(header), tables);
+  if (!file) return file.problems();
+  return SessionWriter(std::move(file).value(), header);
+}
+
+Words SessionWriter::addText(std::string_view text, Problems& problems) {
+  const Words words{text_bytes_, static_cast<std::int64_t>(text.size())};
+  const Block block = textBlock(text);
+  keep(problems, file_.append(kText, block));
+  text_bytes_ += block.rows;
+  return words;
+}
+
+Problems SessionWriter::addScene(std::int64_t tick, std::uint64_t revision, tick::Carry carry,
+                                 const scene::Description& scene) {
+  Problems problems;
+  const Words words = addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene), problems);
+  keep(problems, file_.append(kChanges, blockOf(ChangeRow{tick, revision, carry, words})));
+  if (const arm::Preset* const preset = arm::findPreset(scene.arm)) geometry_ = preset->geometry;
+  return problems;
+}
+
+Problems SessionWriter::begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state,
+                              const scene::Description& scene) {
+  Block start{0, bytesOfState(state)};
+  start.rows = static_cast<std::int64_t>(start.bytes.size());
+  Problems problems = file_.append(kStart, start);
+  keep(problems, addScene(tick, revision, tick::Carry::Arm, scene));
+  keep(problems, file_.flush());
+  return problems;
+}
+
+Problems SessionWriter::add(const servo::Change& change, const scene::Description& scene) {
+  return addScene(change.tick, change.revision, change.carry, scene);
+}
+
+Problems SessionWriter::add(const servo::TickRecord& record) {
+  pack(record, geometry_, packer_);
+  last_tick_ = record.tick;
+  ++ticks_;
+  return packer_.isFull() ? writeTicks() : Problems{};
+}
+
+Problems SessionWriter::add(const servo::FaultMark& fault) {
+  return file_.append(kFaults, blockOf(fault));
+}
+
+Problems SessionWriter::mark(std::int64_t tick, std::string_view label) {
+  Problems problems;
+  const Words words = addText(label, problems);
+  keep(problems, file_.append(kMarkers, blockOf(MarkerRow{tick, words})));
+  return problems;
+}
+
+Problems SessionWriter::writeTicks() {
+  Problems problems = file_.append(kTicks, packer_.block());
+  packer_.begin(block_rows_);
+  unflushed_ = true;
+  return problems;
+}
+
+Problems SessionWriter::flush() {
+  return std::exchange(unflushed_, false) ? file_.flush() : Problems{};
+}
+
+Problems SessionWriter::end(const EndRow& row) {
+  Problems problems = writeTicks();
+  EndRow last = row;
+  last.tick = last_tick_;
+  keep(problems, file_.append(kEnd, blockOf(last)));
+  keep(problems, file_.close());
+  return problems;
+}
+
+Problems rewriteWords(const std::string& path, const SessionWords& words) {
+  Result<Hdf5File> file = Hdf5File::reopen(path, {}, false);
+  if (!file) return file.problems();
+  Problems problems;
+  for (const auto& [name, text] : {std::pair{"name", &words.name}, std::pair{"notes", &words.notes},
+                                   std::pair{"tags", &words.tags}, std::pair{"subject", &words.subject}}) {
+    keep(problems, file.value().set({name, *text}));
+  }
+  keep(problems, file.value().close());
+  return problems;
+}
+
+}  // namespace underact::record

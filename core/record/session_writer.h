@@ -1,0 +1,74 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "core/arm/preset.h"
+#include "core/base/result.h"
+#include "core/record/hdf5_file.h"
+#include "core/record/session_tables.h"
+#include "core/scene/description.h"
+
+namespace underact::record {
+
+/// What a person says of a session. subject: a code; no name, no date of birth.
+struct SessionWords {
+  std::string name = {};
+  std::string notes = {};
+  std::string tags = {};  // words with commas between
+  std::string subject = {};
+};
+
+/// What is known when a session begins.
+struct SessionHeader {
+  SessionWords words;
+  std::string scene_title;
+  std::string arm{arm::kDefaultArm};
+  std::string device;
+  std::string scheduling;
+  std::int64_t started_unix_ns = 0;
+  std::int64_t rate_hz = 1000;
+  double frozen_s = 0.0;
+  int max_late = 20;
+};
+
+/// Writes a session: rows go to the file a tenth of a second at a time. Any one thread. After a failure nothing more is
+/// written, and each call tells it again.
+class SessionWriter {
+ public:
+  /// Problems: the file cannot be made.
+  static Result<SessionWriter> create(const std::string& path, const SessionHeader& header);
+  /// Once, before the first tick. The scene of no constraints is what a servo has that was given none.
+  Problems begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state,
+                 const scene::Description& scene);
+  /// Before the tick in which it came into effect.
+  Problems add(const servo::Change& change, const scene::Description& scene);
+  Problems add(const servo::TickRecord& record);
+  Problems add(const servo::FaultMark& fault);
+  Problems mark(std::int64_t tick, std::string_view label);
+  /// What was written of blocks that are full can be read by others, and outlives the program.
+  Problems flush();
+  /// The rows that are left, the end, and the file is closed.
+  Problems end(const EndRow& row);
+  /// The file is closed as it is.
+  void abandon() { file_.close(); }
+  std::int64_t ticks() const { return ticks_; }
+
+ private:
+  SessionWriter(Hdf5File file, const SessionHeader& header);
+  Problems addScene(std::int64_t tick, std::uint64_t revision, tick::Carry carry, const scene::Description& scene);
+  Words addText(std::string_view text, Problems& problems);
+  Problems writeTicks();
+
+  Hdf5File file_;
+  arm::Geometry geometry_;
+  std::int64_t block_rows_;
+  Packer packer_;
+  std::int64_t ticks_ = 0, last_tick_ = 0, text_bytes_ = 0;
+  bool unflushed_ = false;
+};
+
+/// The attributes of a session that people may change later. Problems: the file cannot be written (it may be
+/// recording).
+Problems rewriteWords(const std::string& path, const SessionWords& words);
+
+}  // namespace underact::record

@@ -1,0 +1,87 @@
+#include "core/record/table.h"
+
+#include <algorithm>
+#include <bit>
+#include <boost/crc.hpp>
+#include <cstring>
+#include <numeric>
+
+namespace underact::record {
+
+static_assert(std::endian::native == std::endian::little, "a block is written as it stands in memory");
+
+std::size_t bytesOf(const Column& column) {
+  const std::size_t one = column.kind == Kind::Byte ? 1 : column.kind == Kind::Unsigned ? 4 : 8;
+  return one * static_cast<std::size_t>(column.width);
+}
+
+std::size_t rowBytes(const Table& table) {
+  return std::accumulate(table.columns.begin(), table.columns.end(), std::size_t{0},
+                         [](std::size_t sum, const Column& column) { return sum + bytesOf(column); });
+}
+
+std::uint32_t crcOf(std::span<const std::byte> bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+namespace {
+
+std::vector<std::size_t> offsetsOf(std::span<const Column> columns, std::int64_t rows) {
+  std::vector<std::size_t> offsets{0};
+  for (const Column& column : columns) {
+    offsets.push_back(offsets.back() + static_cast<std::size_t>(rows) * bytesOf(column));
+  }
+  return offsets;
+}
+
+}  // namespace
+
+Packer::Packer(std::span<const Column> columns) : columns_(columns) {}
+
+void Packer::begin(std::int64_t most_rows) {
+  if (most_rows != most_rows_) {
+    offsets_ = offsetsOf(columns_, most_rows);
+    bytes_.resize(offsets_.back());
+  }
+  most_rows_ = most_rows;
+  rows_ = 0;
+  column_ = in_row_ = 0;
+}
+
+void Packer::put(const void* value, std::size_t bytes) {
+  const std::size_t row_bytes = bytesOf(columns_[column_]);
+  std::memcpy(&bytes_[offsets_[column_] + static_cast<std::size_t>(rows_) * row_bytes + in_row_], value, bytes);
+  in_row_ += bytes;
+  if (in_row_ < row_bytes) return;
+  in_row_ = 0;
+  if (++column_ < columns_.size()) return;
+  column_ = 0;
+  ++rows_;
+}
+
+Block Packer::block() const {
+  Block block{rows_, {}};
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    const std::byte* const begin = bytes_.data() + offsets_[column];
+    block.bytes.insert(block.bytes.end(), begin, begin + static_cast<std::size_t>(rows_) * bytesOf(columns_[column]));
+  }
+  return block;
+}
+
+Unpacker::Unpacker(std::span<const Column> columns, const Block& block)
+    : columns_(columns), block_(block), offsets_(offsetsOf(columns, block.rows)) {}
+
+void Unpacker::get(void* value, std::size_t bytes) {
+  const std::size_t row_bytes = bytesOf(columns_[column_]);
+  std::memcpy(value, &block_.bytes[offsets_[column_] + static_cast<std::size_t>(row_) * row_bytes + in_row_], bytes);
+  in_row_ += bytes;
+  if (in_row_ < row_bytes) return;
+  in_row_ = 0;
+  if (++column_ < columns_.size()) return;
+  column_ = 0;
+  ++row_;
+}
+
+}  // namespace underact::record

@@ -1,0 +1,91 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace underact::record {
+
+/// What the numbers of a column are; little-endian in the file.
+enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
+
+struct Column {
+  std::string_view name;
+  std::string_view unit;  // empty: a plain number
+  std::string_view meaning;
+  Kind kind = Kind::Real;
+  int width = 1;  // numbers a row
+};
+
+std::size_t bytesOf(const Column& column);  // of one row
+
+/// A group of columns that grow by whole blocks. Layout: resources/guide/session_file.md.
+struct Table {
+  std::string_view name;
+  std::span<const Column> columns;
+  std::int64_t block_rows = 1;
+  std::int64_t chunk_rows = 64;
+};
+
+std::size_t rowBytes(const Table& table);
+
+/// Rows, column after column, as they stand in the file; its CRC-32 is the block's.
+struct Block {
+  std::int64_t rows = 0;
+  std::vector<std::byte> bytes;
+};
+
+/// As zlib and PNG compute it.
+std::uint32_t crcOf(std::span<const std::byte> bytes);
+
+/// Writes rows into a block, number by number: row by row, each row column by column. For at most as many rows as
+/// begin() was told.
+class Packer {
+ public:
+  explicit Packer(std::span<const Column> columns);
+  void begin(std::int64_t most_rows);
+  void integer(std::int64_t value) { put(&value, sizeof value); }
+  void unsigned32(std::uint32_t value) { put(&value, sizeof value); }
+  void byte(std::uint8_t value) { put(&value, sizeof value); }
+  void real(double value) { put(&value, sizeof value); }
+  std::int64_t rows() const { return rows_; }
+  bool isFull() const { return rows_ == most_rows_; }
+  /// What was written so far, without gaps.
+  Block block() const;
+
+ private:
+  void put(const void* value, std::size_t bytes);
+  std::span<const Column> columns_;
+  std::vector<std::size_t> offsets_;  // of the columns, for most_rows_
+  std::vector<std::byte> bytes_;
+  std::int64_t rows_ = 0, most_rows_ = 0;
+  std::size_t column_ = 0, in_row_ = 0;  // where the next number goes
+};
+
+/// Reads them back the same way.
+class Unpacker {
+ public:
+  Unpacker(std::span<const Column> columns, const Block& block);
+  bool isDone() const { return row_ == block_.rows; }
+  std::int64_t integer() { return take<std::int64_t>(); }
+  std::uint32_t unsigned32() { return take<std::uint32_t>(); }
+  std::uint8_t byte() { return take<std::uint8_t>(); }
+  double real() { return take<double>(); }
+
+ private:
+  template <class Number>
+  Number take() {
+    Number number{};
+    get(&number, sizeof number);
+    return number;
+  }
+  void get(void* value, std::size_t bytes);
+  std::span<const Column> columns_;
+  const Block& block_;
+  std::vector<std::size_t> offsets_;
+  std::int64_t row_ = 0;
+  std::size_t column_ = 0, in_row_ = 0;
+};
+
+}  // namespace underact::record

@@ -1,0 +1,129 @@
+#include "core/record/tick_table.h"
+
+#include <array>
+
+#include "core/arm/forward.h"
+#include "core/base/units.h"
+
+namespace underact::record {
+namespace {
+
+constexpr std::array kColumns{
+    Column{"tick", "", "number of the tick since the servo was made", Kind::Integer},
+    Column{"time_ns", "ns", "of the sample, on the arm's clock", Kind::Integer},
+    Column{"q_rad", "rad", "joint angles 1 to 6 in the DH convention", Kind::Real, 6},
+    Column{"buttons", "", "of the stylus; bit 0: the one nearer to the tip", Kind::Unsigned},
+    Column{"p_WT_mm", "mm", "position of the tip in the workspace frame", Kind::Real, 3},
+    Column{"quat_WT", "", "turn of frame 6 in the workspace frame: w x y z", Kind::Real, 4},
+    Column{"v_WT_mm_per_s", "mm/s", "velocity of the tip, filtered by the gate", Kind::Real, 3},
+    Column{"p_WP_mm", "mm", "target of the first constraint that acts", Kind::Real, 3},
+    Column{"error_mm", "mm", "distance of tip and target over all constraints that act", Kind::Real},
+    Column{"force_asked_N", "N", "force on the tip before the gate", Kind::Real, 3},
+    Column{"force_sent_N", "N", "force on the tip after the gate", Kind::Real, 3},
+    Column{"gate_level", "", "share of the force that the ramps let through", Kind::Real},
+    Column{"cut_N", "N", "what the limits took away", Kind::Real},
+    Column{"limits", "", "which limits acted, a bit each", Kind::Unsigned},
+    Column{"heat", "", "of motors 1 to 3; 1: what they bear for good", Kind::Real, 3},
+    Column{"fault", "",
+           "why the force is zero: 0 none, 1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, "
+           "5 too_late, 6 stood_still",
+           Kind::Byte},
+    Column{"alpha_beta_theta_rad", "rad", "angles of stylus, tip and target of the first influenced target", Kind::Real,
+           3},
+    Column{"energy_mJ", "mJ", "put into the constraints by the stylus and not got back", Kind::Real},
+    Column{"passive_N", "N", "what the passivity controllers add", Kind::Real},
+    Column{"lateness_us", "us", "of the start of the tick", Kind::Real},
+    Column{"tick_us", "us", "that the tick took", Kind::Real},
+    Column{"revision", "", "of the scene in effect, see changes", Kind::Integer},
+    Column{"input", "", "1 sample came, 2 servo was to push, 4 started in this tick, 8 late", Kind::Byte},
+};
+
+constexpr double kMicrosecondPerNanosecond = 1e-3;
+
+void pack(const Vec3& value, Packer& packer) {
+  for (const double coordinate : value) packer.real(coordinate);
+}
+
+Vec3 unpackVec3(Unpacker& unpacker, double scale = 1.0) {
+  Vec3 value;
+  for (double& coordinate : value) coordinate = unpacker.real() / scale;
+  return value;
+}
+
+Eigen::Vector4d quaternionOf(const servo::TickRecord& record, const arm::Geometry& geometry) {
+  if ((record.input & servo::kHadSample) == 0) return Eigen::Vector4d::Constant(kNotANumber);
+  const Eigen::Quaterniond turn(arm::tipPose(geometry, record.q_rad).linear());
+  return {turn.w(), turn.x(), turn.y(), turn.z()};
+}
+
+}  // namespace
+
+std::span<const Column> tickColumns() {
+  return kColumns;
+}
+
+void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer) {
+  packer.integer(record.tick);
+  packer.integer(record.time_ns);
+  for (const double angle_rad : record.q_rad) packer.real(angle_rad);
+  packer.unsigned32(record.buttons);
+  pack(kMillimetrePerMetre * record.p_WT, packer);
+  for (const double part : quaternionOf(record, geometry)) packer.real(part);
+  pack(kMillimetrePerMetre * record.v_WT, packer);
+  pack(kMillimetrePerMetre * record.p_WP, packer);
+  packer.real(kMillimetrePerMetre * record.error_m);
+  pack(record.f_asked_T_W, packer);
+  pack(record.f_sent_T_W, packer);
+  packer.real(record.level);
+  packer.real(record.cut_N);
+  packer.unsigned32(record.limits);
+  pack(record.heat, packer);
+  packer.byte(static_cast<std::uint8_t>(record.fault));
+  packer.real(record.angles.alpha_rad);
+  packer.real(record.angles.beta_rad);
+  packer.real(record.angles.theta_rad);
+  packer.real(1e3 * record.energy_J);
+  packer.real(record.passive_N);
+  packer.real(kMicrosecondPerNanosecond * static_cast<double>(record.lateness_ns));
+  packer.real(kMicrosecondPerNanosecond * static_cast<double>(record.tick_ns));
+  packer.integer(static_cast<std::int64_t>(record.revision));
+  packer.byte(static_cast<std::uint8_t>(record.input));
+}
+
+std::vector<servo::TickRecord> unpackTicks(const Block& block) {
+  const auto nanoseconds = [](double us) { return std::llround(us / kMicrosecondPerNanosecond); };
+  std::vector<servo::TickRecord> records;
+  records.reserve(static_cast<std::size_t>(block.rows));
+  for (Unpacker unpacker(kColumns, block); !unpacker.isDone();) {
+    servo::TickRecord& record = records.emplace_back();
+    record.tick = unpacker.integer();
+    record.time_ns = unpacker.integer();
+    for (double& angle_rad : record.q_rad) angle_rad = unpacker.real();
+    record.buttons = unpacker.unsigned32();
+    record.p_WT = unpackVec3(unpacker, kMillimetrePerMetre);
+    for (int part = 0; part < 4; ++part) unpacker.real();
+    record.v_WT = unpackVec3(unpacker, kMillimetrePerMetre);
+    record.p_WP = unpackVec3(unpacker, kMillimetrePerMetre);
+    record.error_m = unpacker.real() / kMillimetrePerMetre;
+    record.f_asked_T_W = unpackVec3(unpacker);
+    record.f_sent_T_W = unpackVec3(unpacker);
+    record.level = unpacker.real();
+    record.cut_N = unpacker.real();
+    record.limits = unpacker.unsigned32();
+    record.heat = unpackVec3(unpacker);
+    const std::uint8_t fault = unpacker.byte();
+    record.fault = fault < kFaultKinds ? static_cast<FaultKind>(fault) : FaultKind::None;
+    record.angles.alpha_rad = unpacker.real();
+    record.angles.beta_rad = unpacker.real();
+    record.angles.theta_rad = unpacker.real();
+    record.energy_J = unpacker.real() / 1e3;
+    record.passive_N = unpacker.real();
+    record.lateness_ns = nanoseconds(unpacker.real());
+    record.tick_ns = nanoseconds(unpacker.real());
+    record.revision = static_cast<std::uint64_t>(unpacker.integer());
+    record.input = unpacker.byte();
+  }
+  return records;
+}
+
+}  // namespace underact::record

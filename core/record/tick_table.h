@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "core/arm/preset.h"
+#include "core/record/table.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::record {
+
+/// The columns of /ticks. lengths mm, angles rad, forces N.
+std::span<const Column> tickColumns();
+
+/// One row. geometry: of the arm, for the stylus's turn, which the servo computes only where a scene needs it.
+void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer);
+
+/// The rows of a block. Lengths come back in m; what the file does not hold keeps its default.
+std::vector<servo::TickRecord> unpackTicks(const Block& block);
+
+}  // namespace underact::record

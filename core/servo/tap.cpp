@@ -1,0 +1,83 @@
+#include "core/servo/tap.h"
+
+#include <algorithm>
+
+#include "core/servo/touch_pages.h"
+
+namespace underact::servo {
+namespace {
+
+constexpr std::int64_t kKept_ns = 4'000'000'000;
+constexpr std::int64_t kKeptAtLeast = 16384;
+constexpr std::size_t kEvents = 1024;  // edits or faults between two visits of the recorder
+
+template <class State>
+void makeRoom(std::vector<State>& states) {
+  states.resize(tick::kMaxConstraints);  // touches the pages, too
+  states.clear();
+}
+
+}  // namespace
+
+Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
+    : records_(static_cast<std::size_t>(std::max(kKeptAtLeast, kKept_ns / std::max<std::int64_t>(period_ns, 1)))),
+      changes_(kEvents),
+      faults_(kEvents),
+      ticks_left_(most_ticks > 0 ? most_ticks : -1) {
+  touchPages(records_);
+  touchPages(changes_);
+  touchPages(faults_);
+  makeRoom(start_.laws);
+  makeRoom(start_.influences);
+  makeRoom(start_.robots);
+  makeRoom(start_.energies);
+  makeRoom(start_.followers);
+}
+
+// Clang cannot see that a vector with room for kMaxConstraints keeps off the heap, nor that push() does; tests/malloc
+// counts.
+#if defined(__clang__) && __clang_major__ >= 20
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wfunction-effects"
+#endif
+
+void Tap::begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state) noexcept {
+  start_ = state;
+  first_tick_ = tick;
+  first_revision_ = revision;
+  begun_.store(true, std::memory_order_release);
+}
+
+void Tap::add(const TickRecord& record) noexcept {
+  if (!listens() || ticks_left_ == 0) return;
+  if (ticks_left_ > 0) --ticks_left_;
+  if (!records_.push(record)) drop();
+}
+
+void Tap::add(const Change& change) noexcept {
+  if (listens() && !changes_.push(change)) drop();
+}
+
+void Tap::add(const FaultMark& fault) noexcept {
+  if (listens() && !faults_.push(fault)) drop();
+}
+
+#if defined(__clang__) && __clang_major__ >= 20
+#pragma clang diagnostic pop
+#endif
+
+void Tap::announce(std::uint64_t revision, const scene::Description& scene) {
+  const std::scoped_lock lock(scenes_mutex_);
+  scenes_[revision] = scene;
+}
+
+scene::Description Tap::takeScene(std::uint64_t revision) {
+  const std::scoped_lock lock(scenes_mutex_);
+  const auto found = scenes_.find(revision);
+  if (found == scenes_.end()) return {};
+  scene::Description scene = std::move(found->second);
+  scenes_.erase(scenes_.begin(), std::next(found));  // older ones never came in
+  return scene;
+}
+
+}  // namespace underact::servo

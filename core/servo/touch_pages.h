@@ -1,0 +1,14 @@
+#pragma once
+#include <boost/lockfree/spsc_queue.hpp>
+
+namespace underact::servo {
+
+/// Writes every page of an empty queue once, so that the servo thread meets no page fault there.
+template <class T>
+void touchPages(boost::lockfree::spsc_queue<T>& queue) {
+  while (queue.push(T{})) {
+  }
+  queue.reset();
+}
+
+}  // namespace underact::servo
