@@ -28,6 +28,9 @@ void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
 void addRun(CLI::App& program, const Streams& streams, Exit& exit);
 void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit);
 void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit);
+void addLog(CLI::App& program, const Streams& streams, Exit& exit);
+void addReplay(CLI::App& program, const Streams& streams, Exit& exit);
+void addFigures(CLI::App& program, const Streams& streams, Exit& exit);
 void addScene(CLI::App& program, const Streams& streams, Exit& exit);
 
 /// All commands, in the order of --help.

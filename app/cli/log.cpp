@@ -1,0 +1,175 @@
+#include <memory>
+#include <ostream>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/json_object.h"
+#include "app/cli/progress.h"
+#include "app/cli/python.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/session_table.h"
+#include "core/record/csv.h"
+#include "core/record/recorder.h"
+#include "core/record/session.h"
+
+namespace underact::cli {
+namespace {
+
+/// A file that is not there or that cannot be opened is no input at all; one that is no session is bad input.
+Exit exitOfSession(const Problems& problems, const Streams& streams) {
+  print(problems, streams.err);
+  return exitOf(problems);
+}
+
+Exit info(const std::string& path, bool json, const Streams& streams) {
+  Result<record::Session> session = record::Session::open(path);
+  if (!session) return exitOfSession(session.problems(), streams);
+  json ? printAsJson(session.value(), streams.out) : printAsTable(session.value(), streams.out);
+  print(session.value().info().damage, streams.err);
+  return session.value().info().damage.empty() ? Exit::Well : Exit::BadInput;
+}
+
+struct ExportOptions {
+  std::string file, format = "csv", out;
+};
+
+Exit exportCsv(const ExportOptions& options, const Streams& streams) {
+  Result<record::Session> session = record::Session::open(options.file);
+  if (!session) return exitOfSession(session.problems(), streams);
+  Result<record::CsvWriter> csv = record::CsvWriter::open(options.out.empty() ? "/dev/stdout" : options.out);
+  if (!csv) {
+    print(csv.problems(), streams.err);
+    return Exit::File;
+  }
+  const Interrupt interrupt;
+  Progress progress(streams);
+  std::int64_t missing = 0;
+  Problems problems = session.value().eachBlock(
+      [&](const record::Block& block, std::int64_t) {
+        for (const servo::TickRecord& record : record::unpackTicks(block)) csv.value().add(record);
+        return !csv.value().hasFailed() && !interrupt.came();
+      },
+      [&](const record::Gap& gap) { missing += gap.rows; }, [&](double share) { progress.show(share); });
+  const Problems unwritten = csv.value().close();
+  print(problems, streams.err);
+  print(unwritten, streams.err);
+  if (missing > 0) streams.err << missing << " ticks are damaged in the file and were left out.\n";
+  if (interrupt.came()) streams.err << "Stopped: what was written is not the whole session.\n";
+  if (!unwritten.empty()) return Exit::File;
+  return problems.empty() && missing == 0 && !interrupt.came() ? Exit::Well : Exit::BadInput;
+}
+
+Exit exportSession(const ExportOptions& options, const Streams& streams) {
+  if (options.format == "csv") return exportCsv(options, streams);
+  if (options.out.empty()) {
+    streams.err << "--out: a " << options.format << " file needs a name.\n";
+    return Exit::Usage;
+  }
+  return runPython({"export", options.file, "--format", options.format, "--out", options.out}, streams);
+}
+
+Exit verify(const std::string& path, const Streams& streams) {
+  Result<record::Session> session = record::Session::open(path);
+  if (!session) return exitOfSession(session.problems(), streams);
+  Progress progress(streams);
+  Problems problems = session.value().info().damage;
+  const Problems unread = session.value().eachBlock(
+      [](const record::Block&, std::int64_t) { return true; },
+      [&](const record::Gap& gap) {
+        problems.push_back({"Rows " + std::to_string(gap.first_row + 1) + " to " +
+                                std::to_string(gap.first_row + gap.rows) + " of the ticks are damaged.",
+                            {path}});
+      },
+      [&](double share) { progress.show(share); });
+  problems.insert(problems.end(), unread.begin(), unread.end());
+  for (const record::ChangeRow& change : session.value().changes()) {
+    const Result<std::string> text = session.value().sceneText(change);
+    if (!text) problems.insert(problems.end(), text.problems().begin(), text.problems().end());
+  }
+  print(problems, streams.err);
+  if (!problems.empty()) return Exit::BadInput;
+  streams.out << session.value().info().ticks << " ticks, all of them whole"
+              << (session.value().info().isComplete() ? "." : "; the session was not closed.") << '\n';
+  return Exit::Well;
+}
+
+Exit recover(const std::string& path, const Streams& streams) {
+  const Result<std::int64_t> ticks = record::recover(path);
+  if (!ticks) {
+    print(ticks.problems(), streams.err);
+    return Exit::File;
+  }
+  streams.out << ticks.value() << " ticks; every program can open the file.\n";
+  return Exit::Well;
+}
+
+void addInfo(CLI::App& log, const Streams& streams, Exit& exit) {
+  CLI::App* command = log.add_subcommand("info", "What a session holds");
+  const auto path = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  command->add_option("file", *path, "Session file")->required();
+  command->add_flag("--json", *json, "One JSON object in place of a table");
+  command->callback([path, json, &streams, &exit] { exit = info(*path, *json, streams); });
+}
+
+void addExport(CLI::App& log, const Streams& streams, Exit& exit) {
+  CLI::App* command = log.add_subcommand("export", "A session as CSV, Parquet or MCAP");
+  const auto options = std::make_shared<ExportOptions>();
+  command->add_option("file", options->file, "Session file")->required();
+  command->add_option("--format", options->format, "Parquet and MCAP take the Python libraries pyarrow and mcap")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"csv", "parquet", "mcap"}));
+  command->add_option("--out", options->out, "File to write; CSV goes to the standard output by itself");
+  command->callback([options, &streams, &exit] { exit = exportSession(*options, streams); });
+}
+
+struct PlotOptions {
+  std::string file, kind = "all", out;
+  std::vector<std::string> more;
+};
+
+void addPlot(CLI::App& log, const Streams& streams, Exit& exit) {
+  CLI::App* command = log.add_subcommand("plot", "Plots of a session as PNG, SVG or PDF, by matplotlib");
+  const auto options = std::make_shared<PlotOptions>();
+  command->add_option("file", options->file, "Session file")->required();
+  command->add_option("--kind", options->kind, "What is drawn")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"error", "force", "displacement-force", "path", "angles", "joints", "energy", "spectrum",
+                             "lateness", "all"}));
+  command->add_option("--out", options->out, "File to write, .png, .svg or .pdf")->required();
+  for (const char* name : {"--width", "--from", "--to"}) {
+    command->add_option_function<std::string>(
+        name,
+        [options, name](const std::string& value) {
+          options->more.insert(options->more.end(), {name, value});
+        },
+        std::string(name) == "--width" ? "Of the figure, inches: 3.5 or 7" : "Of the time that is drawn, s");
+  }
+  command->callback([options, &streams, &exit] {
+    std::vector<std::string> arguments{"plot", options->file, "--kind", options->kind, "--out", options->out};
+    arguments.insert(arguments.end(), options->more.begin(), options->more.end());
+    exit = runPython(arguments, streams);
+  });
+}
+
+}  // namespace
+
+void addLog(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* log = program.add_subcommand("log", "Recorded sessions: look at them, export, plot, check, recover");
+  log->require_subcommand(1);
+  addInfo(*log, streams, exit);
+  addExport(*log, streams, exit);
+  addPlot(*log, streams, exit);
+  CLI::App* verifying = log->add_subcommand("verify", "Check every block of a session against its checksum");
+  const auto verified = std::make_shared<std::string>();
+  verifying->add_option("file", *verified, "Session file")->required();
+  verifying->callback([verified, &streams, &exit] { exit = verify(*verified, streams); });
+  CLI::App* recovering = log->add_subcommand(
+      "recover", "Close a session that a killed program left, in place, so that all programs open it");
+  const auto recovered = std::make_shared<std::string>();
+  recovering->add_option("file", *recovered, "Session file")->required();
+  recovering->callback([recovered, &streams, &exit] { exit = recover(*recovered, streams); });
+}
+
+}  // namespace underact::cli

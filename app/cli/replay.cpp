@@ -1,0 +1,208 @@
+#include "core/record/replay.h"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/json_object.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_file.h"
+#include "core/base/units.h"
+#include "core/record/csv.h"
+#include "core/scene/compile.h"
+#include "core/scene/edit.h"
+#include "core/scene/read.h"
+
+namespace underact::cli {
+namespace {
+
+struct ReplayOptions {
+  std::string file, scene, record;
+  bool verify = false;
+  std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
+  std::optional<scene::LawType> law;
+  bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
+};
+
+/// Figures over the ticks of one side.
+struct Side {
+  double square_error_mm2 = 0.0, sum_force_N = 0.0, peak_force_N = 0.0, work_mJ = 0.0;
+  Vec3 f_T_W = Vec3::Zero();  // sent at the last tick
+  void add(const servo::TickRecord& record, const Vec3& way_T_W) {
+    square_error_mm2 += std::pow(kMillimetrePerMetre * record.error_m, 2);
+    const double force_N = record.f_sent_T_W.norm();
+    sum_force_N += force_N;
+    peak_force_N = std::max(peak_force_N, force_N);
+    work_mJ += kMillimetrePerMetre * f_T_W.dot(way_T_W);
+    f_T_W = record.f_sent_T_W;
+  }
+  JsonObject json(double ticks) const {
+    JsonObject object;
+    object.addNumber("rms_error_mm", std::sqrt(square_error_mm2 / ticks));
+    object.addNumber("mean_force_N", sum_force_N / ticks);
+    object.addNumber("peak_force_N", peak_force_N);
+    object.addNumber("work_mJ", work_mJ);
+    return object;
+  }
+};
+
+class Comparison {
+ public:
+  void add(const servo::TickRecord& recorded, const servo::TickRecord& now) {
+    const Vec3 way_T_W = ticks_ > 0.0 ? Vec3(recorded.p_WT - p_WT_) : Vec3(Vec3::Zero());
+    p_WT_ = recorded.p_WT;
+    recorded_.add(recorded, way_T_W);
+    now_.add(now, way_T_W);
+    const double apart_N = (now.f_sent_T_W - recorded.f_sent_T_W).norm();
+    square_apart_N2_ += apart_N * apart_N;
+    most_apart_N_ = std::max(most_apart_N_, apart_N);
+    ticks_ += 1.0;
+  }
+  JsonObject json() const {
+    JsonObject object;
+    object.addInteger("ticks", std::llround(ticks_));
+    object.addObject("recorded", recorded_.json(ticks_));
+    object.addObject("replayed", now_.json(ticks_));
+    JsonObject apart;
+    apart.addNumber("rms_N", std::sqrt(square_apart_N2_ / ticks_));
+    apart.addNumber("max_N", most_apart_N_);
+    object.addObject("force_difference", apart);
+    return object;
+  }
+
+ private:
+  Side recorded_, now_;
+  Vec3 p_WT_ = Vec3::Zero();
+  double ticks_ = 0.0, square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
+};
+
+Exit fail(const Problems& problems, const Streams& streams) {
+  print(problems, streams.err);
+  return exitOf(problems);
+}
+
+Exit verify(record::Session& session, const Streams& streams) {
+  const Interrupt interrupt;
+  Progress progress(streams);
+  const Result<record::Verified> verified = record::verifyReplay(session, [&](double share) {
+    progress.show(share);
+    return !interrupt.came();
+  });
+  if (!verified) return fail(verified.problems(), streams);
+  JsonObject object;
+  object.addInteger("ticks", session.info().ticks);
+  object.addInteger("identical_ticks", verified.value().ticks);
+  const bool same = !verified.value().differs && verified.value().unknown.empty();
+  object.addBool("identical", same);
+  if (verified.value().differs) {
+    object.addInteger("first_difference_tick", verified.value().differs->tick);
+    object.addText("first_difference_column", verified.value().differs->column);
+    streams.err << "Tick " << verified.value().differs->tick
+                << " comes out otherwise: " << verified.value().differs->column << ".\n";
+  }
+  if (!verified.value().unknown.empty()) streams.err << verified.value().unknown << '\n';
+  streams.out << object.text() << '\n';
+  return same ? Exit::Well : Exit::BadInput;
+}
+
+/// The recorded scene, or another, with the gains that were asked for.
+Result<scene::Description> wantedScene(const ReplayOptions& options, record::Session& session) {
+  scene::Description scene;
+  if (!options.scene.empty()) {
+    Result<LoadedScene> loaded = loadScene(options.scene);
+    if (!loaded) return loaded.problems();
+    scene = loaded.value().description;
+  } else {
+    if (session.changes().empty())
+      return Problems{{"This session does not say which scene it began with.", {options.file}}};
+    Result<scene::Description> recorded = session.scene(session.changes().front());
+    if (!recorded) return recorded;
+    scene = recorded.value();
+  }
+  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
+    scene::Control control = scene::controlOf(scene, index);
+    if (options.law) control.law = *options.law;
+    if (options.kp_N_per_mm) control.gains.kp_N_per_mm = Vec3::Constant(*options.kp_N_per_mm);
+    if (options.kd_N_s_per_mm) control.gains.kd_N_s_per_mm = Vec3::Constant(*options.kd_N_s_per_mm);
+    if (options.ki_N_per_mm_s) control.gains.ki_N_per_mm_s = Vec3::Constant(*options.ki_N_per_mm_s);
+    if (!(control == scene::controlOf(scene, index))) scene = scene::withControl(scene, index, control);
+    if (std::optional<scene::Influence> influence = scene.constraints[index].influence; influence && options.t) {
+      influence->t = *options.t;
+      scene = scene::withInfluence(scene, index, influence);
+    }
+  }
+  const Problems problems = scene::check(scene);
+  if (!problems.empty()) return problems;
+  return scene;
+}
+
+Exit compare(record::Session& session, const ReplayOptions& options, const Streams& streams) {
+  const Result<scene::Description> scene = wantedScene(options, session);
+  if (!scene) return fail(scene.problems(), streams);
+  std::optional<record::CsvWriter> csv;
+  if (!options.record.empty()) {
+    Result<record::CsvWriter> opened = record::CsvWriter::open(options.record);
+    if (!opened) {
+      print(opened.problems(), streams.err);
+      return Exit::File;
+    }
+    csv = std::move(opened).value();
+  }
+  const Interrupt interrupt;
+  Progress progress(streams);
+  Comparison comparison;
+  const Problems problems = record::replayWith(
+      session, scene.value(),
+      [&](const servo::TickRecord& recorded, const servo::TickRecord& now) {
+        comparison.add(recorded, now);
+        if (csv) csv->add(now);
+      },
+      [&](double share) {
+        progress.show(share);
+        return !interrupt.came();
+      });
+  if (!problems.empty()) return fail(problems, streams);
+  streams.out << comparison.json().text() << '\n';
+  const Problems unwritten = csv ? csv->close() : Problems{};
+  print(unwritten, streams.err);
+  return unwritten.empty() ? Exit::Well : Exit::File;
+}
+
+Exit replay(const ReplayOptions& options, const Streams& streams) {
+  if (options.verify && options.isWhatIf()) {
+    streams.err << "--verify compares with the scene as it was recorded; leave --scene and the gains out.\n";
+    return Exit::Usage;
+  }
+  Result<record::Session> session = record::Session::open(options.file);
+  if (!session) return fail(session.problems(), streams);
+  if (session.value().info().ticks == 0) {
+    streams.err << "There is no tick in this session.\n";
+    return Exit::BadInput;
+  }
+  return options.verify ? verify(session.value(), streams) : compare(session.value(), options, streams);
+}
+
+}  // namespace
+
+void addReplay(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "replay", "Run a recorded hand through the tick again: to the bit, or with other gains or another scene");
+  const auto options = std::make_shared<ReplayOptions>();
+  command->add_option("file", options->file, "Session file")->required();
+  command->add_flag("--verify", options->verify, "Compare every tick with the recording to the last bit");
+  command->add_option("--scene", options->scene, "Another scene for the recorded hand");
+  command->add_option("--kp", options->kp_N_per_mm, "Another stiffness, N/mm")->check(CLI::NonNegativeNumber);
+  command->add_option("--kd", options->kd_N_s_per_mm, "Another damping, N s/mm")->check(CLI::NonNegativeNumber);
+  command->add_option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)")->check(CLI::NonNegativeNumber);
+  command->add_option("--t", options->t, "Another influence, 0 to 1")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--law", options->law, "Another law")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::LawType>{
+          {"P", scene::LawType::P}, {"PD", scene::LawType::PD}, {"PID", scene::LawType::PID}}));
+  command->add_option("--record", options->record, "Write the ticks as they are now to this CSV file");
+  command->callback([options, &streams, &exit] { exit = replay(*options, streams); });
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,12 @@
+#pragma once
+#include <iosfwd>
+
+#include "core/record/session.h"
+
+namespace underact::cli {
+
+/// What a session says of itself: one JSON object on one line, or lines for a person.
+void printAsJson(record::Session& session, std::ostream& out);
+void printAsTable(record::Session& session, std::ostream& out);
+
+}  // namespace underact::cli

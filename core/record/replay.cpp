@@ -1,0 +1,239 @@
+#include "core/record/replay.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "core/base/denormals.h"
+#include "core/scene/compile.h"
+#include "core/tick/step.h"
+
+namespace underact::record {
+namespace {
+
+Result<tick::TickProgram> programOf(const scene::Description& scene, const SessionHeader& header) {
+  tick::TickProgram bare;  // of a servo that was given no scene yet
+  bare.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
+  if (scene.constraints.empty()) return bare;
+  Result<tick::TickProgram> program = scene::compile(scene);
+  if (!program) return program;
+  program.value().limits.frozen_s = header.frozen_s;
+  program.value().limits.max_late = header.max_late;
+  return program;
+}
+
+/// A tick program with its memory, and the row that each of its ticks gives.
+class Machine {
+ public:
+  Machine(tick::TickProgram program, tick::TickState state) : program_(std::move(program)), state_(std::move(state)) {}
+
+  void replaceBy(tick::TickProgram program, tick::Carry carry) {
+    tick::TickState state = tick::makeState(program);
+    tick::carryOver(state_, state, carry);
+    program_ = std::move(program);
+    state_ = std::move(state);
+  }
+  /// recorded: what went in; fault: what the servo had found.
+  servo::TickRecord tick(const servo::TickRecord& recorded, const Fault& fault, bool restart) {
+    tick::TickInput input;
+    input.sample.time_ns = recorded.time_ns;
+    input.sample.q_rad = recorded.q_rad;
+    input.sample.buttons = recorded.buttons;
+    input.has_sample = (recorded.input & servo::kHadSample) != 0;
+    input.engage = (recorded.input & servo::kEngaged) != 0;
+    input.restart = restart || (recorded.input & servo::kRestarted) != 0;
+    input.late = (recorded.input & servo::kLate) != 0;
+    input.fault = fault;
+    {
+      const FlushDenormals flush;  // as the servo thread does
+      tick::step(program_, input, state_, snapshot_.report);
+    }
+    snapshot_.ticks = recorded.tick;
+    snapshot_.revision = recorded.revision;
+    snapshot_.input = recorded.input;
+    snapshot_.lateness_ns = recorded.lateness_ns;
+    snapshot_.tick_ns = recorded.tick_ns;
+    return servo::recordOf(snapshot_);
+  }
+  const arm::Geometry& geometry() const { return program_.geometry; }
+
+ private:
+  tick::TickProgram program_;
+  tick::TickState state_;
+  servo::Snapshot snapshot_;
+};
+
+bool isMeasured(const Column& column) {
+  return column.name == "lateness_us" || column.name == "tick_us";
+}
+
+/// The first row, and in it the first column, whose bytes are not the same.
+std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b) {
+  std::optional<std::pair<std::int64_t, std::string>> first;
+  std::size_t at = 0;
+  for (const Column& column : tickColumns()) {
+    const std::size_t one = bytesOf(column);
+    const auto rows = static_cast<std::size_t>(a.rows);
+    for (std::size_t row = 0; row < rows && !isMeasured(column); ++row) {
+      if (std::memcmp(&a.bytes[at + row * one], &b.bytes[at + row * one], one) == 0) continue;
+      const auto index = static_cast<std::int64_t>(row);
+      if (!first || index < first->first) first = {index, std::string(column.name)};
+      break;
+    }
+    at += one * rows;
+  }
+  return first;
+}
+
+/// Faults that ticks were told of, tick by tick.
+class ToldFaults {
+ public:
+  explicit ToldFaults(const std::vector<servo::FaultMark>& faults) {
+    std::copy_if(faults.begin(), faults.end(), std::back_inserter(told_),
+                 [](const servo::FaultMark& fault) { return fault.from_servo; });
+  }
+  Fault at(std::int64_t tick) {
+    while (next_ < told_.size() && told_[next_].tick < tick) ++next_;
+    return next_ < told_.size() && told_[next_].tick == tick ? told_[next_].fault : Fault{};
+  }
+
+ private:
+  std::vector<servo::FaultMark> told_;
+  std::size_t next_ = 0;
+};
+
+class Verification {
+ public:
+  Verification(Session& session, Machine machine)
+      : session_(session), machine_(std::move(machine)), faults_(session.faults()), packer_(tickColumns()) {}
+
+  /// false: it is decided.
+  bool compare(const Block& recorded) {
+    packer_.begin(session_.blockRows());
+    std::int64_t rows = 0;
+    for (const servo::TickRecord& record : unpackTicks(recorded)) {
+      if (!isNext(record) || !applyChanges(record)) break;
+      pack(machine_.tick(record, faults_.at(record.tick), false), machine_.geometry(), packer_);
+      ++rows;
+    }
+    if (const auto difference = firstDifference(firstRows(recorded, rows), packer_.block())) {
+      result_.ticks += difference->first;
+      result_.differs =
+          Difference{unpackTicks(recorded)[static_cast<std::size_t>(difference->first)].tick, difference->second};
+      return false;
+    }
+    result_.ticks += rows;
+    return result_.unknown.empty() && problems_.empty();
+  }
+  void stopAt(const Gap& gap) {
+    if (!result_.unknown.empty()) return;
+    result_.unknown = "The file is damaged from row " + std::to_string(gap.first_row + 1) + " on, for " +
+                      std::to_string(gap.rows) + " ticks; what comes after them cannot be replayed.";
+  }
+  bool isDecided() const { return !result_.unknown.empty() || result_.differs || !problems_.empty(); }
+  Verified result() const { return result_; }
+  const Problems& problems() const { return problems_; }
+
+ private:
+  bool isNext(const servo::TickRecord& record) {
+    const bool next = last_tick_ < 0 || record.tick == last_tick_ + 1;
+    if (!next) {
+      result_.unknown = std::to_string(record.tick - last_tick_ - 1) + " ticks are missing after tick " +
+                        std::to_string(last_tick_) + "; what comes after them cannot be replayed.";
+    }
+    last_tick_ = record.tick;
+    return next;
+  }
+  bool applyChanges(const servo::TickRecord& record) {
+    for (; next_change_ < session_.changes().size() && session_.changes()[next_change_].tick <= record.tick;
+         ++next_change_) {
+      const ChangeRow& change = session_.changes()[next_change_];
+      Result<scene::Description> scene = session_.scene(change);
+      if (!scene) return fail(scene.problems());
+      Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header);
+      if (!program) return fail(program.problems());
+      machine_.replaceBy(std::move(program).value(), change.carry);
+    }
+    return true;
+  }
+  bool fail(const Problems& problems) {
+    problems_ = problems;
+    return false;
+  }
+  static Block firstRows(const Block& block, std::int64_t rows) {
+    if (rows == block.rows) return block;
+    Block first{rows, {}};
+    std::size_t at = 0;
+    for (const Column& column : tickColumns()) {
+      const auto begin = block.bytes.begin() + static_cast<std::ptrdiff_t>(at);
+      first.bytes.insert(first.bytes.end(), begin, begin + static_cast<std::ptrdiff_t>(rows * bytesOf(column)));
+      at += static_cast<std::size_t>(block.rows) * bytesOf(column);
+    }
+    return first;
+  }
+
+  Session& session_;
+  Machine machine_;
+  ToldFaults faults_;
+  Packer packer_;
+  std::size_t next_change_ = 1;  // the first is what the machine was made of
+  std::int64_t last_tick_ = -1;
+  Verified result_;
+  Problems problems_;
+};
+
+/// The servo as it was at the first row.
+Result<Machine> machineAtStart(Session& session) {
+  if (session.changes().empty())
+    return Problems{{"This session does not say which scene it began with.", {session.info().path}}};
+  Result<scene::Description> scene = session.scene(session.changes().front());
+  if (!scene) return scene.problems();
+  Result<tick::TickProgram> program = programOf(scene.value(), session.info().header);
+  if (!program) return program.problems();
+  Result<tick::TickState> state = session.start(program.value());
+  if (!state) return state.problems();
+  return Machine(std::move(program).value(), std::move(state).value());
+}
+
+}  // namespace
+
+Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress) {
+  if (session.info().ticks == 0) return Verified{};
+  Result<Machine> machine = machineAtStart(session);
+  if (!machine) return machine.problems();
+  Verification verification(session, std::move(machine).value());
+  bool goes_on = true;
+  const Problems problems = session.eachBlock(
+      [&](const Block& block, std::int64_t) {
+        return goes_on && !verification.isDecided() && verification.compare(block);
+      },
+      [&](const Gap& gap) { verification.stopAt(gap); },
+      [&](double share) { goes_on = goes_on && (!progress || progress(share)); });
+  if (!problems.empty()) return problems;
+  if (!verification.problems().empty()) return verification.problems();
+  Verified result = verification.result();
+  if (!goes_on && result.unknown.empty() && !result.differs) result.unknown = "It was stopped.";
+  return result;
+}
+
+Problems replayWith(Session& session, const scene::Description& scene,
+                    const std::function<void(const servo::TickRecord&, const servo::TickRecord&)>& tick,
+                    const std::function<bool(double)>& progress) {
+  Result<tick::TickProgram> program = programOf(scene, session.info().header);
+  if (!program) return program.problems();
+  tick::TickState state = tick::makeState(program.value());
+  Machine machine(std::move(program).value(), std::move(state));
+  ToldFaults faults(session.faults());
+  bool begins = true, goes_on = true;
+  return session.eachBlock(
+      [&](const Block& block, std::int64_t) {
+        for (const servo::TickRecord& recorded : unpackTicks(block)) {
+          tick(recorded, machine.tick(recorded, faults.at(recorded.tick), begins));
+          begins = false;
+        }
+        return goes_on;
+      },
+      [&](const Gap&) { begins = true; }, [&](double share) { goes_on = goes_on && (!progress || progress(share)); });
+}
+
+}  // namespace underact::record
