@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <hdf5.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -17,6 +20,10 @@ namespace {
 
 constexpr std::size_t kLongestText = std::size_t{1} << 24;
 constexpr hsize_t kMostRows = hsize_t{1} << 40;
+// Set aside on the disk beyond what is written, so that a disk that fills up is met before the library meets it, and
+// there is room to end in order.
+constexpr std::int64_t kSetAside = 8 << 20;
+constexpr std::int64_t kSetAsideAtLeast = 4 << 20;
 
 /// One identifier of the library's, closed at the end.
 class Id {
@@ -236,6 +243,32 @@ Id accessList() {
   return access;
 }
 
+/// What a file says its size is, in its first bytes (version 3 of the superblock: 8 bytes from the 28th on); 0: it does
+/// not say.
+std::int64_t statedSize(const std::string& path) {
+  std::array<char, 36> head{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(head.data(), head.size()) || head[8] != 3) return 0;
+  std::int64_t size = 0;
+  std::memcpy(&size, head.data() + 28, sizeof size);
+  return size;
+}
+
+std::int64_t sizeOf(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return error ? 0 : static_cast<std::int64_t>(size);
+}
+
+/// A file that was cut off gets its length back, empty: what is missing then shows by its checksums.
+void growToStatedSize(const std::string& path) {
+  constexpr std::int64_t kLongest = std::int64_t{1} << 44;
+  const std::int64_t stated = statedSize(path);
+  std::error_code ignored;
+  if (sizeOf(path) < stated && stated < kLongest)
+    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(stated), ignored);
+}
+
 std::string namesOf(std::span<const Column> columns) {
   std::string names;
   for (const Column& column : columns) names.append(names.empty() ? "" : ",").append(column.name);
@@ -249,13 +282,38 @@ struct Hdf5File::Impl {
   Presence presence;
   Id file;
   std::vector<OpenTable> tables;
-  bool writes = false, failed = false, elsewhere = false;
-  Problems failure;  // the first
+  bool writes = false, failed = false, full = false, elsewhere = false;
+  std::int64_t set_aside = 0;  // the file may grow to this without asking the disk
+  Problems failure;            // the first
 
   Problems fail(const std::string& sentence) {
     failed = true;
     failure = problemAt(path, sentence + reason());
+    letBe();
     return failure;
+  }
+  /// From here on the library writes into nothing: what it has in memory is ahead of the disk, and half of it there
+  /// would spoil what is whole.
+  void letBe() {
+    void* handle = nullptr;
+    if (!writes || !file.isGood() || H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0) return;
+    const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (nothing < 0) return;
+    dup2(nothing, *static_cast<int*>(handle));
+    ::close(nothing);
+  }
+  /// false: the disk has no room for so many bytes more. Where the file system cannot set room aside, it says so when
+  /// the disk is full, and not before.
+  bool setAside(std::int64_t bytes) {
+    void* handle = nullptr;
+    struct stat now {};
+    if (H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0 || fstat(*static_cast<int*>(handle), &now) != 0) return true;
+    if (now.st_size + bytes + kSetAsideAtLeast <= set_aside) return true;
+    const off_t more = bytes + kSetAside;
+    if (fallocate(*static_cast<int*>(handle), FALLOC_FL_KEEP_SIZE, now.st_size, more) != 0)
+      return errno != ENOSPC && errno != EDQUOT;
+    set_aside = now.st_size + more;
+    return true;
   }
   bool createTable(const Table& wanted) {
     const Id group(H5Gcreate2(file, std::string(wanted.name).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -330,6 +388,10 @@ Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> 
     impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose);
     impl->elsewhere = true;
   }
+  if (!impl->file.isGood() && sizeOf(path) < statedSize(path))
+    return problemAt(path, "This file is cut off: " + std::to_string(sizeOf(path)) + " of " +
+                               std::to_string(statedSize(path)) +
+                               " bytes are there. Copy it again from where it came.");
   if (!impl->file.isGood()) return problemAt(path, "This is no session, or one that is damaged at its beginning.");
   Problems problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
@@ -343,6 +405,7 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   impl->path = path;
   impl->writes = true;
   const Id access = accessList();
+  if (killed) growToStatedSize(path);
   const hbool_t clear = killed;
   H5Pset(access, "clear_status_flags", &clear);  // as h5clear does
   impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
@@ -356,8 +419,22 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
 }
 
 Problems Hdf5File::append(std::size_t table, const Block& block) {
-  if (impl_->failed) return impl_->failure;
-  if (block.rows == 0) return {};
+  if (impl_->failed || block.rows == 0) return impl_->failure;
+  quiet();
+  impl_->full = impl_->full || !impl_->setAside(static_cast<std::int64_t>(block.bytes.size()));
+  if (impl_->full)
+    return problemAt(impl_->path,
+                     "The disk is full: the recording was stopped and is whole. Free some space, or record into "
+                     "another folder.");
+  return appendLast(table, block);
+}
+
+bool Hdf5File::isFull() const {
+  return impl_->full;
+}
+
+Problems Hdf5File::appendLast(std::size_t table, const Block& block) {
+  if (impl_->failed || block.rows == 0) return impl_->failure;
   quiet();
   errno = 0;
   const OpenTable& open = impl_->tables[table];
@@ -414,6 +491,10 @@ Problems Hdf5File::close() {
   }
   impl_->tables.clear();
   good = impl_->file.close() && good;
+  if (impl_->set_aside > 0) {  // gives back what was set aside and not used
+    std::error_code ignored;
+    std::filesystem::resize_file(impl_->path, static_cast<std::uintmax_t>(sizeOf(impl_->path)), ignored);
+  }
   if (good || !impl_->writes || impl_->failed) return {};
   return impl_->fail("The recording is not whole");
 }
@@ -433,6 +514,7 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   quiet();
   const OpenTable& open = impl_->tables[table];
   const std::int64_t all = rows(table), block_rows = open.block_rows;
+  if (first < 0 || count <= 0) return std::vector<Block>{};
   const std::int64_t begin = std::min(first * block_rows, all);
   const std::int64_t end = std::min(all, (first + count) * block_rows);
   if (end <= begin) return std::vector<Block>{};

@@ -39,6 +39,10 @@ class Hdf5File {
   /// Writer: a block at the end of a table, all those before it being full; to a table of one column any number of
   /// them. Problems: the disk takes no more; then nothing further is written, and each call says so.
   Problems append(std::size_t table, const Block& block);
+  /// The disk had no room for the last block: append() takes no more, and what was written is whole.
+  bool isFull() const;
+  /// Writer: the same into what is set aside for the end, also on a disk that is full.
+  Problems appendLast(std::size_t table, const Block& block);
   /// Writer: what was appended can be read by others, and outlives this process.
   Problems flush();
   /// reopen(): cuts a table to so many rows.

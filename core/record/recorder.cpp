@@ -95,6 +95,7 @@ struct Recorder::Impl {
   }
   void note(Problems found) {
     if (problems.empty()) problems = std::move(found);
+    disk_full = disk_full || writer.isFull();
   }
 
   void lookAtDisk() {

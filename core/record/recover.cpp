@@ -23,18 +23,15 @@ Result<std::int64_t> wholeRows(Hdf5File& file, std::size_t table) {
 }  // namespace
 
 Result<std::int64_t> recover(const std::string& path) {
-  std::int64_t dropped = 0;
   {
-    const Result<Session> session = Session::open(path);
-    if (!session) return session.problems();
-    if (session.value().info().isComplete()) return session.value().info().ticks;
-    dropped = session.value().info().dropped;
-  }
+    const Result<Session> session = Session::open(path);  // it may be cut off: then it cannot be opened so
+    if (session && session.value().info().isComplete() && !session.value().isOpenElsewhere())
+      return session.value().info().ticks;
+  }  // closed here: HDF5 knows a file that is open in the same process
   const std::array tables = sessionTables(1000);
   Result<Hdf5File> file = Hdf5File::reopen(path, tables, true);
   if (!file) return file.problems();
   EndRow end;
-  end.dropped = dropped;
   end.reason = EndReason::Recovered;
   std::int64_t ticks = 0;
   for (std::size_t table = 0; table < kTables; ++table) {

@@ -64,6 +64,8 @@ class Session {
                      const std::function<void(const Gap&)>& damaged, const std::function<void(double)>& progress = {});
   /// Sees what was written since.
   void refresh();
+  /// It was opened as one that its writer has not closed: it is being recorded, or its program was killed.
+  bool isOpenElsewhere() const { return file_.isOpenElsewhere(); }
 
  private:
   explicit Session(Hdf5File file) : file_(std::move(file)) {}

@@ -118,10 +118,10 @@ Problems SessionWriter::flush() {
 }
 
 Problems SessionWriter::end(const EndRow& row) {
-  Problems problems = writeTicks();
+  Problems problems = file_.isFull() ? Problems{} : writeTicks();
   EndRow last = row;
   last.tick = last_tick_;
-  keep(problems, file_.append(kEnd, blockOf(last)));
+  keep(problems, file_.appendLast(kEnd, blockOf(last)));
   keep(problems, file_.close());
   return problems;
 }

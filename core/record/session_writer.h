@@ -52,6 +52,8 @@ class SessionWriter {
   /// The file is closed as it is.
   void abandon() { file_.close(); }
   std::int64_t ticks() const { return ticks_; }
+  /// The disk was full: it takes no more, and end() closes it in order.
+  bool isFull() const { return file_.isFull(); }
 
  private:
   SessionWriter(Hdf5File file, const SessionHeader& header);

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <limits>
+#include <thread>
+
+#include "core/record/replay.h"
+#include "tests/session/rig.h"
+
+namespace underact::record {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// While one lives, no file of this process grows beyond a size: writes fail as on a full disk.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) {
+    before_signal_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit wanted{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &wanted);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, before_signal_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*before_signal_)(int) = nullptr;
+};
+
+bool waitForEnd(const Recorder& recorder) {
+  for (int waited = 0; waited < 20'000 && recorder.status().recording; ++waited) std::this_thread::sleep_for(1ms);
+  return !recorder.status().recording;
+}
+
+}  // namespace
+
+TEST(Disk, ThatTakesNoMoreEndsTheRecordingWithASentenceAndAWholeFileAndTheServoGoesOn) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Thread, "probe");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  host->start();
+  host->begin();
+  std::int64_t ticks = 0;
+  {
+    const SmallFiles small(600'000);
+    const auto recorder = Recorder::start(*host, folder.file("s.h5"), {});
+    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(waitForEnd(*recorder.value()));
+    ticks = host->snapshot().ticks;
+    const RecorderStatus status = recorder.value()->status();
+    ASSERT_FALSE(status.problems.empty());
+    EXPECT_NE(status.problems.front().sentence.find("The recording stopped"), std::string::npos)
+        << status.problems.front().sentence;
+    EXPECT_FALSE(recorder.value()->stop().empty()) << "the sentence stays";
+  }
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(host->snapshot().mode, servo::Mode::Running);
+  EXPECT_GT(host->snapshot().ticks, ticks);
+  const Result<std::int64_t> recovered = recover(folder.file("s.h5"));
+  ASSERT_TRUE(recovered) << recovered.problems().front().sentence;
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  ASSERT_TRUE(session) << session.problems().front().sentence;
+  EXPECT_TRUE(session.value().info().isComplete());
+  EXPECT_GT(session.value().info().ticks, 300);
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified);
+  EXPECT_EQ(verified.value().ticks, session.value().info().ticks);
+}
+
+TEST(Disk, ThatIsNearlyFullEndsTheRecordingInOrder) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Thread, "probe");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  host->begin();
+  const auto recorder =
+      Recorder::start(*host, folder.file("s.h5"), {}, {.reserve_bytes = std::numeric_limits<std::int64_t>::max()});
+  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(waitForEnd(*recorder.value()));
+  EXPECT_NE(recorder.value()->status().problems.at(0).sentence.find("disk is nearly full"), std::string::npos);
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  ASSERT_TRUE(session);
+  ASSERT_TRUE(session.value().info().isComplete());
+  EXPECT_EQ(session.value().info().end->reason, EndReason::DiskFull);
+}
+
+TEST(Disk, ThatLostTheFileEndsTheRecordingWithASentence) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Thread, "probe");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  host->begin();
+  const auto recorder = Recorder::start(*host, folder.file("s.h5"), {});
+  ASSERT_TRUE(recorder);
+  std::filesystem::remove(folder.file("s.h5"));
+  ASSERT_TRUE(waitForEnd(*recorder.value()));
+  EXPECT_NE(recorder.value()->status().problems.at(0).sentence.find("moved or deleted"), std::string::npos);
+}
+
+TEST(Disk, ThatLetsNothingBeMadeThereSaysSoAtOnce) {
+  const auto host = test::makeHost(servo::Clock::Manual, "probe");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  const auto recorder = Recorder::start(*host, "/nowhere/at/all/s.h5", {});
+  ASSERT_FALSE(recorder);
+  EXPECT_EQ(recorder.problems().front().sentence, "The recording cannot be made: No such file or directory.");
+}
+
+}  // namespace underact::record

@@ -1,0 +1,142 @@
+#include "core/record/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "core/scene/edit.h"
+#include "tests/session/rig.h"
+#include "tests/support/property.h"
+
+namespace underact::record {
+namespace {
+
+using test::Seed;
+
+std::string explain(const Verified& verified) {
+  if (verified.differs) return "tick " + std::to_string(verified.differs->tick) + ", " + verified.differs->column;
+  return verified.unknown;
+}
+
+void expectIdentical(const std::string& path, const std::string& what) {
+  Result<Session> session = Session::open(path);
+  ASSERT_TRUE(session) << session.problems().front().sentence;
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified) << what << ": " << verified.problems().front().sentence;
+  EXPECT_FALSE(verified.value().differs.has_value()) << what << ": " << explain(verified.value());
+  EXPECT_EQ(verified.value().unknown, "") << what;
+  EXPECT_EQ(verified.value().ticks, session.value().info().ticks) << what;
+  EXPECT_GT(verified.value().ticks, 300) << what;
+}
+
+}  // namespace
+
+TEST(Replay, OfEveryShippedSceneIsTheSameToTheBitFromTheMidstOnAndThroughEdits) {
+  const test::ScratchFolder folder;
+  std::size_t edits = 0;
+  for (const std::string& path : test::shippedScenes()) {
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::sweep(1, 20)); ++seed) {
+      const char* const hand = seed % 2 == 1 ? "probe" : "tremor";
+      test::recordEvents(folder.file("s.h5"), test::sceneAt(path), hand, Seed{seed});
+      expectIdentical(folder.file("s.h5"), path + " seed " + std::to_string(seed));
+      edits += Session::open(folder.file("s.h5")).value().changes().size() - 1;
+    }
+  }
+  EXPECT_GT(edits, 3 * test::shippedScenes().size());
+}
+
+TEST(Replay, FindsTheFirstTickThatComesOutOtherwise) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("s.h5"), changed = folder.file("changed.h5");
+  test::recordEvents(path, test::sphereScene(), "probe", Seed{3});
+  Result<Session> session = Session::open(path);
+  // The same session written again with the last bit of one force turned over: no checksum is hurt.
+  Result<SessionWriter> writer = SessionWriter::create(changed, session.value().info().header);
+  ASSERT_TRUE(writer);
+  const ChangeRow& first = session.value().changes().front();
+  const scene::Description scene = session.value().scene(first).value();
+  const tick::TickProgram program = test::programOf(scene);
+  ASSERT_TRUE(writer.value().begin(first.tick, first.revision, session.value().start(program).value(), scene).empty());
+  for (std::size_t index = 1; index < session.value().changes().size(); ++index) {
+    const ChangeRow& row = session.value().changes()[index];
+    ASSERT_TRUE(writer.value()
+                    .add(servo::Change{row.tick, row.revision, row.carry}, session.value().scene(row).value())
+                    .empty());
+  }
+  std::int64_t spoiled = 0;
+  ASSERT_TRUE(session.value()
+                  .eachBlock(
+                      [&](const Block& block, std::int64_t row) {
+                        for (servo::TickRecord record : unpackTicks(block)) {
+                          if (row++ == 777) {
+                            spoiled = record.tick;
+                            record.f_asked_T_W.y() = std::nextafter(record.f_asked_T_W.y(), 1e9);
+                          }
+                          EXPECT_TRUE(writer.value().add(record).empty());
+                        }
+                        return true;
+                      },
+                      [](const Gap&) {})
+                  .empty());
+  ASSERT_TRUE(writer.value().end({}).empty());
+  Result<Session> again = Session::open(changed);
+  ASSERT_TRUE(again);
+  const Result<Verified> verified = verifyReplay(again.value());
+  ASSERT_TRUE(verified);
+  ASSERT_TRUE(verified.value().differs.has_value());
+  EXPECT_EQ(verified.value().differs->column, "force_asked_N");
+  EXPECT_EQ(verified.value().differs->tick, spoiled);
+  EXPECT_EQ(verified.value().ticks, 777);
+}
+
+TEST(Replay, WithTheSceneAsItWasGivesTheForcesThatWereSentAndWithOthersOthers) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Manual, "probe");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  host->start();
+  {
+    const auto recorder = Recorder::start(*host, folder.file("s.h5"), {});
+    ASSERT_TRUE(recorder);
+    host->run(3000);
+    ASSERT_TRUE(recorder.value()->stop().empty());
+  }
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  const auto mostApart_N = [&](const scene::Description& scene) {
+    double most_N = 0.0;
+    const Problems problems = replayWith(session.value(), scene, [&](const auto& recorded, const auto& now) {
+      most_N = std::max(most_N, (recorded.f_sent_T_W - now.f_sent_T_W).norm());
+    });
+    EXPECT_TRUE(problems.empty());
+    return most_N;
+  };
+  EXPECT_EQ(mostApart_N(test::sphereScene()), 0.0) << "the recording began with the servo";
+  scene::Description softer = test::sphereScene();
+  softer.control.gains.kp_N_per_mm.setConstant(0.1);
+  EXPECT_GT(mostApart_N(softer), 0.05);
+}
+
+TEST(Replay, OfASessionThatLacksTicksSaysWhereItEnds) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Manual, "sweep");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  Result<SessionWriter> writer = SessionWriter::create(folder.file("s.h5"), {});
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE(
+      writer.value().begin(1, 1, tick::makeState(test::programOf(test::sphereScene())), test::sphereScene()).empty());
+  host->run(500);
+  host->drain([&](const servo::TickRecord& record) {
+    if (record.tick == 251) return;
+    EXPECT_TRUE(writer.value().add(record).empty());
+  });
+  ASSERT_TRUE(writer.value().end({}).empty());
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified);
+  EXPECT_FALSE(verified.value().differs.has_value()) << verified.value().differs->column;
+  EXPECT_EQ(verified.value().ticks, 250);
+  EXPECT_NE(verified.value().unknown.find("1 ticks are missing after tick 250"), std::string::npos)
+      << verified.value().unknown;
+}
+
+}  // namespace underact::record
