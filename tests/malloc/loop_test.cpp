@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "core/scene/compile.h"
 #include "tests/core/servo/scripted_port.h"
 #include "tests/malloc/counter.h"
@@ -20,7 +22,7 @@ Instance* instanceOf(double radius_mm, std::uint64_t revision) {
 
 }  // namespace
 
-TEST(Loop, AllocatesFreesAndLocksNothingThroughSwapsEditsFaultsAndLateTicks) {
+TEST(Loop, AllocatesFreesAndLocksNothingThroughSwapsEditsFaultsLateTicksAndRecordings) {
   test::ScriptedPort::Seen seen;
   test::ScriptedPort port(seen);
   port.spoil = [](std::int64_t read, arm::Sample& sample) {
@@ -28,16 +30,22 @@ TEST(Loop, AllocatesFreesAndLocksNothingThroughSwapsEditsFaultsAndLateTicks) {
     return read % 97 != 0;
   };
   Loop loop(port, 1'000'000, 100'000'000);
+  const auto tap = std::make_unique<Tap>(1'000'000);
   for (std::uint64_t round = 1; round <= 8; ++round) {
+    Command listen{round % 3 == 0 ? Order::EndRecord : Order::Record};
+    if (listen.order == Order::Record) listen.tap = tap.get();
+    ASSERT_TRUE(loop.send(listen));
     ASSERT_TRUE(loop.send({Order::Load, instanceOf(40.0 + static_cast<double>(round), round)}));
     ASSERT_TRUE(loop.send({Order::Retune, instanceOf(41.0 + static_cast<double>(round), round)}));
     ASSERT_TRUE(loop.send({Order::Start}));
     ASSERT_TRUE(loop.send({round % 2 == 0 ? Order::HoldToRun : Order::RunFreely}));
     {
       test::Watch watch;
+      TickRecord record;
       for (int tick = 0; tick < 1000; ++tick) {
         const std::int64_t late_ns = tick % 50 == 7 ? 2'500'000 : 40'000;
         loop.tick({late_ns, late_ns / 1'000'000, LateCause::Woken});
+        if (round % 2 == 0) tap->take(record);  // else it fills up
       }
       loop.stoodStill(200'000'000);
       loop.tick({});
@@ -49,6 +57,7 @@ TEST(Loop, AllocatesFreesAndLocksNothingThroughSwapsEditsFaultsAndLateTicks) {
   }
   ASSERT_NE(loop.takeHistory(), nullptr) << "else no fault was in it";
   EXPECT_GT(loop.snapshot().late.total, 100);
+  EXPECT_TRUE(tap->begun());
 }
 
 }  // namespace underact::servo

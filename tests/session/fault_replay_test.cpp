@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "core/record/replay.h"
+#include "core/servo/loop.h"
+#include "tests/core/servo/scripted_port.h"
+#include "tests/session/rig.h"
+
+namespace underact::record {
+namespace {
+
+servo::Instance* instanceOf(const scene::Description& scene, std::uint64_t revision) {
+  tick::TickProgram program = test::programOf(scene);
+  program.limits.max_late = SessionHeader{}.max_late;
+  tick::TickState state = tick::makeState(program);
+  return new servo::Instance{std::move(program), std::move(state), revision};
+}
+
+}  // namespace
+
+// What goes wrong goes into the ticks, too: samples that are missing, old or no numbers, late ticks, a servo that stood
+// still, an arm that begins anew.
+TEST(Replay, OfASessionFullOfFaultsIsTheSameToTheBit) {
+  const test::ScratchFolder folder;
+  test::ScriptedPort::Seen seen;
+  test::ScriptedPort port(seen);
+  std::int64_t back_ns = 0;
+  port.tip = [](std::int64_t read) { return Vec3(0.0, 0.0, 0.05 + 1e-5 * static_cast<double>(read % 400)); };
+  port.spoil = [&back_ns](std::int64_t read, arm::Sample& sample) {
+    if (read % 400 == 350) sample.q_rad[1] = kNotANumber;
+    if (read % 2500 == 0) back_ns = sample.time_ns;  // unplugged: its clock begins again
+    sample.epoch = static_cast<std::uint32_t>(read / 2500);
+    sample.time_ns -= back_ns + (read % 211 == 0 ? 1'000'000 : 0);
+    return read % 97 != 0 && read % 1700 > 30;
+  };
+  servo::Loop loop(port, 1'000'000, 100'000'000);
+  servo::Tap tap(1'000'000);
+  scene::Description scene = test::sphereScene();
+  scene.control.law = scene::LawType::PID;
+  scene.control.gains.kd_N_s_per_mm.setConstant(0.002);
+  scene.control.gains.ki_N_per_mm_s.setConstant(0.5);
+  ASSERT_TRUE(loop.send({servo::Order::Load, instanceOf(scene, 1)}));
+  ASSERT_TRUE(loop.send({servo::Order::Start}));
+  for (int tick = 0; tick < 100; ++tick) loop.tick({});
+  servo::Command record{servo::Order::Record};
+  record.tap = &tap;
+  ASSERT_TRUE(loop.send(record));
+  for (int tick = 0; tick < 5000; ++tick) {
+    const std::int64_t late_ns = tick % 50 == 7 ? 2'500'000 : 40'000;
+    if (tick % 1111 == 500) loop.stoodStill(200'000'000);
+    loop.tick({late_ns, late_ns / 1'000'000, servo::LateCause::Woken});
+    if (tick % 150 == 0) loop.send({servo::Order::Start});
+  }
+  Result<SessionWriter> writer = SessionWriter::create(folder.file("s.h5"), {});
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.value().begin(tap.firstTick(), tap.firstRevision(), tap.start(), scene).empty());
+  int told = 0, ended = 0;
+  for (servo::FaultMark fault; tap.take(fault);) {
+    ++(fault.from_servo ? told : ended);
+    ASSERT_TRUE(writer.value().add(fault).empty());
+  }
+  for (servo::TickRecord row; tap.take(row);) ASSERT_TRUE(writer.value().add(row).empty());
+  ASSERT_TRUE(writer.value().end({}).empty());
+  EXPECT_GT(told, 1) << "else the servo never stood still while it pushed";
+  EXPECT_GT(ended, 10);
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified) << verified.problems().front().sentence;
+  EXPECT_FALSE(verified.value().differs.has_value())
+      << verified.value().differs->tick << ' ' << verified.value().differs->column;
+  EXPECT_EQ(verified.value().ticks, 5000) << verified.value().unknown;
+}
+
+// Recorded once by a release build; every other build, and every later one, must come to the same bits. Where the
+// tick's arithmetic or memory was changed on purpose: UNDERACT_UPDATE_GOLDEN=1 records it anew.
+TEST(Replay, OfTheSessionInTheRepositoryIsTheSameToTheBitInThisBuild) {
+  const std::string path = std::string(UNDERACT_TEST_DATA) + "/golden/session.h5";
+  if (std::getenv("UNDERACT_UPDATE_GOLDEN") != nullptr) {
+    const auto host = test::makeHost(servo::Clock::Manual, "probe");
+    scene::Description scene = test::sceneAt(std::string(UNDERACT_SOURCE) + "/scenes/20_scara.json");
+    ASSERT_TRUE(host->load(scene).empty());
+    host->start();
+    host->run(1000);
+    const auto recorder = Recorder::start(*host, path, {.name = "golden"});
+    ASSERT_TRUE(recorder);
+    host->run(150);
+    scene.control.gains.kp_N_per_mm *= 0.7;
+    ASSERT_TRUE(host->edit(scene).empty());
+    host->run(150);
+    ASSERT_TRUE(recorder.value()->stop().empty());
+  }
+  Result<Session> session = Session::open(path);
+  ASSERT_TRUE(session) << session.problems().front().sentence;
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified) << verified.problems().front().sentence;
+  EXPECT_FALSE(verified.value().differs.has_value())
+      << verified.value().differs->tick << ' ' << verified.value().differs->column;
+  EXPECT_EQ(verified.value().ticks, 300) << verified.value().unknown;
+}
+
+}  // namespace underact::record
