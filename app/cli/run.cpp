@@ -11,10 +11,12 @@
 #include "app/cli/arm_models.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/scheduling_options.h"
+#include "app/stream/live_stream.h"
 #include "core/arm/preset.h"
 #include "core/record/fault_file.h"
 #include "core/scene/compile.h"
@@ -40,6 +42,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::string record;
   record::SessionWords words;  // of the recording
+  std::string stream;          // empty: none
   std::string fault_file;
   std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
@@ -76,20 +79,22 @@ Exit exitOfHand(const std::string& hand, const Problems& problems) {
 /// A run in progress: takes the ticks as they come, up to the number asked for.
 class Run {
  public:
-  Run(std::int64_t wanted, std::optional<Recording> recording, const Streams& streams)
-      : wanted_(wanted), recording_(std::move(recording)), streams_(streams) {}
+  Run(std::int64_t wanted, std::optional<Recording> recording, std::optional<stream::LiveStream> live,
+      const Streams& streams)
+      : wanted_(wanted), recording_(std::move(recording)), live_(std::move(live)), streams_(streams) {}
 
   void take(servo::Host& host) {
     host.drain([this](const servo::TickRecord& record) {
       if (isDone()) return;
       summary_.add(record);
       if (recording_) recording_->add(record);
+      if (live_) live_->send(record);
     });
     if (recording_ && recording_->hasFailed() && !told_) {
       told_ = true;
       streams_.err << "The recording stopped: its file takes no more. The run goes on.\n";
     }
-    showProgress();
+    progress_.show(static_cast<double>(summary_.ticks()) / static_cast<double>(wanted_));
   }
   void tell(const servo::FaultReport& report) { summary_.tell(report.tick, report.fault); }
   bool isDone() const { return summary_.ticks() >= wanted_; }
@@ -98,18 +103,12 @@ class Run {
   Problems closeRecording() { return recording_ ? recording_->close() : Problems{}; }
 
  private:
-  void showProgress() {
-    const std::int64_t percent = 100 * summary_.ticks() / wanted_;
-    if (!streams_.progress || percent == shown_percent_) return;
-    shown_percent_ = percent;
-    streams_.err << '\r' << percent << " %" << (isDone() ? "\n" : "") << std::flush;
-  }
-
   std::int64_t wanted_;
   std::optional<Recording> recording_;
+  std::optional<stream::LiveStream> live_;
   const Streams& streams_;
   RunSummary summary_;
-  std::int64_t shown_percent_ = -1;
+  Progress progress_{streams_};
   bool told_ = false;  // that the recording stopped
 };
 
@@ -229,8 +228,22 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
     }
     recording = std::move(started).value();
   }
+  std::optional<stream::LiveStream> live;
+  if (!options.stream.empty()) {
+    const Result<stream::Address> address = stream::readAddress(options.stream);
+    if (!address) {
+      print(address.problems(), streams.err);
+      return Exit::Usage;
+    }
+    Result<stream::LiveStream> opened = stream::LiveStream::open(address.value(), options.rate_hz);
+    if (!opened) {
+      print(opened.problems(), streams.err);
+      return Exit::File;
+    }
+    live = std::move(opened).value();
+  }
   host.begin();
-  Run run(ticks, std::move(recording), streams);
+  Run run(ticks, std::move(recording), std::move(live), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt);
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
@@ -277,6 +290,11 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--notes", options->words.notes, "On the session");
   command->add_option("--tags", options->words.tags, "Of the session: words with commas between");
   command->add_option("--subject", options->words.subject, "Whose hand it is: a code, and nothing personal");
+  command
+      ->add_option("--stream", options->stream,
+                   "Send ticks as JSON over UDP (PlotJuggler): PORT, HOST or HOST:PORT; this machine's 9870 by itself")
+      ->expected(0, 1)
+      ->default_str(std::to_string(stream::kPort));
   command->add_option("--fault-file", options->fault_file,
                       "Where the servo stops by a fault, write it here, with its last second of ticks");
   command->add_option("--space", options->space, "Where the control works, in place of what the scene says")

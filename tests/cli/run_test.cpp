@@ -213,7 +213,6 @@ TEST(Run, WrongUsageIsToldWithStatus2) {
       {"--hand", "still", "--seconds", "1", "--max-late", "0"},
       {"--hand", "still", "--seconds", "1", "--arm-model", "wood"},
       {"--hand", "still", "--seconds", "1", "--seed", "-1"},
-      {"--hand", "still", "--seconds", "1", "--record", "session.h5"},
       {"--hand", "still", "--seconds", "1", "--frobnicate"},
   };
   for (const std::vector<std::string>& arguments : wrong) {
@@ -232,6 +231,7 @@ TEST(Run, FilesThatCannotBeReadOrWrittenGiveStatus4) {
   EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast"}, "no_such_scene.json").exit, Exit::File);
   EXPECT_EQ(run({"--hand", "/nowhere/hand.json", "--seconds", "1", "--fast"}).exit, Exit::File);
   EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/nowhere/a.csv"}).exit, Exit::File);
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/nowhere/a.h5"}).exit, Exit::File);
 }
 
 TEST(Run, AFullDiskIsToldAtOnceAndTheRunGoesOnToItsEnd) {

@@ -1,0 +1,151 @@
+#include "app/stream/live_stream.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "core/record/columns.h"
+
+namespace underact::stream {
+namespace {
+
+using boost::asio::ip::udp;
+
+/// A tick as one JSON object, in place.
+class Message {
+ public:
+  explicit Message(const servo::TickRecord& record) {
+    add("{\"timestamp\":");
+    addNumber(kSecondPerNanosecond * static_cast<double>(record.time_ns));
+    record::fillRow(record, *this);
+    add("}");
+  }
+  std::string_view text() const { return {text_.data(), size_}; }
+
+  // What fillRow() calls, column by column.
+  template <class Integer>
+  void integer(Integer value) {
+    begin();
+    addNumber(value);
+  }
+  void number(double value) {
+    if (!std::isfinite(value)) {
+      ++column_;
+      return;
+    }
+    begin();
+    addNumber(value);
+  }
+  void word(std::string_view value) {
+    begin();
+    add("\"");
+    add(value);
+    add("\"");
+  }
+
+ private:
+  void begin() {
+    add(",\"");
+    add(record::kColumns[column_++]);
+    add("\":");
+  }
+  void add(std::string_view more) {
+    const std::size_t fits = std::min(more.size(), text_.size() - size_);
+    std::copy_n(more.begin(), fits, text_.data() + size_);
+    size_ += fits;
+  }
+  template <class Number>
+  void addNumber(Number value) {
+    size_ = static_cast<std::size_t>(std::to_chars(text_.data() + size_, text_.data() + text_.size(), value).ptr -
+                                     text_.data());
+  }
+
+  std::array<char, 2048> text_{};  // 34 columns of at most 25 characters, and their names
+  std::size_t size_ = 0;
+  std::size_t column_ = 0;
+};
+
+}  // namespace
+
+bool Address::isThisMachine() const {
+  boost::system::error_code error;
+  return boost::asio::ip::make_address(host, error).is_loopback() && !error;
+}
+
+Result<Address> readAddress(const std::string& text) {
+  const auto wrong = [&] {
+    return Problems{{"\"" + text +
+                     "\" is no address. Give a port (9870), a host by its number (192.168.1.20), or both "
+                     "(192.168.1.20:9870, [::1]:9870)."}};
+  };
+  Address address;
+  std::string port;
+  const std::size_t bracket = text.rfind(']');
+  const std::size_t colon = text.rfind(':');
+  if (!text.empty() && std::all_of(text.begin(), text.end(), [](char one) { return one >= '0' && one <= '9'; })) {
+    port = text;
+  } else if (text.starts_with('[') && bracket != std::string::npos) {
+    address.host = text.substr(1, bracket - 1);
+    if (colon > bracket && colon != std::string::npos) port = text.substr(colon + 1);
+  } else if (colon != std::string::npos && text.find(':') == colon) {
+    address.host = text.substr(0, colon);
+    port = text.substr(colon + 1);
+    if (port.empty()) return wrong();
+  } else {
+    address.host = text;
+  }
+  const char* const end = port.data() + port.size();
+  if (!port.empty() && std::from_chars(port.data(), end, address.port).ptr != end) return wrong();
+  boost::system::error_code error;
+  boost::asio::ip::make_address(address.host, error);
+  if (error || address.port < 1 || address.port > 65535) return wrong();
+  return address;
+}
+
+struct LiveStream::Impl {
+  boost::asio::io_context context;
+  udp::socket socket{context};
+  udp::endpoint target;
+  std::int64_t every = 1, sent = 0, lost = 0;
+};
+
+LiveStream::LiveStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LiveStream::~LiveStream() = default;
+LiveStream::LiveStream(LiveStream&&) noexcept = default;
+LiveStream& LiveStream::operator=(LiveStream&&) noexcept = default;
+
+Result<LiveStream> LiveStream::open(const Address& address, int rate_hz) {
+  auto impl = std::make_unique<Impl>();
+  boost::system::error_code error;
+  const boost::asio::ip::address host = boost::asio::ip::make_address(address.host, error);
+  impl->target = udp::endpoint(host, static_cast<std::uint16_t>(address.port));
+  if (!error) impl->socket.open(impl->target.protocol(), error);
+  if (!error) impl->socket.non_blocking(true, error);
+  if (error) return Problems{{"Live data cannot be sent to " + address.host + ": " + error.message() + "."}};
+  impl->every = std::max(1, (rate_hz + kMostMessages_hz - 1) / kMostMessages_hz);
+  return LiveStream(std::move(impl));
+}
+
+void LiveStream::send(const servo::TickRecord& record) {
+  if (record.tick % impl_->every != 0) return;
+  const Message message(record);
+  boost::system::error_code error;
+  impl_->socket.send_to(boost::asio::buffer(message.text().data(), message.text().size()), impl_->target, 0, error);
+  // Nobody listening yet is no loss of ours: the system tells it with the message after.
+  ++(error && error != boost::asio::error::connection_refused ? impl_->lost : impl_->sent);
+}
+
+std::int64_t LiveStream::sent() const {
+  return impl_->sent;
+}
+
+std::int64_t LiveStream::lost() const {
+  return impl_->lost;
+}
+
+}  // namespace underact::stream

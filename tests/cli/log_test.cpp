@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "tests/cli/session.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+
+std::string textAtPath(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Records two seconds of a shipped scene; more: further options.
+void record(const std::string& file, const std::string& scene, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"run", shipped(scene), "--hand",   "probe", "--seconds",
+                                     "2",   "--fast",       "--record", file};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = runCli(arguments);
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+}
+
+/// The lines without the two columns that a clock measured.
+std::vector<std::string> rowsWithoutClock(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::vector<std::string> rows;
+  std::string line;
+  std::getline(lines, line);
+  std::vector<bool> kept;
+  std::istringstream names(line);
+  for (std::string name; std::getline(names, name, ',');) kept.push_back(name != "lateness_us" && name != "tick_us");
+  do {
+    std::istringstream fields(line);
+    std::string row, field;
+    for (std::size_t index = 0; std::getline(fields, field, ','); ++index) {
+      if (kept.at(index)) row += field + ",";
+    }
+    rows.push_back(row);
+  } while (std::getline(lines, line));
+  return rows;
+}
+
+}  // namespace
+
+TEST(Log, InfoSaysWhatASessionHolds) {
+  const ScratchFile session("", "s.h5");
+  record(session.path(), "02_sphere.json", {"--name", "first", "--tags", "demo,sphere", "--subject", "S07"});
+  const Outcome outcome = runCli({"log", "info", session.path(), "--json"});
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  const json::Value info = lines(outcome.out).at(0);
+  EXPECT_EQ(numberAt(info, "ticks"), 2000);
+  EXPECT_NEAR(numberAt(info, "duration_s"), 1.999, 1e-9);
+  EXPECT_TRUE(info.find("complete")->boolean);
+  EXPECT_EQ(textAt(info, "scene"), "Sphere");
+  EXPECT_EQ(textAt(info, "arm"), "omni-thesis");
+  EXPECT_EQ(textAt(info, "name"), "first");
+  EXPECT_EQ(textAt(info, "tags"), "demo,sphere");
+  EXPECT_EQ(textAt(info, "subject"), "S07");
+  EXPECT_EQ(textAt(info, "ended"), "stopped");
+  EXPECT_EQ(textAt(info, "notes"), "Hand probe, seed 1, arm model vendor-nominal.");
+  EXPECT_FALSE(textAt(info, "version").empty());
+  const Outcome table = runCli({"log", "info", session.path()});
+  EXPECT_NE(table.out.find("2000 at 1000 Hz"), std::string::npos) << table.out;
+}
+
+TEST(Log, ExportGivesTheRowsOfACsvRecordingOfTheSameRun) {
+  const ScratchFile session("", "s.h5"), csv("", "a.csv"), out("", "b.csv");
+  record(session.path(), "14_circle_influence.json");
+  record(csv.path(), "14_circle_influence.json");
+  const Outcome outcome = runCli({"log", "export", session.path(), "--out", out.path()});
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  const std::vector<std::string> rows = rowsWithoutClock(textAtPath(out.path()));
+  EXPECT_EQ(rows.size(), 2001U);
+  EXPECT_EQ(rows, rowsWithoutClock(textAtPath(csv.path())));
+  EXPECT_EQ(runCli({"log", "export", session.path(), "--format", "parquet"}).exit, Exit::Usage) << "it needs a name";
+}
+
+TEST(Log, VerifyFindsDamageAndSaysWhere) {
+  const ScratchFile session("", "s.h5");
+  record(session.path(), "02_sphere.json");
+  const Outcome whole = runCli({"log", "verify", session.path()});
+  EXPECT_EQ(whole.exit, Exit::Well) << whole.err;
+  EXPECT_EQ(whole.out, "2000 ticks, all of them whole.\n");
+  std::string bytes = textAtPath(session.path());
+  bytes[bytes.size() * 2 / 3] = static_cast<char>(bytes[bytes.size() * 2 / 3] ^ 4);
+  std::ofstream(session.path(), std::ios::binary) << bytes;
+  const Outcome damaged = runCli({"log", "verify", session.path()});
+  EXPECT_EQ(damaged.exit, Exit::BadInput) << damaged.out;
+  EXPECT_NE(damaged.err.find("damaged"), std::string::npos) << damaged.err;
+  const ScratchFile csv("", "a.csv");
+  const Outcome exported = runCli({"log", "export", session.path(), "--out", csv.path()});
+  EXPECT_EQ(exported.exit, Exit::BadInput) << "what is left out is said";
+}
+
+TEST(Log, RecoverLeavesAClosedSessionAsItIs) {
+  const ScratchFile session("", "s.h5");
+  record(session.path(), "02_sphere.json");
+  const std::string before = textAtPath(session.path());
+  const Outcome outcome = runCli({"log", "recover", session.path()});
+  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(textAtPath(session.path()), before);
+  EXPECT_EQ(runCli({"log", "recover", "/nowhere/s.h5"}).exit, Exit::File);
+}
+
+TEST(Log, OfWhatIsNoSessionSaysSo) {
+  const ScratchFile text("tick,time_s\n1,0.001\n", "s.h5");
+  for (const char* command : {"info", "verify", "export"}) {
+    const Outcome outcome = runCli({"log", command, text.path()});
+    EXPECT_EQ(outcome.exit, Exit::File) << command;
+    EXPECT_NE(outcome.err.find("This is no session"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+TEST(ReplayCommand, VerifiesToTheBitAndFindsAForgedForce) {
+  const ScratchFile session("", "s.h5");
+  record(session.path(), "20_scara.json");
+  const Outcome outcome = runCli({"replay", session.path(), "--verify"});
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  const json::Value answer = lines(outcome.out).at(0);
+  EXPECT_TRUE(answer.find("identical")->boolean);
+  EXPECT_EQ(numberAt(answer, "identical_ticks"), 2000);
+  EXPECT_EQ(runCli({"replay", session.path(), "--verify", "--kp", "1"}).exit, Exit::Usage);
+}
+
+TEST(ReplayCommand, ComparesOtherGainsWithWhatWasRecorded) {
+  const ScratchFile session("", "s.h5"), csv("", "now.csv");
+  record(session.path(), "02_sphere.json");
+  const Outcome same = runCli({"replay", session.path()});
+  ASSERT_EQ(same.exit, Exit::Well) << same.err;
+  EXPECT_EQ(numberAt(*lines(same.out).at(0).find("force_difference"), "max_N"), 0.0);
+  const Outcome softer = runCli({"replay", session.path(), "--kp", "0.01", "--record", csv.path()});
+  ASSERT_EQ(softer.exit, Exit::Well) << softer.err;
+  const json::Value answer = lines(softer.out).at(0);
+  const double recorded_N = numberAt(*answer.find("recorded"), "mean_force_N");
+  const double now_N = numberAt(*answer.find("replayed"), "mean_force_N");
+  EXPECT_LT(now_N, 0.5 * recorded_N);
+  EXPECT_EQ(rowsWithoutClock(textAtPath(csv.path())).size(), 2001U);
+  const Outcome other = runCli({"replay", session.path(), "--scene", shipped("04_plane.json")});
+  EXPECT_EQ(other.exit, Exit::Well) << other.err;
+  EXPECT_GT(numberAt(*lines(other.out).at(0).find("force_difference"), "max_N"), 0.0);
+  EXPECT_EQ(runCli({"replay", session.path(), "--kp", "-1"}).exit, Exit::Usage);
+}
+
+}  // namespace underact::test
