@@ -1,8 +1,9 @@
 #include "core/record/table.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <bit>
-#include <boost/crc.hpp>
 #include <cstring>
 #include <numeric>
 
@@ -21,9 +22,7 @@ std::size_t rowBytes(const Table& table) {
 }
 
 std::uint32_t crcOf(std::span<const std::byte> bytes) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
+  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 namespace {

@@ -32,8 +32,6 @@ using std::chrono::steady_clock;
 
 namespace {
 
-constexpr int kBlock = 100;
-
 scene::Description sphere() {
   scene::Description scene;
   scene.title = "Ball";
@@ -66,61 +64,69 @@ std::vector<servo::TickRecord> someTicks(std::int64_t count) {
   return ticks;
 }
 
+/// Ticks, and how many of them are written at a time: a tenth of a second.
+struct Load {
+  const std::vector<servo::TickRecord>& ticks;
+  std::size_t block = 100;
+};
+
 /// Writes all ticks, a block at a time, and prints how that went.
-void measure(const char* what, const std::string& path, const std::vector<servo::TickRecord>& ticks,
+void measure(const char* what, const std::string& path, const Load& load,
              const std::function<void(const servo::TickRecord&)>& row, const std::function<void()>& flush,
              const std::function<void()>& close) {
   double longest_s = 0.0;
   const auto begin = steady_clock::now();
-  for (std::size_t first = 0; first < ticks.size(); first += kBlock) {
+  for (std::size_t first = 0; first < load.ticks.size(); first += load.block) {
     const auto before = steady_clock::now();
-    for (std::size_t index = first; index < std::min(ticks.size(), first + kBlock); ++index) row(ticks[index]);
+    for (std::size_t index = first; index < std::min(load.ticks.size(), first + load.block); ++index)
+      row(load.ticks[index]);
     flush();
     longest_s = std::max(longest_s, std::chrono::duration<double>(steady_clock::now() - before).count());
   }
   const double taken_s = std::chrono::duration<double>(steady_clock::now() - begin).count();
   close();
-  const auto count = static_cast<double>(ticks.size());
+  const auto count = static_cast<double>(load.ticks.size());
   std::printf("%-28s %10.0f rows/s %8.1f bytes/row %9.2f ms the longest block\n", what, count / taken_s,
               static_cast<double>(std::filesystem::file_size(path)) / count, 1e3 * longest_s);
 }
 
-void measureSession(const std::string& path, const std::vector<servo::TickRecord>& ticks) {
-  Result<record::SessionWriter> writer = record::SessionWriter::create(path, {});
+void measureSession(const std::string& path, const Load& load) {
+  record::SessionHeader header;
+  header.rate_hz = static_cast<std::int64_t>(10 * load.block);
+  Result<record::SessionWriter> writer = record::SessionWriter::create(path, header);
   writer.value().begin(1, 0, {}, {});
   measure(
-      "session (HDF5, SWMR)", path, ticks, [&](const servo::TickRecord& tick) { writer.value().add(tick); },
+      "session (HDF5, SWMR)", path, load, [&](const servo::TickRecord& tick) { writer.value().add(tick); },
       [&] { writer.value().flush(); }, [&] { writer.value().end({}); });
 }
 
-void measureRaw(const std::string& path, const std::vector<servo::TickRecord>& ticks) {
+void measureRaw(const std::string& path, const Load& load) {
   std::FILE* const file = std::fopen(path.c_str(), "wb");
   record::Packer packer(record::tickColumns());
   const arm::Geometry geometry = arm::findPreset(arm::kDefaultArm)->geometry;
-  packer.begin(kBlock);
+  packer.begin(static_cast<std::int64_t>(load.block));
   measure(
-      "raw append", path, ticks, [&](const servo::TickRecord& tick) { record::pack(tick, geometry, packer); },
+      "raw append", path, load, [&](const servo::TickRecord& tick) { record::pack(tick, geometry, packer); },
       [&] {
         const record::Block block = packer.block();
         std::fwrite(block.bytes.data(), 1, block.bytes.size(), file);
         std::fflush(file);
-        packer.begin(kBlock);
+        packer.begin(static_cast<std::int64_t>(load.block));
       },
       [&] { std::fclose(file); });
 }
 
-void measureCsv(const std::string& path, const std::vector<servo::TickRecord>& ticks) {
+void measureCsv(const std::string& path, const Load& load) {
   Result<record::CsvWriter> csv = record::CsvWriter::open(path);
   measure(
-      "CSV (34 columns)", path, ticks, [&](const servo::TickRecord& tick) { csv.value().add(tick); }, [] {},
+      "CSV (34 columns)", path, load, [&](const servo::TickRecord& tick) { csv.value().add(tick); }, [] {},
       [&] { csv.value().close(); });
 }
 
 #if UNDERACT_HAS_SQLITE
 /// The same numbers, a row a tick, a transaction a block. WAL, and synchronous NORMAL or OFF: a kill loses nothing in
 /// either, a power cut may with OFF, as with all the others here.
-void measureSqlite(const char* what, const char* synchronous, const std::string& path,
-                   const std::vector<servo::TickRecord>& ticks) {
+void measureSqlite(const char* what, const char* synchronous, const std::string& path, const Load& load) {
   constexpr int kNumbers = 43;
   sqlite3* base = nullptr;
   sqlite3_open(path.c_str(), &base);
@@ -137,7 +143,7 @@ void measureSqlite(const char* what, const char* synchronous, const std::string&
   sqlite3_prepare_v2(base, ("INSERT INTO ticks VALUES(" + marks + ")").c_str(), -1, &insert, nullptr);
   run("BEGIN");
   measure(
-      what, path, ticks,
+      what, path, load,
       [&](const servo::TickRecord& tick) {
         sqlite3_bind_int64(insert, 1, tick.tick);
         sqlite3_bind_int64(insert, 2, tick.time_ns);
@@ -188,17 +194,21 @@ int main(int argc, char** argv) {
   const double seconds = argc > 2 ? std::atof(argv[2]) : 10.0;
   const std::string path = (folder / "underact-record-bench.file").string();
   const std::vector<servo::TickRecord> ticks = someTicks(200'000);
-  std::printf("%zu ticks in blocks of %d into %s\n", ticks.size(), kBlock, folder.c_str());
-  measureSession(path, ticks);
-  measureRaw(path, ticks);
-  measureCsv(path, ticks);
-  std::filesystem::remove(path);
+  for (const std::size_t block : {100, 400, 1000}) {
+    const Load load{ticks, block};
+    std::printf("%zu ticks in blocks of %zu, as at %zu Hz, into %s\n", ticks.size(), block, 10 * block, folder.c_str());
+    measureSession(path, load);
+    measureRaw(path, load);
+    measureCsv(path, load);
+    std::filesystem::remove(path);
 #if UNDERACT_HAS_SQLITE
-  for (const auto& [what, synchronous] : {std::pair{"SQLite (WAL, NORMAL)", "NORMAL"}, {"SQLite (WAL, OFF)", "OFF"}}) {
-    measureSqlite(what, synchronous, path, ticks);
-    for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(path + end);
-  }
+    for (const auto& [what, synchronous] :
+         {std::pair{"SQLite (WAL, NORMAL)", "NORMAL"}, {"SQLite (WAL, OFF)", "OFF"}}) {
+      measureSqlite(what, synchronous, path, load);
+      for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(path + end);
+    }
 #endif
+  }
   for (const int rate_hz : {1000, 4000, 10000}) {
     for (int round = 0; round < 2; ++round) {
       measureLateness(rate_hz, false, seconds, path);
