@@ -20,7 +20,7 @@ def line(axes: Axes, time_s: np.ndarray, values: np.ndarray, **more) -> None:
 
 
 def _start(view: View, width_in: float, rows: int = 1) -> tuple[Figure, list[Axes]]:
-    figure = style.new_figure(width_in, (0.45 if rows == 1 else 0.62) * width_in + 0.5)
+    figure = style.new_figure(width_in, (0.45 if rows == 1 else 0.62) * width_in + 0.5 * rows)
     panels = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0].tolist()
     style.footer(figure, view.footer)
     return figure, panels
