@@ -134,9 +134,12 @@ def third_order_numbers(programs: Programs | None) -> list[Number]:
     ]
 
 
+_WHITE = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+
+
 def _mark_time(axes: Axes, from_s: float, to_s: float, level: float, words: str) -> None:
     axes.annotate("", (to_s, level), (from_s, level), arrowprops={"arrowstyle": "<->", "linewidth": 0.8})
-    axes.text((from_s + to_s) / 2, level, words, ha="center", va="bottom", fontsize=7)
+    axes.text((from_s + to_s) / 2, level, words, ha="center", va="center", fontsize=7, bbox=_WHITE)
 
 
 def first_order_marks(_: Programs | None) -> Figure:
@@ -179,8 +182,9 @@ def second_order_marks(_: Programs | None) -> Figure:
     axes.plot(time_s, response, color=style.DARK)
     axes.axhspan(0.98, 1.02, color=style.SKY, alpha=0.3, linewidth=0, label="2 %")
     rise_10 = float(np.interp(0.1, response[: int(np.argmax(response))], time_s[: int(np.argmax(response))]))
-    _mark_time(axes, rise_10, rise_10 + found.rise_10_90_s, 0.5, "")
-    axes.text(rise_10 + found.rise_10_90_s + 0.2, 0.5, "rise time, $T_r$", va="center", fontsize=7)
+    rise_90 = rise_10 + found.rise_10_90_s
+    axes.annotate("", (rise_90, 0.6), (rise_10, 0.6), arrowprops={"arrowstyle": "<->", "linewidth": 0.8})
+    axes.text(rise_90 + 0.2, 0.6, "rise time, $T_r$", va="center", fontsize=7, bbox=_WHITE)
     peak = 1 + found.overshoot_fraction
     axes.plot([found.peak_time_s] * 2, [0, peak], color=style.GREY, linestyle=":", linewidth=0.8)
     axes.plot(found.peak_time_s, peak, "s", color=style.TARGET, markersize=4)

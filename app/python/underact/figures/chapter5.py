@@ -112,15 +112,16 @@ def code_5_2(p_mm: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 def manipulator_moments(view: View) -> Figure:
     """5.8: circle, stylus, nearest point, tangent and force, at four moments of the run."""
-    figure = style.new_figure(7.0, 6.6)
+    figure = style.new_figure(7.0, 5.8)
     panels = figure.subplots(2, 2, sharex=True, sharey=True)
     z = stylus_axis(view["quat_WT"])
     for axes, at_s in zip(panels.ravel(), (1.2, 3.0, 4.5, 6.2)):
         row = int(np.searchsorted(view.time_s, at_s))
         _moment(axes, view["p_WT_mm"][row], z[row], view["force_sent_N"][row])
         axes.set_title(f"{view.time_s[row]:.1f} s, force {np.linalg.norm(view['force_sent_N'][row]):.2f} N")
-    handles, labels = panels[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=len(labels), bbox_to_anchor=(0.5, 1.0))
+    for axes in panels.ravel():
+        axes.label_outer()
+    style.legend_outside(panels[0, 1])
     style.footer(figure, view.footer + " · forces 20 mm for 1 N")
     return figure
 

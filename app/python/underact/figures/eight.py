@@ -49,15 +49,14 @@ def tree(answer: dict) -> Figure:
             axes.text(depth, y, f" {sign:+d} ", ha="center", va="center", bbox={"fc": "white", "ec": style.GREY, "pad": 1.5})
             children[index] = (float(depth), y)
         parents = children
-        axes.text(depth, 8.1, f"{sign_key} ({name})", ha="center", color=style.BLUE)
+        axes.text(depth, -0.9, f"{sign_key}\n({name})", ha="center", va="bottom", color=style.BLUE)
     axes.text(0, 3.5, " pose ", ha="center", va="center", bbox={"fc": "white", "ec": style.DARK})
-    axes.text(3.35, 8.1, "θ₁ … θ₆ [deg]", color=style.BLUE)
+    axes.text(3.4, -0.9, "θ₁ to θ₆ [deg]", va="bottom", color=style.BLUE)
     for index, one in enumerate(order):
         words = "  ".join(f"{math.degrees(angle):7.1f}" for angle in one["q_rad"])
         axes.text(3.35, index, words, va="center", family="DejaVu Sans Mono", fontsize=6.5)
     axes.set_xlim(-0.3, 6.3)
-    axes.set_ylim(-0.6, 8.6)
-    axes.invert_yaxis()
+    axes.set_ylim(7.6, -2.4)
     return figure
 
 

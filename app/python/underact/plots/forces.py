@@ -71,7 +71,7 @@ def frame_axes(axes: Axes, reach: np.ndarray) -> None:
     half = np.maximum(np.ptp(reach, axis=0) / 2, 0.15 * np.ptp(reach, axis=0).max()) + 1.0
     for where, center, size in zip("xyz", middle, half):
         getattr(axes, f"set_{where}lim")(center - size, center + size)
-    axes.set_box_aspect(half, zoom=0.95)
+    axes.set_box_aspect(half, zoom=0.86)
     axes.set_proj_type("ortho")
     axes.view_init(elev=22, azim=28)
     for letter, where in zip("zxy", ("x", "y", "z")):
