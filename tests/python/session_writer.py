@@ -43,7 +43,7 @@ class Writer:
     def __init__(self, path: Path, scene: dict = SCENE, block_rows: int = 100):
         self.file = h5py.File(path, "w", libver=("v110", "v110"))
         for name, columns in TABLES.items():
-            rows = {"ticks": block_rows, "text": 4096, "start": 4096}.get(name, 1)
+            rows = {"ticks": block_rows, "text": 64, "start": 4096}.get(name, 1)
             group = self.file.create_group(name)
             group.attrs["columns"] = np.bytes_(",".join(columns))
             group.attrs["block_rows"] = np.int64(rows)
@@ -87,10 +87,10 @@ class Writer:
             crc32[-1] = crc
 
     def _text(self, words: str) -> tuple[int, int]:
-        """Appends words as a block of their own: /text has its blocks filled with spaces up to block_rows."""
+        """Appends words, filled up with zeros to whole blocks."""
         stored = words.encode()
         size = int(self.file["text"].attrs["block_rows"])
-        padded = stored + b" " * (-len(stored) % size)
+        padded = stored + bytes(-len(stored) % size)
         self.append("text", {"bytes": np.frombuffer(padded, "u1")})
         at = self.texts
         self.texts += len(padded)

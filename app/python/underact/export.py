@@ -38,10 +38,15 @@ CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
 }
 
 
-def _needs(package: str, form: str) -> SessionError:
+#: what to ask pip for: a newer pyarrow wants a newer numpy than Debian 12 has
+_PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
+
+
+def _needs(package: str, form: str, error: ImportError) -> SessionError:
+    here = "is not installed" if isinstance(error, ModuleNotFoundError) else f"does not work here ({error})"
     return SessionError(
-        f"Writing {form} takes the Python package {package}, which is not installed. "
-        f"Install it with: python3 -m pip install {package} (on Debian in an environment made with "
+        f"Writing {form} takes the Python package {package}, which {here}. "
+        f"Install it with: python3 -m pip install {_PACKAGES[package]} (on Debian in an environment made with "
         "python3 -m venv --system-site-packages DIR). Or export CSV, which takes nothing."
     )
 
@@ -81,7 +86,7 @@ def parquet(session: Session, out: str | Path) -> None:
         import pyarrow
         import pyarrow.parquet
     except ImportError as error:
-        raise _needs("pyarrow", "Parquet") from error
+        raise _needs("pyarrow", "Parquet", error) from error
     table = pyarrow.Table.from_pandas(session.frame(), preserve_index=False)
     words = {f"underact_{name}": str(value) for name, value in session.attributes.items()}
     words["underact_scene"] = json.dumps(session.scene)
@@ -138,7 +143,7 @@ def mcap(session: Session, out: str | Path) -> None:
     try:
         from mcap.writer import Writer
     except ImportError as error:
-        raise _needs("mcap", "MCAP") from error
+        raise _needs("mcap", "MCAP", error) from error
     attributes = session.attributes
     start_ns = int(attributes.get("started_unix_ns") or 0)
     with open(out, "wb") as file:

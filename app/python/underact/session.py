@@ -27,7 +27,7 @@ _SETTLES_S = 2.0  # a block that a writer is in the middle of is whole after so 
 
 @dataclass(frozen=True)
 class Change:
-    """A scene that came into effect. carry: loaded, gains or targets."""
+    """A scene that came into effect. carry: loaded, gains or targets. scene: {} where none was loaded."""
 
     tick: int
     revision: int
@@ -211,6 +211,8 @@ class Session:
         return stored[at : at + size].astype(np.uint8).tobytes().decode("utf-8", "replace")
 
     def _scene(self, at: int, size: int) -> dict:
+        if size == 0:  # nothing was loaded yet
+            return {}
         try:
             return json.loads(self._text(at, size))
         except json.JSONDecodeError as error:

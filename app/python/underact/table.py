@@ -101,7 +101,7 @@ class Table(Mapping):
     def refresh(self) -> None:
         """Looks for what a program that still writes has added. What was read stays checked."""
         for dataset in [self._crc32, *self._datasets.values()]:
-            dataset.id.refresh()
+            dataset.refresh()  # the high-level one: it forgets the shape, too
 
     def bad_blocks(self, first_row: int, end_row: int) -> list[int]:
         """The blocks of rows [first_row, end_row) whose bytes are not those written; first_row begins one."""
@@ -162,11 +162,14 @@ class Table(Mapping):
         tick = self._datasets["tick"]
         if self.name != "ticks":  # rows are far apart: only their own says which
             return int(tick[first]), int(tick[end - 1])
-        if first > 0:
-            before = int(tick[first - 1])
-            return before + 1, before + end - first
-        after = int(tick[end]) if end < tick.shape[0] else int(tick[first]) + end - first
-        return after - (end - first), after - 1
+        before = int(tick[first - 1]) if first > 0 else None
+        after = int(tick[end]) if end < tick.shape[0] else None
+        if before is None and after is None:
+            return int(tick[first]), int(tick[end - 1])
+        return (
+            after - (end - first) if before is None else before + 1,
+            before + (end - first) if after is None else after - 1,
+        )
 
 
 def _little_endian(values: np.ndarray) -> np.ndarray:

@@ -42,7 +42,7 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     """The shapes of the scene in blue, over them the way of the tip, coloured and thickened by the force."""
     p_mm = view["p_WT_mm"]
     reach = [p_mm[:, _DRAWN]]
-    for constraint in view.scene["constraints"]:
+    for constraint in view.scene.get("constraints", []):
         lines = [line[:, _DRAWN] for line in outlines(constraint, p_mm)]
         if lines:
             width = 0.5 if len(lines) > 3 else 1.2
