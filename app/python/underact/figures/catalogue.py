@@ -78,7 +78,7 @@ CATALOGUE: tuple[Entry, ...] = (
           "run", "influence", 11.0, chapter5.angle_histories, chapter5.angle_history_numbers),
     Entry("5.8", "Virtual manipulator results",
           "One joint of 50 mm, 0.5 N/mm and 250 N mm/rad, the thesis's force law with its misprints corrected: circle, stylus, "
-          "nearest point, tangent and force at four moments.",
+          "nearest point, tangent and force; turned one way, the other way, not at all, and pressed inwards.",
           "run", "manipulator", 10.0, chapter5.manipulator_moments, chapter5.manipulator_numbers),
     Entry("B.1", "First order system response", "a / (s + a): 1 at the end, whatever a is.",
           "step", draw=appendix_b.first_order, check=appendix_b.first_order_numbers),

@@ -115,7 +115,7 @@ def manipulator_moments(view: View) -> Figure:
     figure = style.new_figure(7.0, 5.8)
     panels = figure.subplots(2, 2, sharex=True, sharey=True)
     z = stylus_axis(view["quat_WT"])
-    for axes, at_s in zip(panels.ravel(), (1.2, 3.0, 4.5, 6.2)):
+    for axes, at_s in zip(panels.ravel(), (2.0, 4.0, 6.0, 8.0)):
         row = int(np.searchsorted(view.time_s, at_s))
         _moment(axes, view["p_WT_mm"][row], z[row], view["force_sent_N"][row])
         axes.set_title(f"{view.time_s[row]:.1f} s, force {np.linalg.norm(view['force_sent_N'][row]):.2f} N")
