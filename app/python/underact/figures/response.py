@@ -46,12 +46,12 @@ def step(numerator: list[float], denominator: list[float], end_s: float, points:
     system[order - 1, order] = 1.0
     time_s = np.linspace(0.0, end_s, points)
     advance = _exponential(system * (time_s[1] - time_s[0]))
-    state = np.zeros(order + 1)
-    state[order] = 1.0
-    response = np.empty(points)
-    for index in range(points):
-        response[index] = state[:order] @ b[::-1]
-        state = advance @ state
+    states = np.zeros((1, order + 1))
+    states[0, order] = 1.0
+    while len(states) < points:  # all states so far, advanced by as many steps, are those that follow
+        states = np.concatenate([states, states @ advance.T])
+        advance = advance @ advance
+    response = states[:points, :order] @ b[::-1]
     return time_s, response
 
 
