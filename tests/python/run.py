@@ -1,4 +1,6 @@
-"""Runs test modules: `run.py MODULE...`. Exit status 0, 1, or 77 where something was skipped, saying what and why."""
+"""Runs test modules: `run.py MODULE...`. Exit status 0, 1, or 77 where something was skipped,
+saying what and why.
+"""
 
 import sys
 import unittest

@@ -1,4 +1,6 @@
-"""Writes session files by the letter of resources/guide/session_file.md: the tests' double of the program's own writer."""
+"""Writes session files by the letter of resources/guide/session_file.md: the tests' double of
+the program's own writer.
+"""
 
 from __future__ import annotations
 
@@ -10,16 +12,48 @@ import h5py
 import numpy as np
 
 TYPES = {  # what is not a double
-    "tick": "<i8", "time_ns": "<i8", "buttons": "<u4", "limits": "<u4", "fault": "u1", "revision": "<u8",
-    "input": "u1", "carry": "u1", "text_at": "<u8", "text_bytes": "<u4", "kind": "u1", "from_servo": "u1",
-    "dropped": "<i8", "unix_ns": "<i8", "reason": "u1", "bytes": "u1",
-}  # fmt: skip
+    "tick": "<i8",
+    "time_ns": "<i8",
+    "buttons": "<u4",
+    "limits": "<u4",
+    "fault": "u1",
+    "revision": "<u8",
+    "input": "u1",
+    "carry": "u1",
+    "text_at": "<u8",
+    "text_bytes": "<u4",
+    "kind": "u1",
+    "from_servo": "u1",
+    "dropped": "<i8",
+    "unix_ns": "<i8",
+    "reason": "u1",
+    "bytes": "u1",
+}
 TICKS = {
-    "tick": 1, "time_ns": 1, "q_rad": 6, "buttons": 1, "p_WT_mm": 3, "quat_WT": 4, "v_WT_mm_per_s": 3, "p_WP_mm": 3,
-    "error_mm": 1, "force_asked_N": 3, "force_sent_N": 3, "gate_level": 1, "cut_N": 1, "limits": 1, "heat": 3,
-    "fault": 1, "alpha_beta_theta_rad": 3, "energy_mJ": 1, "passive_N": 1, "lateness_us": 1, "tick_us": 1,
-    "revision": 1, "input": 1,
-}  # fmt: skip
+    "tick": 1,
+    "time_ns": 1,
+    "q_rad": 6,
+    "buttons": 1,
+    "p_WT_mm": 3,
+    "quat_WT": 4,
+    "v_WT_mm_per_s": 3,
+    "p_WP_mm": 3,
+    "error_mm": 1,
+    "force_asked_N": 3,
+    "force_sent_N": 3,
+    "gate_level": 1,
+    "cut_N": 1,
+    "limits": 1,
+    "heat": 3,
+    "fault": 1,
+    "alpha_beta_theta_rad": 3,
+    "energy_mJ": 1,
+    "passive_N": 1,
+    "lateness_us": 1,
+    "tick_us": 1,
+    "revision": 1,
+    "input": 1,
+}
 TABLES = {
     "ticks": TICKS,
     "changes": {"tick": 1, "revision": 1, "carry": 1, "text_at": 1, "text_bytes": 1},
@@ -50,17 +84,35 @@ class Writer:
             for column, width in columns.items():
                 shape = (0,) if width == 1 else (0, width)
                 dataset = group.create_dataset(
-                    column, shape, TYPES.get(column, "<f8"), maxshape=(None, *shape[1:]), chunks=(max(rows, 64), *shape[1:])
+                    column,
+                    shape,
+                    TYPES.get(column, "<f8"),
+                    maxshape=(None, *shape[1:]),
+                    chunks=(max(rows, 64), *shape[1:]),
                 )
-                dataset.attrs["unit"] = np.bytes_(column.rsplit("_", 1)[-1] if "_" in column else "1")
+                dataset.attrs["unit"] = np.bytes_(
+                    column.rsplit("_", 1)[-1] if "_" in column else "1"
+                )
                 dataset.attrs["meaning"] = np.bytes_(f"the {column} of a row")
             group.create_dataset("crc32", (0,), "<u4", maxshape=(None,), chunks=(64,))
         attributes = {
-            "underact_session": np.int64(1), "program_version": b"0.1.0", "name": b"", "notes": b"", "tags": b"",
-            "subject": b"", "scene_title": scene["title"].encode(), "arm": b"omni-thesis", "arm_file": b"{}",
-            "device": b"simulated arm", "scheduling": b"as fast as possible", "started_unix_ns": np.int64(10**18),
-            "rate_hz": np.int64(1000), "frozen_s": 0.0, "max_late": np.int64(20), "start_layout": np.int64(1),
-        }  # fmt: skip
+            "underact_session": np.int64(1),
+            "program_version": b"0.1.0",
+            "name": b"",
+            "notes": b"",
+            "tags": b"",
+            "subject": b"",
+            "scene_title": scene["title"].encode(),
+            "arm": b"omni-thesis",
+            "arm_file": b"{}",
+            "device": b"simulated arm",
+            "scheduling": b"as fast as possible",
+            "started_unix_ns": np.int64(10**18),
+            "rate_hz": np.int64(1000),
+            "frozen_s": 0.0,
+            "max_late": np.int64(20),
+            "start_layout": np.int64(1),
+        }
         for name, value in attributes.items():
             self.file.attrs[name] = np.bytes_(value) if isinstance(value, bytes) else value
         self.texts = 0
@@ -98,7 +150,13 @@ class Writer:
 
     def change(self, tick: int, revision: int, carry: int, scene: dict) -> None:
         at, size = self._text(json.dumps(scene))
-        row = {"tick": [tick], "revision": [revision], "carry": [carry], "text_at": [at], "text_bytes": [size]}
+        row = {
+            "tick": [tick],
+            "revision": [revision],
+            "carry": [carry],
+            "text_at": [at],
+            "text_bytes": [size],
+        }
         self.append("changes", row)
 
     def mark(self, tick: int, label: str) -> None:
@@ -106,7 +164,16 @@ class Writer:
         self.append("markers", {"tick": [tick], "text_at": [at], "text_bytes": [size]})
 
     def fault(self, tick: int, kind: int, seen: float, allowed: float) -> None:
-        self.append("faults", {"tick": [tick], "kind": [kind], "seen": [seen], "allowed": [allowed], "from_servo": [1]})
+        self.append(
+            "faults",
+            {
+                "tick": [tick],
+                "kind": [kind],
+                "seen": [seen],
+                "allowed": [allowed],
+                "from_servo": [1],
+            },
+        )
 
     def ticks(self, columns: dict[str, np.ndarray]) -> None:
         self.append("ticks", columns)
@@ -120,12 +187,18 @@ class Writer:
                 dataset.flush()
 
     def end(self, tick: int, reason: int = 0) -> None:
-        self.append("end", {"tick": [tick], "dropped": [0], "unix_ns": [10**18 + 10**9], "reason": [reason]})
+        self.append(
+            "end", {"tick": [tick], "dropped": [0], "unix_ns": [10**18 + 10**9], "reason": [reason]}
+        )
         self.file.close()
 
 
-def sphere_ticks(rows: int, first: int = 1, seed: int = 1, kp_N_per_mm: float = 0.5) -> dict[str, np.ndarray]:
-    """Ticks of a stylus that circles about a sphere of 50 mm, at 1 kHz; all columns, by the law P with a clamp."""
+def sphere_ticks(
+    rows: int, first: int = 1, seed: int = 1, kp_N_per_mm: float = 0.5
+) -> dict[str, np.ndarray]:
+    """Ticks of a stylus that circles about a sphere of 50 mm, at 1 kHz; all columns, by the
+    law P with a clamp.
+    """
     tick = np.arange(first, first + rows)
     t_s = tick * 1e-3
     random = np.random.default_rng(seed)
@@ -138,17 +211,30 @@ def sphere_ticks(rows: int, first: int = 1, seed: int = 1, kp_N_per_mm: float = 
     sent = asked * np.minimum(1, 0.88 / np.maximum(size, 1e-9))[:, None]
     alpha, beta = np.sin(t_s), np.cos(t_s)
     return {
-        "tick": tick, "time_ns": tick * 1_000_000, "q_rad": 0.1 * np.sin(np.outer(t_s, np.arange(1, 7))),
-        "buttons": (t_s % 1 > 0.5).astype("u4"), "p_WT_mm": p_WT, "quat_WT": np.tile([1.0, 0, 0, 0], (rows, 1)),
-        "v_WT_mm_per_s": np.gradient(p_WT, 1e-3, axis=0) if rows > 1 else np.zeros((rows, 3)), "p_WP_mm": p_WP,
-        "error_mm": np.abs(radius_mm - 50), "force_asked_N": asked, "force_sent_N": sent,
-        "gate_level": np.minimum(1, t_s / 0.3), "cut_N": size - np.linalg.norm(sent, axis=1),
-        "limits": (size > 0.88).astype("u4"), "heat": 0.01 * np.ones((rows, 3)), "fault": np.zeros(rows, "u1"),
+        "tick": tick,
+        "time_ns": tick * 1_000_000,
+        "q_rad": 0.1 * np.sin(np.outer(t_s, np.arange(1, 7))),
+        "buttons": (t_s % 1 > 0.5).astype("u4"),
+        "p_WT_mm": p_WT,
+        "quat_WT": np.tile([1.0, 0, 0, 0], (rows, 1)),
+        "v_WT_mm_per_s": np.gradient(p_WT, 1e-3, axis=0) if rows > 1 else np.zeros((rows, 3)),
+        "p_WP_mm": p_WP,
+        "error_mm": np.abs(radius_mm - 50),
+        "force_asked_N": asked,
+        "force_sent_N": sent,
+        "gate_level": np.minimum(1, t_s / 0.3),
+        "cut_N": size - np.linalg.norm(sent, axis=1),
+        "limits": (size > 0.88).astype("u4"),
+        "heat": 0.01 * np.ones((rows, 3)),
+        "fault": np.zeros(rows, "u1"),
         "alpha_beta_theta_rad": np.stack([alpha, beta, 0.5 * (alpha + beta)], axis=1),
-        "energy_mJ": 0.25 * (radius_mm - 50) ** 2 - 0.2, "passive_N": np.zeros(rows),
-        "lateness_us": random.gamma(2.0, 5.0, rows), "tick_us": 0.3 + 0.05 * random.random(rows),
-        "revision": np.ones(rows, "u8"), "input": np.full(rows, 3, "u1"),
-    }  # fmt: skip
+        "energy_mJ": 0.25 * (radius_mm - 50) ** 2 - 0.2,
+        "passive_N": np.zeros(rows),
+        "lateness_us": random.gamma(2.0, 5.0, rows),
+        "tick_us": 0.3 + 0.05 * random.random(rows),
+        "revision": np.ones(rows, "u8"),
+        "input": np.full(rows, 3, "u1"),
+    }
 
 
 def write_session(path: Path, rows: int = 2050) -> Path:

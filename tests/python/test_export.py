@@ -26,7 +26,9 @@ def works(package: str) -> bool:
 class Csv(InFolder):
     def test_has_the_numbers_of_the_session(self):
         path = write_session(self.folder / "a.h5", 250)
-        self.assertEqual(command("export", path, "--format", "csv", "--out", self.folder / "a.csv")[0], 0)
+        self.assertEqual(
+            command("export", path, "--format", "csv", "--out", self.folder / "a.csv")[0], 0
+        )
         table = pandas.read_csv(self.folder / "a.csv", float_precision="round_trip")
         wanted = sphere_ticks(250)
         np.testing.assert_array_equal(table[["x_mm", "y_mm", "z_mm"]].to_numpy(), wanted["p_WT_mm"])
@@ -47,18 +49,42 @@ class Csv(InFolder):
         self.assertEqual((rows[1]["error_mm"], rows[1]["fault"]), ("", "too_fast"))
 
     def test_is_what_the_program_records_as_csv(self):
-        words = ["run", ROOT / "scenes/14_circle_influence.json", "--hand", "tremor", "--seconds", "1.2", "--fast"]
+        words = [
+            "run",
+            ROOT / "scenes/14_circle_influence.json",
+            "--hand",
+            "tremor",
+            "--seconds",
+            "1.2",
+            "--fast",
+        ]
         for name in ("a.h5", "b.csv"):
-            subprocess.run([CLI, *words, "--record", self.folder / name], check=True, stdout=subprocess.DEVNULL)
-        self.assertEqual(command("export", self.folder / "a.h5", "--format", "csv", "--out", self.folder / "a.csv")[0], 0)
-        ours, theirs = (pandas.read_csv(self.folder / n, float_precision="round_trip") for n in ("a.csv", "b.csv"))
+            subprocess.run(
+                [CLI, *words, "--record", self.folder / name], check=True, stdout=subprocess.DEVNULL
+            )
+        self.assertEqual(
+            command(
+                "export", self.folder / "a.h5", "--format", "csv", "--out", self.folder / "a.csv"
+            )[0],
+            0,
+        )
+        ours, theirs = (
+            pandas.read_csv(self.folder / n, float_precision="round_trip")
+            for n in ("a.csv", "b.csv")
+        )
         self.assertEqual(list(ours.columns), list(theirs.columns))
-        same = [name for name in ours.columns if name not in ("tick_us", "lateness_us")]  # another run, another time
-        pandas.testing.assert_frame_equal(ours[same], theirs[same], check_dtype=False, check_exact=True)
+        same = [
+            name for name in ours.columns if name not in ("tick_us", "lateness_us")
+        ]  # another run, another time
+        pandas.testing.assert_frame_equal(
+            ours[same], theirs[same], check_dtype=False, check_exact=True
+        )
 
     def test_that_cannot_be_written_ends_with_4(self):
         path = write_session(self.folder / "a.h5", 100)
-        status, _, error = command("export", path, "--format", "csv", "--out", self.folder / "no" / "a.csv")
+        status, _, error = command(
+            "export", path, "--format", "csv", "--out", self.folder / "no" / "a.csv"
+        )
         self.assertEqual(status, 4)
         self.assertIn("No such file", error)
 
@@ -67,7 +93,9 @@ class Parquet(InFolder):
     def test_says_how_to_get_what_it_takes(self):
         path = write_session(self.folder / "a.h5", 100)
         with mock.patch.dict("sys.modules", {"pyarrow": None}):
-            status, _, error = command("export", path, "--format", "parquet", "--out", self.folder / "a.parquet")
+            status, _, error = command(
+                "export", path, "--format", "parquet", "--out", self.folder / "a.parquet"
+            )
         self.assertEqual(status, 1)
         self.assertIn("python3 -m pip install 'pyarrow<17'", error)
         self.assertFalse((self.folder / "a.parquet").exists())
@@ -79,7 +107,9 @@ class Parquet(InFolder):
 
         with Session(write_session(self.folder / "a.h5", 250)) as session:
             export.parquet(session, self.folder / "a.parquet")
-            pandas.testing.assert_frame_equal(pandas.read_parquet(self.folder / "a.parquet"), session.frame())
+            pandas.testing.assert_frame_equal(
+                pandas.read_parquet(self.folder / "a.parquet"), session.frame()
+            )
             stored = pyarrow.parquet.read_schema(self.folder / "a.parquet").metadata
             self.assertEqual(json.loads(stored[b"underact_scene"]), session.scene)
 
@@ -88,7 +118,9 @@ class Mcap(InFolder):
     def test_says_how_to_get_what_it_takes(self):
         path = write_session(self.folder / "a.h5", 100)
         with mock.patch.dict("sys.modules", {"mcap": None, "mcap.writer": None}):
-            status, _, error = command("export", path, "--format", "mcap", "--out", self.folder / "a.mcap")
+            status, _, error = command(
+                "export", path, "--format", "mcap", "--out", self.folder / "a.mcap"
+            )
         self.assertEqual(status, 1)
         self.assertIn("python3 -m pip install mcap", error)
 
@@ -111,10 +143,19 @@ class Mcap(InFolder):
             export.mcap(session, self.folder / "a.mcap")
             error_mm = session.ticks["error_mm"]
         with open(self.folder / "a.mcap", "rb") as file:
-            messages = [(c.topic, s.encoding, json.loads(m.data)) for s, c, m in make_reader(file).iter_messages()]
+            messages = [
+                (c.topic, s.encoding, json.loads(m.data))
+                for s, c, m in make_reader(file).iter_messages()
+            ]
         self.assertEqual({encoding for _, encoding, _ in messages}, {"jsonschema"})
-        self.assertEqual([message["error_mm"] for topic, _, message in messages if topic == "/tick"], error_mm.tolist())
-        self.assertEqual([message["label"] for topic, _, message in messages if topic == "/markers"][0][:7], "pressed")
+        self.assertEqual(
+            [message["error_mm"] for topic, _, message in messages if topic == "/tick"],
+            error_mm.tolist(),
+        )
+        self.assertEqual(
+            [message["label"] for topic, _, message in messages if topic == "/markers"][0][:7],
+            "pressed",
+        )
 
 
 if __name__ == "__main__":

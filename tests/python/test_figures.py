@@ -1,4 +1,6 @@
-"""The thesis's figures are remade by the program, and a figure that shows something else is told."""
+"""The thesis's figures are remade by the program, and a figure that shows something else is
+told.
+"""
 
 import html.parser
 import json
@@ -15,7 +17,8 @@ from underact.figures import appendix_b, eight, nearest, response
 from underact.figures.catalogue import CATALOGUE
 from underact.figures.number import Number, worst
 
-# A run, two of one run, a question, a step, the solutions; with the window a picture. All of them with UNDERACT_SOAK=1.
+# A run, two of one run, a question, a step, the solutions; with the window a picture. All of them
+# with UNDERACT_SOAK=1.
 SAMPLE = ["3.4", "4.2", "4.3", "5.6", "5.8", "B.4"]
 
 
@@ -29,7 +32,11 @@ class Links(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         self.tags.add(tag)
-        self.paths += [value for name, value in attributes if name in ("href", "src") and not value.startswith("#")]
+        self.paths += [
+            value
+            for name, value in attributes
+            if name in ("href", "src") and not value.startswith("#")
+        ]
 
 
 class TheFigures(InFolder):
@@ -37,17 +44,25 @@ class TheFigures(InFolder):
         status, out, error = command("figures", "--cli", CLI, "--out", self.folder / "out", *more)
         self.assertEqual(out, "")
         listed = self.folder / "out" / "figures.json"
-        return status, error, json.loads(listed.read_text(encoding="utf-8")) if listed.exists() else []
+        return (
+            status,
+            error,
+            json.loads(listed.read_text(encoding="utf-8")) if listed.exists() else [],
+        )
 
     def test_are_remade_and_show_what_they_should(self):
         status, error, rows = self.make(*([] if SOAK else ["--only", ",".join(SAMPLE)]))
         self.assertEqual((status, error if not SOAK else ""), (0, ""))
-        self.assertEqual([row["figure"] for row in rows], [e.key for e in CATALOGUE] if SOAK else SAMPLE)
+        self.assertEqual(
+            [row["figure"] for row in rows], [e.key for e in CATALOGUE] if SOAK else SAMPLE
+        )
         for row in rows:
             if row["kind"] == "view":
                 continue
             self.assertGreaterEqual(len(row["numbers"]), 3, row["figure"])
-            self.assertEqual([path.rsplit(".")[-1] for path in row["pictures"]], ["png", "svg", "pdf"])
+            self.assertEqual(
+                [path.rsplit(".")[-1] for path in row["pictures"]], ["png", "svg", "pdf"]
+            )
             image = matplotlib.image.imread(self.folder / "out" / row["pictures"][0])[:, :, :3]
             self.assertGreater(float(np.mean(image.min(axis=2) < 0.9)), 0.005, row["figure"])
 
@@ -65,7 +80,10 @@ class TheFigures(InFolder):
 
     def test_fail_where_the_program_pulls_the_other_way(self):
         def turned(programs, words, questions):
-            return [{**answer, "force_N": [-f for f in answer["force_N"]]} for answer in real(programs, words, questions)]
+            return [
+                {**answer, "force_N": [-f for f in answer["force_N"]]}
+                for answer in real(programs, words, questions)
+            ]
 
         from underact.figures.programs import Programs
 
@@ -81,7 +99,9 @@ class TheFigures(InFolder):
         broken = self.folder / "broken"
         broken.write_text("#!/bin/sh\necho 'The scene is bad.' >&2\nexit 1\n")
         broken.chmod(broken.stat().st_mode | stat.S_IXUSR)
-        status, _, error = command("figures", "--cli", broken, "--out", self.folder / "out", "--only", "4.2,5.6")
+        status, _, error = command(
+            "figures", "--cli", broken, "--out", self.folder / "out", "--only", "4.2,5.6"
+        )
         self.assertEqual(status, 1)
         self.assertEqual(error.count("The scene is bad."), 2)
 
@@ -94,7 +114,10 @@ class TheFigures(InFolder):
         status, error, rows = self.make("--only", "4.4")
         self.assertEqual((status, rows[0]["pictures"]), (0, []))
         self.assertIn("the window was not named", error)
-        self.assertIn("the window was not named", (self.folder / "out" / "index.html").read_text(encoding="utf-8"))
+        self.assertIn(
+            "the window was not named",
+            (self.folder / "out" / "index.html").read_text(encoding="utf-8"),
+        )
 
     def test_of_the_view_are_drawn_by_the_window(self):
         window = os.environ.get("UNDERACT_WINDOW")
@@ -126,15 +149,22 @@ class Oracles(unittest.TestCase):
         return json.loads((ROOT / "tests/golden" / name).read_text(encoding="utf-8"))
 
     def test_nearest_points_are_the_golden_ones(self):
-        shapes = [one for one in self.golden("constraints.json")["shapes"] if one["name"].startswith("thesis_")]
+        shapes = [
+            one
+            for one in self.golden("constraints.json")["shapes"]
+            if one["name"].startswith("thesis_")
+        ]
         self.assertEqual(len(shapes), 6)
         for one in shapes:
             constraint = _as_in_a_scene(one["shape"])
             for case in one["cases"]:
-                # Written as the thesis writes it, the oracle loses digits near an axis; the runs stay away from there.
+                # Written as the thesis writes it, the oracle loses digits near an axis; the runs
+                # stay away from there.
                 if not case["degenerate"] and "near" not in case["tag"]:
                     found = nearest.nearest(constraint, np.array([case["P"]]))[0]
-                    np.testing.assert_allclose(found, case["Q"], rtol=1e-14, atol=1e-9, err_msg=one["name"])
+                    np.testing.assert_allclose(
+                        found, case["Q"], rtol=1e-14, atol=1e-9, err_msg=one["name"]
+                    )
 
     def test_forward_kinematics_are_the_golden_ones(self):
         for case in self.golden("fk.json")["cases"][:50]:
@@ -149,8 +179,13 @@ class Oracles(unittest.TestCase):
             self.assertAlmostEqual(found.final_value, case["final_value"], 9)
             self.assertAlmostEqual(found.rise_10_90_s / case["rise_10_90"], 1, 6)
             self.assertAlmostEqual(found.settling_2pct_s / case["settling_2pct"], 1, 6)
-        # band_margin: how far the response stays from the edges of the 2 % band, which settling hangs on
-        steady = [case for case in golden["second_order"] if case["zeta"] >= 0.1 and (case["band_margin"] or 1) > 1e-3]
+        # band_margin: how far the response stays from the edges of the 2 % band, which settling
+        # hangs on
+        steady = [
+            case
+            for case in golden["second_order"]
+            if case["zeta"] >= 0.1 and (case["band_margin"] or 1) > 1e-3
+        ]
         steady = [case for case in steady if case["wn"] == 10.0]
         self.assertGreater(len(steady), 10)
         for case in steady:
@@ -163,8 +198,13 @@ class Oracles(unittest.TestCase):
     def test_the_third_order_is_the_golden_one(self):
         for sample in self.golden("step_response.json")["B10"]["samples"]:
             if sample["t"] > 0:
-                for system, key in ((appendix_b._THIRD, "y_full"), (appendix_b._REDUCED, "y_B12_corrected")):
-                    self.assertAlmostEqual(response.step(*system, sample["t"], 11)[1][-1], sample[key], 12)
+                for system, key in (
+                    (appendix_b._THIRD, "y_full"),
+                    (appendix_b._REDUCED, "y_B12_corrected"),
+                ):
+                    self.assertAlmostEqual(
+                        response.step(*system, sample["t"], 11)[1][-1], sample[key], 12
+                    )
 
 
 def _as_in_a_scene(shape: dict) -> dict:

@@ -44,7 +44,9 @@ def opened(path: Path, wait_s: float = 20.0) -> Session:
 class Following(InFolder):
     def test_gives_every_row_once_as_it_comes(self):
         path = self.folder / "a.h5"
-        writer = subprocess.Popen([sys.executable, "-c", WRITER, str(path)], stdout=subprocess.PIPE, text=True)
+        writer = subprocess.Popen(
+            [sys.executable, "-c", WRITER, str(path)], stdout=subprocess.PIPE, text=True
+        )
         self.addCleanup(writer.wait)
         self.addCleanup(writer.stdout.close)
         self.assertEqual(writer.stdout.readline(), "ready\n")
@@ -54,9 +56,15 @@ class Following(InFolder):
             self.assertTrue(session.complete)
         self.assertGreater(len(parts), 1)  # it came while it was written, not all at the end
         for name, values in sphere_ticks(837).items():
-            if name in ("v_WT_mm_per_s", "lateness_us", "tick_us"):  # differ by where a call of sphere_ticks begins
+            if name in (
+                "v_WT_mm_per_s",
+                "lateness_us",
+                "tick_us",
+            ):  # differ by where a call of sphere_ticks begins
                 continue
-            np.testing.assert_array_equal(np.concatenate([part[name] for part in parts]), values, name)
+            np.testing.assert_array_equal(
+                np.concatenate([part[name] for part in parts]), values, name
+            )
 
     def test_of_a_whole_session_gives_it_and_ends(self):
         with Session(write_session(self.folder / "a.h5", 250)) as session:
@@ -68,7 +76,9 @@ class Following(InFolder):
         writer.ticks(sphere_ticks(200))
         writer.flush()
         with Session(self.folder / "a.h5") as session:
-            self.assertEqual(sum(len(part["tick"]) for part in session.follow(0.01, timeout_s=0.2)), 200)
+            self.assertEqual(
+                sum(len(part["tick"]) for part in session.follow(0.01, timeout_s=0.2)), 200
+            )
         writer.file.close()
 
     def test_ends_when_told(self):
@@ -88,8 +98,18 @@ class TheProgram(InFolder):
     """What underact-cli writes, not the double of the tests."""
 
     def start(self, *more: str) -> subprocess.Popen:
-        words = ["run", ROOT / "scenes/02_sphere.json", "--hand", "sweep", "--record", self.folder / "a.h5", *more]
-        program = subprocess.Popen([CLI, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        words = [
+            "run",
+            ROOT / "scenes/02_sphere.json",
+            "--hand",
+            "sweep",
+            "--record",
+            self.folder / "a.h5",
+            *more,
+        ]
+        program = subprocess.Popen(
+            [CLI, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
         self.addCleanup(program.wait)
         return program
 

@@ -20,7 +20,12 @@ from underact.thin import evenly, thin
 LABELS = {  # of the panels from the top, x after the last
     "error": ["distance to target [mm]", "time [s]"],
     "force": ["force [N]", "components [N]", "time [s]"],
-    "displacement-force": ["force sent [N]", "displacement in x [mm]", "displacement in y [mm]", "displacement in z [mm]"],
+    "displacement-force": [
+        "force sent [N]",
+        "displacement in x [mm]",
+        "displacement in y [mm]",
+        "displacement in z [mm]",
+    ],
     "path": ["x [mm]", "y [mm]", "z [mm]", "force sent [N]"],
     "angles": ["angle about the axis [deg]", "time [s]"],
     "joints": ["joint angle [deg]", "time [s]"],
@@ -33,7 +38,11 @@ LABELS = {  # of the panels from the top, x after the last
 def labels(figure) -> set[str]:
     found = set()
     for axes in figure.axes:
-        found |= {axes.get_xlabel(), axes.get_ylabel(), axes.get_zlabel() if hasattr(axes, "get_zlabel") else ""}
+        found |= {
+            axes.get_xlabel(),
+            axes.get_ylabel(),
+            axes.get_zlabel() if hasattr(axes, "get_zlabel") else "",
+        }
     return found - {""}
 
 
@@ -72,7 +81,15 @@ class EachPlot(InFolder):
     @mock.patch.object(style, "DPI", 60)  # coarse is enough to see a change
     def test_changes_with_the_data(self):
         still = view()
-        for name in ("error_mm", "force_sent_N", "p_WT_mm", "q_rad", "energy_mJ", "alpha_beta_theta_rad", "lateness_us"):
+        for name in (
+            "error_mm",
+            "force_sent_N",
+            "p_WT_mm",
+            "q_rad",
+            "energy_mJ",
+            "alpha_beta_theta_rad",
+            "lateness_us",
+        ):
             still.columns[name] = 0.5 * still.columns[name]
         for kind in plots.KINDS:
             sums = []
@@ -133,20 +150,45 @@ class AView(InFolder):
 class TheCommand(InFolder):
     def test_draws_one_or_all(self):
         path = write_session(self.folder / "a.h5", 400)
-        self.assertEqual(command("plot", path, "--kind", "energy", "--out", self.folder / "e.pdf", "--width", 3.5)[0], 0)
+        self.assertEqual(
+            command(
+                "plot", path, "--kind", "energy", "--out", self.folder / "e.pdf", "--width", 3.5
+            )[0],
+            0,
+        )
         self.assertTrue((self.folder / "e.pdf").read_bytes().startswith(b"%PDF"))
-        self.assertEqual(command("plot", path, "--kind", "all", "--out", self.folder / "p.svg")[0], 0)
-        self.assertEqual({f.stem for f in self.folder.glob("*.svg")}, {f"p_{kind}" for kind in plots.KINDS})
+        self.assertEqual(
+            command("plot", path, "--kind", "all", "--out", self.folder / "p.svg")[0], 0
+        )
+        self.assertEqual(
+            {f.stem for f in self.folder.glob("*.svg")}, {f"p_{kind}" for kind in plots.KINDS}
+        )
 
     def test_tells_what_is_wrong_by_its_exit_status(self):
         path = write_session(self.folder / "a.h5", 400)
         out = self.folder / "p.png"
         cases = (
             (("plot", path, "--kind", "error", "--out", "p.bmp"), 2, "ends in .png"),
-            (("plot", path, "--kind", "error", "--out", out, "--width", "0.1"), 2, "2 to 40 inches"),
-            (("plot", path, "--kind", "error", "--out", out, "--from", "9"), 1, "has no tick from 9 s"),
-            (("plot", self.folder / "none.h5", "--kind", "error", "--out", out), 4, "cannot be read"),
-            (("plot", path, "--kind", "error", "--out", self.folder / "no" / "p.png"), 4, "No such file"),
+            (
+                ("plot", path, "--kind", "error", "--out", out, "--width", "0.1"),
+                2,
+                "2 to 40 inches",
+            ),
+            (
+                ("plot", path, "--kind", "error", "--out", out, "--from", "9"),
+                1,
+                "has no tick from 9 s",
+            ),
+            (
+                ("plot", self.folder / "none.h5", "--kind", "error", "--out", out),
+                4,
+                "cannot be read",
+            ),
+            (
+                ("plot", path, "--kind", "error", "--out", self.folder / "no" / "p.png"),
+                4,
+                "No such file",
+            ),
             (("plot", path, "--kind", "colour", "--out", out), 2, "invalid choice"),
             (("plot", __file__, "--kind", "error", "--out", out), 1, "not an HDF5 file"),
         )
@@ -193,7 +235,9 @@ class TheSpectrum(unittest.TestCase):
         time_s = np.arange(8192) / 1000
         frequency, power = density(3.0 * np.sin(2 * np.pi * 62.5 * time_s), 1000.0)
         self.assertAlmostEqual(frequency[np.argmax(power)], 62.5)
-        self.assertAlmostEqual(power.sum() * (frequency[1] - frequency[0]), 4.5, 6)  # amplitude^2 / 2
+        self.assertAlmostEqual(
+            power.sum() * (frequency[1] - frequency[0]), 4.5, 6
+        )  # amplitude^2 / 2
 
     def test_of_noise_holds_its_variance(self):
         noise = np.random.default_rng(1).standard_normal(100_000)
@@ -207,17 +251,31 @@ class TheSpectrum(unittest.TestCase):
 
 class Shapes(unittest.TestCase):
     SHAPES = (
-        ({"type": "sphere", "center_mm": [1, 2, 3], "radius_mm": 5}, lambda p: np.linalg.norm(p - [1, 2, 3], axis=1) - 5),
-        ({"type": "plane", "point_mm": [0, 0, 4], "normal": [1, 1, 1]}, lambda p: (p - [0, 0, 4]) @ np.ones(3)),
-        ({"type": "cylinder", "point_mm": [0, 9, 0], "axis": [0, 0, 2], "radius_mm": 3},
-         lambda p: np.hypot(p[:, 0], p[:, 1] - 9) - 3),
-        ({"type": "circle", "center_mm": [0, 0, 7], "normal": [0, 0, -1], "radius_mm": 3},
-         lambda p: np.abs(np.hypot(p[:, 0], p[:, 1]) - 3) + np.abs(p[:, 2] - 7)),
-        ({"type": "line", "point_mm": [0, 30, 0], "direction": [-1, -2, 1]},
-         lambda p: np.linalg.norm(np.cross(p - [0, 30, 0], [-1, -2, 1]), axis=1)),
-        ({"type": "box", "center_mm": [0, 0, 0], "size_mm": [2, 4, 6]},
-         lambda p: np.max(np.abs(p) / [1, 2, 3], axis=1) - 1),
-    )  # fmt: skip
+        (
+            {"type": "sphere", "center_mm": [1, 2, 3], "radius_mm": 5},
+            lambda p: np.linalg.norm(p - [1, 2, 3], axis=1) - 5,
+        ),
+        (
+            {"type": "plane", "point_mm": [0, 0, 4], "normal": [1, 1, 1]},
+            lambda p: (p - [0, 0, 4]) @ np.ones(3),
+        ),
+        (
+            {"type": "cylinder", "point_mm": [0, 9, 0], "axis": [0, 0, 2], "radius_mm": 3},
+            lambda p: np.hypot(p[:, 0], p[:, 1] - 9) - 3,
+        ),
+        (
+            {"type": "circle", "center_mm": [0, 0, 7], "normal": [0, 0, -1], "radius_mm": 3},
+            lambda p: np.abs(np.hypot(p[:, 0], p[:, 1]) - 3) + np.abs(p[:, 2] - 7),
+        ),
+        (
+            {"type": "line", "point_mm": [0, 30, 0], "direction": [-1, -2, 1]},
+            lambda p: np.linalg.norm(np.cross(p - [0, 30, 0], [-1, -2, 1]), axis=1),
+        ),
+        (
+            {"type": "box", "center_mm": [0, 0, 0], "size_mm": [2, 4, 6]},
+            lambda p: np.max(np.abs(p) / [1, 2, 3], axis=1) - 1,
+        ),
+    )
 
     def test_are_drawn_where_they_are(self):
         for constraint, off in self.SHAPES:
@@ -226,7 +284,9 @@ class Shapes(unittest.TestCase):
 
     def test_of_no_shape_are_no_lines(self):
         self.assertEqual(outlines({"type": "virtual_manipulator"}, np.zeros((1, 3))), [])
-        self.assertEqual(len(outlines({"type": "point", "position_mm": [1, 2, 3]}, np.zeros((1, 3)))), 3)
+        self.assertEqual(
+            len(outlines({"type": "point", "position_mm": [1, 2, 3]}, np.zeros((1, 3)))), 3
+        )
         self.assertEqual(SCENE["constraints"][0]["type"], "sphere")
 
     def test_angles_break_where_they_wrap(self):

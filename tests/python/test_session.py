@@ -25,7 +25,9 @@ class ASession(InFolder):
         with Session(write_session(self.folder / "a.h5")) as session:
             self.assertEqual(session.scene, SCENE)
             edited = {**SCENE, "control": {"law": "P", "kp_N_per_mm": 0.4}}
-            self.assertEqual(session.changes, [Change(1, 1, "loaded", SCENE), Change(1000, 2, "gains", edited)])
+            self.assertEqual(
+                session.changes, [Change(1, 1, "loaded", SCENE), Change(1000, 2, "gains", edited)]
+            )
             self.assertEqual(session.markers, [Marker(500, "pressed harder, à peine")])
             self.assertEqual(session.faults, [Fault(1500, "too_fast", 2.3, 1.0, True)])
             self.assertEqual(session.end, End(2050, 0, 10**18 + 10**9, "stopped"))
@@ -41,12 +43,16 @@ class ASession(InFolder):
             self.assertEqual(len(frame.columns), 1 + sum(layout.TABLES["ticks"].values()))
             np.testing.assert_array_equal(frame["p_WT_mm_y"], session.ticks["p_WT_mm"][:, 1])
             np.testing.assert_array_equal(frame["q6_rad"], session.ticks["q_rad"][:, 5])
-            np.testing.assert_array_equal(frame["theta_rad"], session.ticks["alpha_beta_theta_rad"][:, 2])
+            np.testing.assert_array_equal(
+                frame["theta_rad"], session.ticks["alpha_beta_theta_rad"][:, 2]
+            )
 
     def test_without_an_end_is_incomplete_and_cut_to_the_shortest_column(self):
         writer = Writer(self.folder / "a.h5")
         writer.ticks(sphere_ticks(300))
-        writer.file["ticks/error_mm"].resize(400, axis=0)  # the program died in the middle of a block
+        writer.file["ticks/error_mm"].resize(
+            400, axis=0
+        )  # the program died in the middle of a block
         writer.file.close()
         with Session(self.folder / "a.h5") as session:
             self.assertFalse(session.complete)
@@ -59,7 +65,9 @@ class ASession(InFolder):
         writer.start_swmr()
         writer.ticks(sphere_ticks(300))
         writer.flush()
-        data = (self.folder / "a.h5").read_bytes()  # as a kill leaves it: still marked as being written
+        data = (
+            self.folder / "a.h5"
+        ).read_bytes()  # as a kill leaves it: still marked as being written
         (self.folder / "b.h5").write_bytes(data)
         with self.assertRaises(OSError):
             h5py.File(self.folder / "b.h5", "r")
@@ -129,7 +137,9 @@ class NoSession(InFolder):
         self.refused("/markers is missing")
 
     def test_without_columns(self):
-        self.changed(lambda file: (file["ticks"].__delitem__("q_rad"), file["ticks"].__delitem__("heat")))
+        self.changed(
+            lambda file: (file["ticks"].__delitem__("q_rad"), file["ticks"].__delitem__("heat"))
+        )
         self.refused("/ticks lacks heat, q_rad")
 
     def test_without_its_checks(self):
@@ -151,16 +161,23 @@ class NoSession(InFolder):
     def test_whose_scene_is_no_json(self):
         writer = Writer(self.folder / "a.h5")
         at, size = writer._text("{no json")
-        writer.append("changes", {"tick": [1], "revision": [2], "carry": [0], "text_at": [at], "text_bytes": [size]})
+        writer.append(
+            "changes",
+            {"tick": [1], "revision": [2], "carry": [0], "text_at": [at], "text_bytes": [size]},
+        )
         writer.end(0)
-        with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(SessionError, "no JSON"):
+        with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(
+            SessionError, "no JSON"
+        ):
             session.changes
 
     def test_whose_words_point_nowhere(self):
         writer = Writer(self.folder / "a.h5")
         writer.append("markers", {"tick": [1], "text_at": [10**6], "text_bytes": [5]})
         writer.end(0)
-        with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(SessionError, "missing in /text"):
+        with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(
+            SessionError, "missing in /text"
+        ):
             session.markers
 
 

@@ -63,7 +63,9 @@ def figures(options: argparse.Namespace) -> int:
 
 def parser() -> argparse.ArgumentParser:
     """The options of all commands."""
-    top = argparse.ArgumentParser("underact", description="Reads, plots and exports sessions of Underact.")
+    top = argparse.ArgumentParser(
+        "underact", description="Reads, plots and exports sessions of Underact."
+    )
     commands = top.add_subparsers(dest="command", required=True)
 
     def command(name: str, run, words: str, file: bool = True) -> argparse.ArgumentParser:
@@ -72,7 +74,10 @@ def parser() -> argparse.ArgumentParser:
         if file:
             one.add_argument("file", type=Path, help="a session file")
             one.add_argument(
-                "--damaged", choices=("raise", "skip"), default="raise", help="skip: leave damaged ticks out"
+                "--damaged",
+                choices=("raise", "skip"),
+                default="raise",
+                help="skip: leave damaged ticks out",
             )
         return one
 
@@ -82,8 +87,12 @@ def parser() -> argparse.ArgumentParser:
     one = command("plot", plot, "Draws a session.")
     kinds = "error force displacement-force path angles joints energy spectrum lateness all".split()
     one.add_argument("--kind", choices=kinds, required=True)
-    one.add_argument("--out", type=Path, required=True, help=".png, .svg or .pdf; with --kind all one file each")
-    one.add_argument("--width", type=float, default=7.0, help="inches: 3.5 (a column) or 7 (a page)")
+    one.add_argument(
+        "--out", type=Path, required=True, help=".png, .svg or .pdf; with --kind all one file each"
+    )
+    one.add_argument(
+        "--width", type=float, default=7.0, help="inches: 3.5 (a column) or 7 (a page)"
+    )
     one.add_argument("--from", dest="from_s", type=float, help="s since the first tick")
     one.add_argument("--to", dest="to_s", type=float, help="s since the first tick")
 
@@ -91,9 +100,16 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--format", choices=("csv", "parquet", "mcap"), required=True)
     one.add_argument("--out", type=Path, required=True)
 
-    one = command("figures", figures, "Remakes the figures of the thesis, and checks what they show.", file=False)
+    one = command(
+        "figures",
+        figures,
+        "Remakes the figures of the thesis, and checks what they show.",
+        file=False,
+    )
     one.add_argument("--cli", type=Path, required=True, help="the program underact-cli")
-    one.add_argument("--window", type=Path, help="the program underact, for pictures of the 3D view")
+    one.add_argument(
+        "--window", type=Path, help="the program underact, for pictures of the 3D view"
+    )
     one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
     one.add_argument("--only", help="figures with commas between, as 4.2,5.7")
     return top

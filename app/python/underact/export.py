@@ -14,7 +14,8 @@ from . import layout
 from .errors import SessionError
 from .session import Session
 
-#: the columns of `underact-cli run --record F.csv` -> where they are in /ticks: column, part (None: all of it)
+#: the columns of `underact-cli run --record F.csv` -> where they are in /ticks: column, part (None:
+#: all of it)
 CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
     "tick": ("tick", None),
     "time_s": ("time_ns", None),
@@ -27,7 +28,10 @@ CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
     "gate_level": ("gate_level", None),
     "cut_N": ("cut_N", None),
     "fault": ("fault", None),
-    **{f"{name}_rad": ("alpha_beta_theta_rad", part) for part, name in enumerate(("alpha", "beta", "theta"))},
+    **{
+        f"{name}_rad": ("alpha_beta_theta_rad", part)
+        for part, name in enumerate(("alpha", "beta", "theta"))
+    },
     "lateness_us": ("lateness_us", None),
     "tick_us": ("tick_us", None),
     "buttons": ("buttons", None),
@@ -43,10 +47,15 @@ _PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
 
 
 def _needs(package: str, form: str, error: ImportError) -> SessionError:
-    here = "is not installed" if isinstance(error, ModuleNotFoundError) else f"does not work here ({error})"
+    here = (
+        "is not installed"
+        if isinstance(error, ModuleNotFoundError)
+        else f"does not work here ({error})"
+    )
     return SessionError(
         f"Writing {form} takes the Python package {package}, which {here}. "
-        f"Install it with: python3 -m pip install {_PACKAGES[package]} (on Debian in an environment made with "
+        f"Install it with: python3 -m pip install {_PACKAGES[package]} (on Debian in an "
+        "environment made with "
         "python3 -m venv --system-site-packages DIR). Or export CSV, which takes nothing."
     )
 
@@ -58,7 +67,9 @@ def _flat(session: Session) -> dict[str, np.ndarray]:
         values = session.ticks[column]
         flat[name] = values if part is None else values[:, part]
     flat["time_s"] = session.time_s
-    flat["fault"] = np.array([layout.word(layout.FAULTS, int(kind)) for kind in flat["fault"]], dtype=object)
+    flat["fault"] = np.array(
+        [layout.word(layout.FAULTS, int(kind)) for kind in flat["fault"]], dtype=object
+    )
     return flat
 
 
@@ -67,7 +78,11 @@ def _word(value: object) -> str:
     if isinstance(value, float):
         if not math.isfinite(value):
             return ""
-        return repr(int(value)) if value.is_integer() and abs(value) < 1e15 and str(value) != "-0.0" else repr(value)
+        return (
+            repr(int(value))
+            if value.is_integer() and abs(value) < 1e15 and str(value) != "-0.0"
+            else repr(value)
+        )
     return str(value)
 
 
@@ -77,11 +92,15 @@ def csv(session: Session, out: str | Path) -> None:
     with open(out, "w", encoding="utf-8", newline="") as file:
         writer = csv_module.writer(file, lineterminator="\n")
         writer.writerow(columns)
-        writer.writerows([_word(value) for value in row] for row in zip(*(c.tolist() for c in columns.values())))
+        writer.writerows(
+            [_word(value) for value in row] for row in zip(*(c.tolist() for c in columns.values()))
+        )
 
 
 def parquet(session: Session, out: str | Path) -> None:
-    """All columns of /ticks, vectors split as in Session.frame(); the session's attributes as metadata. Needs pyarrow."""
+    """All columns of /ticks, vectors split as in Session.frame(); the session's attributes as
+    metadata. Needs pyarrow.
+    """
     try:
         import pyarrow
         import pyarrow.parquet
@@ -90,13 +109,21 @@ def parquet(session: Session, out: str | Path) -> None:
     table = pyarrow.Table.from_pandas(session.frame(), preserve_index=False)
     words = {f"underact_{name}": str(value) for name, value in session.attributes.items()}
     words["underact_scene"] = json.dumps(session.scene)
-    pyarrow.parquet.write_table(table.replace_schema_metadata({**(table.schema.metadata or {}), **words}), out)
+    pyarrow.parquet.write_table(
+        table.replace_schema_metadata({**(table.schema.metadata or {}), **words}), out
+    )
 
 
 _NUMBER, _TEXT = {"type": "number"}, {"type": "string"}
 _SCHEMAS = {
     "/markers": {"tick": {"type": "integer"}, "time_s": _NUMBER, "label": _TEXT},
-    "/faults": {"tick": {"type": "integer"}, "time_s": _NUMBER, "kind": _TEXT, "seen": _NUMBER, "allowed": _NUMBER},
+    "/faults": {
+        "tick": {"type": "integer"},
+        "time_s": _NUMBER,
+        "kind": _TEXT,
+        "seen": _NUMBER,
+        "allowed": _NUMBER,
+    },
 }
 
 
@@ -105,12 +132,18 @@ def _tick_schema(session: Session) -> dict:
     for column in session.ticks:
         width = layout.TABLES["ticks"].get(column, 1)
         one = {"type": ["number", "null"], "description": f"{session.ticks.units[column]}"}
-        properties[column] = one if width == 1 else {"type": "array", "items": one, "minItems": width, "maxItems": width}
+        properties[column] = (
+            one
+            if width == 1
+            else {"type": "array", "items": one, "minItems": width, "maxItems": width}
+        )
     return properties
 
 
 def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
-    """(time since the first tick in ns, topic, message) of everything in a session, in the order of time."""
+    """(time since the first tick in ns, topic, message) of everything in a session, in the order of
+    time.
+    """
     ticks = session.ticks
     time_ns = ticks["time_ns"]
     tick = ticks["tick"]
@@ -120,7 +153,11 @@ def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
 
     events = [(at(m.tick), "/markers", {"tick": m.tick, "label": m.label}) for m in session.markers]
     events += [
-        (at(f.tick), "/faults", {"tick": f.tick, "kind": f.kind, "seen": f.seen, "allowed": f.allowed})
+        (
+            at(f.tick),
+            "/faults",
+            {"tick": f.tick, "kind": f.kind, "seen": f.seen, "allowed": f.allowed},
+        )
         for f in session.faults
     ]
     events.sort(key=lambda event: event[0])
@@ -139,7 +176,9 @@ def _plain(value: object) -> object:
 
 
 def mcap(session: Session, out: str | Path) -> None:
-    """JSON messages with schemas on /tick, /markers and /faults, stamped with the clock. Needs the package mcap."""
+    """JSON messages with schemas on /tick, /markers and /faults, stamped with the clock. Needs the
+    package mcap.
+    """
     try:
         from mcap.writer import Writer
     except ImportError as error:
@@ -152,7 +191,9 @@ def mcap(session: Session, out: str | Path) -> None:
         channels = {}
         for topic, properties in {"/tick": _tick_schema(session), **_SCHEMAS}.items():
             schema = {"title": topic.strip("/"), "type": "object", "properties": properties}
-            schema_id = writer.register_schema(topic.strip("/"), "jsonschema", json.dumps(schema).encode())
+            schema_id = writer.register_schema(
+                topic.strip("/"), "jsonschema", json.dumps(schema).encode()
+            )
             channels[topic] = writer.register_channel(topic, "json", schema_id)
         first_ns = None
         for count, (now_ns, topic, message) in enumerate(_messages(session)):
@@ -165,4 +206,8 @@ def mcap(session: Session, out: str | Path) -> None:
         writer.finish()
 
 
-FORMATS: dict[str, Callable[[Session, str | Path], None]] = {"csv": csv, "parquet": parquet, "mcap": mcap}
+FORMATS: dict[str, Callable[[Session, str | Path], None]] = {
+    "csv": csv,
+    "parquet": parquet,
+    "mcap": mcap,
+}

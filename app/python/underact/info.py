@@ -39,5 +39,10 @@ def print_info(session: Session, as_json: bool) -> None:
         return
     for key, value in what.items():
         if isinstance(value, list):
-            value = ", ".join(f"{one.get('label') or one.get('kind')} (tick {one['tick']})" for one in value) or "none"
+            value = (
+                ", ".join(
+                    f"{one.get('label') or one.get('kind')} (tick {one['tick']})" for one in value
+                )
+                or "none"
+            )
         print(f"{key:13} {'' if value is None else value}")

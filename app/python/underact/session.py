@@ -4,7 +4,8 @@
     with Session("first.h5") as session:
         error_mm = session.ticks["error_mm"]
 
-The file's page is resources/guide/session_file.md. Lengths mm, angles rad, forces N; undefined is NaN.
+The file's page is resources/guide/session_file.md. Lengths mm, angles rad, forces N; undefined
+is NaN.
 """
 
 from __future__ import annotations
@@ -27,7 +28,9 @@ _SETTLES_S = 2.0  # a block that a writer is in the middle of is whole after so 
 
 @dataclass(frozen=True)
 class Change:
-    """A scene that came into effect. carry: loaded, gains or targets. scene: {} where none was loaded."""
+    """A scene that came into effect. carry: loaded, gains or targets. scene: {} where none was
+    loaded.
+    """
 
     tick: int
     revision: int
@@ -110,7 +113,9 @@ class Session:
 
     @property
     def changes(self) -> list[Change]:
-        """The scenes in the order in which they came into effect; the first is that at the beginning."""
+        """The scenes in the order in which they came into effect; the first is that at the
+        beginning.
+        """
         table = self._tables["changes"]
         rows = zip(*(table[c].tolist() for c in layout.TABLES["changes"]))
         return [
@@ -123,7 +128,9 @@ class Session:
         """The scene at the beginning, as in a scene file."""
         changes = self.changes
         if not changes:
-            raise SessionError(f"{self.path} holds no scene: the recording ended before its first tick.")
+            raise SessionError(
+                f"{self.path} holds no scene: the recording ended before its first tick."
+            )
         return changes[0].scene
 
     @property
@@ -138,7 +145,10 @@ class Session:
         """The faults, in the order of ticks."""
         table = self._tables["faults"]
         rows = zip(*(table[c].tolist() for c in layout.TABLES["faults"]))
-        return [Fault(t, layout.word(layout.FAULTS, k), seen, allowed, bool(own)) for t, k, seen, allowed, own in rows]
+        return [
+            Fault(t, layout.word(layout.FAULTS, k), seen, allowed, bool(own))
+            for t, k, seen, allowed, own in rows
+        ]
 
     @property
     def end(self) -> End | None:
@@ -178,7 +188,8 @@ class Session:
     ) -> Iterator[dict[str, np.ndarray]]:
         """Yields new rows of /ticks as the file grows, beginning with those that are there.
 
-        Each item holds the new rows of every column. Ends when the recording ends, when nothing came for
+        Each item holds the new rows of every column. Ends when the recording ends, when nothing
+        came for
         timeout_s (None: waits for ever), or when stop() is true. poll_s: between two looks.
         """
         table, taken, last_growth = self.ticks, 0, time.monotonic()
@@ -207,7 +218,9 @@ class Session:
         text = self._tables["text"]
         stored = text["bytes"]
         if text.damage or at < 0 or at + size > len(stored):
-            raise SessionError(f"{self.path}: the words that belong to a row are damaged or missing in /text.")
+            raise SessionError(
+                f"{self.path}: the words that belong to a row are damaged or missing in /text."
+            )
         return stored[at : at + size].astype(np.uint8).tobytes().decode("utf-8", "replace")
 
     def _scene(self, at: int, size: int) -> dict:
@@ -233,7 +246,9 @@ class Session:
 
 
 def _open(path: Path) -> h5py.File:
-    """The file as it is, or as one that another program still writes, or left behind when it died."""
+    """The file as it is, or as one that another program still writes, or left behind when it
+    died.
+    """
     try:
         with open(path, "rb"):
             pass

@@ -24,7 +24,8 @@ def circle(center: np.ndarray, normal: np.ndarray, radius: float, points: int = 
 def outlines(constraint: dict, p_mm: np.ndarray) -> list[np.ndarray]:
     """The lines that show a constraint of a scene, each (n, 3).
 
-    p_mm: (n, 3), where the stylus has been: what has no ends is drawn as far as that. Types without a
+    p_mm: (n, 3), where the stylus has been: what has no ends is drawn as far as that. Types
+    without a
     shape of their own (a virtual manipulator, a mesh) give no lines.
     """
     draw = _OUTLINES.get(constraint.get("type"))
@@ -38,7 +39,9 @@ def _point(constraint: dict, _: np.ndarray) -> list[np.ndarray]:
 
 def _sphere(constraint: dict, _: np.ndarray) -> list[np.ndarray]:
     center, radius = np.asarray(constraint["center_mm"], dtype=float), constraint["radius_mm"]
-    lines = [circle(center, [np.cos(a), 0, np.sin(a)], radius) for a in np.radians(range(0, 180, 30))]
+    lines = [
+        circle(center, [np.cos(a), 0, np.sin(a)], radius) for a in np.radians(range(0, 180, 30))
+    ]
     for latitude in np.radians([-60, -30, 0, 30, 60]):
         up = np.array([0, radius * np.sin(latitude), 0])
         lines.append(circle(center + up, [0, 1, 0], radius * np.cos(latitude)))
@@ -87,12 +90,17 @@ def _box(constraint: dict, _: np.ndarray) -> list[np.ndarray]:
             for second in (-1, 1):
                 ends = np.zeros((2, 3))
                 ends[:, axis] = -half[axis], half[axis]
-                ends[:, others[0]], ends[:, others[1]] = first * half[others[0]], second * half[others[1]]
+                ends[:, others[0]], ends[:, others[1]] = (
+                    first * half[others[0]],
+                    second * half[others[1]],
+                )
                 lines.append(np.asarray(constraint["center_mm"]) + ends @ R_WB.T)
     return lines
 
 
-def _along(point: list, axis: list, p_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def _along(
+    point: list, axis: list, p_mm: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     u, v, a = across(axis)
     point = np.asarray(point, dtype=float)
     return point, u, v, _reach((p_mm - point) @ a)

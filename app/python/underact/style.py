@@ -1,4 +1,6 @@
-"""How the pictures look: white, for print, colours that colour-blind people tell apart, never by colour alone."""
+"""How the pictures look: white, for print, colours that colour-blind people tell apart, never by
+colour alone.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +51,9 @@ RC = {
 
 
 def new_figure(width_in: float, height_in: float) -> Figure:
-    """A white figure with its canvas, outside of pyplot: needs no display and leaves nothing behind."""
+    """A white figure with its canvas, outside of pyplot: needs no display and leaves nothing
+    behind.
+    """
     figure = Figure(figsize=(width_in, height_in), dpi=DPI, constrained_layout=True)
     FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.04, h_pad=0.04, hspace=0.03, wspace=0.03)
@@ -62,9 +66,13 @@ def legend_outside(axes, columns: int = 1, **more) -> None:
     if not handles:
         return
     if axes.figure.get_figwidth() < 5.0:  # a column is too narrow for a legend at the side
-        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=min(4, len(handles)), **more)
+        axes.legend(
+            loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=min(4, len(handles)), **more
+        )
     else:
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, ncol=columns, **more)
+        axes.legend(
+            loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, ncol=columns, **more
+        )
 
 
 def footer(figure: Figure, words: str) -> None:
@@ -75,7 +83,9 @@ def footer(figure: Figure, words: str) -> None:
 
 
 def save(figure: Figure, path: str | Path) -> None:
-    """Writes a .png, .svg or .pdf; the same figure gives the same bytes. Raises ValueError at another ending."""
+    """Writes a .png, .svg or .pdf; the same figure gives the same bytes. Raises ValueError at
+    another ending.
+    """
     path = Path(path)
     ending = path.suffix.lower().lstrip(".")
     if ending not in FORMATS:
@@ -90,10 +100,14 @@ def save(figure: Figure, path: str | Path) -> None:
 
 
 def styled(draw):
-    """A decorator: runs a drawing function with this style, whatever the reader's matplotlibrc says."""
+    """A decorator: runs a drawing function with this style, whatever the reader's matplotlibrc
+    says.
+    """
 
     def with_style(*arguments, **more):
-        with matplotlib.rc_context({**matplotlib.rcParamsDefault, **RC, "backend": matplotlib.get_backend()}):
+        with matplotlib.rc_context(
+            {**matplotlib.rcParamsDefault, **RC, "backend": matplotlib.get_backend()}
+        ):
             return draw(*arguments, **more)
 
     with_style.__name__, with_style.__doc__ = draw.__name__, draw.__doc__

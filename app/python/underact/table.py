@@ -1,4 +1,6 @@
-"""A table of a session file: a group whose datasets are its columns, with a CRC-32 for each block of rows."""
+"""A table of a session file: a group whose datasets are its columns, with a CRC-32 for each block
+of rows.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,9 @@ _ROWS_AT_ONCE = 65536  # while checking: some 30 MB of ticks
 
 
 def text_of(value: object) -> object:
-    """An attribute as Python has it: bytes as a str, numpy's scalars as numbers, the rest as it is."""
+    """An attribute as Python has it: bytes as a str, numpy's scalars as numbers, the rest as
+    it is.
+    """
     if isinstance(value, bytes):
         return value.rstrip(b"\0").decode("utf-8", "replace")
     if isinstance(value, np.ndarray) and value.dtype.kind in "SOU":
@@ -32,7 +36,8 @@ def _columns_of(group: h5py.Group) -> list[str]:
 class Table(Mapping):
     """The columns of a table by name, each a numpy array cut to the rows that all columns have.
 
-    table["q_rad"]: shape (rows, 6); one number a row: shape (rows,). `units` and `meanings` hold what
+    table["q_rad"]: shape (rows, 6); one number a row: shape (rows,). `units` and `meanings`
+    hold what
     the file says of each column. Blocks are checked at the first access to a column: a damaged one
     raises DamagedSession, or with damaged="skip" its rows are left out of every column.
     """
@@ -58,7 +63,9 @@ class Table(Mapping):
             shape = getattr(dataset, "shape", ())
             numbers = 1 if len(shape) == 1 else shape[1] if len(shape) == 2 else 0
             if numbers == 0 or dataset.dtype.kind not in "iufb" or width not in (None, numbers):
-                raise SessionError(f"{where} has a column {column} that is not {width} numbers a row.")
+                raise SessionError(
+                    f"{where} has a column {column} that is not {width} numbers a row."
+                )
         attributes = {column: dataset.attrs for column, dataset in self._datasets.items()}
         self.units = {c: text_of(a.get("unit", "")) for c, a in attributes.items()}
         self.meanings = {c: text_of(a.get("meaning", "")) for c, a in attributes.items()}
@@ -88,7 +95,9 @@ class Table(Mapping):
 
     @property
     def damage(self) -> list[tuple[int, int]]:
-        """The rows [first, last) of the file, before anything is left out, of each damaged block."""
+        """The rows [first, last) of the file, before anything is left out, of each damaged
+        block.
+        """
         self.check()
         size = self.block_rows
         return [(block * size, min((block + 1) * size, self._rows)) for block in self._bad_blocks]
@@ -104,7 +113,9 @@ class Table(Mapping):
             dataset.refresh()  # the high-level one: it forgets the shape, too
 
     def bad_blocks(self, first_row: int, end_row: int) -> list[int]:
-        """The blocks of rows [first_row, end_row) whose bytes are not those written; first_row begins one."""
+        """The blocks of rows [first_row, end_row) whose bytes are not those written; first_row
+        begins one.
+        """
         bad = []
         step = max(1, _ROWS_AT_ONCE // self.block_rows) * self.block_rows
         for start in range(first_row, end_row, step):
@@ -145,11 +156,15 @@ class Table(Mapping):
                 runs[-1][1] = block + 1
             else:
                 runs.append([block, block + 1])
-        spans = [self._ticks_of(first * self.block_rows, min(end * self.block_rows, rows)) for first, end in runs]
+        spans = [
+            self._ticks_of(first * self.block_rows, min(end * self.block_rows, rows))
+            for first, end in runs
+        ]
         words = ", ".join(f"{first} to {last}" for first, last in spans)
         what = "ticks" if "tick" in self._datasets else "rows"
         return DamagedSession(
-            f"The file is damaged in /{self.name}, {what} {words}: these bytes are not those that were written. "
+            f"The file is damaged in /{self.name}, {what} {words}: these bytes are not those that "
+            "were written. "
             'Copy it anew from where it came; Session(path, damaged="skip") reads the rest.',
             self.name,
             spans,

@@ -1,4 +1,6 @@
-"""Thins long columns for drawing, so that no peak is lost and a picture has no more points than it can show."""
+"""Thins long columns for drawing, so that no peak is lost and a picture has no more points than it
+can show.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ import numpy as np
 
 
 def thin(x: np.ndarray, y: np.ndarray, columns: int) -> tuple[np.ndarray, np.ndarray]:
-    """x and y with at most four points for each of `columns` equal spans of x: the first, least, greatest, last.
+    """x and y with few points for each of `columns` equal spans of x: first, least, greatest, last.
 
     x rises. A line through them covers the same pixels as one through all points, where a span is a
     pixel wide. NaN stays a gap: a span with one keeps one. Short data come back as they are.

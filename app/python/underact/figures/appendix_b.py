@@ -35,17 +35,25 @@ def _axes(height_in: float = 3.2) -> tuple[Figure, Axes]:
 
 def _curves(axes: Axes, systems: list[tuple[str, list[float], list[float]]], end_s: float) -> None:
     for (words, numerator, denominator), color, dashes in zip(systems, _COLORS, _DASHES):
-        axes.plot(*step(numerator, denominator, end_s, 1001), color=color, linestyle=dashes, label=words)
+        axes.plot(
+            *step(numerator, denominator, end_s, 1001), color=color, linestyle=dashes, label=words
+        )
     axes.set_xlim(0, end_s)
     style.legend_outside(axes)
 
 
-def program_marks(programs: Programs | None, numerator: list[float], denominator: list[float], end_s: float) -> Marks:
-    """The marks of a step as `underact-cli lab step` gives them; where there is no such command, our own."""
+def program_marks(
+    programs: Programs | None, numerator: list[float], denominator: list[float], end_s: float
+) -> Marks:
+    """The marks of a step as `underact-cli lab step` gives them; where there is no such command,
+    our own.
+    """
     said = programs.lab_step(numerator, denominator) if programs is not None else None
     if said is None:
         return marks(numerator, denominator, end_s)
-    return Marks(*(math.nan if said[key] is None else float(said[key]) for key in Marks.__dataclass_fields__))
+    return Marks(
+        *(math.nan if said[key] is None else float(said[key]) for key in Marks.__dataclass_fields__)
+    )
 
 
 def source(programs: Programs | None) -> str:
@@ -71,7 +79,11 @@ def first_order_numbers(programs: Programs | None) -> list[Number]:
         numbers += [
             Number(f"a = {a:g}: final value", found.final_value, 1.0, 1e-9),
             Number(f"a = {a:g}: overshoot", found.overshoot_fraction, 0.0, 1e-9),
-            worst(response - (1 - np.exp(-a * time_s)), f"a = {a:g}: curve, off 1 - exp(-a t), at most", 1e-9),
+            worst(
+                response - (1 - np.exp(-a * time_s)),
+                f"a = {a:g}: curve, off 1 - exp(-a t), at most",
+                1e-9,
+            ),
         ]
     return numbers
 
@@ -91,10 +103,14 @@ def second_order_numbers(programs: Programs | None) -> list[Number]:
         if zeta < 1:
             damped = math.sqrt(1 - zeta * zeta)
             overshoot = math.exp(-math.pi * zeta / damped)
-            numbers.append(Number(f"ζ = {zeta:g}: peak time", found.peak_time_s, math.pi / damped, 1e-3, "s"))
+            numbers.append(
+                Number(f"ζ = {zeta:g}: peak time", found.peak_time_s, math.pi / damped, 1e-3, "s")
+            )
         else:
             overshoot = 0.0
-        numbers.append(Number(f"ζ = {zeta:g}: overshoot", found.overshoot_fraction, overshoot, 1e-5))
+        numbers.append(
+            Number(f"ζ = {zeta:g}: overshoot", found.overshoot_fraction, overshoot, 1e-5)
+        )
     return numbers
 
 
@@ -104,13 +120,21 @@ _REDUCED = ([5 / 29 - 5 / 28, 10 / 29 - 5 / 28], [1.0, 3.0, 2.0])
 
 
 def third_order(_: Programs | None) -> Figure:
-    """B.3: the third order system, the second order that is left without its fast root, and their difference."""
+    """B.3: the third order system, the second order that is left without its fast root, and their
+    difference.
+    """
     figure = style.new_figure(7.0, 4.6)
     upper, lower = figure.subplots(2, 1, sharex=True)
     time_s, full = step(*_THIRD, 6.0, 2001)
     _, reduced = step(*_REDUCED, 6.0, 2001)
     upper.plot(time_s, full, color=style.DARK, linewidth=1.8, label="third order, B.10")
-    upper.plot(time_s, reduced, color=style.ORANGE, linestyle="--", label="second order, B.12 (signs corrected)")
+    upper.plot(
+        time_s,
+        reduced,
+        color=style.ORANGE,
+        linestyle="--",
+        label="second order, B.12 (signs corrected)",
+    )
     lower.plot(time_s, 1e3 * (full - reduced), color=style.VERMILLION, label="difference")
     upper.set_ylabel("response to a unit step")
     lower.set_ylabel("difference [1e-3]")
@@ -123,7 +147,9 @@ def third_order(_: Programs | None) -> Figure:
 
 
 def third_order_numbers(programs: Programs | None) -> list[Number]:
-    """B.3: the difference is within the 3e-3 that the thesis claims, and the final value is 1/12."""
+    """B.3: the difference is within the 3e-3 that the thesis claims, and the final value is
+    1/12.
+    """
     _, full = step(*_THIRD, 12.0, 4001)
     _, reduced = step(*_REDUCED, 12.0, 4001)
     found = program_marks(programs, *_THIRD, 20.0)
@@ -138,7 +164,9 @@ _WHITE = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
 
 
 def _mark_time(axes: Axes, from_s: float, to_s: float, level: float, words: str) -> None:
-    axes.annotate("", (to_s, level), (from_s, level), arrowprops={"arrowstyle": "<->", "linewidth": 0.8})
+    axes.annotate(
+        "", (to_s, level), (from_s, level), arrowprops={"arrowstyle": "<->", "linewidth": 0.8}
+    )
     axes.text((from_s + to_s) / 2, level, words, ha="center", va="center", fontsize=7, bbox=_WHITE)
 
 
@@ -168,7 +196,13 @@ def first_order_mark_numbers(programs: Programs | None) -> list[Number]:
         numbers += [
             Number(f"a = {a:g}: final value", found.final_value, 1 / a, 1e-9),
             Number(f"a = {a:g}: rise, 10 to 90 %", found.rise_10_90_s, math.log(9) / a, 1e-4, "s"),
-            Number(f"a = {a:g}: settling within 2 %", found.settling_2pct_s, math.log(50) / a, 1e-4, "s"),
+            Number(
+                f"a = {a:g}: settling within 2 %",
+                found.settling_2pct_s,
+                math.log(50) / a,
+                1e-4,
+                "s",
+            ),
         ]
     return numbers
 
@@ -181,17 +215,32 @@ def second_order_marks(_: Programs | None) -> Figure:
     found = marks(*system, 60.0)
     axes.plot(time_s, response, color=style.DARK)
     axes.axhspan(0.98, 1.02, color=style.SKY, alpha=0.3, linewidth=0, label="2 %")
-    rise_10 = float(np.interp(0.1, response[: int(np.argmax(response))], time_s[: int(np.argmax(response))]))
+    rise_10 = float(
+        np.interp(0.1, response[: int(np.argmax(response))], time_s[: int(np.argmax(response))])
+    )
     rise_90 = rise_10 + found.rise_10_90_s
-    axes.annotate("", (rise_90, 0.6), (rise_10, 0.6), arrowprops={"arrowstyle": "<->", "linewidth": 0.8})
+    axes.annotate(
+        "", (rise_90, 0.6), (rise_10, 0.6), arrowprops={"arrowstyle": "<->", "linewidth": 0.8}
+    )
     axes.text(rise_90 + 0.2, 0.6, "rise time, $T_r$", va="center", fontsize=7, bbox=_WHITE)
     peak = 1 + found.overshoot_fraction
     axes.plot([found.peak_time_s] * 2, [0, peak], color=style.GREY, linestyle=":", linewidth=0.8)
     axes.plot(found.peak_time_s, peak, "s", color=style.TARGET, markersize=4)
     _mark_time(axes, 0, found.peak_time_s, 0.25, "peak time, $T_p$")
     _mark_time(axes, 0, found.settling_2pct_s, 0.08, "settling time, $T_s$")
-    axes.annotate("", (found.peak_time_s, peak), (found.peak_time_s, 1), arrowprops={"arrowstyle": "<->", "linewidth": 0.8})
-    axes.text(found.peak_time_s + 0.2, (1 + peak) / 2, f"overshoot, {found.overshoot_fraction:.0%}", va="center", fontsize=7)
+    axes.annotate(
+        "",
+        (found.peak_time_s, peak),
+        (found.peak_time_s, 1),
+        arrowprops={"arrowstyle": "<->", "linewidth": 0.8},
+    )
+    axes.text(
+        found.peak_time_s + 0.2,
+        (1 + peak) / 2,
+        f"overshoot, {found.overshoot_fraction:.0%}",
+        va="center",
+        fontsize=7,
+    )
     axes.set_xlim(0, end_s)
     axes.set_ylim(0, 1.5)
     style.legend_outside(axes)

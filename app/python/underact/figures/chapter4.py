@@ -73,7 +73,16 @@ def point_x(view: View) -> Figure:
     lower.set_xlabel("time [s]")
     lower.set_xlim(view.time_s[0], view.time_s[-1])
     rows = unlimited(view)
-    against.plot(x[~rows], force[~rows], "o", mfc="none", mec=style.LIMITED, mew=0.3, markersize=2.5, label="limit or ramp")
+    against.plot(
+        x[~rows],
+        force[~rows],
+        "o",
+        mfc="none",
+        mec=style.LIMITED,
+        mew=0.3,
+        markersize=2.5,
+        label="limit or ramp",
+    )
     against.plot(x[rows], force[rows], ".", color=style.STYLUS, markersize=2, label="as asked")
     against.set_xlabel("displacement in x [mm]")
     against.set_ylabel("force in x [N]")
@@ -90,9 +99,16 @@ def point_x_numbers(view: View) -> list[Number]:
     rows = unlimited(view)
     slope = float(np.polyfit(x[rows], force[rows], 1)[0])
     return [
-        Number("ticks with x displaced whose force in x points back", float(np.mean(force[moved] * x[moved] < 0)), 1, 0),
+        Number(
+            "ticks with x displaced whose force in x points back",
+            float(np.mean(force[moved] * x[moved] < 0)),
+            1,
+            0,
+        ),
         Number("slope of force in x against x, no limit acting", slope, -KP_N_PER_MM, 1e-6, "N/mm"),
-        Number("reach of x to both sides, the lesser", min(float(x.max()), -float(x.min())), 6, 5, "mm"),
+        Number(
+            "reach of x to both sides, the lesser", min(float(x.max()), -float(x.min())), 6, 5, "mm"
+        ),
     ]
 
 
@@ -109,14 +125,24 @@ def sphere_path_numbers(view: View) -> list[Number]:
     return [
         *common_numbers(view),
         worst(radius - 50, "target, off the sphere of 50 mm, at most", 1e-9, "mm"),
-        Number("stylus off the sphere while it slides (rms)", float(off), 0, CLAMP_N / KP_N_PER_MM, "mm"),
+        Number(
+            "stylus off the sphere while it slides (rms)",
+            float(off),
+            0,
+            CLAMP_N / KP_N_PER_MM,
+            "mm",
+        ),
     ]
 
 
 def sphere_sizes(view: View) -> Figure:
     """4.6: distance from the centre and size of the force over time."""
     distance = np.linalg.norm(view["p_WT_mm"], axis=1)
-    upper, lower = (distance, "distance from the centre [mm]", style.STYLUS), (_size(view), "force [N]", style.FORCE)
+    upper, lower = (distance, "distance from the centre [mm]", style.STYLUS), (
+        _size(view),
+        "force [N]",
+        style.FORCE,
+    )
     figure = _two_over_time(view, upper, lower)
     figure.axes[0].axhline(50, color=style.CONSTRAINT, linestyle="--", label="radius, 50 mm")
     style.legend_outside(figure.axes[0])
@@ -152,7 +178,9 @@ def line_path(view: View) -> Figure:
     direction = 15 * across(constraint["direction"])[2][[2, 0, 1]]
 
     def mark(axes) -> None:
-        axes.quiver(*point, *direction, color=style.CONSTRAINT, linewidth=2, arrow_length_ratio=0.25)
+        axes.quiver(
+            *point, *direction, color=style.CONSTRAINT, linewidth=2, arrow_length_ratio=0.25
+        )
         axes.plot(*point[:, None], "s", color=style.CONSTRAINT, markersize=4)
         axes.text(*(point + [0, 3, 0]), "$P_0$", color=style.CONSTRAINT)
         axes.text(*(point + direction + [0, 2, 0]), "$\\vec V$", color=style.CONSTRAINT)
@@ -161,7 +189,9 @@ def line_path(view: View) -> Figure:
 
 
 def line_numbers(view: View) -> list[Number]:
-    """4.8: the targets run along V through P0, and the stylus is drawn to the line and stays by it."""
+    """4.8: the targets run along V through P0, and the stylus is drawn to the line and stays
+    by it.
+    """
     constraint = view.scene["constraints"][0]
     V = across(constraint["direction"])[2]
     along = (view["p_WP_mm"] - np.asarray(constraint["point_mm"])) @ V
@@ -191,7 +221,13 @@ def plane_numbers(view: View) -> list[Number]:
         *common_numbers(view),
         worst((sent - np.outer(sent @ n, n)).ravel(), "force in the plane, at most", 1e-9, "N"),
         Number("stylus off the plane once it is there (rms)", held_rms_mm(view, 2.0), 0, 2.0, "mm"),
-        Number("way in the plane (diagonal of its extent)", float(np.linalg.norm(np.ptp(in_plane, axis=0))), 90, 45, "mm"),
+        Number(
+            "way in the plane (diagonal of its extent)",
+            float(np.linalg.norm(np.ptp(in_plane, axis=0))),
+            90,
+            45,
+            "mm",
+        ),
     ]
 
 
@@ -209,9 +245,16 @@ def circle_numbers(view: View) -> list[Number]:
     tangent = np.cross(a, off / constraint["radius_mm"])
     return [
         *common_numbers(view),
-        worst(np.linalg.norm(off, axis=1) - 40, "target, off the radius of 40 mm, at most", 1e-9, "mm"),
+        worst(
+            np.linalg.norm(off, axis=1) - 40, "target, off the radius of 40 mm, at most", 1e-9, "mm"
+        ),
         worst(off @ a, "target, out of the circle's plane, at most", 1e-9, "mm"),
-        worst(np.sum(view["force_sent_N"] * tangent, axis=1), "force along the circle, at most", 1e-9, "N"),
+        worst(
+            np.sum(view["force_sent_N"] * tangent, axis=1),
+            "force along the circle, at most",
+            1e-9,
+            "N",
+        ),
         Number("turn around the circle", float(np.degrees(np.ptp(turned))), 390, 30, "deg"),
         Number("stylus off the circle (rms)", held_rms_mm(view, 1.0), 0, 2.0, "mm"),
     ]
@@ -231,7 +274,12 @@ def cylinder_numbers(view: View) -> list[Number]:
     turned = np.unwrap(np.arctan2(off @ v, off @ u))
     return [
         *common_numbers(view),
-        worst(np.linalg.norm(radial, axis=1) - 30, "target, off the radius of 30 mm, at most", 1e-9, "mm"),
+        worst(
+            np.linalg.norm(radial, axis=1) - 30,
+            "target, off the radius of 30 mm, at most",
+            1e-9,
+            "mm",
+        ),
         worst(view["force_sent_N"] @ a, "force along the axis, at most", 1e-9, "N"),
         Number("way along the axis", float(np.ptp(off @ a)), 45, 10, "mm"),
         Number("turn around the axis", float(np.degrees(np.ptp(turned))), 720, 40, "deg"),

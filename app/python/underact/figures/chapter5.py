@@ -18,7 +18,9 @@ K_ROTATE, KP, LENGTH_MM = 250.0, 0.5, 50.0  # figure 5.8: N mm/rad, N/mm, mm
 
 
 def angle_question() -> dict:
-    """Figure 5.6 as a question to `target`: tip at angle beta, a little off the rim, z of frame 6 at alpha."""
+    """Figure 5.6 as a question to `target`: tip at angle beta, a little off the rim, z of frame 6
+    at alpha.
+    """
     z = np.array([np.cos(ALPHA), np.sin(ALPHA), 0.0])
     x = np.array([0.0, 0.0, 1.0])
     R_WT = np.stack([x, np.cross(z, x), z], axis=1)
@@ -55,9 +57,20 @@ def right_angle_numbers(answer: dict) -> list[Number]:
     """5.6: eq. 5.32, not 5.31."""
     q = np.asarray(answer["q_mm"])
     return [
-        Number("angle of the target, eq. 5.32", float(np.arctan2(q[1], q[0])), 0.9 * np.pi, 1e-12, "rad"),
+        Number(
+            "angle of the target, eq. 5.32",
+            float(np.arctan2(q[1], q[0])),
+            0.9 * np.pi,
+            1e-12,
+            "rad",
+        ),
         Number("target, from the centre", float(np.linalg.norm(q)), RADIUS_MM, 1e-9, "mm"),
-        worst(np.asarray(answer["force_N"]) - KP * (q - angle_question()["p_mm"]), "force, off K_p e, at most", 1e-9, "N"),
+        worst(
+            np.asarray(answer["force_N"]) - KP * (q - angle_question()["p_mm"]),
+            "force, off K_p e, at most",
+            1e-9,
+            "N",
+        ),
     ]
 
 
@@ -79,7 +92,9 @@ def angle_histories(view: View) -> Figure:
 
 
 def angle_history_numbers(view: View) -> list[Number]:
-    """5.7: theta = alpha + t wrap(beta - alpha) (eq. 5.4), with alpha and beta found from pose and tip (5.2, 5.3)."""
+    """5.7: theta = alpha + t wrap(beta - alpha) (eq. 5.4), with alpha and beta found from pose and
+    tip (5.2, 5.3).
+    """
     alpha, beta, theta = view["alpha_beta_theta_rad"].T
     share = view.scene["constraints"][0]["influence"]["t"]
     z, p = stylus_axis(view["quat_WT"]), view["p_WT_mm"]
@@ -88,10 +103,28 @@ def angle_history_numbers(view: View) -> list[Number]:
     along = (view.time_s > 8.2) & (view.time_s < 9.0)
     return [
         worst(wrap(theta - due), "θ, off α + t wrap(β − α), at most", 1e-9, "rad"),
-        worst(wrap(alpha - np.arctan2(z[:, 1], z[:, 0])), "α, off atan2 of z of frame 6, at most", 1e-9, "rad"),
-        worst(wrap(beta - np.arctan2(p[:, 1], p[:, 0])), "β, off atan2 of the tip, at most", 1e-9, "rad"),
-        worst((view["p_WP_mm"] - target).ravel(), "target, off the point at θ, at most", 1e-9, "mm"),
-        Number("α and β apart at most", float(np.degrees(np.abs(wrap(beta - alpha)).max())), 60, 40, "deg"),
+        worst(
+            wrap(alpha - np.arctan2(z[:, 1], z[:, 0])),
+            "α, off atan2 of z of frame 6, at most",
+            1e-9,
+            "rad",
+        ),
+        worst(
+            wrap(beta - np.arctan2(p[:, 1], p[:, 0])),
+            "β, off atan2 of the tip, at most",
+            1e-9,
+            "rad",
+        ),
+        worst(
+            (view["p_WP_mm"] - target).ravel(), "target, off the point at θ, at most", 1e-9, "mm"
+        ),
+        Number(
+            "α and β apart at most",
+            float(np.degrees(np.abs(wrap(beta - alpha)).max())),
+            60,
+            40,
+            "deg",
+        ),
         Number("α and β apart, 8.2 s to 9 s, at most", _apart(alpha, beta, along), 0, 5, "deg"),
     ]
 
@@ -118,7 +151,9 @@ def manipulator_moments(view: View) -> Figure:
     for axes, at_s in zip(panels.ravel(), (2.0, 4.0, 6.0, 8.0)):
         row = int(np.searchsorted(view.time_s, at_s))
         _moment(axes, view["p_WT_mm"][row], z[row], view["force_sent_N"][row])
-        axes.set_title(f"{view.time_s[row]:.1f} s, force {np.linalg.norm(view['force_sent_N'][row]):.2f} N")
+        axes.set_title(
+            f"{view.time_s[row]:.1f} s, force {np.linalg.norm(view['force_sent_N'][row]):.2f} N"
+        )
     for axes in panels.ravel():
         axes.label_outer()
     style.legend_outside(panels[0, 1])
@@ -127,7 +162,9 @@ def manipulator_moments(view: View) -> Figure:
 
 
 def manipulator_numbers(view: View) -> list[Number]:
-    """5.8: the force asked for is that of code 5.2 as corrected, and turns the stylus's way with k_theta / L."""
+    """5.8: the force asked for is that of code 5.2 as corrected, and turns the stylus's way with
+    k_theta / L.
+    """
     p, asked = view["p_WT_mm"], view["force_asked_N"]
     z = stylus_axis(view["quat_WT"])
     turn = np.arctan2(p[:, 1], p[:, 0])
@@ -140,9 +177,22 @@ def manipulator_numbers(view: View) -> list[Number]:
     cosine /= np.linalg.norm(asked[pushes], axis=1)
     slope = float(turned @ pull / max(float(turned @ turned), 1e-300))
     return [
-        worst((asked - code_5_2(p, z)).ravel(), "force asked, off code 5.2 (corrected), at most", 1e-9, "N"),
-        Number("slope of tangential force against error of turn", slope, -K_ROTATE / LENGTH_MM, 1e-6, "N/rad"),
-        Number("least cosine between force sent and asked", float(cosine.min(initial=np.inf)), 1, 1e-9),
+        worst(
+            (asked - code_5_2(p, z)).ravel(),
+            "force asked, off code 5.2 (corrected), at most",
+            1e-9,
+            "N",
+        ),
+        Number(
+            "slope of tangential force against error of turn",
+            slope,
+            -K_ROTATE / LENGTH_MM,
+            1e-6,
+            "N/rad",
+        ),
+        Number(
+            "least cosine between force sent and asked", float(cosine.min(initial=np.inf)), 1, 1e-9
+        ),
         Number("greatest error of turn", float(np.degrees(np.abs(turned).max())), 20, 17, "deg"),
         Number("greatest force", float(np.linalg.norm(sent, axis=1).max()), 0.88, 1e-6, "N"),
     ]
@@ -166,11 +216,19 @@ def _moment(axes: Axes, p: np.ndarray, z: np.ndarray, force: np.ndarray) -> None
     nearest, tangent = LENGTH_MM * out, np.array([-out[1], out[0]])
     ends = np.stack([nearest - 35 * tangent, nearest + 35 * tangent], axis=1)
     axes.plot(*ends, color=style.GREY, linestyle="--", linewidth=0.8, label="tangent")
-    axes.plot(*np.stack([p[:2], p[:2] + 25 * z[:2]], axis=1), color=style.STYLUS, linewidth=2.5, label="stylus")
+    axes.plot(
+        *np.stack([p[:2], p[:2] + 25 * z[:2]], axis=1),
+        color=style.STYLUS,
+        linewidth=2.5,
+        label="stylus",
+    )
     axes.plot(*p[:2], "o", mfc="white", mec=style.STYLUS, mew=2, markersize=6)
     axes.plot(*nearest, "s", color=style.TARGET, markersize=5, label="nearest point")
     axes.annotate(
-        "", p[:2] + 20 * force[:2], p[:2], arrowprops={"arrowstyle": "-|>", "color": style.FORCE, "linewidth": 2}
+        "",
+        p[:2] + 20 * force[:2],
+        p[:2],
+        arrowprops={"arrowstyle": "-|>", "color": style.FORCE, "linewidth": 2},
     )
     axes.plot([], [], color=style.FORCE, linewidth=2, label="force")
     _flat(axes)

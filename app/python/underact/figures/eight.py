@@ -22,7 +22,14 @@ def forward(q: list[float]) -> np.ndarray:
     for (twist_deg, a, d), theta in zip(rows, q):
         ca, sa = round(math.cos(math.radians(twist_deg))), round(math.sin(math.radians(twist_deg)))
         c, s = math.cos(theta), math.sin(theta)
-        X = X @ np.array([[c, -s, 0, a], [s * ca, c * ca, -sa, -sa * d], [s * sa, c * sa, ca, ca * d], [0, 0, 0, 1]])
+        X = X @ np.array(
+            [
+                [c, -s, 0, a],
+                [s * ca, c * ca, -sa, -sa * d],
+                [s * sa, c * sa, ca, ca * d],
+                [0, 0, 0, 1],
+            ]
+        )
     return X
 
 
@@ -36,17 +43,29 @@ def tree(answer: dict) -> Figure:
     figure = style.new_figure(7.0, 3.6)
     axes = figure.subplots()
     axes.axis("off")
-    order = sorted(answer["solutions"], key=lambda one: [-one["branch"][part] for part in ("shoulder", "elbow", "wrist")])
+    order = sorted(
+        answer["solutions"],
+        key=lambda one: [-one["branch"][part] for part in ("shoulder", "elbow", "wrist")],
+    )
     levels = (("θ₁", 4), ("θ₃, θ₂", 2), ("θ₅, θ₄, θ₆", 1))
     parents = {0: (0.0, 3.5)}
-    for depth, ((name, span), sign_key) in enumerate(zip(levels, ("shoulder", "elbow", "wrist")), start=1):
+    for depth, ((name, span), sign_key) in enumerate(
+        zip(levels, ("shoulder", "elbow", "wrist")), start=1
+    ):
         children = {}
         for index in range(8 // span):
             y = index * span + (span - 1) / 2
             start = parents[index // 2]
             axes.plot([start[0], depth], [start[1], y], color=style.GREY, linewidth=0.8)
             sign = order[index * span]["branch"][sign_key] if index * span < len(order) else 0
-            axes.text(depth, y, f" {sign:+d} ", ha="center", va="center", bbox={"fc": "white", "ec": style.GREY, "pad": 1.5})
+            axes.text(
+                depth,
+                y,
+                f" {sign:+d} ",
+                ha="center",
+                va="center",
+                bbox={"fc": "white", "ec": style.GREY, "pad": 1.5},
+            )
             children[index] = (float(depth), y)
         parents = children
         axes.text(depth, -0.9, f"{sign_key}\n({name})", ha="center", va="bottom", color=style.BLUE)
@@ -61,13 +80,24 @@ def tree(answer: dict) -> Figure:
 
 
 def numbers(answer: dict) -> list[Number]:
-    """3.4: eight solutions, all different, each reaching the pose by forward kinematics written apart."""
+    """3.4: eight solutions, all different, each reaching the pose by forward kinematics written
+    apart.
+    """
     pose = forward(_JOINTS_RAD)
     joints = [one["q_rad"] for one in answer["solutions"]]
     different = {tuple(round(angle, 6) for angle in q) for q in joints}
-    known = min((float(np.abs(np.subtract(q, _JOINTS_RAD)).max()) for q in joints), default=math.nan)
+    known = min(
+        (float(np.abs(np.subtract(q, _JOINTS_RAD)).max()) for q in joints), default=math.nan
+    )
     return [
         Number("solutions that differ", len(different), 8, 0),
-        worst(np.ravel([forward(q) - pose for q in joints]), "pose reached, off by at most", 1e-9, "mm, 1"),
-        Number("joints that the pose was made from, off the nearest solution", known, 0, 1e-9, "rad"),
+        worst(
+            np.ravel([forward(q) - pose for q in joints]),
+            "pose reached, off by at most",
+            1e-9,
+            "mm, 1",
+        ),
+        Number(
+            "joints that the pose was made from, off the nearest solution", known, 0, 1e-9, "rad"
+        ),
     ]

@@ -26,20 +26,41 @@ def resources() -> Path:
     for folder in (here.parents[4] / "resources" / "figures", here.parents[3] / "figures"):
         if folder.is_dir():
             return folder
-    raise SessionError("The figures' scenes are not installed: there is no folder figures beside this package.")
+    raise SessionError(
+        "The figures' scenes are not installed: there is no folder figures beside this package."
+    )
 
 
 class Maker:
-    """Makes one figure after the other into a folder; runs that several figures share are run once."""
+    """Makes one figure after the other into a folder; runs that several figures share are run
+    once.
+    """
 
     def __init__(self, programs: Programs, out: Path):
         self.programs, self.out, self.source = programs, out, resources()
         self._views: dict[str, View] = {}
 
     def make(self, entry: Entry) -> dict:
-        """Makes a figure; gives its row of figures.json. A program that fails makes the figure fail, not the others."""
-        row = {"figure": entry.key, "title": entry.title, "caption": entry.caption, "kind": entry.kind}
-        row.update({"pictures": [], "numbers": [], "left_out": "", "problem": "", "scene": "", "hand": "", "session": ""})
+        """Makes a figure; gives its row of figures.json. A program that fails makes the figure
+        fail, not the others.
+        """
+        row = {
+            "figure": entry.key,
+            "title": entry.title,
+            "caption": entry.caption,
+            "kind": entry.kind,
+        }
+        row.update(
+            {
+                "pictures": [],
+                "numbers": [],
+                "left_out": "",
+                "problem": "",
+                "scene": "",
+                "hand": "",
+                "session": "",
+            }
+        )
         try:
             if entry.scene:
                 row["scene"] = self._copy(f"{entry.scene}.json")
@@ -69,7 +90,9 @@ class Maker:
             record = self.out / row["session"]
             record.parent.mkdir(parents=True, exist_ok=True)
             record.unlink(missing_ok=True)
-            self.programs.run(self.out / row["scene"], self.out / row["hand"], entry.seconds, record)
+            self.programs.run(
+                self.out / row["scene"], self.out / row["hand"], entry.seconds, record
+            )
             with Session(record) as session:
                 if not session.complete:
                     raise SessionError(f"{record.name} did not end in order.")
@@ -79,7 +102,9 @@ class Maker:
         self._keep(entry, row, style.styled(entry.draw)(view), entry.check(view))
 
     def _target(self, entry: Entry, row: dict) -> None:
-        answer = self.programs.answers(["target", str(self.out / row["scene"])], [chapter5.angle_question()])[0]
+        answer = self.programs.answers(
+            ["target", str(self.out / row["scene"])], [chapter5.angle_question()]
+        )[0]
         self._keep(entry, row, style.styled(entry.draw)(answer), entry.check(answer))
 
     def _ik(self, entry: Entry, row: dict) -> None:
@@ -108,9 +133,12 @@ def _chosen(only: list[str] | None) -> list[Entry]:
 
 
 def make(cli: Path, window: Path | None, out: Path, only: list[str] | None = None) -> int:
-    """Makes the figures (all, or those named) into the folder `out`; gives 0, or 1 where an assertion fails.
+    """Makes the figures (all, or those named) into the folder `out`.
 
-    Writes NAME.png, .svg and .pdf of each, scenes/ and sessions/, index.html and figures.json. Progress goes to
+    Gives 0, or 1 where an assertion fails.
+
+    Writes NAME.png, .svg and .pdf of each, scenes/ and sessions/, index.html and figures.json.
+    Progress goes to
     standard error where that is a terminal; what failed always does.
     """
     entries = _chosen(only)
@@ -120,11 +148,18 @@ def make(cli: Path, window: Path | None, out: Path, only: list[str] | None = Non
     rows = []
     for index, entry in enumerate(entries, start=1):
         if sys.stderr.isatty():
-            print(f"\r{index} of {len(entries)}: figure {entry.key}   ", end="", file=sys.stderr, flush=True)
+            print(
+                f"\r{index} of {len(entries)}: figure {entry.key}   ",
+                end="",
+                file=sys.stderr,
+                flush=True,
+            )
         rows.append(maker.make(entry))
     if sys.stderr.isatty():
         print(file=sys.stderr)
-    (out / "figures.json").write_text(json.dumps(rows, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    (out / "figures.json").write_text(
+        json.dumps(rows, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+    )
     (out / "index.html").write_text(page(rows), encoding="utf-8")
     for row in rows:
         for words in _failures(row):
@@ -135,6 +170,8 @@ def make(cli: Path, window: Path | None, out: Path, only: list[str] | None = Non
 def _failures(row: dict) -> list[str]:
     failed = [number for number in row["numbers"] if not number["passed"]]
     words = [
-        f"{n['what']} is {n['measured']} {n['unit']}, and should be {n['expected']} within {n['tolerance']}." for n in failed
+        f"{n['what']} is {n['measured']} {n['unit']}, and should be {n['expected']} within "
+        f"{n['tolerance']}."
+        for n in failed
     ]
     return words + [text for text in (row["problem"], row["left_out"]) if text]

@@ -1,4 +1,4 @@
-"""The thesis's nearest points in closed form (its chapter 4, misprints corrected), to check the program against.
+"""The thesis's nearest points (its chapter 4, misprints corrected), to check the program against.
 
 Shares no line with the program. Arrays (n, 3), mm, in W.
 """
@@ -20,7 +20,9 @@ def unit(a: np.ndarray) -> np.ndarray:
 
 
 def nearest(constraint: dict, p_mm: np.ndarray) -> np.ndarray:
-    """The nearest point on a constraint of a scene: eq. 4.3, 4.5 with a of 4.9 (sign corrected), 4.14, 4.20, 4.26."""
+    """The nearest point on a constraint of a scene: eq. 4.3, 4.5 with a of 4.9 (sign corrected),
+    4.14, 4.20, 4.26.
+    """
     kind = constraint["type"]
     if kind == "point":
         return np.broadcast_to(np.asarray(constraint["position_mm"], dtype=float), p_mm.shape)
@@ -29,7 +31,11 @@ def nearest(constraint: dict, p_mm: np.ndarray) -> np.ndarray:
     away = p_mm - center
     if kind == "sphere":
         return center + constraint["radius_mm"] * unit(away)
-    axis = unit(np.asarray(constraint[{"line": "direction", "cylinder": "axis"}.get(kind, "normal")], dtype=float))
+    axis = unit(
+        np.asarray(
+            constraint[{"line": "direction", "cylinder": "axis"}.get(kind, "normal")], dtype=float
+        )
+    )
     along = dot(away, axis) * axis
     if kind == "line":
         return center + along

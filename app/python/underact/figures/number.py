@@ -23,12 +23,17 @@ class Number:
 
     def as_dict(self) -> dict:
         """For figures.json; what is no number becomes null, for JSON has no word for it."""
-        finite = {k: None if isinstance(v, float) and not math.isfinite(v) else v for k, v in asdict(self).items()}
+        finite = {
+            k: None if isinstance(v, float) and not math.isfinite(v) else v
+            for k, v in asdict(self).items()
+        }
         return {**finite, "passed": self.passed}
 
 
 def worst(values, what: str, tolerance: float, unit: str = "") -> Number:
-    """The greatest size of `values`, which should be zero; of no values at all it is no number, and fails."""
+    """The greatest size of `values`, which should be zero; of no values at all it is no number, and
+    fails.
+    """
     sizes = [abs(float(value)) for value in values]
     measured = max(sizes, default=math.nan)
     if any(math.isnan(size) for size in sizes):

@@ -1,4 +1,6 @@
-"""Unit step responses of transfer functions, and their marks, to check `underact-cli lab step` against."""
+"""Unit step responses of transfer functions, and their marks, to check `underact-cli lab step`
+against.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,9 @@ def _exponential(A: np.ndarray) -> np.ndarray:
     return total
 
 
-def step(numerator: list[float], denominator: list[float], end_s: float, points: int) -> tuple[np.ndarray, np.ndarray]:
+def step(
+    numerator: list[float], denominator: list[float], end_s: float, points: int
+) -> tuple[np.ndarray, np.ndarray]:
     """time_s and the response to a unit step, exact at each of `points` times from 0 to end_s.
 
     Coefficients in descending powers of s; the numerator's order is below the denominator's.
@@ -40,7 +44,9 @@ def step(numerator: list[float], denominator: list[float], end_s: float, points:
     order = len(a) - 1
     b = np.zeros(order)
     b[order - len(numerator) :] = np.asarray(numerator, dtype=float) / denominator[0]
-    system = np.zeros((order + 1, order + 1))  # the states in companion form, and the step that drives them
+    system = np.zeros(
+        (order + 1, order + 1)
+    )  # the states in companion form, and the step that drives them
     system[: order - 1, 1:order] = np.eye(order - 1)
     system[order - 1, :order] = -a[:0:-1]
     system[order - 1, order] = 1.0
@@ -48,7 +54,9 @@ def step(numerator: list[float], denominator: list[float], end_s: float, points:
     advance = _exponential(system * (time_s[1] - time_s[0]))
     states = np.zeros((1, order + 1))
     states[0, order] = 1.0
-    while len(states) < points:  # all states so far, advanced by as many steps, are those that follow
+    while (
+        len(states) < points
+    ):  # all states so far, advanced by as many steps, are those that follow
         states = np.concatenate([states, states @ advance.T])
         advance = advance @ advance
     response = states[:points, :order] @ b[::-1]
@@ -67,8 +75,12 @@ def _crossing(time_s: np.ndarray, values: np.ndarray, level: float) -> float:
     return float(time_s[index - 1] + share * (time_s[index] - time_s[index - 1]))
 
 
-def marks(numerator: list[float], denominator: list[float], end_s: float, points: int = 200_001) -> Marks:
-    """Rise from 10 to 90 %, settling within 2 %, peak and overshoot, from a response sampled finely up to end_s."""
+def marks(
+    numerator: list[float], denominator: list[float], end_s: float, points: int = 200_001
+) -> Marks:
+    """Rise from 10 to 90 %, settling within 2 %, peak and overshoot, from a response sampled finely
+    up to end_s.
+    """
     time_s, response = step(numerator, denominator, end_s, points)
     final = numerator[-1] / denominator[-1]
     share = response / final
@@ -96,4 +108,7 @@ def _top(time_s: np.ndarray, values: np.ndarray, index: int) -> float:
     if not 0 < index < len(values) - 1:
         return float(time_s[index])
     before, here, after = values[index - 1 : index + 2]
-    return float(time_s[index] + 0.5 * (before - after) / (before - 2 * here + after) * (time_s[1] - time_s[0]))
+    return float(
+        time_s[index]
+        + 0.5 * (before - after) / (before - 2 * here + after) * (time_s[1] - time_s[0])
+    )

@@ -1,4 +1,6 @@
-"""The plots of a session, by name in KINDS: `draw(kind, view, width_in)` gives a matplotlib Figure."""
+"""The plots of a session, by name in KINDS: `draw(kind, view, width_in)` gives a matplotlib
+Figure.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,9 @@ KINDS = {
 
 @styled
 def draw(kind: str, view: View, width_in: float = 7.0) -> Figure:
-    """The plot `kind` (a key of KINDS) of what view_of() took from a session, width_in inches wide."""
+    """The plot `kind` (a key of KINDS) of what view_of() took from a session, width_in inches
+    wide.
+    """
     if kind not in KINDS:
         raise ValueError(f"There is no plot {kind}; there are {', '.join(KINDS)}.")
     if not (math.isfinite(width_in) and 2.0 <= width_in <= 40.0):

@@ -27,20 +27,37 @@ def _start(view: View, width_in: float, rows: int = 1) -> tuple[Figure, list[Axe
 
 
 def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
-    """The time axis, and what happened when: faults as red crosses on a line, marks as lines with their words."""
+    """The time axis, and what happened when: faults as red crosses on a line, marks as lines with
+    their words.
+    """
     panels[-1].set_xlabel("time [s]")
     if view.time_s[-1] > view.time_s[0]:
         panels[-1].set_xlim(view.time_s[0], view.time_s[-1])
     for axes in panels:
         for time_s, _ in view.faults:
-            axes.axvline(time_s, color=style.VERMILLION, linewidth=0.8, marker="x", markevery=[1], clip_on=False)
+            axes.axvline(
+                time_s,
+                color=style.VERMILLION,
+                linewidth=0.8,
+                marker="x",
+                markevery=[1],
+                clip_on=False,
+            )
         for time_s, _ in view.marks:
             axes.axvline(time_s, color=style.GREY, linewidth=0.6, linestyle=(0, (1, 2)))
     for time_s, words in view.faults + view.marks:
         panels[0].annotate(
-            words[:24], (time_s, 1), xycoords=("data", "axes fraction"), rotation=90, fontsize=6, color=style.GREY,
-            ha="right", va="top", textcoords="offset points", xytext=(-1, -2),
-        )  # fmt: skip
+            words[:24],
+            (time_s, 1),
+            xycoords=("data", "axes fraction"),
+            rotation=90,
+            fontsize=6,
+            color=style.GREY,
+            ha="right",
+            va="top",
+            textcoords="offset points",
+            xytext=(-1, -2),
+        )
     for axes in panels:
         style.legend_outside(axes)
     figure.align_ylabels(panels)
@@ -57,7 +74,9 @@ def error_time(view: View, width_in: float) -> Figure:
 
 
 def force_time(view: View, width_in: float) -> Figure:
-    """The force that was sent over time, N: its size and, below, its components; a bar where a limit cuts it."""
+    """The force that was sent over time, N: its size and, below, its components; a bar where a
+    limit cuts it.
+    """
     figure, (sizes, parts) = _start(view, width_in, rows=2)
     sent = np.linalg.norm(view["force_sent_N"], axis=1)
     line(sizes, view.time_s, sent, color=style.FORCE, label="size, as sent", linewidth=1.3)
@@ -66,7 +85,14 @@ def force_time(view: View, width_in: float) -> Figure:
         height = np.where(cut, 1.04 * max(float(np.nanmax(sent)), 1e-6), np.nan)
         line(sizes, view.time_s, height, color=style.LIMITED, linewidth=2.5, label="a limit cuts")
     if (view["passive_N"] > 0).any():
-        line(sizes, view.time_s, view["passive_N"], color=style.PURPLE, linestyle=":", label="passive")
+        line(
+            sizes,
+            view.time_s,
+            view["passive_N"],
+            color=style.PURPLE,
+            linestyle=":",
+            label="passive",
+        )
     sizes.set_ylim(bottom=0)
     sizes.set_ylabel("force [N]")
     for index, (name, color, dashes) in enumerate(style.AXES):
@@ -85,7 +111,9 @@ def unbroken(angle_rad: np.ndarray) -> np.ndarray:
 
 
 def angles(view: View, width_in: float) -> Figure:
-    """Angles of stylus, tip and target about the shape's axis over time, degrees (thesis figure 5.7)."""
+    """Angles of stylus, tip and target about the shape's axis over time, degrees (thesis figure
+    5.7).
+    """
     figure, (axes,) = _start(view, width_in)
     alpha, beta, theta = (unbroken(column) for column in view["alpha_beta_theta_rad"].T)
     line(axes, view.time_s, alpha, color=style.SKY, linestyle="--", label="stylus, α")
@@ -108,14 +136,23 @@ def joints(view: View, width_in: float) -> Figure:
 
 
 def energy(view: View, width_in: float) -> Figure:
-    """What the stylus has put into all constraints and not got back over time, mJ; below zero: active."""
+    """What the stylus has put into all constraints and not got back over time, mJ; below zero:
+    active.
+    """
     figure, (axes,) = _start(view, width_in)
     stored = view["energy_mJ"]
     line(axes, view.time_s, stored, color=style.STYLUS, label="energy")
     if np.nanmin(stored) < 0:
         time_s, values = thin(view.time_s, stored, int(width_in * style.DPI))
         axes.fill_between(
-            time_s, np.minimum(values, 0), 0, color=style.LIMITED, alpha=0.35, hatch="////", linewidth=0, label="active"
+            time_s,
+            np.minimum(values, 0),
+            0,
+            color=style.LIMITED,
+            alpha=0.35,
+            hatch="////",
+            linewidth=0,
+            label="active",
         )
     axes.axhline(0, color=style.DARK, linewidth=0.6)
     axes.set_ylabel("energy put in [mJ]")

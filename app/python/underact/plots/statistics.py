@@ -10,10 +10,13 @@ from .over_time import _say
 from .view import View
 
 
-def density(values: np.ndarray, rate_hz: float, segment: int = 4096) -> tuple[np.ndarray, np.ndarray]:
-    """One-sided power spectral density by Welch's means: Hann windows, half overlapping, each without its mean.
+def density(
+    values: np.ndarray, rate_hz: float, segment: int = 4096
+) -> tuple[np.ndarray, np.ndarray]:
+    """One-sided power spectral density by Welch: Hann windows, half overlapping, without their means.
 
-    values: evenly sampled at rate_hz. Gives frequencies (Hz) and the density (unit^2 / Hz); the sum of
+    values: evenly sampled at rate_hz. Gives frequencies (Hz) and the density (unit^2 / Hz); the
+    sum of
     density times the spacing of frequencies is the variance. Fewer than 8 values give empty arrays.
     """
     values = np.asarray(values, dtype=float)
@@ -33,7 +36,9 @@ def density(values: np.ndarray, rate_hz: float, segment: int = 4096) -> tuple[np
 
 
 def spectrum(view: View, width_in: float) -> Figure:
-    """Amplitude spectral densities of error (mm / sqrt Hz) and size of the force sent (N / sqrt Hz)."""
+    """Amplitude spectral densities of error (mm / sqrt Hz) and size of the force sent (N / sqrt
+    Hz).
+    """
     figure = style.new_figure(width_in, 0.62 * width_in + 0.5)
     panels = figure.subplots(2, 1, sharex=True).tolist()
     force = np.linalg.norm(view["force_sent_N"], axis=1)
@@ -53,14 +58,22 @@ def spectrum(view: View, width_in: float) -> Figure:
 
 
 def lateness(view: View, width_in: float) -> Figure:
-    """How late ticks began and how long they took: counts, both axes logarithmic; a dashed line at one period."""
+    """How late ticks began and how long they took: counts, both axes logarithmic; a dashed line at
+    one period.
+    """
     figure = style.new_figure(width_in, 0.45 * width_in + 0.5)
     axes = figure.subplots()
     late, took = view["lateness_us"], view["tick_us"]
     edges = np.logspace(-1, 6, 141)
     if (late > 0).any():
         axes.hist(np.maximum(late, edges[0]), edges, color=style.SKY, label="lateness")
-    axes.hist(np.maximum(took, edges[0]), edges, histtype="step", color=style.STYLUS, label="time of a tick")
+    axes.hist(
+        np.maximum(took, edges[0]),
+        edges,
+        histtype="step",
+        color=style.STYLUS,
+        label="time of a tick",
+    )
     period_us = 1e6 / view.rate_hz
     axes.axvline(period_us, color=style.VERMILLION, linestyle="--", label="one period")
     axes.set_xscale("log")

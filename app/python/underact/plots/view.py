@@ -12,7 +12,9 @@ from ..session import Fault, Marker, Session
 
 @dataclass
 class View:
-    """A stretch of a session. time_s counts from the session's first tick; columns are those of /ticks."""
+    """A stretch of a session. time_s counts from the session's first tick; columns are those of
+    /ticks.
+    """
 
     time_s: np.ndarray
     columns: dict[str, np.ndarray]
@@ -27,13 +29,29 @@ class View:
 
 
 _COLUMNS = (
-    "tick", "q_rad", "p_WT_mm", "quat_WT", "p_WP_mm", "error_mm", "force_asked_N", "force_sent_N", "gate_level",
-    "limits", "alpha_beta_theta_rad", "energy_mJ", "passive_N", "lateness_us", "tick_us",
-)  # fmt: skip
+    "tick",
+    "q_rad",
+    "p_WT_mm",
+    "quat_WT",
+    "p_WP_mm",
+    "error_mm",
+    "force_asked_N",
+    "force_sent_N",
+    "gate_level",
+    "limits",
+    "alpha_beta_theta_rad",
+    "energy_mJ",
+    "passive_N",
+    "lateness_us",
+    "tick_us",
+)
 
 
 def view_of(
-    session: Session, from_s: float | None = None, to_s: float | None = None, footer: str | None = None
+    session: Session,
+    from_s: float | None = None,
+    to_s: float | None = None,
+    footer: str | None = None,
 ) -> View:
     """The ticks of a session from from_s to to_s, s since its first tick; None: from or to its end.
 
@@ -41,12 +59,16 @@ def view_of(
     """
     time_ns = session.ticks["time_ns"]
     if len(time_ns) == 0:
-        raise SessionError(f"{session.path} holds no tick: the recording ended before the first was written.")
+        raise SessionError(
+            f"{session.path} holds no tick: the recording ended before the first was written."
+        )
     time_s = (time_ns - time_ns[0]) * 1e-9
     low, high = (time_s[0] if from_s is None else from_s), (time_s[-1] if to_s is None else to_s)
     rows = (time_s >= low) & (time_s <= high)
     if not rows.any():
-        raise SessionError(f"{session.path} has no tick from {low:g} s to {high:g} s; it lasts {time_s[-1]:g} s.")
+        raise SessionError(
+            f"{session.path} has no tick from {low:g} s to {high:g} s; it lasts {time_s[-1]:g} s."
+        )
     tick = session.ticks["tick"]
 
     def at(events: list[Marker] | list[Fault], words: str) -> list[tuple[float, str]]:
@@ -68,8 +90,15 @@ def view_of(
 def footer_of(attributes: dict, *more: str) -> str:
     """Scene, name of the session, arm, device and version, as far as the file says them."""
     version = attributes.get("program_version")
-    words = [attributes.get("scene_title"), attributes.get("name"), attributes.get("arm"), attributes.get("device")]
-    return " · ".join(str(word) for word in [*words, *more, f"Underact {version}" if version else ""] if word)
+    words = [
+        attributes.get("scene_title"),
+        attributes.get("name"),
+        attributes.get("arm"),
+        attributes.get("device"),
+    ]
+    return " · ".join(
+        str(word) for word in [*words, *more, f"Underact {version}" if version else ""] if word
+    )
 
 
 def _rate_hz(time_s: np.ndarray) -> float:
