@@ -13,7 +13,7 @@ from .view import View
 def density(
     values: np.ndarray, rate_hz: float, segment: int = 4096
 ) -> tuple[np.ndarray, np.ndarray]:
-    """One-sided power spectral density by Welch: Hann windows, half overlapping, without their means.
+    """One-sided power spectral density by Welch: Hann windows, half overlapping, no means.
 
     values: evenly sampled at rate_hz. Gives frequencies (Hz) and the density (unit^2 / Hz); the
     sum of
