@@ -1,12 +1,14 @@
 """A byte that changed on the way is found, and the ticks that it spans are named."""
 
+import time
 import unittest
 
 import h5py
 import numpy as np
 from session_writer import TICKS, Writer, sphere_ticks, write_session
-from support import InFolder, command
-from underact import DamagedSession, Session
+from support import SOAK, InFolder, command
+from underact import DamagedSession, Session, SessionError
+from underact.info import info_of
 
 
 def flip(path, dataset: str, row: int) -> None:
@@ -89,6 +91,45 @@ class ADamagedBlock(InFolder):
         status, out, _ = command("info", self.path, "--damaged", "skip", "--json")
         self.assertEqual(status, 0)
         self.assertIn('"damaged_rows": 100', out)
+
+
+class AnyFile(InFolder):
+    """Whatever bytes change: the session, or a sentence; never another error, never for ever."""
+
+    def judge(self, data: bytes, cases: int, seed: int) -> None:
+        random = np.random.default_rng(seed)
+        path = self.folder / "b.h5"
+        for case in range(cases):
+            changed = bytearray(data)
+            for at in random.integers(0, len(data), random.choice([1, 3, 30])):
+                changed[at] = random.integers(0, 256)
+            for at in random.integers(
+                0, 30_000, random.choice([0, 1, 3])
+            ):  # where the tables are described
+                changed[at] = random.integers(0, 256)
+            path.write_bytes(changed[: random.integers(len(data))] if case % 10 == 0 else changed)
+            began_s = time.monotonic()
+            try:
+                with Session(path, damaged=("raise", "skip")[case % 2]) as session:
+                    info_of(session)
+                    session.frame()
+                    list(session.follow(0.01, timeout_s=0.02))
+            except SessionError as error:
+                self.assertRegex(str(error), r"[.)]$")
+            self.assertLess(time.monotonic() - began_s, 20, f"case {case} of seed {seed}")
+
+    def test_that_was_closed(self):
+        path = write_session(self.folder / "a.h5", 250)
+        self.judge(path.read_bytes(), 1000 if SOAK else 60, 20070601)
+
+    def test_that_a_killed_program_left(self):
+        writer = Writer(self.folder / "a.h5")
+        writer.start_swmr()
+        writer.ticks(sphere_ticks(250))
+        writer.flush()
+        data = (self.folder / "a.h5").read_bytes()
+        writer.file.close()
+        self.judge(data, 1000 if SOAK else 60, 20070602)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,10 @@
 """What can be wrong with a session file, as sentences for the person who opened it."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class SessionError(Exception):
     """The file cannot be read as a session. `str()` is a sentence with the way out."""
@@ -20,3 +25,15 @@ class DamagedSession(SessionError):
         super().__init__(sentence)
         self.table = table
         self.spans = spans
+
+
+@contextmanager
+def library_errors(what: str) -> Iterator[None]:
+    """Inside of it, what the HDF5 library throws at a damaged file becomes a SessionError of `what`."""
+    try:
+        yield
+    except (KeyError, OSError, RuntimeError, TypeError, ValueError) as error:
+        reason = str(error).strip("'\"")
+        raise SessionError(
+            f"{what} cannot be read ({reason}). The file is damaged: copy it anew from where it came."
+        ) from error

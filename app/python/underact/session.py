@@ -16,11 +16,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from . import layout
-from .errors import DamagedSession, SessionError, Unreadable
+from .errors import DamagedSession, SessionError, library_errors
+from .opening import open_file
 from .table import Table, text_of
 
 _SETTLES_S = 2.0  # a block that a writer is in the middle of is whole after so long, or is damaged
@@ -80,9 +80,10 @@ class Session:
             raise ValueError('damaged is "raise" or "skip"')
         self.path = Path(path)
         self._damaged = damaged
-        self._file = _open(self.path)
+        self._file = open_file(self.path)
         try:
-            self._look()
+            with library_errors(f"{self.path}: what is in it"):
+                self._look()
         except BaseException:
             self._file.close()
             raise
@@ -104,7 +105,8 @@ class Session:
     @property
     def attributes(self) -> dict[str, object]:
         """The attributes of the file: who, with what arm, when; words as str."""
-        return {name: text_of(value) for name, value in self._file.attrs.items()}
+        with library_errors(f"{self.path}: its attributes"):
+            return {name: text_of(value) for name, value in self._file.attrs.items()}
 
     @property
     def time_s(self) -> np.ndarray:
@@ -207,7 +209,7 @@ class Session:
             if not ended:  # a short block may still be growing
                 whole -= whole % table.block_rows
             if whole > taken:
-                yield _rows_between(table, taken, whole, bad if settled else [])
+                yield table.between(taken, whole, bad if settled else [])
                 taken, last_growth = whole, time.monotonic()
             elif ended or (timeout_s is not None and waited_s > timeout_s):
                 return
@@ -243,38 +245,6 @@ class Session:
 
     def __repr__(self) -> str:
         return f"Session({str(self.path)!r})"
-
-
-def _open(path: Path) -> h5py.File:
-    """The file as it is, or as one that another program still writes, or left behind when it
-    died.
-    """
-    try:
-        with open(path, "rb"):
-            pass
-    except OSError as error:
-        raise Unreadable(f"{path} cannot be read: {error.strerror}.") from error
-    if not h5py.is_hdf5(path):
-        raise SessionError(f"{path} is no session: it is not an HDF5 file.")
-    try:
-        return h5py.File(path, "r")
-    except OSError:
-        pass
-    try:
-        return h5py.File(path, "r", swmr=True)
-    except (OSError, ValueError) as error:
-        raise SessionError(
-            f"{path} cannot be opened ({error}). It was not closed in order: "
-            "run underact-cli log recover on it, or copy it anew."
-        ) from error
-
-
-def _rows_between(table: Table, first: int, end: int, bad: list[int]) -> dict[str, np.ndarray]:
-    kept = np.ones(end - first, dtype=bool)
-    for block in bad:
-        begin = block * table.block_rows - first
-        kept[begin : begin + table.block_rows] = False
-    return {name: dataset[first:end][kept] for name, dataset in table._datasets.items()}
 
 
 def _split(columns: "Table | dict[str, np.ndarray]") -> dict[str, np.ndarray]:

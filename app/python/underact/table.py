@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 import h5py
 import numpy as np
 
-from .errors import DamagedSession, SessionError
+from .errors import DamagedSession, SessionError, library_errors
 
 _ROWS_AT_ONCE = 65536  # while checking: some 30 MB of ticks
 
@@ -84,8 +84,24 @@ class Table(Mapping):
         if column not in self._datasets:
             raise KeyError(f"/{self.name} has no column {column}; it has {', '.join(self)}")
         self.check()
-        values = self._datasets[column][: self._rows]
-        return values if self._kept.all() else values[self._kept]
+        return self._read(column, 0, self._kept)
+
+    def between(self, first_row: int, end_row: int, bad: list[int]) -> dict[str, np.ndarray]:
+        """Rows [first_row, end_row) of every column as in the file, but for the blocks in `bad`."""
+        kept = np.ones(end_row, dtype=bool)
+        for block in bad:
+            kept[block * self.block_rows : (block + 1) * self.block_rows] = False
+        return {column: self._read(column, first_row, kept[first_row:]) for column in self}
+
+    def _read(self, column: str, first_row: int, kept: np.ndarray) -> np.ndarray:
+        """The rows from first_row on that are kept; run by run: a damaged block may be unreadable."""
+        edges = np.flatnonzero(np.diff(kept, prepend=False, append=False)) + first_row
+        dataset = self._datasets[column]
+        with library_errors(f"The column {column} of /{self.name}"):
+            parts = [dataset[first:end] for first, end in edges.reshape(-1, 2).tolist()]
+            if len(parts) == 1:
+                return parts[0]
+            return np.concatenate(parts) if parts else dataset[:0]
 
     @property
     def rows(self) -> int:
@@ -123,10 +139,13 @@ class Table(Mapping):
             try:
                 columns = [_little_endian(d[start:stop]) for d in self._datasets.values()]
                 said = self._crc32[start // self.block_rows : -(-stop // self.block_rows)]
-            except (OSError, RuntimeError) as error:
-                raise SessionError(
-                    f"The rows {start} to {stop - 1} of /{self.name} cannot be read ({error})."
-                ) from error
+            except (OSError, RuntimeError):  # what cannot be read is as bad as what reads wrong
+                if stop - start <= self.block_rows:
+                    bad.append(start // self.block_rows)
+                else:
+                    for begin in range(start, stop, self.block_rows):
+                        bad += self.bad_blocks(begin, min(begin + self.block_rows, stop))
+                continue
             for index, begin in enumerate(range(0, stop - start, self.block_rows)):
                 crc = 0
                 for column in columns:
@@ -174,7 +193,12 @@ class Table(Mapping):
         """The ticks of rows [first, end), by the ticks of the rows around them, which are whole."""
         if "tick" not in self._datasets:
             return first, end - 1
-        tick = self._datasets["tick"]
+        try:
+            return self._ticks_around(self._datasets["tick"], first, end)
+        except (OSError, RuntimeError):  # unreadable themselves: the rows are all there is to say
+            return first, end - 1
+
+    def _ticks_around(self, tick: h5py.Dataset, first: int, end: int) -> tuple[int, int]:
         if self.name != "ticks":  # rows are far apart: only their own says which
             return int(tick[first]), int(tick[end - 1])
         before = int(tick[first - 1]) if first > 0 else None
