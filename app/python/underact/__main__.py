@@ -1,0 +1,140 @@
+"""The command line: `python3 -m underact info|plot|export|figures`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from .errors import SessionError, Unreadable
+
+WELL, BAD_INPUT, USAGE, FILE = 0, 1, 2, 4
+
+
+def _ending_of(kind: str, out: Path, many: bool) -> Path:
+    """Where a plot goes: --out itself, or with `all` its name with the kind before the ending."""
+    return out.with_name(f"{out.stem}_{kind}{out.suffix}") if many else out
+
+
+def plot(options: argparse.Namespace) -> int:
+    """Draws one kind of plot, or all, into files."""
+    from . import plots, style
+    from .session import Session
+
+    if options.out.suffix.lower().lstrip(".") not in style.FORMATS:
+        print(f"--out {options.out}: a picture ends in .png, .svg or .pdf.", file=sys.stderr)
+        return USAGE
+    kinds = list(plots.KINDS) if options.kind == "all" else [options.kind]
+    with Session(options.file, options.damaged) as session:
+        view = plots.view_of(session, options.from_s, options.to_s)
+    for kind in kinds:
+        figure = plots.draw(kind, view, options.width)
+        style.save(figure, _ending_of(kind, options.out, len(kinds) > 1))
+    return WELL
+
+
+def export(options: argparse.Namespace) -> int:
+    """Writes the ticks in another form."""
+    from . import export as forms
+    from .session import Session
+
+    with Session(options.file, options.damaged) as session:
+        forms.FORMATS[options.format](session, options.out)
+    return WELL
+
+
+def info(options: argparse.Namespace) -> int:
+    """Prints what a file holds."""
+    from .info import print_info
+    from .session import Session
+
+    with Session(options.file, options.damaged) as session:
+        print_info(session, options.json)
+    return WELL
+
+
+def figures(options: argparse.Namespace) -> int:
+    """Remakes the thesis's figures."""
+    from .figures.make import make
+
+    only = [key.strip() for key in options.only.split(",")] if options.only else None
+    return make(options.cli, options.window, options.out, only)
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of all commands."""
+    top = argparse.ArgumentParser(
+        "underact", description="Reads, plots and exports sessions of Underact."
+    )
+    commands = top.add_subparsers(dest="command", required=True)
+
+    def command(name: str, run, words: str, file: bool = True) -> argparse.ArgumentParser:
+        one = commands.add_parser(name, help=words, description=words)
+        one.set_defaults(run=run)
+        if file:
+            one.add_argument("file", type=Path, help="a session file")
+            one.add_argument(
+                "--damaged",
+                choices=("raise", "skip"),
+                default="raise",
+                help="skip: leave damaged ticks out",
+            )
+        return one
+
+    one = command("info", info, "What a session file holds.")
+    one.add_argument("--json", action="store_true", help="as one JSON object")
+
+    one = command("plot", plot, "Draws a session.")
+    kinds = "error force displacement-force path angles joints energy spectrum lateness all".split()
+    one.add_argument("--kind", choices=kinds, required=True)
+    one.add_argument(
+        "--out", type=Path, required=True, help=".png, .svg or .pdf; with --kind all one file each"
+    )
+    one.add_argument(
+        "--width", type=float, default=7.0, help="inches: 3.5 (a column) or 7 (a page)"
+    )
+    one.add_argument("--from", dest="from_s", type=float, help="s since the first tick")
+    one.add_argument("--to", dest="to_s", type=float, help="s since the first tick")
+
+    one = command("export", export, "Writes the ticks of a session in another form.")
+    one.add_argument("--format", choices=("csv", "parquet", "mcap"), required=True)
+    one.add_argument("--out", type=Path, required=True)
+
+    one = command(
+        "figures",
+        figures,
+        "Remakes the figures of the thesis, and checks what they show.",
+        file=False,
+    )
+    one.add_argument("--cli", type=Path, required=True, help="the program underact-cli")
+    one.add_argument(
+        "--window", type=Path, help="the program underact, for pictures of the 3D view"
+    )
+    one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
+    one.add_argument("--only", help="figures with commas between, as 4.2,5.7")
+    return top
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs a command; gives the exit status: 0 well, 1 bad input, 2 wrong usage, 4 a file."""
+    options = parser().parse_args(arguments)
+    try:
+        return options.run(options)
+    except Unreadable as error:
+        print(error, file=sys.stderr)
+        return FILE
+    except SessionError as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        return USAGE
+    except OSError as error:
+        print(f"{error.filename or ''}: {error.strerror or error}.".lstrip(": "), file=sys.stderr)
+        return FILE
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,39 @@
+"""What can be wrong with a session file, as sentences for the person who opened it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+class SessionError(Exception):
+    """The file cannot be read as a session. `str()` is a sentence with the way out."""
+
+
+class Unreadable(SessionError):
+    """The file is not there, or the system does not let it be read."""
+
+
+class DamagedSession(SessionError):
+    """A block of the file holds other bytes than were written.
+
+    Attributes: `spans`, a list of (first, last) of the `tick` column's own rows before and after
+    the damage: the ticks from `first` to `last` cannot be trusted; `table`, the group's name.
+    """
+
+    def __init__(self, sentence: str, table: str, spans: list[tuple[int, int]]):
+        super().__init__(sentence)
+        self.table = table
+        self.spans = spans
+
+
+@contextmanager
+def library_errors(what: str) -> Iterator[None]:
+    """Inside of it, what the HDF5 library throws at a damaged file becomes a SessionError of `what`."""
+    try:
+        yield
+    except (KeyError, OSError, RuntimeError, TypeError, ValueError) as error:
+        reason = str(error).strip("'\"")
+        raise SessionError(
+            f"{what} cannot be read ({reason}). The file is damaged: copy it anew from where it came."
+        ) from error

@@ -1,0 +1,213 @@
+"""Writes the ticks of a session in other forms: CSV, Parquet, MCAP."""
+
+from __future__ import annotations
+
+import csv as csv_module
+import json
+import math
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+
+from . import layout
+from .errors import SessionError
+from .session import Session
+
+#: the columns of `underact-cli run --record F.csv` -> where they are in /ticks: column, part (None:
+#: all of it)
+CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
+    "tick": ("tick", None),
+    "time_s": ("time_ns", None),
+    **{f"q{joint + 1}_rad": ("q_rad", joint) for joint in range(6)},
+    **{f"{name}_mm": ("p_WT_mm", part) for part, name in enumerate("xyz")},
+    **{f"target_{name}_mm": ("p_WP_mm", part) for part, name in enumerate("xyz")},
+    "error_mm": ("error_mm", None),
+    **{f"force_asked_{name}_N": ("force_asked_N", part) for part, name in enumerate("xyz")},
+    **{f"force_sent_{name}_N": ("force_sent_N", part) for part, name in enumerate("xyz")},
+    "gate_level": ("gate_level", None),
+    "cut_N": ("cut_N", None),
+    "fault": ("fault", None),
+    **{
+        f"{name}_rad": ("alpha_beta_theta_rad", part)
+        for part, name in enumerate(("alpha", "beta", "theta"))
+    },
+    "lateness_us": ("lateness_us", None),
+    "tick_us": ("tick_us", None),
+    "buttons": ("buttons", None),
+    "revision": ("revision", None),
+    "limits": ("limits", None),
+    "energy_mJ": ("energy_mJ", None),
+    "passive_N": ("passive_N", None),
+}
+
+
+#: what to ask pip for: a newer pyarrow wants a newer numpy than Debian 12 has
+_PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
+
+
+def _needs(package: str, form: str, error: ImportError) -> SessionError:
+    here = (
+        "is not installed"
+        if isinstance(error, ModuleNotFoundError)
+        else f"does not work here ({error})"
+    )
+    return SessionError(
+        f"Writing {form} takes the Python package {package}, which {here}. "
+        f"Install it with: python3 -m pip install {_PACKAGES[package]} (on Debian in an "
+        "environment made with "
+        "python3 -m venv --system-site-packages DIR). Or export CSV, which takes nothing."
+    )
+
+
+def _flat(session: Session) -> dict[str, np.ndarray]:
+    """The columns of a CSV recording, with time in s and faults as words."""
+    flat = {}
+    for name, (column, part) in CSV_COLUMNS.items():
+        values = session.ticks[column]
+        flat[name] = values if part is None else values[:, part]
+    flat["time_s"] = session.time_s
+    flat["fault"] = np.array(
+        [layout.word(layout.FAULTS, int(kind)) for kind in flat["fault"]], dtype=object
+    )
+    return flat
+
+
+def _word(value: object) -> str:
+    """A field of CSV: the shortest number that reads back the same; empty where it is none."""
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return ""
+        return (
+            repr(int(value))
+            if value.is_integer() and abs(value) < 1e15 and str(value) != "-0.0"
+            else repr(value)
+        )
+    return str(value)
+
+
+def csv(session: Session, out: str | Path) -> None:
+    """The same columns as `underact-cli run --record F.csv`, read back to the same numbers."""
+    columns = _flat(session)
+    with open(out, "w", encoding="utf-8", newline="") as file:
+        writer = csv_module.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(
+            [_word(value) for value in row] for row in zip(*(c.tolist() for c in columns.values()))
+        )
+
+
+def parquet(session: Session, out: str | Path) -> None:
+    """All columns of /ticks, vectors split as in Session.frame(); the session's attributes as
+    metadata. Needs pyarrow.
+    """
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError as error:
+        raise _needs("pyarrow", "Parquet", error) from error
+    table = pyarrow.Table.from_pandas(session.frame(), preserve_index=False)
+    words = {f"underact_{name}": str(value) for name, value in session.attributes.items()}
+    words["underact_scene"] = json.dumps(session.scene)
+    pyarrow.parquet.write_table(
+        table.replace_schema_metadata({**(table.schema.metadata or {}), **words}), out
+    )
+
+
+_NUMBER, _TEXT = {"type": "number"}, {"type": "string"}
+_SCHEMAS = {
+    "/markers": {"tick": {"type": "integer"}, "time_s": _NUMBER, "label": _TEXT},
+    "/faults": {
+        "tick": {"type": "integer"},
+        "time_s": _NUMBER,
+        "kind": _TEXT,
+        "seen": _NUMBER,
+        "allowed": _NUMBER,
+    },
+}
+
+
+def _tick_schema(session: Session) -> dict:
+    properties: dict[str, dict] = {"time_s": _NUMBER}
+    for column in session.ticks:
+        width = layout.TABLES["ticks"].get(column, 1)
+        one = {"type": ["number", "null"], "description": f"{session.ticks.units[column]}"}
+        properties[column] = (
+            one
+            if width == 1
+            else {"type": "array", "items": one, "minItems": width, "maxItems": width}
+        )
+    return properties
+
+
+def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
+    """(time since the first tick in ns, topic, message) of everything in a session, in the order of
+    time.
+    """
+    ticks = session.ticks
+    time_ns = ticks["time_ns"]
+    tick = ticks["tick"]
+
+    def at(number: int) -> int:
+        return int(time_ns[min(int(np.searchsorted(tick, number)), len(tick) - 1)])
+
+    events = [(at(m.tick), "/markers", {"tick": m.tick, "label": m.label}) for m in session.markers]
+    events += [
+        (
+            at(f.tick),
+            "/faults",
+            {"tick": f.tick, "kind": f.kind, "seen": f.seen, "allowed": f.allowed},
+        )
+        for f in session.faults
+    ]
+    events.sort(key=lambda event: event[0])
+    columns = {name: ticks[name].tolist() for name in ticks}
+    for row, now_ns in enumerate(time_ns.tolist()):
+        yield now_ns, "/tick", {name: _plain(values[row]) for name, values in columns.items()}
+        while events and events[0][0] <= now_ns:
+            yield events.pop(0)
+
+
+def _plain(value: object) -> object:
+    """A value as JSON has it: what is no number is null."""
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def mcap(session: Session, out: str | Path) -> None:
+    """JSON messages with schemas on /tick, /markers and /faults, stamped with the clock. Needs the
+    package mcap.
+    """
+    try:
+        from mcap.writer import Writer
+    except ImportError as error:
+        raise _needs("mcap", "MCAP", error) from error
+    attributes = session.attributes
+    start_ns = int(attributes.get("started_unix_ns") or 0)
+    with open(out, "wb") as file:
+        writer = Writer(file)
+        writer.start(profile="", library="underact")
+        channels = {}
+        for topic, properties in {"/tick": _tick_schema(session), **_SCHEMAS}.items():
+            schema = {"title": topic.strip("/"), "type": "object", "properties": properties}
+            schema_id = writer.register_schema(
+                topic.strip("/"), "jsonschema", json.dumps(schema).encode()
+            )
+            channels[topic] = writer.register_channel(topic, "json", schema_id)
+        first_ns = None
+        for count, (now_ns, topic, message) in enumerate(_messages(session)):
+            first_ns = now_ns if first_ns is None else first_ns
+            data = json.dumps({"time_s": now_ns * 1e-9, **message}).encode()
+            stamp = start_ns + now_ns - first_ns
+            writer.add_message(channels[topic], stamp, data, stamp, count)
+        words = {name: str(value) for name, value in attributes.items()}
+        writer.add_metadata("underact_session", {**words, "scene": json.dumps(session.scene)})
+        writer.finish()
+
+
+FORMATS: dict[str, Callable[[Session, str | Path], None]] = {
+    "csv": csv,
+    "parquet": parquet,
+    "mcap": mcap,
+}

@@ -1,0 +1,48 @@
+"""What a session file holds, in a few lines or as JSON."""
+
+from __future__ import annotations
+
+import json
+from datetime import datetime, timezone
+
+from .session import Session
+
+
+def info_of(session: Session) -> dict:
+    """Ticks, duration, whether it is complete, scene, arm, version, faults, markers, changes."""
+    attributes = session.attributes
+    started_ns = attributes.get("started_unix_ns")
+    started = datetime.fromtimestamp(started_ns * 1e-9, timezone.utc) if started_ns else None
+    return {
+        "ticks": session.ticks.rows,
+        "duration_s": session.duration_s,
+        "complete": session.complete,
+        "scene": attributes.get("scene_title"),
+        "arm": attributes.get("arm"),
+        "device": attributes.get("device"),
+        "version": attributes.get("program_version"),
+        "rate_hz": attributes.get("rate_hz"),
+        "started": started.isoformat(timespec="seconds") if started else None,
+        "name": attributes.get("name"),
+        "changes": len(session.changes),
+        "markers": [{"tick": mark.tick, "label": mark.label} for mark in session.markers],
+        "faults": [{"tick": fault.tick, "kind": fault.kind} for fault in session.faults],
+        "damaged_rows": sum(end - first for first, end in session.ticks.damage),
+    }
+
+
+def print_info(session: Session, as_json: bool) -> None:
+    """Prints info_of to standard output."""
+    what = info_of(session)
+    if as_json:
+        print(json.dumps(what, ensure_ascii=False))
+        return
+    for key, value in what.items():
+        if isinstance(value, list):
+            value = (
+                ", ".join(
+                    f"{one.get('label') or one.get('kind')} (tick {one['tick']})" for one in value
+                )
+                or "none"
+            )
+        print(f"{key:13} {'' if value is None else value}")

@@ -1,0 +1,265 @@
+"""Opens a session file: what the arm, the scene and the servo did, tick by tick.
+
+    from underact import Session
+    with Session("first.h5") as session:
+        error_mm = session.ticks["error_mm"]
+
+The file's page is resources/guide/session_file.md. Lengths mm, angles rad, forces N; undefined
+is NaN.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from . import layout
+from .errors import DamagedSession, SessionError, library_errors
+from .opening import open_file
+from .table import Table, text_of
+
+_SETTLES_S = 2.0  # a block that a writer is in the middle of is whole after so long, or is damaged
+
+
+@dataclass(frozen=True)
+class Change:
+    """A scene that came into effect. carry: loaded, gains or targets. scene: {} where none was
+    loaded.
+    """
+
+    tick: int
+    revision: int
+    carry: str
+    scene: dict
+
+
+@dataclass(frozen=True)
+class Marker:
+    """A mark that somebody set."""
+
+    tick: int
+    label: str
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Why the force went to zero. kind: a word; seen, allowed: in the unit that belongs to it."""
+
+    tick: int
+    kind: str
+    seen: float
+    allowed: float
+    from_servo: bool
+
+
+@dataclass(frozen=True)
+class End:
+    """How the recording ended. unix_ns: the clock; dropped: ticks that found no room."""
+
+    tick: int
+    dropped: int
+    unix_ns: int
+    reason: str
+
+
+class Session:
+    """A session file, open for reading; close it, or use it in a `with`.
+
+    path: the file. damaged: "raise" (DamagedSession at the first reading of a damaged table) or
+    "skip" (its rows are left out). Raises Unreadable where there is no file to read, SessionError
+    where it is no session of this version.
+    """
+
+    def __init__(self, path: str | Path, damaged: str = "raise"):
+        if damaged not in ("raise", "skip"):
+            raise ValueError('damaged is "raise" or "skip"')
+        self.path = Path(path)
+        self._damaged = damaged
+        self._file = open_file(self.path)
+        try:
+            with library_errors(f"{self.path}: what is in it"):
+                self._look()
+        except BaseException:
+            self._file.close()
+            raise
+
+    def _look(self) -> None:
+        version = text_of(self._file.attrs.get("underact_session"))
+        if version is None:
+            raise SessionError(f"{self.path} is an HDF5 file, but no session of Underact.")
+        if version != layout.VERSION:
+            raise SessionError(
+                f"{self.path} has layout {version}; this program reads layout {layout.VERSION}. "
+                "Open it with the version of the program that wrote it, or a newer one."
+            )
+        tables = {n: Table(self._file, n, c, self._damaged) for n, c in layout.TABLES.items()}
+        #: /ticks: the columns by name, as numpy arrays
+        self.ticks: Table = tables["ticks"]
+        self._tables = tables
+
+    @property
+    def attributes(self) -> dict[str, object]:
+        """The attributes of the file: who, with what arm, when; words as str."""
+        with library_errors(f"{self.path}: its attributes"):
+            return {name: text_of(value) for name, value in self._file.attrs.items()}
+
+    @property
+    def time_s(self) -> np.ndarray:
+        """The arm's clock at each tick, s."""
+        return self.ticks["time_ns"] * 1e-9
+
+    @property
+    def changes(self) -> list[Change]:
+        """The scenes in the order in which they came into effect; the first is that at the
+        beginning.
+        """
+        table = self._tables["changes"]
+        rows = zip(*(table[c].tolist() for c in layout.TABLES["changes"]))
+        return [
+            Change(tick, revision, layout.word(layout.CARRIES, carry), self._scene(at, size))
+            for tick, revision, carry, at, size in rows
+        ]
+
+    @property
+    def scene(self) -> dict:
+        """The scene at the beginning, as in a scene file."""
+        changes = self.changes
+        if not changes:
+            raise SessionError(
+                f"{self.path} holds no scene: the recording ended before its first tick."
+            )
+        return changes[0].scene
+
+    @property
+    def markers(self) -> list[Marker]:
+        """The marks that somebody set, in the order of ticks."""
+        table = self._tables["markers"]
+        rows = zip(*(table[c].tolist() for c in layout.TABLES["markers"]))
+        return [Marker(tick, self._text(at, size)) for tick, at, size in rows]
+
+    @property
+    def faults(self) -> list[Fault]:
+        """The faults, in the order of ticks."""
+        table = self._tables["faults"]
+        rows = zip(*(table[c].tolist() for c in layout.TABLES["faults"]))
+        return [
+            Fault(t, layout.word(layout.FAULTS, k), seen, allowed, bool(own))
+            for t, k, seen, allowed, own in rows
+        ]
+
+    @property
+    def end(self) -> End | None:
+        """How the recording ended; None where it did not end in order, or goes on."""
+        table = self._tables["end"]
+        if table.common_rows() == 0:
+            return None
+        tick, dropped, unix_ns, reason = (int(table[c][-1]) for c in layout.TABLES["end"])
+        return End(tick, dropped, unix_ns, layout.word(layout.REASONS, reason))
+
+    @property
+    def complete(self) -> bool:
+        """Whether the recording ended in order."""
+        return self._tables["end"].common_rows() > 0
+
+    @property
+    def duration_s(self) -> float:
+        """From the first tick to the last, s; 0 where there are fewer than two."""
+        time_ns = self.ticks["time_ns"]
+        return float(time_ns[-1] - time_ns[0]) * 1e-9 if len(time_ns) > 1 else 0.0
+
+    def frame(self) -> "pandas.DataFrame":  # noqa: F821
+        """All ticks as a pandas DataFrame, a row a tick.
+
+        Columns: time_s, then those of /ticks; a vector is split (p_WT_mm_x, p_WT_mm_y, p_WT_mm_z;
+        q1_rad to q6_rad; alpha_rad, beta_rad, theta_rad). Needs pandas.
+        """
+        import pandas
+
+        return pandas.DataFrame({"time_s": self.time_s, **_split(self.ticks)})
+
+    def follow(
+        self,
+        poll_s: float = 0.1,
+        timeout_s: float | None = None,
+        stop: Callable[[], bool] = lambda: False,
+    ) -> Iterator[dict[str, np.ndarray]]:
+        """Yields new rows of /ticks as the file grows, beginning with those that are there.
+
+        Each item holds the new rows of every column. Ends when the recording ends, when nothing
+        came for
+        timeout_s (None: waits for ever), or when stop() is true. poll_s: between two looks.
+        """
+        table, taken, last_growth = self.ticks, 0, time.monotonic()
+        while not stop():
+            self._tables["end"].refresh()
+            ended = self.complete  # before the look at the rows, so that none is missed
+            table.refresh()
+            rows = table.common_rows()
+            bad = table.bad_blocks(taken, rows) if rows > taken else []
+            waited_s = time.monotonic() - last_growth
+            if bad and (ended or waited_s > _SETTLES_S) and self._damaged == "raise":
+                raise table.damaged(bad, rows)
+            settled = ended or not bad or waited_s > _SETTLES_S
+            whole = rows if settled else bad[0] * table.block_rows
+            if not ended:  # a short block may still be growing
+                whole -= whole % table.block_rows
+            if whole > taken:
+                yield table.between(taken, whole, bad if settled else [])
+                taken, last_growth = whole, time.monotonic()
+            elif ended or (timeout_s is not None and waited_s > timeout_s):
+                return
+            else:
+                time.sleep(poll_s)
+
+    def _text(self, at: int, size: int) -> str:
+        text = self._tables["text"]
+        stored = text["bytes"]
+        if text.damage or at < 0 or at + size > len(stored):
+            raise SessionError(
+                f"{self.path}: the words that belong to a row are damaged or missing in /text."
+            )
+        return stored[at : at + size].astype(np.uint8).tobytes().decode("utf-8", "replace")
+
+    def _scene(self, at: int, size: int) -> dict:
+        if size == 0:  # nothing was loaded yet
+            return {}
+        try:
+            return json.loads(self._text(at, size))
+        except json.JSONDecodeError as error:
+            raise SessionError(f"{self.path}: a scene in it is no JSON ({error}).") from error
+
+    def close(self) -> None:
+        """Closes the file; the arrays read so far stay."""
+        self._file.close()
+
+    def __enter__(self) -> "Session":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"Session({str(self.path)!r})"
+
+
+def _split(columns: "Table | dict[str, np.ndarray]") -> dict[str, np.ndarray]:
+    """Columns of one number each, by the names of layout.part_names."""
+    parts = {}
+    for name in columns:
+        values = columns[name]
+        if values.ndim == 1:
+            parts[name] = values
+        else:
+            names = layout.part_names(name)
+            if len(names) != values.shape[1]:  # a column that this version does not know
+                names = [f"{name}_{index + 1}" for index in range(values.shape[1])]
+            parts.update({part: values[:, index] for index, part in enumerate(names)})
+    return parts
+
+
+__all__ = ["Change", "DamagedSession", "End", "Fault", "Marker", "Session", "SessionError"]

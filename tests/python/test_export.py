@@ -1,0 +1,162 @@
+"""What other programs read: CSV, Parquet, MCAP."""
+
+import csv
+import importlib
+import json
+import math
+import subprocess
+import unittest
+from unittest import mock
+
+import numpy as np
+import pandas
+from session_writer import Writer, sphere_ticks, write_session
+from support import CLI, ROOT, InFolder, command
+from underact import Session, export
+
+
+def works(package: str) -> bool:
+    try:
+        importlib.import_module(package)
+    except ImportError:
+        return False
+    return True
+
+
+class Csv(InFolder):
+    def test_has_the_numbers_of_the_session(self):
+        path = write_session(self.folder / "a.h5", 250)
+        self.assertEqual(
+            command("export", path, "--format", "csv", "--out", self.folder / "a.csv")[0], 0
+        )
+        table = pandas.read_csv(self.folder / "a.csv", float_precision="round_trip")
+        wanted = sphere_ticks(250)
+        np.testing.assert_array_equal(table[["x_mm", "y_mm", "z_mm"]].to_numpy(), wanted["p_WT_mm"])
+        np.testing.assert_array_equal(table["force_sent_z_N"], wanted["force_sent_N"][:, 2])
+        np.testing.assert_array_equal(table["theta_rad"], wanted["alpha_beta_theta_rad"][:, 2])
+        self.assertEqual(set(table["fault"]), {"none"})
+
+    def test_leaves_what_is_no_number_empty_and_names_faults(self):
+        writer = Writer(self.folder / "a.h5")
+        ticks = sphere_ticks(2)
+        ticks["error_mm"][1] = math.nan
+        ticks["fault"][1] = 4
+        writer.ticks(ticks)
+        writer.end(2)
+        with Session(self.folder / "a.h5") as session:
+            export.csv(session, self.folder / "a.csv")
+        rows = list(csv.DictReader((self.folder / "a.csv").open()))
+        self.assertEqual((rows[1]["error_mm"], rows[1]["fault"]), ("", "too_fast"))
+
+    def test_is_what_the_program_records_as_csv(self):
+        words = [
+            "run",
+            ROOT / "scenes/14_circle_influence.json",
+            "--hand",
+            "tremor",
+            "--seconds",
+            "1.2",
+            "--fast",
+        ]
+        for name in ("a.h5", "b.csv"):
+            subprocess.run(
+                [CLI, *words, "--record", self.folder / name], check=True, stdout=subprocess.DEVNULL
+            )
+        self.assertEqual(
+            command(
+                "export", self.folder / "a.h5", "--format", "csv", "--out", self.folder / "a.csv"
+            )[0],
+            0,
+        )
+        ours, theirs = (
+            pandas.read_csv(self.folder / n, float_precision="round_trip")
+            for n in ("a.csv", "b.csv")
+        )
+        self.assertEqual(list(ours.columns), list(theirs.columns))
+        same = [
+            name for name in ours.columns if name not in ("tick_us", "lateness_us")
+        ]  # another run, another time
+        pandas.testing.assert_frame_equal(
+            ours[same], theirs[same], check_dtype=False, check_exact=True
+        )
+
+    def test_that_cannot_be_written_ends_with_4(self):
+        path = write_session(self.folder / "a.h5", 100)
+        status, _, error = command(
+            "export", path, "--format", "csv", "--out", self.folder / "no" / "a.csv"
+        )
+        self.assertEqual(status, 4)
+        self.assertIn("No such file", error)
+
+
+class Parquet(InFolder):
+    def test_says_how_to_get_what_it_takes(self):
+        path = write_session(self.folder / "a.h5", 100)
+        with mock.patch.dict("sys.modules", {"pyarrow": None}):
+            status, _, error = command(
+                "export", path, "--format", "parquet", "--out", self.folder / "a.parquet"
+            )
+        self.assertEqual(status, 1)
+        self.assertIn("python3 -m pip install 'pyarrow<17'", error)
+        self.assertFalse((self.folder / "a.parquet").exists())
+
+    def test_holds_the_frame_where_pyarrow_is_there(self):
+        if not works("pyarrow"):
+            return  # of PyPI only; the test above says what happens then
+        import pyarrow.parquet
+
+        with Session(write_session(self.folder / "a.h5", 250)) as session:
+            export.parquet(session, self.folder / "a.parquet")
+            pandas.testing.assert_frame_equal(
+                pandas.read_parquet(self.folder / "a.parquet"), session.frame()
+            )
+            stored = pyarrow.parquet.read_schema(self.folder / "a.parquet").metadata
+            self.assertEqual(json.loads(stored[b"underact_scene"]), session.scene)
+
+
+class Mcap(InFolder):
+    def test_says_how_to_get_what_it_takes(self):
+        path = write_session(self.folder / "a.h5", 100)
+        with mock.patch.dict("sys.modules", {"mcap": None, "mcap.writer": None}):
+            status, _, error = command(
+                "export", path, "--format", "mcap", "--out", self.folder / "a.mcap"
+            )
+        self.assertEqual(status, 1)
+        self.assertIn("python3 -m pip install mcap", error)
+
+    def test_messages_come_in_the_order_of_time(self):
+        with Session(write_session(self.folder / "a.h5", 2000)) as session:
+            messages = list(export._messages(session))
+            self.assertEqual(len(messages), 2002)
+            times = [time_ns for time_ns, _, _ in messages]
+            self.assertEqual(times, sorted(times))
+            events = [(time_ns, topic) for time_ns, topic, _ in messages if topic != "/tick"]
+            self.assertEqual(events, [(500_000_000, "/markers"), (1_500_000_000, "/faults")])
+            self.assertEqual(set(messages[0][2]), set(session.ticks))
+
+    def test_is_read_back_where_mcap_is_there(self):
+        if not works("mcap.reader"):
+            return  # of PyPI only; the test above says what happens then
+        from mcap.reader import make_reader
+
+        with Session(write_session(self.folder / "a.h5", 2000)) as session:
+            export.mcap(session, self.folder / "a.mcap")
+            error_mm = session.ticks["error_mm"]
+        with open(self.folder / "a.mcap", "rb") as file:
+            messages = [
+                (c.topic, s.encoding, json.loads(m.data))
+                for s, c, m in make_reader(file).iter_messages()
+            ]
+        self.assertEqual({encoding for _, encoding, _ in messages}, {"jsonschema"})
+        self.assertEqual(
+            [message["error_mm"] for topic, _, message in messages if topic == "/tick"],
+            error_mm.tolist(),
+        )
+        self.assertEqual(
+            [message["label"] for topic, _, message in messages if topic == "/markers"][0][:7],
+            "pressed",
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
