@@ -28,6 +28,7 @@ void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
 void addRun(CLI::App& program, const Streams& streams, Exit& exit);
 void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit);
 void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit);
+void addLab(CLI::App& program, const Streams& streams, Exit& exit);
 void addScene(CLI::App& program, const Streams& streams, Exit& exit);
 
 /// All commands, in the order of --help.

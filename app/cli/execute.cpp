@@ -9,8 +9,8 @@
 namespace underact::cli {
 
 std::span<const AddCommand> commands() {
-  static constexpr std::array<AddCommand, 8> kCommands{addForward, addInverse,   addJacobian,   addTarget,
-                                                       addRun,     addCalibrate, addServoCheck, addScene};
+  static constexpr std::array<AddCommand, 9> kCommands{addForward,   addInverse,    addJacobian, addTarget, addRun,
+                                                       addCalibrate, addServoCheck, addLab,      addScene};
   return kCommands;
 }
 
