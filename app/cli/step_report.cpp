@@ -203,15 +203,7 @@ std::vector<std::string> notesOn(const lab::ArmStep& step) {
 }
 
 std::string csvOf(const lab::TransferFunction& transfer, double seconds) {
-  if (!(seconds > 0.0)) {
-    const lab::StepMetrics metrics = lab::metricsOf(transfer);
-    double slowest = kInfinity;
-    for (const std::complex<double>& pole : lab::poles(transfer)) {
-      if (std::abs(pole) > 0.0) slowest = std::min(slowest, std::abs(pole));
-    }
-    seconds = metrics.settling_2pct_s.value_or(0.0) * 1.5;
-    if (!(seconds > 0.0)) seconds = slowest < kInfinity ? 20.0 * kPi / slowest : 10.0;
-  }
+  if (!(seconds > 0.0)) seconds = lab::secondsToSee(transfer);
   const lab::UnitStep step(transfer);
   std::string text = "t_s,y\n";
   for (int index = 0; index <= kCurveSteps; ++index) {

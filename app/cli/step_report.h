@@ -22,7 +22,7 @@ void printTable(const lab::ArmStep& step, std::ostream& out);
 std::string noteOn(const lab::TransferFunction& transfer);
 std::vector<std::string> notesOn(const lab::ArmStep& step);
 
-/// t_s, y; a thousand steps. seconds: 0: until it has settled, or ten turns of what does not.
+/// t_s, y; a thousand steps. seconds: 0: as long as it takes to see it.
 std::string csvOf(const lab::TransferFunction& transfer, double seconds);
 /// t_s, measured_mm, fit_mm, analytic_mm; a row a tick, the fit empty where there is none.
 std::string csvOf(const lab::ArmStep& step);

@@ -1,5 +1,6 @@
 #include "core/lab/step_metrics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -206,6 +207,18 @@ StepMetrics metricsOf(const TransferFunction& transfer) {
   findRiseAndPeak(search, metrics);
   findSettling(search, metrics);
   return metrics;
+}
+
+double secondsToSee(const TransferFunction& transfer) {
+  const StepMetrics metrics = metricsOf(transfer);
+  if (metrics.settling_2pct_s.value_or(0.0) > 0.0) return 1.5 * *metrics.settling_2pct_s;
+  double slowest = kInfinity, growth = 0.0;
+  for (const Complex& pole : poles(transfer)) {
+    if (std::abs(pole) > 0.0) slowest = std::min(slowest, std::abs(pole));
+    growth = std::max(growth, pole.real());
+  }
+  if (behaviourOf(transfer) == Behaviour::Grows && growth > 0.0) return std::min(5.0 / growth, 12.0 * kPi / slowest);
+  return slowest < kInfinity ? 12.0 * kPi / slowest : 10.0;
 }
 
 }  // namespace underact::lab

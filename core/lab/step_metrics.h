@@ -22,4 +22,8 @@ struct StepMetrics {
 /// equally high the first counts. Overshoot below 1e-14 is none. Cost: some ms; more the less it is damped.
 StepMetrics metricsOf(const TransferFunction& transfer);
 
+/// How long a picture of the response should be: half as long again as it takes to settle, six turns of what swings,
+/// what a drift or growth needs to be seen. Above 0, s.
+double secondsToSee(const TransferFunction& transfer);
+
 }  // namespace underact::lab
