@@ -50,7 +50,7 @@ std::span<const PanelRow> panels() {
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},
-      {"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea, "Ctrl+Alt+0",
+      {"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea, "Ctrl+Alt+B",
        QT_TRANSLATE_NOOP("panel",
                          "How the tip follows a target that jumps: rise, settling, overshoot, poles, and the "
                          "arm measured beside the model."),

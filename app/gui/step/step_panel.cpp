@@ -1,5 +1,6 @@
 #include "app/gui/step/step_panel.h"
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -254,6 +255,7 @@ void StepPanel::refresh() {
   arm_->setVisible(figure_ == 0);
   measuring_->setVisible(figure_ == 0);
   what_->setVisible(figure_ != 0);
+  static_cast<QBoxLayout*>(layout())->setStretch(0, figure_ == 0 ? 1 : 3);  // a figure leaves the plot more room
   const QSignalBlocker silent_law(law_choice_), silent_figure(figure_choice_);
   law_choice_->setCurrentIndex(static_cast<int>(law_));
   figure_choice_->setCurrentIndex(figure_);
