@@ -12,6 +12,7 @@
 #include "app/gui/scenes_panel.h"
 #include "app/gui/servo_panel.h"
 #include "app/gui/shape_panel.h"
+#include "app/gui/step/step_panel.h"
 
 namespace underact::gui {
 namespace {
@@ -24,7 +25,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 9> kRows{{
+  static const std::array<PanelRow, 10> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -49,6 +50,11 @@ std::span<const PanelRow> panels() {
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},
+      {"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea, "Ctrl+Alt+B",
+       QT_TRANSLATE_NOOP("panel",
+                         "How the tip follows a target that jumps: rise, settling, overshoot, poles, and the "
+                         "arm measured beside the model."),
+       make<StepPanel>, "scenes"},
   }};
   return kRows;
 }

@@ -35,6 +35,8 @@ class Chart {
   /// A curve that is not shown is not in the legend either.
   void setCurveShown(std::size_t curve, bool shown);
   void setTitle(const QString& title) { title_ = title; }
+  /// In the legend. setPlace() finds room for it.
+  void setCurveName(std::size_t curve, const QString& name) { curves_[curve].name = name; }
   /// Ticks of y at multiples of least, 2 least, ...; 0: at round numbers.
   void setTickStep(double least) { tick_step_ = least; }
   void setColours(const Theme& theme, const std::vector<QColor>& curves);

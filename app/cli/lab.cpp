@@ -1,0 +1,13 @@
+#include "app/cli/lab.h"
+
+#include "app/cli/command.h"
+
+namespace underact::cli {
+
+void addLab(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand("lab", "Measurements on models and on the simulated arm");
+  command->require_subcommand(1);
+  addLabStep(*command, streams, exit);
+}
+
+}  // namespace underact::cli

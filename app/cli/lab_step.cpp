@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/arm_models.h"
+#include "app/cli/lab.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/step_report.h"
+#include "core/base/units.h"
+#include "core/scene/edit.h"
+
+namespace underact::cli {
+namespace {
+
+constexpr double kLongest_s = 100.0;  // of the arm: a tick is a row of the table, and the fit looks at each
+
+struct StepOptions {
+  std::vector<double> num{1.0}, den;
+  std::string scene, constraint, axis, law, csv;
+  std::vector<double> from_mm;
+  double step_mm = 10.0, seconds = 0.0;
+  double kp_N_per_mm = -1.0, kd_N_s_per_mm = -1.0, ki_N_per_mm_s = -1.0;  // below 0: the scene's
+  double mass_kg = 0.0, damping_N_s_per_m = 0.0;                          // that stay on the stylus
+  int rate_hz = 1000;
+  bool no_limits = false, json = false;
+  std::string arm_model{sim::kDefaultArmModel};
+};
+
+/// Writes the table of a curve where one is asked for. Exit: Well, or File.
+Exit writeTable(const std::string& path, const std::string& text, const Streams& streams) {
+  if (path.empty()) return Exit::Well;
+  const Problems problems = writeText(path, text);
+  print(problems, streams.err);
+  return problems.empty() ? Exit::Well : Exit::File;
+}
+
+Exit stepFunction(const StepOptions& options, const Streams& streams) {
+  const Result<lab::TransferFunction> transfer = lab::makeTransferFunction(options.num, options.den);
+  if (!transfer) {
+    print(transfer.problems(), streams.err);
+    return Exit::Usage;
+  }
+  const lab::StepMetrics metrics = lab::metricsOf(transfer.value());
+  if (options.json)
+    streams.out << metricsObject(metrics).text() << '\n';
+  else
+    printTable(transfer.value(), metrics, streams.out);
+  const std::string note = noteOn(transfer.value());
+  if (!note.empty()) streams.err << note << '\n';
+  return writeTable(options.csv, csvOf(transfer.value(), options.seconds), streams);
+}
+
+/// The scene with the law and the gains of the command line in place of its own.
+scene::Description retuned(scene::Description scene, const StepOptions& options) {
+  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
+    scene::Control control = controlOf(scene, index);
+    if (!options.law.empty())
+      control.law = options.law == "P"    ? scene::LawType::P
+                    : options.law == "PD" ? scene::LawType::PD
+                                          : scene::LawType::PID;
+    if (options.kp_N_per_mm >= 0.0) control.gains.kp_N_per_mm.setConstant(options.kp_N_per_mm);
+    if (options.kd_N_s_per_mm >= 0.0) control.gains.kd_N_s_per_mm.setConstant(options.kd_N_s_per_mm);
+    if (options.ki_N_per_mm_s >= 0.0) control.gains.ki_N_per_mm_s.setConstant(options.ki_N_per_mm_s);
+    scene = withControl(std::move(scene), index, control);
+  }
+  return scene;
+}
+
+lab::StepSetup setupOf(const StepOptions& options) {
+  lab::StepSetup setup;
+  setup.step_m = kMetrePerMillimetre * options.step_mm;
+  for (const lab::Axis axis : {lab::Axis::X, lab::Axis::Y, lab::Axis::Z, lab::Axis::Held}) {
+    if (options.axis == name(axis)) setup.axis = axis;
+  }
+  setup.constraint = options.constraint;
+  if (!options.from_mm.empty()) setup.from_W = kMetrePerMillimetre * Eigen::Map<const Vec3>(options.from_mm.data());
+  setup.arm = *sim::findArmModel(options.arm_model);
+  setup.hand = {options.mass_kg, options.damping_N_s_per_m, 0.0};
+  setup.rate_hz = options.rate_hz;
+  setup.seconds = options.seconds;
+  setup.limits = !options.no_limits;
+  return setup;
+}
+
+Exit stepArm(const StepOptions& options, const Streams& streams) {
+  if (options.seconds > kLongest_s) {
+    streams.err << "--seconds: of the simulated arm at most 100 s are measured.\n";
+    return Exit::Usage;
+  }
+  const Result<LoadedScene> loaded = loadScene(options.scene);
+  if (!loaded) {
+    print(loaded.problems(), streams.err);
+    return exitOf(loaded.problems());
+  }
+  const Result<lab::ArmStep> step = lab::measureStep(retuned(loaded.value().description, options), setupOf(options));
+  if (!step) {
+    print(step.problems(), streams.err);
+    return Exit::BadInput;
+  }
+  if (options.json)
+    streams.out << stepObject(step.value()).text() << '\n';
+  else
+    printTable(step.value(), streams.out);
+  for (const std::string& note : notesOn(step.value())) streams.err << note << '\n';
+  const Exit written = writeTable(options.csv, csvOf(step.value()), streams);
+  return step.value().fault.empty() ? written : Exit::Fault;
+}
+
+void addArmOptions(CLI::App& command, StepOptions& options) {
+  const char* const kGroup = "The simulated arm";
+  CLI::Option* const scene = command.add_option("--scene", options.scene, "Measure the simulated arm under this scene");
+  const auto add = [&](const char* name, auto& value, const char* what) {
+    return command.add_option(name, value, what)->needs(scene)->group(kGroup);
+  };
+  scene->group(kGroup);
+  const CLI::Range from_zero(0.0, 1e9);
+  add("--step_mm", options.step_mm, "How far the target is moved; below 0: the other way")
+      ->capture_default_str()
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double step_mm = 0.0;
+            const bool good =
+                CLI::detail::lexical_cast(text, step_mm) && std::abs(step_mm) >= 0.01 && std::abs(step_mm) <= 500.0;
+            return good ? std::string() : std::string("must be a length of 0.01 to 500 mm, either way");
+          },
+          "", "step"));
+  add("--axis", options.axis,
+      "Along which axis, or the direction in which the constraint pulls; by itself the first that holds")
+      ->check(CLI::IsMember({"x", "y", "z", "held"}));
+  add("--constraint", options.constraint, "Which constraint, by its name, where there are several");
+  add("--from_mm", options.from_mm, "The target nearest to here is where the tip rests first (0,0,60)")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(-1e6, 1e6));
+  add("--law", options.law, "In place of the scene's")->check(CLI::IsMember({"P", "PD", "PID"}));
+  add("--kp_N_per_mm", options.kp_N_per_mm, "In place of the scene's")->check(from_zero);
+  add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "In place of the scene's")->check(from_zero);
+  add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "In place of the scene's")->check(from_zero);
+  add("--mass_kg", options.mass_kg, "What stays on the stylus when the hand has let go")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 100.0));
+  add("--damping_N_s_per_m", options.damping_N_s_per_m, "The same, damping")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e4));
+  add("--rate", options.rate_hz, "Ticks a second")->capture_default_str()->check(CLI::Range(100, 10000));
+  command.add_flag("--no-limits", options.no_limits, "Measure the law alone, without the limits of the gate")
+      ->needs(scene)
+      ->group(kGroup);
+  addArmModelOption(command, options.arm_model);
+}
+
+}  // namespace
+
+void addLabStep(CLI::App& lab, const Streams& streams, Exit& exit) {
+  CLI::App* command = lab.add_subcommand("step", "Step response of a transfer function, or of the simulated arm");
+  const auto options = std::make_shared<StepOptions>();
+  CLI::Option* const num =
+      command->add_option("--num", options->num, "Numerator, coefficients of descending powers of s")->delimiter(',');
+  CLI::Option* const den =
+      command->add_option("--den", options->den, "Denominator, the same; order 1 to 8")->delimiter(',');
+  num->needs(den);
+  addArmOptions(*command, *options);
+  command->get_option("--scene")->excludes(den);
+  command->add_option("--seconds", options->seconds, "How long; by itself as long as it takes to come to rest")
+      ->check(CLI::Range(1e-6, 1e6));
+  command->add_option("--csv", options->csv,
+                      "Write the curve to this file: t_s, y; of the arm t_s, measured_mm, fit_mm, "
+                      "analytic_mm");
+  command->add_flag("--json", options->json, "One JSON object in place of a table");
+  command->footer(
+      "One of --den and --scene is needed.\n"
+      "--json of a function: {\"final_value\", \"rise_10_90_s\", \"settling_2pct_s\" (null: never), \"peak_time_s\" "
+      "(null: "
+      "no overshoot),\n\"overshoot_fraction\"}; null where there is none. In an empty place of a list write 0: s^2 + 1 "
+      "is "
+      "1,0,1.");
+  command->callback([command, options, &streams, &exit] {
+    if (command->count("--den") + command->count("--scene") == 0)
+      throw CLI::RequiredError("--den (as in --num 1 --den 1,0.8,1) or --scene");
+    exit = command->count("--den") > 0 ? stepFunction(*options, streams) : stepArm(*options, streams);
+  });
+}
+
+}  // namespace underact::cli

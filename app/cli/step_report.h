@@ -1,0 +1,33 @@
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "app/cli/json_object.h"
+#include "core/base/result.h"
+#include "core/lab/step_response.h"
+
+namespace underact::cli {
+
+// What `lab step` says of a response: as JSON, as a table for people, as the rows of a CSV file.
+
+/// The five keys of the command line; null: there is none.
+JsonObject metricsObject(const lab::StepMetrics& metrics);
+JsonObject stepObject(const lab::ArmStep& step);
+
+void printTable(const lab::TransferFunction& transfer, const lab::StepMetrics& metrics, std::ostream& out);
+void printTable(const lab::ArmStep& step, std::ostream& out);
+
+/// Why numbers are missing or mean something else than usual, a sentence; empty: all is as usual.
+std::string noteOn(const lab::TransferFunction& transfer);
+std::vector<std::string> notesOn(const lab::ArmStep& step);
+
+/// t_s, y; a thousand steps. seconds: 0: as long as it takes to see it.
+std::string csvOf(const lab::TransferFunction& transfer, double seconds);
+/// t_s, measured_mm, fit_mm, analytic_mm; a row a tick, the fit empty where there is none.
+std::string csvOf(const lab::ArmStep& step);
+
+/// Problems: one, where the file cannot be written.
+Problems writeText(const std::string& path, const std::string& text);
+
+}  // namespace underact::cli

@@ -1,0 +1,251 @@
+#include "app/gui/step/step_plot.h"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/gui/plot/chart.h"
+#include "app/gui/plot/plot_range.h"
+#include "app/gui/view/gl_surface.h"
+#include "core/base/units.h"
+#include "core/lab/unit_step.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr std::size_t kPoints = 600;
+constexpr double kRoom = 1.08;
+constexpr double kMarkWide = 0.025, kMarkHigh = 0.07;  // half a cross, shares of the s-plane's chart
+// Curves of the chart against time.
+constexpr std::size_t kMarks = 0, kFirst = 1, kMeasured = kFirst + StepPlot::kMostResponses, kFit = kMeasured + 1;
+// Curves of the s-plane.
+constexpr std::size_t kAxes = 0, kPoles = 1, kZeros = 2;
+
+constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+
+float onScreen(double value) {
+  return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : kGap;
+}
+
+/// Fills a curve with strokes that a gap ends; what is left over repeats the last gap.
+class Strokes {
+ public:
+  explicit Strokes(std::span<PlotPoint> points) : points_(points) {}
+  ~Strokes() {
+    while (used_ < points_.size()) points_[used_++] = {kGap, kGap};
+  }
+  void line(double x_from, double y_from, double x_to, double y_to) {
+    to(x_from, y_from);
+    to(x_to, y_to);
+    end();
+  }
+  void to(double x, double y) { put({onScreen(x), onScreen(y)}); }
+  void end() { put({kGap, kGap}); }
+
+ private:
+  void put(PlotPoint point) {
+    if (used_ < points_.size()) points_[used_++] = point;
+  }
+  std::span<PlotPoint> points_;
+  std::size_t used_ = 0;
+};
+
+std::vector<Chart::Curve> timeCurves() {
+  std::vector<Chart::Curve> curves(kFit + 1);
+  curves[kMarks] = {StepPlot::tr("2 % band, peak, settling"), 1.0F, true};
+  for (std::size_t curve = kFirst; curve < kMeasured; ++curve) curves[curve] = {QString(), 1.5F};
+  curves[kFirst].width = 2.0F;
+  curves[kMeasured] = {StepPlot::tr("measured"), 1.5F};
+  curves[kFit] = {StepPlot::tr("its fit"), 1.5F, true};
+  return curves;
+}
+
+}  // namespace
+
+struct StepPlot::Impl {
+  explicit Impl(StepPlot* owner) : plot(owner) {
+    surface = new GlSurface([this](QSize pixels) { before(pixels); },
+                            [this](QPainter& painter) {
+                              time.paintWords(painter);
+                              plane.paintWords(painter);
+                            },
+                            plot);
+    for (Chart* chart : {&time, &plane}) actor->GetScene()->AddItem(chart->item());
+    surface->renderer().AddActor(actor);
+    actor->GetScene()->SetRenderer(&surface->renderer());
+    time.reserve(kPoints);
+    plane.reserve(kPoints);
+  }
+
+  void before(QSize pixels) {
+    if (pixels == placed) return;
+    placed = pixels;
+    const double width = plot->width(), height = plot->height(), upper = std::round(0.56 * height);
+    const double scale = pixels.height() / std::max(1.0, height);
+    time.setPlace({0.0, 0.0, width, upper}, height, scale, plot->font());
+    plane.setPlace({0.0, upper, width, height - upper}, height, scale, plot->font());
+  }
+
+  void drawTime(const StepPicture& shown) {
+    double least = 0.0, most = 0.0;
+    const auto fill = [&](std::size_t curve, bool there, const auto& valueAt) {
+      for (std::size_t index = 0; index < kPoints; ++index) {
+        const double t_s = shown.seconds * static_cast<double>(index) / (kPoints - 1);
+        const double y = there ? valueAt(t_s) : std::numeric_limits<double>::quiet_NaN();
+        time.points(curve)[index] = {onScreen(t_s), onScreen(y)};
+        if (!std::isfinite(y)) continue;
+        least = std::min(least, y);
+        most = std::max(most, y);
+      }
+      time.setCurveShown(curve, there);
+    };
+    for (std::size_t one = 0; one < kMostResponses; ++one) {
+      const bool there = one < shown.responses.size();
+      time.setCurveName(kFirst + one, there ? shown.responses[one].name : QString());
+      const lab::UnitStep step(there ? shown.responses[one].transfer : lab::TransferFunction{{1.0}, {1.0, 1.0}});
+      fill(kFirst + one, there, [&](double t_s) { return step.at(t_s); });
+    }
+    fill(kMeasured, shown.measured.has_value(), [&](double t_s) {
+      const auto index = static_cast<std::size_t>(std::lround(t_s / shown.measured->period_s));
+      const std::vector<double>& value = shown.measured->value;
+      return index < value.size() ? value[index] : std::numeric_limits<double>::quiet_NaN();
+    });
+    fill(kFit, shown.fit.has_value(), [&](double t_s) {
+      return shown.fit->gain * lab::secondOrderAt(shown.fit->omega_n_rad_per_s, shown.fit->zeta, t_s);
+    });
+    if (most <= least) most = least + 1.0;
+    drawMarks(shown, kRoom * most);
+    const double low = least < -1e-3 * most ? kRoom * least : 0.0;
+    time.setRange(0.0, shown.seconds, low, kRoom * most);
+    time.pointsChanged();
+  }
+
+  void drawMarks(const StepPicture& shown, double top) {
+    const lab::StepMetrics& metrics = shown.metrics;
+    const bool one = shown.responses.size() == 1 && metrics.final_value.value_or(0.0) != 0.0;
+    time.setCurveShown(kMarks, one);
+    Strokes strokes(time.points(kMarks));
+    if (!one) return;
+    const double final_value = *metrics.final_value;
+    for (const double share : {0.98, 1.02}) strokes.line(0.0, share * final_value, shown.seconds, share * final_value);
+    for (const std::optional<double>& at_s : {metrics.peak_time_s, metrics.settling_2pct_s}) {
+      if (at_s && *at_s < shown.seconds) strokes.line(*at_s, 0.0, *at_s, std::min(top, 1.02 * final_value));
+    }
+  }
+
+  void drawPlane(const StepPicture& shown) {
+    std::vector<std::complex<double>> zeros;
+    std::vector<std::complex<double>> poles;
+    if (!shown.responses.empty()) {
+      const lab::TransferFunction& first = shown.responses.front().transfer;
+      poles = lab::poles(first);
+      if (first.num.size() > 1) zeros = lab::poles({{1.0}, first.num});  // the roots of what stands above
+    }
+    double left = 0.0, right = 0.0, high = 0.0;
+    for (const auto* roots : {&poles, &zeros}) {
+      for (const std::complex<double>& root : *roots) {
+        left = std::min(left, root.real());
+        right = std::max(right, root.real());
+        high = std::max(high, std::abs(root.imag()));
+      }
+    }
+    const double size = std::max({-left, right, high, 1e-9});
+    const double x_from = -roundUp(1.2 * std::max(-left, 0.25 * size)),
+                 x_to = roundUp(1.2 * std::max(right, 0.25 * size));
+    const double y_to = roundUp(1.3 * std::max(high, 0.3 * size));
+    const double half_x = kMarkWide * (x_to - x_from), half_y = kMarkHigh * 2.0 * y_to;
+    {
+      Strokes axes(plane.points(kAxes));
+      axes.line(x_from, 0.0, x_to, 0.0);
+      axes.line(0.0, -y_to, 0.0, y_to);
+      Strokes crosses(plane.points(kPoles));
+      for (const std::complex<double>& pole : poles) {
+        const double x = pole.real(), y = pole.imag();
+        crosses.line(x - half_x, y - half_y, x + half_x, y + half_y);
+        crosses.line(x - half_x, y + half_y, x + half_x, y - half_y);
+      }
+      Strokes rings(plane.points(kZeros));
+      for (const std::complex<double>& zero : zeros) {
+        for (int turn = 0; turn <= 16; ++turn) {
+          const double angle_rad = turn * kPi / 8.0;
+          rings.to(zero.real() + half_x * std::cos(angle_rad), zero.imag() + half_y * std::sin(angle_rad));
+        }
+        rings.end();
+      }
+    }
+    plane.setCurveShown(kZeros, !zeros.empty());
+    plane.setRange(x_from, x_to, -y_to, y_to);
+    plane.pointsChanged();
+  }
+
+  StepPlot* plot;
+  GlSurface* surface = nullptr;
+  Chart time{StepPlot::tr("Response to a step of 1"), StepPlot::tr("time [s]"), timeCurves()};
+  Chart plane{StepPlot::tr("Imaginary part [rad/s]"),
+              StepPlot::tr("real part [rad/s]"),
+              {{QString(), 1.0F}, {StepPlot::tr("× pole"), 2.0F}, {StepPlot::tr("○ zero"), 1.5F}}};
+  vtkNew<vtkContextActor> actor;
+  QSize placed;
+};
+
+StepPlot::StepPlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+  setObjectName("panel.step.plot");
+  setAccessibleName(tr("Step response and poles"));
+  setToolTip(
+      tr("Above: the response to a step of 1. Below: poles and zeros in the s-plane; what lies left of the upright "
+         "axis dies out, the faster the farther."));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(impl_->surface);
+  setTheme(Theme::light());
+}
+
+StepPlot::~StepPlot() {
+  delete impl_->surface;
+}
+
+QSize StepPlot::minimumSizeHint() const {
+  return {240, 16 * fontMetrics().lineSpacing()};
+}
+
+void StepPlot::present(const StepPicture& picture) {
+  impl_->drawTime(picture);
+  impl_->drawPlane(picture);
+  impl_->placed = {};  // the legend has other names
+  const std::optional<double>& overshoot = picture.metrics.overshoot_fraction;
+  setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(100.0 * *overshoot, 0, 'f', 1) : tr("Nothing settles"));
+  impl_->surface->update();
+}
+
+void StepPlot::setTheme(const Theme& theme) {
+  Impl& my = *impl_;
+  my.surface->setBackground(theme.background);
+  my.time.setColours(theme,
+                     {mixed(theme.background, theme.ink, 0.45), theme.constraint, theme.force_limited, theme.target,
+                      theme.position, theme.force, theme.orientation, theme.ink, theme.force_limited});
+  my.plane.setColours(theme, {mixed(theme.background, theme.ink, 0.6), theme.constraint, theme.target});
+  my.surface->update();
+}
+
+QImage StepPlot::picture() {
+  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());
+  return impl_->surface->picture();
+}
+
+void StepPlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  impl_->placed = {};
+  impl_->surface->update();
+}
+
+}  // namespace underact::gui

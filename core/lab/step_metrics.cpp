@@ -1,0 +1,224 @@
+#include "core/lab/step_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/types.h"
+#include "core/base/units.h"
+#include "core/lab/unit_step.h"
+
+namespace underact::lab {
+namespace {
+
+using Complex = std::complex<double>;
+using Vector = UnitStep::Vector;
+
+constexpr double kBand = 0.02, kFrom = 0.1, kTo = 0.9;
+constexpr double kGone = 1e-14;      // a share of the final value; a mode below it is not looked for
+constexpr double kLargest = 1e18;    // of a mode's share; of equal poles it would be infinite, and they cancel
+constexpr double kPerTurn = 32.0;    // samples in a turn of the fastest mode alive
+constexpr int kBlock = 64;           // steps from one exact state to the next
+constexpr int kMostBlocks = 40'000;  // 2.5 million samples
+constexpr int kSwings = 200;         // of the slowest undamped mode, where several beat against each other
+
+/// A mode of the response: at most share e^(-decay t) of the final value.
+struct Mode {
+  double share;
+  double decay_per_s;
+  double speed_rad_per_s;
+};
+
+std::vector<Mode> modesOf(const TransferFunction& transfer) {
+  const double final_value = gainAtRest(transfer);
+  std::vector<double> slope;
+  for (std::size_t index = 0; index + 1 < transfer.den.size(); ++index)
+    slope.push_back(transfer.den[index] * static_cast<double>(transfer.den.size() - 1 - index));
+  const bool swings = behaviourOf(transfer) == Behaviour::Swings;
+  std::vector<Mode> modes;
+  for (const Complex& pole : poles(transfer)) {
+    const double share = std::abs(valueAt(transfer.num, pole) / (pole * valueAt(slope, pole) * final_value));
+    const bool on_axis = swings && std::abs(pole.real()) <= 1e-9 * std::abs(pole);
+    modes.push_back({share < kLargest ? share : kLargest, on_axis ? 0.0 : -pole.real(), std::abs(pole)});
+  }
+  return modes;
+}
+
+/// Where the response rises or falls all the way. z: its value, a share of the final one, less 1.
+struct Piece {
+  double from_s, to_s, z_from, z_to;
+};
+
+/// Looks through a response piece by piece.
+class Search {
+ public:
+  explicit Search(const TransferFunction& transfer)
+      : step_(transfer), modes_(modesOf(transfer)), final_(gainAtRest(transfer)) {}
+
+  /// Nothing is farther from the final value at t or later; a share of it.
+  double mostFrom(double t_s) const {
+    double sum = 0.0;
+    for (const Mode& mode : modes_) sum += mode.share * std::exp(-mode.decay_per_s * t_s);
+    return sum;
+  }
+  /// The same for ever: what is undamped.
+  double mostForEver() const {
+    double sum = 0.0;
+    for (const Mode& mode : modes_) sum += mode.decay_per_s > 0.0 ? 0.0 : mode.share;
+    return sum;
+  }
+  double z(double t_s) const { return zOf(step_.stagesAt(t_s)); }
+  /// The time in a piece at which z passes level.
+  double passing(const Piece& piece, double level) const {
+    const bool above = piece.z_from > level;
+    return boundary(piece.from_s, piece.to_s, [&](double t_s) { return (z(t_s) > level) == above; });
+  }
+  /// The pieces of one block of samples from t on; next: where the next block begins.
+  std::vector<Piece> block(double from_s, double step_s) const {
+    std::vector<Piece> pieces;
+    const UnitStep::Matrix after = step_.stagesAfter(step_s);
+    Vector stages = step_.stagesAt(from_s);
+    for (int step = 0; step < kBlock; ++step) {
+      const double t_s = from_s + step * step_s, next_s = from_s + (step + 1) * step_s;
+      const Vector next = after * stages;
+      const double rate = rateOf(stages), next_rate = rateOf(next);
+      if (rate * next_rate < 0.0) {
+        const double turn_s =
+            boundary(t_s, next_s, [&](double at_s) { return rateOf(step_.stagesAt(at_s)) * rate > 0.0; });
+        const double z_turn = z(turn_s);
+        pieces.push_back({t_s, turn_s, zOf(stages), z_turn});
+        pieces.push_back({turn_s, next_s, z_turn, zOf(next)});
+      } else {
+        pieces.push_back({t_s, next_s, zOf(stages), zOf(next)});
+      }
+      stages = next;
+    }
+    return pieces;
+  }
+  /// Short enough for the fastest mode that is still there; 0: none is.
+  double stepAt(double t_s) const {
+    double fastest = 0.0;
+    for (const Mode& mode : modes_) {
+      if (mode.share * std::exp(-mode.decay_per_s * t_s) > kGone) fastest = std::max(fastest, mode.speed_rad_per_s);
+    }
+    return fastest > 0.0 ? 2.0 * kPi / (kPerTurn * fastest) : 0.0;
+  }
+  /// From when on the undamped modes are alone and have shown all they do; infinite where there are none.
+  double seenAll() const {
+    double alone_s = 0.0, slowest = kInfinity;
+    int undamped = 0;
+    for (const Mode& mode : modes_) {
+      if (mode.decay_per_s > 0.0) {
+        if (mode.share > kGone) alone_s = std::max(alone_s, std::log(mode.share / kGone) / mode.decay_per_s);
+        continue;
+      }
+      ++undamped;
+      slowest = std::min(slowest, mode.speed_rad_per_s);
+    }
+    if (undamped == 0) return kInfinity;
+    return alone_s + (undamped == 2 ? 1.01 : kSwings) * 2.0 * kPi / slowest;
+  }
+
+ private:
+  double zOf(const Vector& stages) const { return step_.deviation(stages) / final_; }
+  double rateOf(const Vector& stages) const { return step_.rate(stages) / final_; }
+  /// Where holds, true at low, no longer does: to the last bit of the time, by halving.
+  static double boundary(double low_s, double high_s, const std::function<bool(double)>& holds) {
+    for (;;) {
+      const double middle_s = 0.5 * (low_s + high_s);
+      if (!(middle_s > low_s && middle_s < high_s)) return middle_s;
+      (holds(middle_s) ? low_s : high_s) = middle_s;
+    }
+  }
+
+  UnitStep step_;
+  std::vector<Mode> modes_;
+  double final_;
+};
+
+/// Rise and peak, forwards from the step.
+void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
+  const double z_first = search.z(0.0), seen_s = search.seenAll();
+  std::optional<double> low_s, high_s;
+  if (z_first >= kFrom - 1.0) low_s = 0.0;
+  if (z_first >= kTo - 1.0) high_s = 0.0;
+  double most = kGone, t_s = 0.0;
+  if (z_first > most) {
+    most = z_first;
+    metrics.peak_time_s = 0.0;
+  }
+  for (int block = 0; block < kMostBlocks; ++block) {
+    const double step_s = search.stepAt(t_s);
+    if (step_s == 0.0 || t_s > seen_s || (high_s && search.mostFrom(t_s) <= most)) break;
+    for (const Piece& piece : search.block(t_s, step_s)) {
+      if (!low_s && piece.z_to >= kFrom - 1.0) low_s = search.passing(piece, kFrom - 1.0);
+      if (!high_s && piece.z_to >= kTo - 1.0) high_s = search.passing(piece, kTo - 1.0);
+      if (piece.z_to > most + 1e-12 * std::abs(most)) {
+        most = piece.z_to;
+        metrics.peak_time_s = piece.to_s;
+      }
+    }
+    t_s += kBlock * step_s;
+  }
+  if (low_s && high_s) metrics.rise_10_90_s = *high_s - *low_s;
+  metrics.overshoot_fraction = metrics.peak_time_s ? most : 0.0;
+}
+
+/// Settling, backwards from when it is certain.
+void findSettling(const Search& search, StepMetrics& metrics) {
+  double within_s = 0.0;
+  if (search.mostFrom(0.0) >= kBand) {
+    double low_s = 0.0, high_s = search.stepAt(0.0);
+    while (search.mostFrom(high_s) >= kBand) {
+      if (search.mostForEver() >= kBand || !std::isfinite(high_s)) return;  // never
+      low_s = high_s;
+      high_s *= 2.0;
+    }
+    while (high_s - low_s > 1e-6 * high_s) {
+      const double middle_s = 0.5 * (low_s + high_s);
+      (search.mostFrom(middle_s) >= kBand ? low_s : high_s) = middle_s;
+    }
+    within_s = high_s;
+  }
+  metrics.settling_2pct_s = 0.0;
+  for (int block = 0; block < kMostBlocks && within_s > 0.0; ++block) {
+    double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s));
+    // A faster mode may have been alive at the block's beginning: then a shorter one.
+    while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s)) begin_s = 0.5 * (begin_s + within_s);
+    const std::vector<Piece> pieces = search.block(begin_s, (within_s - begin_s) / kBlock);
+    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+      if (std::abs(piece->z_from) < kBand) continue;
+      metrics.settling_2pct_s = search.passing(*piece, std::copysign(kBand, piece->z_from));
+      return;
+    }
+    within_s = begin_s;
+  }
+}
+
+}  // namespace
+
+StepMetrics metricsOf(const TransferFunction& transfer) {
+  const Behaviour behaviour = behaviourOf(transfer);
+  StepMetrics metrics;
+  if (behaviour == Behaviour::Grows || behaviour == Behaviour::Drifts) return metrics;
+  metrics.final_value = gainAtRest(transfer);
+  if (*metrics.final_value == 0.0) return metrics;
+  const Search search(transfer);
+  findRiseAndPeak(search, metrics);
+  findSettling(search, metrics);
+  return metrics;
+}
+
+double secondsToSee(const TransferFunction& transfer) {
+  const StepMetrics metrics = metricsOf(transfer);
+  if (metrics.settling_2pct_s.value_or(0.0) > 0.0) return 1.5 * *metrics.settling_2pct_s;
+  double slowest = kInfinity, growth = 0.0;
+  for (const Complex& pole : poles(transfer)) {
+    if (std::abs(pole) > 0.0) slowest = std::min(slowest, std::abs(pole));
+    growth = std::max(growth, pole.real());
+  }
+  if (behaviourOf(transfer) == Behaviour::Grows && growth > 0.0) return std::min(5.0 / growth, 12.0 * kPi / slowest);
+  return slowest < kInfinity ? 12.0 * kPi / slowest : 10.0;
+}
+
+}  // namespace underact::lab

@@ -1,0 +1,271 @@
+#include "core/lab/step_response.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/arm/preset.h"
+#include "core/base/fault.h"
+#include "core/base/units.h"
+#include "core/lab/moved_target.h"
+#include "core/scene/compile.h"
+#include "core/sim/plant.h"
+#include "core/tick/step.h"
+
+namespace underact::lab {
+namespace {
+
+constexpr double kBefore_s = 0.5;  // the ramp takes 0.3 s
+constexpr double kShortest_s = 0.5, kLongest_s = 10.0;
+constexpr double kNotReached_m = 1e-6;  // of a place to which the arm was brought
+constexpr double kMissed = 1e-3;        // a share of the step, by which a target may miss it
+constexpr double kNudge_m = 1e-4;       // for the slope of a force
+
+/// A scene before and after its step.
+struct Programs {
+  tick::TickProgram before, after;
+};
+
+/// The gate that lets everything through.
+safety::Limits withoutLimits(safety::Limits limits) {
+  limits.max_force_N = 1e6;
+  limits.max_slew_N_per_s = limits.calm_speed_m_per_s = limits.max_speed_m_per_s = limits.max_jump_m_per_s = kInfinity;
+  limits.edge_rad = 0.0;
+  limits.thermal = {};
+  return limits;
+}
+
+Result<tick::TickProgram> programOf(const scene::Description& scene, const StepSetup& setup) {
+  Result<tick::TickProgram> program = scene::compile(scene);
+  if (program && !setup.limits) program.value().limits = withoutLimits(program.value().limits);
+  return program;
+}
+
+/// The first tick of a program with the tip in p_WT, by exact joints.
+tick::TickReport firstTick(const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WT) {
+  tick::TickState state = makeState(program);
+  tick::TickReport report;
+  tick::TickInput input;
+  input.engage = input.restart = true;
+  input.sample.q_rad = sim::restAt(plant, p_WT).q_rad;
+  step(program, input, state, report);
+  return report;
+}
+
+/// Where the tip rests on its target: the target nearest to p_WT, and so on until it stays (a turned stylus moves it).
+Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& plant, Vec3 p_WT) {
+  for (int round = 0; round < 50; ++round) {
+    const tick::TickReport report = firstTick(program, plant, p_WT);
+    if (report.held.size() != 1 || report.held[0].status != target::Status::Unique)
+      return Problems{{"From there no single target is nearest, so nothing says where to begin. Begin elsewhere."}};
+    const Vec3 p_WP = report.held[0].p_WP;
+    const double off_m = (p_WP - report.p_WT).norm();
+    p_WT = p_WP;
+    if (off_m < 1e-9) return p_WT;
+    if ((sim::restAt(plant, p_WT).p_WT - p_WT).norm() > kNotReached_m)
+      return Problems{{"The arm does not reach the target there. Begin elsewhere."}};
+  }
+  return Problems{{"The target does not stay while the tip goes to it. Begin elsewhere."}};
+}
+
+/// What the law does along a direction with these gains in the place of its stiffness: the slope of its force.
+double along(tick::TickProgram program, const sim::Plant& plant, const Vec3& gains, const Vec3& p_WP,
+             const Vec3& along_W) {
+  program.entries[0].law = control::P{gains};
+  program = tick::makeProgram(program.geometry, program.entries, program.combine, program.limits, program.joint_limits);
+  const Vec3 nudge_W = kNudge_m * along_W;
+  const Vec3 above_N = firstTick(program, plant, p_WP + nudge_W).f_T_W;
+  const Vec3 below_N = firstTick(program, plant, p_WP - nudge_W).f_T_W;
+  return std::max(0.0, (below_N - above_N).dot(along_W) / (2.0 * kNudge_m));
+}
+
+HeldMass modelOf(const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WP, const Vec3& along_W) {
+  const control::Law& law = program.entries[0].law;
+  HeldMass held{plant.model.mass_kg + plant.hand.mass_kg, plant.hand.damping_N_s_per_m};
+  held.kp_N_per_m = along(program, plant, control::stiffness(law), p_WP, along_W);
+  if (const auto* pd = std::get_if<control::PD>(&law))
+    held.kd_N_s_per_m = along(program, plant, pd->kd_N_s_per_m, p_WP, along_W);
+  if (const auto* pid = std::get_if<control::PID>(&law)) {
+    held.kd_N_s_per_m = along(program, plant, pid->kd_N_s_per_m, p_WP, along_W);
+    held.ki_N_per_m_s = along(program, plant, pid->ki_N_per_m_s, p_WP, along_W);
+  }
+  return held;
+}
+
+/// Long enough to see it come to rest: the model's own settling three times over, and the turns that friction takes to
+/// stop it, which loses 4 friction / kp of its swing in each.
+double secondsFor(const ArmStep& step) {
+  const StepMetrics model = metricsOf(step.analytic);
+  double seconds = model.settling_2pct_s ? 3.0 * *model.settling_2pct_s : kLongest_s;
+  const NaturalMotion motion = naturalMotion(step.model, step.law);
+  if (motion.omega_n_rad_per_s > 0.0 && step.friction_N > 0.0) {
+    const double turns = step.model.kp_N_per_m * std::abs(step.step_m) / (4.0 * step.friction_N) + 4.0;
+    const double stopped_s = 3.0 * turns * 2.0 * kPi / motion.omega_n_rad_per_s;
+    seconds = step.law == scene::LawType::PID ? std::max(seconds, stopped_s) : std::min(seconds, stopped_s);
+  }
+  return std::clamp(seconds, kShortest_s, kLongest_s);
+}
+
+/// The arm under the servo, without a thread.
+class Loop {
+ public:
+  Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
+      : plant_(plant), arm_(sim::restAt(plant, p_WT)), period_ns_(1'000'000'000 / rate_hz) {
+    wish_.p_WT = arm_.p_WT;
+    input_.engage = true;
+    input_.restart = true;
+  }
+  const tick::TickReport& tick(const tick::TickProgram& program, tick::TickState& state) {
+    arm_ = advance(plant_, arm_, report_.force.f_T_W(), wish_, period_ns_);
+    input_.sample.time_ns += period_ns_;
+    input_.sample.q_rad =
+        plant_.model.encoders ? sim::throughEncoders(plant_.arm.counts_per_turn, arm_.q_rad) : arm_.q_rad;
+    step(program, input_, state, report_);
+    input_.restart = false;
+    return report_;
+  }
+  double period_s() const { return kSecondPerNanosecond * static_cast<double>(period_ns_); }
+
+ private:
+  sim::Plant plant_;
+  sim::PlantState arm_;
+  sim::HandWish wish_;
+  std::int64_t period_ns_;
+  tick::TickInput input_;
+  tick::TickReport report_;
+};
+
+void record(const Programs& programs, const sim::Plant& plant, double seconds, ArmStep& step) {
+  const auto& [before, after] = programs;
+  Loop loop(plant, step.p_WBefore, step.rate_hz);
+  tick::TickState rest = makeState(before), state = makeState(after);
+  for (int tick = 0; tick < static_cast<int>(kBefore_s * step.rate_hz); ++tick) loop.tick(before, rest);
+  carryOver(rest, state, tick::Carry::ArmAndMovedLaws);
+  state.retuned = false;  // a step is what is wanted here
+  step.way_m.period_s = loop.period_s();
+  const auto ticks = static_cast<int>(std::lround(seconds * step.rate_hz));
+  Vec3 p_WBegin = Vec3::Zero(), p_WEnd = Vec3::Zero();
+  for (int tick = 0; tick <= ticks; ++tick) {
+    const tick::TickReport& report = loop.tick(after, state);
+    if (report.fault.kind != FaultKind::None) {
+      step.fault = describe(report.fault);
+      return;
+    }
+    p_WEnd = report.p_WT;
+    if (tick == 0) p_WBegin = p_WEnd;
+    step.way_m.value.push_back((p_WEnd - p_WBegin).dot(step.along_W));
+    step.limited_ticks += report.cut_N > 0.0 ? 1 : 0;
+    step.peak_force_N = std::max(step.peak_force_N, report.force.f_T_W().norm());
+  }
+  step.steady_error_m = step.step_m - (p_WEnd - step.p_WBefore).dot(step.along_W);
+}
+
+/// The scene with nothing but the constraint that is measured.
+Result<scene::Description> onlyOne(scene::Description scene, const std::string& name) {
+  const auto chosen = [&](const scene::Constraint& one) { return name.empty() || one.name == name; };
+  const auto found = std::find_if(scene.constraints.begin(), scene.constraints.end(), chosen);
+  if (found == scene.constraints.end())
+    return Problems{{"The scene has no constraint \"" + name + "\"; choose one of its names.", {scene.file}}};
+  if (name.empty() && scene.constraints.size() > 1)
+    return Problems{{"The scene has " + std::to_string(scene.constraints.size()) +
+                         " constraints; say the name of the one to measure, as \"" + found->name + "\".",
+                     {scene.file}}};
+  if (found->side != target::Side::Both && !std::holds_alternative<scene::VirtualManipulator>(found->shape))
+    return Problems{{"\"" + found->name +
+                         "\" is a wall: it pushes and never pulls, so it holds nothing at a target. "
+                         "Measure one whose side is both.",
+                     found->place}};
+  const auto index = static_cast<std::size_t>(found - scene.constraints.begin());
+  scene::Constraint one = scene.constraints[index];
+  one.control = controlOf(scene, index);
+  scene.constraints = {std::move(one)};
+  return scene;
+}
+
+/// The direction of W's axis; of Axis::Held the one in which the error grows most, of a tip a little off the target.
+Vec3 directionOf(Axis axis, const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WP) {
+  if (axis != Axis::Held) return Vec3::Unit(static_cast<Eigen::Index>(axis));
+  Mat3 growth = Mat3::Zero();
+  for (Eigen::Index column = 0; column < 3; ++column) {
+    const Vec3 nudge_W = kNudge_m * Vec3::Unit(column);
+    const tick::TickReport above = firstTick(program, plant, p_WP + nudge_W);
+    const tick::TickReport below = firstTick(program, plant, p_WP - nudge_W);
+    growth.col(column) = (above.p_WT - above.held[0].p_WP - below.p_WT + below.held[0].p_WP) / (2.0 * kNudge_m);
+  }
+  const Mat3 symmetric = 0.5 * (growth + growth.transpose());
+  Vec3 most_W = Eigen::SelfAdjointEigenSolver<Mat3>(symmetric).eigenvectors().col(2);
+  Eigen::Index largest = 0;
+  most_W.cwiseAbs().maxCoeff(&largest);
+  return most_W[largest] < 0.0 ? Vec3(-most_W) : most_W;
+}
+
+/// The scene after a step along axis, where its target goes along as a whole; none: it does not.
+Result<std::optional<Programs>> steppedAlong(const scene::Description& held, const tick::TickProgram& before,
+                                             const sim::Plant& plant, const StepSetup& setup, ArmStep& step) {
+  step.along_W = directionOf(step.axis, before, plant, step.p_WBefore);
+  const Vec3 step_W = setup.step_m * step.along_W;
+  Result<tick::TickProgram> after = programOf(withTargetsMoved(held, kMillimetrePerMetre * step_W), setup);
+  if (!after) return after.problems();
+  const tick::TickReport first = firstTick(after.value(), plant, step.p_WBefore);
+  const Vec3 miss_W = first.held[0].p_WP - step.p_WBefore - step_W;
+  if (first.held[0].status != target::Status::Unique || !(miss_W.norm() <= kMissed * std::abs(setup.step_m)))
+    return std::optional<Programs>();
+  const Vec3 p_WAfter = step.p_WBefore + step_W;
+  if ((sim::restAt(plant, p_WAfter).p_WT - p_WAfter).norm() > kNotReached_m)
+    return Problems{{std::string("The arm does not reach the target after this step (") + name(step.axis) +
+                     "). Make the step smaller, or the other way."}};
+  return std::optional<Programs>({before, std::move(after).value()});
+}
+
+/// Along the first axis that holds. step: its axis and direction.
+Result<Programs> stepped(const scene::Description& held, const tick::TickProgram& before, const sim::Plant& plant,
+                         const StepSetup& setup, ArmStep& step) {
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::Held}) {
+    if (setup.axis.value_or(axis) != axis) continue;
+    step.axis = axis;
+    Result<std::optional<Programs>> found = steppedAlong(held, before, plant, setup, step);
+    if (!found) return found.problems();
+    if (found.value()) return std::move(*std::move(found).value());
+  }
+  const std::string where = setup.axis ? std::string(" (") + name(*setup.axis) + ")" : "";
+  return Problems{{"The constraint does not hold the tip along a straight step there" + where +
+                   ": its target does not go along as a whole. Choose another axis, or begin elsewhere."}};
+}
+
+}  // namespace
+
+const char* name(Axis axis) {
+  static constexpr const char* kNames[] = {"x", "y", "z", "held"};
+  return kNames[static_cast<std::size_t>(axis)];
+}
+
+Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& setup) {
+  const Result<scene::Description> held = onlyOne(scene, setup.constraint);
+  if (!held) return held.problems();
+  const Result<tick::TickProgram> before = programOf(held.value(), setup);
+  if (!before) return before.problems();
+  const sim::Plant plant{*arm::findPreset(held.value().arm), setup.arm, setup.hand};
+  const Result<Vec3> begin = restingPlace(before.value(), plant, setup.from_W);
+  if (!begin) return begin.problems();
+
+  ArmStep step;
+  step.constraint = held.value().constraints[0].name;
+  step.law = controlOf(held.value(), 0).law;
+  step.step_m = setup.step_m;
+  step.rate_hz = setup.rate_hz;
+  step.p_WBefore = begin.value();
+  step.friction_N = setup.arm.friction_N;
+  const Result<Programs> programs = stepped(held.value(), before.value(), plant, setup, step);
+  if (!programs) return programs.problems();
+  step.model = modelOf(before.value(), plant, step.p_WBefore, step.along_W);
+  const Result<TransferFunction> analytic = transferOf(step.model, step.law);
+  if (!analytic) return analytic.problems();
+  step.analytic = analytic.value();
+  record(programs.value(), plant, setup.seconds > 0.0 ? setup.seconds : secondsFor(step), step);
+  step.measured = metricsOf(step.way_m);
+  step.fit = fitSecondOrder(step.way_m);
+  return step;
+}
+
+}  // namespace underact::lab

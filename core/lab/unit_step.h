@@ -1,0 +1,39 @@
+#pragma once
+#include <Eigen/Core>
+#include <complex>
+
+#include "core/lab/transfer_function.h"
+
+namespace underact::lab {
+
+/// The response of a transfer function to a unit step at t = 0 from rest, exact at any time. The poles stand in a row
+/// of first-order stages, each with a gain of 1 at rest where its pole is not 0; the response is the exponential of the
+/// row's matrix, which repeated poles and ones that are far apart do not spoil as they do a sum of partial fractions.
+class UnitStep {
+ public:
+  using Matrix = Eigen::MatrixXcd;
+  using Vector = Eigen::VectorXcd;
+
+  explicit UnitStep(const TransferFunction& transfer);
+
+  /// y(t), t_s >= 0; at 0 the value just after the step. Not finite where it is beyond a double.
+  double at(double t_s) const;
+
+  // Of functions without a pole at 0: the way to the value at rest. stages: what each stage still has to go, all 1 at
+  // first; times stagesAfter(t) gives them t later.
+  Vector stagesAt(double t_s) const { return stagesAfter(t_s) * Vector::Ones(poles_.size()); }
+  Matrix stagesAfter(double t_s) const;
+  /// y - y(infinity).
+  double deviation(const Vector& stages) const { return -(output_ * stages).value().real(); }
+  /// dy/dt.
+  double rate(const Vector& stages) const { return (rate_output_ * stages).value().real(); }
+
+ private:
+  Vector poles_;  // of the stages
+  Vector gains_;  // of what goes into each stage
+  Eigen::RowVectorXcd output_;
+  Eigen::RowVectorXcd rate_output_;
+  double direct_ = 0.0;  // what goes through at once
+};
+
+}  // namespace underact::lab
