@@ -26,7 +26,7 @@ struct StepSetup {
   sim::ArmModel arm = {};                 // what the arm is made of
   sim::HandModel hand = {0.0, 0.0, 0.0};  // what stays on the stylus; usually the hand has let go
   int rate_hz = 1000;
-  double seconds = 0.0;  // after the step; 0: as long as the model asks for, 0.5 to 10
+  double seconds = 0.0;  // after the step; 0: as long as the model asks for, 0.5 to 10, 20,000 ticks
   bool limits = true;    // the gate's; false: the law alone
 };
 
