@@ -16,10 +16,11 @@ using Vector = UnitStep::Vector;
 
 constexpr double kBand = 0.02, kFrom = 0.1, kTo = 0.9;
 constexpr double kGone = 1e-14;      // a share of the final value; a mode below it is not looked for
+constexpr double kTold = 1e-9;       // a share of what is looked for; a mode below it makes no other peak or passing
 constexpr double kLargest = 1e18;    // of a mode's share; of equal poles it would be infinite, and they cancel
 constexpr double kPerTurn = 32.0;    // samples in a turn of the fastest mode alive
 constexpr int kBlock = 64;           // steps from one exact state to the next
-constexpr int kMostBlocks = 40'000;  // 2.5 million samples
+constexpr int kMostBlocks = 10'000;  // 640,000 samples
 constexpr int kSwings = 200;         // of the slowest undamped mode, where several beat against each other
 
 /// A mode of the response: at most share e^(-decay t) of the final value.
@@ -73,33 +74,38 @@ class Search {
     const bool above = piece.z_from > level;
     return boundary(piece.from_s, piece.to_s, [&](double t_s) { return (z(t_s) > level) == above; });
   }
-  /// The pieces of one block of samples from t on; next: where the next block begins.
-  std::vector<Piece> block(double from_s, double step_s) const {
+  /// The pieces of one block of samples from from_s on. matters: of a turn that reaches no farther than z, whether it
+  /// is to be found; another is left inside its piece. Most are too small, and each takes some fifty exact values.
+  std::vector<Piece> block(double from_s, double step_s, const std::function<bool(double z)>& matters) const {
     std::vector<Piece> pieces;
     const UnitStep::Matrix after = step_.stagesAfter(step_s);
     Vector stages = step_.stagesAt(from_s);
     for (int step = 0; step < kBlock; ++step) {
       const double t_s = from_s + step * step_s, next_s = from_s + (step + 1) * step_s;
-      const Vector next = after * stages;
-      const double rate = rateOf(stages), next_rate = rateOf(next);
+      const Vector next = after.lazyProduct(stages);
+      const double rate = rateOf(stages), next_rate = rateOf(next), here = zOf(stages), there = zOf(next);
+      double turn_s = t_s;
       if (rate * next_rate < 0.0) {
-        const double turn_s =
-            boundary(t_s, next_s, [&](double at_s) { return rateOf(step_.stagesAt(at_s)) * rate > 0.0; });
-        const double z_turn = z(turn_s);
-        pieces.push_back({t_s, turn_s, zOf(stages), z_turn});
-        pieces.push_back({turn_s, next_s, z_turn, zOf(next)});
-      } else {
-        pieces.push_back({t_s, next_s, zOf(stages), zOf(next)});
+        // The rate falls to 0 on at most the way that a straight line would: twice what it can add.
+        const double beyond = std::abs(rate) * step_s * rate / (rate - next_rate);
+        const double farthest = rate > 0.0 ? std::max(here, there) + beyond : std::min(here, there) - std::abs(beyond);
+        if (matters(farthest))
+          turn_s = boundary(t_s, next_s, [&](double at_s) {
+            return rateOf(step_.stagesAfter(at_s - t_s).lazyProduct(stages)) * rate > 0.0;
+          });
       }
+      const double z_turn = turn_s > t_s ? z(turn_s) : here;
+      if (turn_s > t_s) pieces.push_back({t_s, turn_s, here, z_turn});
+      pieces.push_back({turn_s, next_s, z_turn, there});
       stages = next;
     }
     return pieces;
   }
-  /// Short enough for the fastest mode that is still there; 0: none is.
-  double stepAt(double t_s) const {
+  /// Short enough for the fastest mode that is still above least, a share of the final value; 0: none is.
+  double stepAt(double t_s, double least) const {
     double fastest = 0.0;
     for (const Mode& mode : modes_) {
-      if (mode.share * std::exp(-mode.decay_per_s * t_s) > kGone) fastest = std::max(fastest, mode.speed_rad_per_s);
+      if (mode.share * std::exp(-mode.decay_per_s * t_s) > least) fastest = std::max(fastest, mode.speed_rad_per_s);
     }
     return fastest > 0.0 ? 2.0 * kPi / (kPerTurn * fastest) : 0.0;
   }
@@ -148,9 +154,10 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
     metrics.peak_time_s = 0.0;
   }
   for (int block = 0; block < kMostBlocks; ++block) {
-    const double step_s = search.stepAt(t_s);
+    const double step_s = search.stepAt(t_s, std::max(kGone, high_s ? kTold * most : 0.0));
     if (step_s == 0.0 || t_s > seen_s || (high_s && search.mostFrom(t_s) <= most)) break;
-    for (const Piece& piece : search.block(t_s, step_s)) {
+    const double wanted = std::min(most, !low_s ? kFrom - 1.0 : !high_s ? kTo - 1.0 : most);
+    for (const Piece& piece : search.block(t_s, step_s, [wanted](double z) { return z > wanted; })) {
       if (!low_s && piece.z_to >= kFrom - 1.0) low_s = search.passing(piece, kFrom - 1.0);
       if (!high_s && piece.z_to >= kTo - 1.0) high_s = search.passing(piece, kTo - 1.0);
       if (piece.z_to > most + 1e-12 * std::abs(most)) {
@@ -168,7 +175,7 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
 void findSettling(const Search& search, StepMetrics& metrics) {
   double within_s = 0.0;
   if (search.mostFrom(0.0) >= kBand) {
-    double low_s = 0.0, high_s = search.stepAt(0.0);
+    double low_s = 0.0, high_s = search.stepAt(0.0, kGone);
     while (search.mostFrom(high_s) >= kBand) {
       if (search.mostForEver() >= kBand || !std::isfinite(high_s)) return;  // never
       low_s = high_s;
@@ -180,12 +187,13 @@ void findSettling(const Search& search, StepMetrics& metrics) {
     }
     within_s = high_s;
   }
-  metrics.settling_2pct_s = 0.0;
   for (int block = 0; block < kMostBlocks && within_s > 0.0; ++block) {
-    double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s));
+    double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s, kTold * kBand));
     // A faster mode may have been alive at the block's beginning: then a shorter one.
-    while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s)) begin_s = 0.5 * (begin_s + within_s);
-    const std::vector<Piece> pieces = search.block(begin_s, (within_s - begin_s) / kBlock);
+    while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s, kTold * kBand))
+      begin_s = 0.5 * (begin_s + within_s);
+    const std::vector<Piece> pieces =
+        search.block(begin_s, (within_s - begin_s) / kBlock, [](double z) { return std::abs(z) > kBand; });
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
       if (std::abs(piece->z_from) < kBand) continue;
       metrics.settling_2pct_s = search.passing(*piece, std::copysign(kBand, piece->z_from));
@@ -193,6 +201,7 @@ void findSettling(const Search& search, StepMetrics& metrics) {
     }
     within_s = begin_s;
   }
+  metrics.settling_2pct_s = within_s;  // from the beginning, or as far back as it was looked at
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ struct StepMetrics {
 /// Of the response to a unit step, each time to some 1e-12 of itself, as far as the poles determine it: found between
 /// samples by the zeros of the response and of its rate. An undamped response has the value about which it swings for
 /// its final value; a growing or drifting one, and one with a final value of 0, has no other metrics. Of peaks that are
-/// equally high the first counts. Overshoot below 1e-14 is none. Cost: some ms; more the less it is damped.
+/// equally high the first counts. Overshoot below 1e-14 is none. Cost: some ms; more the less it is damped. It looks
+/// at 640,000 samples at most (some seconds), which only modes with hardly any damping beside far slower ones can ask
+/// for; then a rise or peak beyond them is not found, and the settling time may be too late.
 StepMetrics metricsOf(const TransferFunction& transfer);
 
 /// How long a picture of the response should be: half as long again as it takes to settle, six turns of what swings,

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kBefore_s = 0.5;  // the ramp takes 0.3 s
 constexpr double kShortest_s = 0.5, kLongest_s = 10.0;
+constexpr int kMostTicks = 20'000;      // so that whoever waits for it waits less than a second
 constexpr double kNotReached_m = 1e-6;  // of a place to which the arm was brought
 constexpr double kMissed = 1e-3;        // a share of the step, by which a target may miss it
 constexpr double kNudge_m = 1e-4;       // for the slope of a force
@@ -104,7 +105,7 @@ double secondsFor(const ArmStep& step) {
     const double stopped_s = 3.0 * turns * 2.0 * kPi / motion.omega_n_rad_per_s;
     seconds = step.law == scene::LawType::PID ? std::max(seconds, stopped_s) : std::min(seconds, stopped_s);
   }
-  return std::clamp(seconds, kShortest_s, kLongest_s);
+  return std::clamp(seconds, kShortest_s, std::min(kLongest_s, static_cast<double>(kMostTicks) / step.rate_hz));
 }
 
 /// The arm under the servo, without a thread.

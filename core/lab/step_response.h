@@ -26,7 +26,7 @@ struct StepSetup {
   sim::ArmModel arm = {};                 // what the arm is made of
   sim::HandModel hand = {0.0, 0.0, 0.0};  // what stays on the stylus; usually the hand has let go
   int rate_hz = 1000;
-  double seconds = 0.0;  // after the step; 0: as long as the model asks for, 0.5 to 10
+  double seconds = 0.0;  // after the step; 0: as long as the model asks for, 0.5 to 10, 20,000 ticks
   bool limits = true;    // the gate's; false: the law alone
 };
 
@@ -55,8 +55,8 @@ struct ArmStep {
 /// next (without the 60 ms over which the servo fades in an edit; a law's rate does not count the jump, as in eq.
 /// B.14), and records the tip. The same tick, gate and plant as a run, so the same numbers every time. Problems: those
 /// of the scene; no such constraint, or several and none named; a wall; a target that is not unique, or that the arm
-/// does not reach; a constraint that does not hold along the axis; nothing that has mass or damping. Cost: some 3 us a
-/// tick, so well under a second.
+/// does not reach; a constraint that does not hold along the axis; nothing that has mass or damping. Cost: some 25 us
+/// a tick with its fit, so half a second for 20,000.
 Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& setup);
 
 }  // namespace underact::lab

@@ -46,9 +46,12 @@ Matrix exponential(const Vector& diagonal, const Vector& below, double t_s) {
   J.diagonal() = part_s * diagonal;
   if (size > 1) J.diagonal(-1) = part_s * below;
   Matrix result = Matrix::Identity(size, size);
-  for (int n = kTerms; n > 0; --n) result = Matrix::Identity(size, size) + (J * result) / static_cast<double>(n);
+  for (int n = kTerms; n > 0; --n) {
+    result = J.lazyProduct(result).eval() / static_cast<double>(n);
+    result.diagonal().array() += 1.0;
+  }
   for (int n = 0; n < halvings; ++n) {
-    result = (result * result).eval();
+    result = result.lazyProduct(result).eval();
     part_s *= 2.0;
     for (Eigen::Index row = 0; row < size; ++row) {
       result(row, row) = exponential(part_s * diagonal[row]);
@@ -84,7 +87,7 @@ UnitStep::UnitStep(const TransferFunction& transfer) {
   if (transfer.num.size() == transfer.den.size()) direct_ = transfer.num.front() / lead;
   // num / den as a sum of the outputs of the stages: the remainders of num by one pole after the other, the last first.
   std::vector<Complex> num(transfer.num.begin(), transfer.num.end());
-  output_ = Eigen::RowVectorXcd::Zero(size);
+  output_ = Row::Zero(size);
   for (Eigen::Index stage = size - 1; stage >= 0 && !num.empty(); --stage)
     output_[stage] = divide(num, poles_[stage]) / lead / gains_.head(stage + 1).prod();
   // dy/dt = C J (1 - stages) = -C J stages, where 1 is at rest: the row's J, pole on the diagonal, gain below.
@@ -96,7 +99,7 @@ double UnitStep::at(double t_s) const {
   const Eigen::Index size = poles_.size();
   Vector diagonal = Vector::Zero(size + 1);  // the step itself stands in front, as a stage that keeps its 1
   diagonal.tail(size) = poles_;
-  return direct_ + (output_ * exponential(diagonal, gains_, t_s).col(0).tail(size)).value().real();
+  return direct_ + output_.transpose().cwiseProduct(exponential(diagonal, gains_, t_s).col(0).tail(size)).sum().real();
 }
 
 Matrix UnitStep::stagesAfter(double t_s) const {

@@ -11,8 +11,11 @@ namespace underact::lab {
 /// row's matrix, which repeated poles and ones that are far apart do not spoil as they do a sum of partial fractions.
 class UnitStep {
  public:
-  using Matrix = Eigen::MatrixXcd;
-  using Vector = Eigen::VectorXcd;
+  // Of as many stages as there are poles, and the step itself; in place, since a search multiplies millions of them.
+  static constexpr int kMost = static_cast<int>(kHighestDegree) + 1;
+  using Matrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+  using Vector = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, kMost, 1>;
+  using Row = Eigen::Matrix<std::complex<double>, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
 
   explicit UnitStep(const TransferFunction& transfer);
 
@@ -21,18 +24,18 @@ class UnitStep {
 
   // Of functions without a pole at 0: the way to the value at rest. stages: what each stage still has to go, all 1 at
   // first; times stagesAfter(t) gives them t later.
-  Vector stagesAt(double t_s) const { return stagesAfter(t_s) * Vector::Ones(poles_.size()); }
+  Vector stagesAt(double t_s) const { return stagesAfter(t_s).rowwise().sum(); }
   Matrix stagesAfter(double t_s) const;
   /// y - y(infinity).
-  double deviation(const Vector& stages) const { return -(output_ * stages).value().real(); }
+  double deviation(const Vector& stages) const { return -output_.transpose().cwiseProduct(stages).sum().real(); }
   /// dy/dt.
-  double rate(const Vector& stages) const { return (rate_output_ * stages).value().real(); }
+  double rate(const Vector& stages) const { return rate_output_.transpose().cwiseProduct(stages).sum().real(); }
 
  private:
   Vector poles_;  // of the stages
   Vector gains_;  // of what goes into each stage
-  Eigen::RowVectorXcd output_;
-  Eigen::RowVectorXcd rate_output_;
+  Row output_;
+  Row rate_output_;
   double direct_ = 0.0;  // what goes through at once
 };
 

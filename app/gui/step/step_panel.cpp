@@ -174,7 +174,7 @@ bool StepPanel::giveToScene() {
   return problems.empty();
 }
 
-// In the window's thread: 10 s of the arm, the longest, take a third of a second.
+// In the window's thread: 20,000 ticks, the most it asks for, take half a second, so there is nothing to cancel.
 bool StepPanel::measure() {
   const scene::Description& scene = parts_.document.scene();
   if (scene.constraints.empty()) return false;
