@@ -125,13 +125,18 @@ class Mcap(InFolder):
         self.assertIn("python3 -m pip install mcap", error)
 
     def test_messages_come_in_the_order_of_time(self):
-        with Session(write_session(self.folder / "a.h5", 2000)) as session:
+        writer = Writer(self.folder / "a.h5")
+        writer.ticks(sphere_ticks(2000))
+        writer.mark(1501, "late")
+        writer.fault(501, 4, 2.3, 1.0)
+        writer.end(2000)
+        with Session(self.folder / "a.h5") as session:
             messages = list(export._messages(session))
             self.assertEqual(len(messages), 2002)
             times = [time_ns for time_ns, _, _ in messages]
             self.assertEqual(times, sorted(times))
             events = [(time_ns, topic) for time_ns, topic, _ in messages if topic != "/tick"]
-            self.assertEqual(events, [(500_000_000, "/markers"), (1_500_000_000, "/faults")])
+            self.assertEqual(events, [(501_000_000, "/faults"), (1_501_000_000, "/markers")])
             self.assertEqual(set(messages[0][2]), set(session.ticks))
 
     def test_is_read_back_where_mcap_is_there(self):

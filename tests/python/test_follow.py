@@ -81,6 +81,18 @@ class Following(InFolder):
             )
         writer.file.close()
 
+    def test_waits_for_a_block_to_be_whole(self):
+        writer = Writer(self.folder / "a.h5")
+        writer.start_swmr()
+        writer.ticks(sphere_ticks(150))
+        writer.flush()
+        with Session(self.folder / "a.h5") as session:
+            rows = [len(part["tick"]) for part in session.follow(0.01, timeout_s=0.2)]
+        self.assertEqual(rows, [100])
+        writer.end(150)
+        with Session(self.folder / "a.h5") as session:
+            self.assertEqual([len(part["tick"]) for part in session.follow()], [150])
+
     def test_ends_when_told(self):
         writer = Writer(self.folder / "a.h5")
         writer.start_swmr()

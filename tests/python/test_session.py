@@ -4,7 +4,7 @@ import unittest
 
 import h5py
 import numpy as np
-from session_writer import SCENE, Writer, sphere_ticks, write_session
+from session_writer import SCENE, TICKS, Writer, sphere_ticks, write_session
 from support import ROOT, InFolder
 from underact import Change, End, Fault, Marker, Session, SessionError, Unreadable, layout
 
@@ -48,17 +48,19 @@ class ASession(InFolder):
             )
 
     def test_without_an_end_is_incomplete_and_cut_to_the_shortest_column(self):
-        writer = Writer(self.folder / "a.h5")
-        writer.ticks(sphere_ticks(300))
-        writer.file["ticks/error_mm"].resize(
-            400, axis=0
-        )  # the program died in the middle of a block
-        writer.file.close()
-        with Session(self.folder / "a.h5") as session:
-            self.assertFalse(session.complete)
-            self.assertIsNone(session.end)
-            self.assertEqual(session.ticks["error_mm"].shape, (300,))
-            self.assertEqual(session.ticks["q_rad"].shape, (300, 6))
+        # The program died in the middle of a block.
+        for longer in (["tick"], ["error_mm"], ["crc32"], [*TICKS]):
+            writer = Writer(self.folder / "a.h5")
+            writer.ticks(sphere_ticks(300))
+            for column in longer:
+                dataset = writer.file["ticks"][column]
+                dataset.resize(dataset.shape[0] + (1 if column == "crc32" else 100), axis=0)
+            writer.file.close()
+            with Session(self.folder / "a.h5") as session:
+                self.assertFalse(session.complete)
+                self.assertIsNone(session.end)
+                self.assertEqual(session.ticks["error_mm"].shape, (300,), longer)
+                self.assertEqual(session.ticks["q_rad"].shape, (300, 6))
 
     def test_that_a_killed_program_left_behind_opens(self):
         writer = Writer(self.folder / "a.h5")
@@ -92,6 +94,19 @@ class ASession(InFolder):
             self.assertEqual(session.duration_s, 0)
             with self.assertRaisesRegex(SessionError, "holds no tick"):
                 view_of(session)
+
+
+class TheProgramsOwn(unittest.TestCase):
+    def test_session_in_the_repository_is_read(self):
+        with Session(ROOT / "tests/golden/session.h5") as session:
+            self.assertTrue(session.complete)
+            self.assertGreater(session.ticks.rows, 100)
+            self.assertEqual(session.ticks["tick"][-1], session.end.tick)
+            self.assertEqual(session.scene["underact_scene"], 1)
+            turn = np.linalg.norm(session.ticks["quat_WT"], axis=1)
+            np.testing.assert_allclose(turn[np.isfinite(turn)], 1, atol=1e-12)
+            self.assertEqual(set(session.ticks.meanings), set(layout.TABLES["ticks"]))
+            self.assertEqual(session.ticks.units["p_WT_mm"], "mm")
 
 
 class NoSession(InFolder):

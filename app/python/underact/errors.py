@@ -29,11 +29,11 @@ class DamagedSession(SessionError):
 
 @contextmanager
 def library_errors(what: str) -> Iterator[None]:
-    """Inside of it, what the HDF5 library throws at a damaged file becomes a SessionError of `what`."""
+    """Inside of it, what HDF5 throws at a damaged file becomes a SessionError about `what`."""
     try:
         yield
     except (KeyError, OSError, RuntimeError, TypeError, ValueError) as error:
         reason = str(error).strip("'\"")
         raise SessionError(
-            f"{what} cannot be read ({reason}). The file is damaged: copy it anew from where it came."
+            f"{what} cannot be read ({reason}). The file is damaged: copy it anew."
         ) from error

@@ -1,4 +1,4 @@
-"""Opens an HDF5 file: as it is, or as one that another program still writes, or left when it died."""
+"""Opens an HDF5 file: as it is, or as one that a program still writes, or left when it died."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import h5py
 
 from .errors import SessionError, Unreadable
 
-# Where a program that writes may just be changing what is read, HDF5 reads it again, each time after
-# twice as long, 100 times: for ever, where the bytes are damaged. 28 times are a quarter of a second.
+# Where a program that writes may just be changing what is read, HDF5 reads it again, each time
+# after twice as long, 100 times: for ever, where the bytes are damaged. 28 times take 0.3 s.
 _ATTEMPTS = 28
 _FLAGS_AT, _BEING_WRITTEN = 11, 0x05  # of the superblock of version 3: open for writing, for SWMR
 

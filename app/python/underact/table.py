@@ -94,7 +94,7 @@ class Table(Mapping):
         return {column: self._read(column, first_row, kept[first_row:]) for column in self}
 
     def _read(self, column: str, first_row: int, kept: np.ndarray) -> np.ndarray:
-        """The rows from first_row on that are kept; run by run: a damaged block may be unreadable."""
+        """The rows from first_row on that are kept, run by run: damaged ones may be unreadable."""
         edges = np.flatnonzero(np.diff(kept, prepend=False, append=False)) + first_row
         dataset = self._datasets[column]
         with library_errors(f"The column {column} of /{self.name}"):
