@@ -20,6 +20,9 @@ namespace {
 
 constexpr std::size_t kLongestText = std::size_t{1} << 24;
 constexpr hsize_t kMostRows = hsize_t{1} << 40;
+// What a writer is just changing is read again, each time after twice the pause: 24 times take 20 ms. The library's own
+// 100 would be for ever where the file is damaged.
+constexpr unsigned kAttempts = 24;
 // Set aside on the disk beyond what is written, so that a disk that fills up is met before the library meets it, and
 // there is room to end in order.
 constexpr std::int64_t kSetAside = 8 << 20;
@@ -385,6 +388,7 @@ Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> 
   const Id access = accessList();
   impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!impl->file.isGood()) {
+    H5Pset_metadata_read_attempts(access, kAttempts);
     impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose);
     impl->elsewhere = true;
   }
