@@ -203,6 +203,30 @@ record::SessionWords wordsOf(const RunOptions& options) {
   return words;
 }
 
+Exit fail(const Problems& problems, Exit exit, const Streams& streams) {
+  print(problems, streams.err);
+  return exit;
+}
+
+/// Opens what the ticks go to besides the summary, as far as it was asked for.
+Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& host,
+                    std::optional<Recording>& recording, std::optional<stream::LiveStream>& live,
+                    const Streams& streams) {
+  if (!options.stream.empty()) {
+    const Result<stream::Address> address = stream::readAddress(options.stream);
+    if (!address) return fail(address.problems(), Exit::Usage, streams);
+    Result<stream::LiveStream> opened = stream::LiveStream::open(address.value(), options.rate_hz);
+    if (!opened) return fail(opened.problems(), Exit::File, streams);
+    live = std::move(opened).value();
+  }
+  if (!options.record.empty()) {
+    Result<Recording> started = Recording::start(host, options.record, wordsOf(options), ticks);
+    if (!started) return fail(started.problems(), Exit::File, streams);
+    recording = std::move(started).value();
+  }
+  return Exit::Well;
+}
+
 Exit runScene(const RunOptions& options, const Streams& streams) {
   Exit exit = Exit::Well;
   std::optional<Prepared> prepared = prepare(options, streams, exit);
@@ -220,28 +244,9 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   }
   host.start();
   std::optional<Recording> recording;
-  if (!options.record.empty()) {
-    Result<Recording> started = Recording::start(host, options.record, wordsOf(options), ticks);
-    if (!started) {
-      print(started.problems(), streams.err);
-      return Exit::File;
-    }
-    recording = std::move(started).value();
-  }
   std::optional<stream::LiveStream> live;
-  if (!options.stream.empty()) {
-    const Result<stream::Address> address = stream::readAddress(options.stream);
-    if (!address) {
-      print(address.problems(), streams.err);
-      return Exit::Usage;
-    }
-    Result<stream::LiveStream> opened = stream::LiveStream::open(address.value(), options.rate_hz);
-    if (!opened) {
-      print(opened.problems(), streams.err);
-      return Exit::File;
-    }
-    live = std::move(opened).value();
-  }
+  exit = startListeners(options, ticks, host, recording, live, streams);
+  if (exit != Exit::Well) return exit;
   host.begin();
   Run run(ticks, std::move(recording), std::move(live), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt);

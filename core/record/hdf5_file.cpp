@@ -1,63 +1,22 @@
 #include "core/record/hdf5_file.h"
 
-#include <fcntl.h>
 #include <hdf5.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <optional>
 #include <utility>
+
+#include "core/record/disk.h"
+#include "core/record/hdf5_store.h"
 
 namespace underact::record {
 namespace {
 
-constexpr std::size_t kLongestText = std::size_t{1} << 24;
-constexpr hsize_t kMostRows = hsize_t{1} << 40;
 // What a writer is just changing is read again, each time after twice the pause: 24 times take 20 ms. The library's own
 // 100 would be for ever where the file is damaged.
 constexpr unsigned kAttempts = 24;
-// Set aside on the disk beyond what is written, so that a disk that fills up is met before the library meets it, and
-// there is room to end in order.
-constexpr std::int64_t kSetAside = 8 << 20;
-constexpr std::int64_t kSetAsideAtLeast = 4 << 20;
-
-/// One identifier of the library's, closed at the end.
-class Id {
- public:
-  using Close = herr_t (*)(hid_t);
-  Id() = default;
-  Id(hid_t id, Close closer) : id_(id), close_(closer) {}
-  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Id& operator=(Id&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
-  }
-  ~Id() { close(); }
-  bool close() {
-    const hid_t id = std::exchange(id_, -1);
-    return id < 0 || close_(id) >= 0;
-  }
-  operator hid_t() const { return id_; }
-  bool isGood() const { return id_ >= 0; }
-
- private:
-  hid_t id_ = -1;
-  Close close_ = nullptr;
-};
-
-/// The library's own account of errors goes to nobody: sentences are ours. Kept by thread.
-void quiet() {
-  thread_local const herr_t once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  (void)once;
-}
 
 Problems problemAt(const std::string& path, std::string sentence) {
   return {{std::move(sentence), {path}}};
@@ -66,168 +25,6 @@ Problems problemAt(const std::string& path, std::string sentence) {
 /// The system's reason for the last failure, where it gave one.
 std::string reason() {
   return errno != 0 ? std::string(": ") + std::strerror(errno) + "." : std::string(".");
-}
-
-hid_t typeOf(Kind kind) {
-  switch (kind) {
-    case Kind::Byte:
-      return H5T_STD_U8LE;
-    case Kind::Unsigned:
-      return H5T_STD_U32LE;
-    case Kind::Integer:
-      return H5T_STD_I64LE;
-    case Kind::Real:
-      return H5T_IEEE_F64LE;
-  }
-  return -1;
-}
-
-bool writeText(hid_t object, const std::string& name, const std::string& text) {
-  const Id type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  const Id space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Id attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  std::string padded = text;
-  padded.resize(std::max<std::size_t>(text.size(), 1));
-  return attribute.isGood() && H5Awrite(attribute, type, padded.data()) >= 0;
-}
-
-template <class Number>
-bool writeNumber(hid_t object, const std::string& name, hid_t type, hid_t memory, Number number) {
-  const Id space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Id attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  return attribute.isGood() && H5Awrite(attribute, memory, &number) >= 0;
-}
-
-bool writeAttribute(hid_t object, const Attribute& attribute) {
-  if (const auto* text = std::get_if<std::string>(&attribute.value)) return writeText(object, attribute.name, *text);
-  if (const auto* integer = std::get_if<std::int64_t>(&attribute.value))
-    return writeNumber(object, attribute.name, H5T_STD_I64LE, H5T_NATIVE_INT64, *integer);
-  return writeNumber(object, attribute.name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, std::get<double>(attribute.value));
-}
-
-std::optional<Id> scalarAttribute(hid_t object, std::string_view name, H5T_class_t wanted) {
-  quiet();
-  Id attribute(H5Aopen(object, std::string(name).c_str(), H5P_DEFAULT), H5Aclose);
-  if (!attribute.isGood()) return {};
-  const Id type(H5Aget_type(attribute), H5Tclose);
-  const Id space(H5Aget_space(attribute), H5Sclose);
-  if (H5Tget_class(type) != wanted || H5Sget_simple_extent_npoints(space) != 1) return {};
-  return attribute;
-}
-
-template <class Number>
-std::optional<Number> numberOf(hid_t object, std::string_view name, H5T_class_t wanted, hid_t memory) {
-  const std::optional<Id> attribute = scalarAttribute(object, name, wanted);
-  Number number{};
-  if (!attribute || H5Aread(*attribute, memory, &number) < 0) return {};
-  return number;
-}
-
-/// A dataset that grows by rows of `width` numbers.
-struct Store {
-  Id id;
-  Kind kind = Kind::Real;
-  hsize_t width = 1;
-  int rank() const { return width > 1 ? 2 : 1; }
-};
-
-hsize_t rowsOf(const Store& store) {
-  const Id space(H5Dget_space(store.id), H5Sclose);
-  hsize_t size[2] = {0, 0};
-  if (!space.isGood() || H5Sget_simple_extent_dims(space, size, nullptr) != store.rank()) return 0;
-  return std::min(size[0], kMostRows);
-}
-
-Store createStore(hid_t group, const Column& column, hsize_t chunk_rows) {
-  Store store;
-  store.kind = column.kind;
-  store.width = static_cast<hsize_t>(column.width);
-  const hsize_t none[2] = {0, store.width};
-  const hsize_t most[2] = {H5S_UNLIMITED, store.width};
-  const hsize_t chunk[2] = {chunk_rows, store.width};
-  const Id space(H5Screate_simple(store.rank(), none, most), H5Sclose);
-  const Id layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_chunk(layout, store.rank(), chunk);
-  store.id = Id(
-      H5Dcreate2(group, std::string(column.name).c_str(), typeOf(column.kind), space, H5P_DEFAULT, layout, H5P_DEFAULT),
-      H5Dclose);
-  if (store.id.isGood() && !(writeText(store.id, "unit", std::string(column.unit)) &&
-                             writeText(store.id, "meaning", std::string(column.meaning))))
-    store.id = Id();
-  return store;
-}
-
-/// Not good where it is not there or of another kind.
-Store openStore(hid_t group, const Column& column) {
-  Store store;
-  store.kind = column.kind;
-  store.width = static_cast<hsize_t>(column.width);
-  store.id = Id(H5Dopen2(group, std::string(column.name).c_str(), H5P_DEFAULT), H5Dclose);
-  if (!store.id.isGood()) return store;
-  const Id type(H5Dget_type(store.id), H5Tclose);
-  const Id space(H5Dget_space(store.id), H5Sclose);
-  hsize_t size[2] = {0, 1};
-  const bool same = H5Tequal(type, typeOf(column.kind)) > 0 && H5Sget_simple_extent_ndims(space) == store.rank() &&
-                    H5Sget_simple_extent_dims(space, size, nullptr) == store.rank() &&
-                    (store.rank() == 1 || size[1] == store.width);
-  if (!same) store.id = Id();
-  return store;
-}
-
-bool resize(const Store& store, hsize_t rows) {
-  const hsize_t size[2] = {rows, store.width};
-  return H5Dset_extent(store.id, size) >= 0;
-}
-
-/// A file that is being recorded may be read by others and not be written, until this process ends, however it ends:
-/// HDF5's own lock is gone once readers may follow.
-class Presence {
- public:
-  Presence() = default;
-  explicit Presence(const std::string& path) : fd_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (fd_ >= 0) flock(fd_, LOCK_SH | LOCK_NB);
-  }
-  Presence(Presence&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  Presence& operator=(Presence&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  ~Presence() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-
- private:
-  int fd_ = -1;
-};
-
-/// Rows of a store selected, and memory for as many.
-struct Selection {
-  Selection(const Store& store, hsize_t first, hsize_t rows) : file(H5Dget_space(store.id), H5Sclose) {
-    const hsize_t begin[2] = {first, 0};
-    const hsize_t size[2] = {rows, store.width};
-    good = file.isGood() && H5Sselect_hyperslab(file, H5S_SELECT_SET, begin, nullptr, size, nullptr) >= 0;
-    memory = Id(H5Screate_simple(store.rank(), size, nullptr), H5Sclose);
-  }
-  Id file, memory;
-  bool good = false;
-};
-
-bool append(const Store& store, const void* data, hsize_t rows) {
-  const hsize_t before = rowsOf(store);
-  if (!resize(store, before + rows)) return false;
-  const Selection selection(store, before, rows);
-  return selection.good &&
-         H5Dwrite(store.id, typeOf(store.kind), selection.memory, selection.file, H5P_DEFAULT, data) >= 0;
-}
-
-bool readRows(const Store& store, hsize_t first, hsize_t rows, void* data) {
-  if (rows == 0) return true;
-  const Selection selection(store, first, rows);
-  return selection.good &&
-         H5Dread(store.id, typeOf(store.kind), selection.memory, selection.file, H5P_DEFAULT, data) >= 0;
 }
 
 constexpr Column kCrc{"crc32", "", "CRC-32 of a block of rows, column after column", Kind::Unsigned, 1};
@@ -246,32 +43,6 @@ Id accessList() {
   return access;
 }
 
-/// What a file says its size is, in its first bytes (version 3 of the superblock: 8 bytes from the 28th on); 0: it does
-/// not say.
-std::int64_t statedSize(const std::string& path) {
-  std::array<char, 36> head{};
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(head.data(), head.size()) || head[8] != 3) return 0;
-  std::int64_t size = 0;
-  std::memcpy(&size, head.data() + 28, sizeof size);
-  return size;
-}
-
-std::int64_t sizeOf(const std::string& path) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  return error ? 0 : static_cast<std::int64_t>(size);
-}
-
-/// A file that was cut off gets its length back, empty: what is missing then shows by its checksums.
-void growToStatedSize(const std::string& path) {
-  constexpr std::int64_t kLongest = std::int64_t{1} << 44;
-  const std::int64_t stated = statedSize(path);
-  std::error_code ignored;
-  if (sizeOf(path) < stated && stated < kLongest)
-    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(stated), ignored);
-}
-
 std::string namesOf(std::span<const Column> columns) {
   std::string names;
   for (const Column& column : columns) names.append(names.empty() ? "" : ",").append(column.name);
@@ -286,8 +57,8 @@ struct Hdf5File::Impl {
   Id file;
   std::vector<OpenTable> tables;
   bool writes = false, failed = false, full = false, elsewhere = false;
-  std::int64_t set_aside = 0;  // the file may grow to this without asking the disk
-  Problems failure;            // the first
+  SetAside set_aside;
+  Problems failure;  // the first
 
   Problems fail(const std::string& sentence) {
     failed = true;
@@ -295,28 +66,15 @@ struct Hdf5File::Impl {
     letBe();
     return failure;
   }
+  /// The file's descriptor, or -1.
+  int descriptor() const {
+    void* handle = nullptr;
+    return file.isGood() && H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) >= 0 ? *static_cast<int*>(handle) : -1;
+  }
   /// From here on the library writes into nothing: what it has in memory is ahead of the disk, and half of it there
   /// would spoil what is whole.
-  void letBe() {
-    void* handle = nullptr;
-    if (!writes || !file.isGood() || H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0) return;
-    const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (nothing < 0) return;
-    dup2(nothing, *static_cast<int*>(handle));
-    ::close(nothing);
-  }
-  /// false: the disk has no room for so many bytes more. Where the file system cannot set room aside, it says so when
-  /// the disk is full, and not before.
-  bool setAside(std::int64_t bytes) {
-    void* handle = nullptr;
-    struct stat now {};
-    if (H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0 || fstat(*static_cast<int*>(handle), &now) != 0) return true;
-    if (now.st_size + bytes + kSetAsideAtLeast <= set_aside) return true;
-    const off_t more = bytes + kSetAside;
-    if (fallocate(*static_cast<int*>(handle), FALLOC_FL_KEEP_SIZE, now.st_size, more) != 0)
-      return errno != ENOSPC && errno != EDQUOT;
-    set_aside = now.st_size + more;
-    return true;
+  void letBe() const {
+    if (writes && descriptor() >= 0) writeIntoNothing(descriptor());
   }
   bool createTable(const Table& wanted) {
     const Id group(H5Gcreate2(file, std::string(wanted.name).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -325,7 +83,7 @@ struct Hdf5File::Impl {
     table.block_rows = wanted.block_rows;
     table.columns.assign(wanted.columns.begin(), wanted.columns.end());
     for (const Column& column : wanted.columns) {
-      table.stores.push_back(createStore(group, column, static_cast<hsize_t>(wanted.chunk_rows)));
+      table.stores.push_back(createStore(group, column, static_cast<std::uint64_t>(wanted.chunk_rows)));
       if (!table.stores.back().id.isGood()) return false;
     }
     table.crc = createStore(group, kCrc, 64);
@@ -340,7 +98,7 @@ struct Hdf5File::Impl {
         return problemAt(path, "This is no whole session: there is no table \"" + name + "\" in it.");
       OpenTable& table = tables.emplace_back();
       table.columns.assign(wanted.columns.begin(), wanted.columns.end());
-      table.block_rows = numberOf<std::int64_t>(group, "block_rows", H5T_INTEGER, H5T_NATIVE_INT64).value_or(0);
+      table.block_rows = integerAttribute(group, "block_rows").value_or(0);
       table.crc = openStore(group, kCrc);
       bool good = table.crc.id.isGood() && table.block_rows > 0 && table.block_rows <= 1'000'000;
       for (const Column& column : wanted.columns) {
@@ -367,6 +125,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->writes = true;
+  if (Presence::isAt(path)) return problemAt(path, "Another program is recording into this file. Give another name.");
   const Id access = accessList();
   impl->file = Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   if (!impl->file.isGood()) return impl->fail("The recording cannot be made");
@@ -425,7 +184,8 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
 Problems Hdf5File::append(std::size_t table, const Block& block) {
   if (impl_->failed || block.rows == 0) return impl_->failure;
   quiet();
-  impl_->full = impl_->full || !impl_->setAside(static_cast<std::int64_t>(block.bytes.size()));
+  impl_->full =
+      impl_->full || !impl_->set_aside.forMore(static_cast<std::int64_t>(block.bytes.size()), impl_->descriptor());
   if (impl_->full)
     return problemAt(impl_->path,
                      "The disk is full: the recording was stopped and is whole. Free some space, or record into "
@@ -442,7 +202,7 @@ Problems Hdf5File::appendLast(std::size_t table, const Block& block) {
   quiet();
   errno = 0;
   const OpenTable& open = impl_->tables[table];
-  const auto rows = static_cast<hsize_t>(block.rows);
+  const auto rows = static_cast<std::uint64_t>(block.rows);
   const std::byte* data = block.bytes.data();
   bool good = true;
   for (std::size_t column = 0; column < open.stores.size(); ++column) {
@@ -471,8 +231,8 @@ Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
   quiet();
   errno = 0;
   const OpenTable& open = impl_->tables[table];
-  const auto wanted = static_cast<hsize_t>(rows);
-  const auto block_rows = static_cast<hsize_t>(open.block_rows);
+  const auto wanted = static_cast<std::uint64_t>(rows);
+  const auto block_rows = static_cast<std::uint64_t>(open.block_rows);
   bool good = resize(open.crc, (wanted + block_rows - 1) / block_rows);
   for (const Store& store : open.stores) good = good && resize(store, wanted);
   return good ? Problems{} : impl_->fail("The file could not be cut to what is whole");
@@ -495,17 +255,14 @@ Problems Hdf5File::close() {
   }
   impl_->tables.clear();
   good = impl_->file.close() && good;
-  if (impl_->set_aside > 0) {  // gives back what was set aside and not used
-    std::error_code ignored;
-    std::filesystem::resize_file(impl_->path, static_cast<std::uintmax_t>(sizeOf(impl_->path)), ignored);
-  }
+  impl_->set_aside.giveBack(impl_->path);
   if (good || !impl_->writes || impl_->failed) return {};
   return impl_->fail("The recording is not whole");
 }
 
 std::int64_t Hdf5File::rows(std::size_t table) {
   const OpenTable& open = impl_->tables[table];
-  hsize_t rows = rowsOf(open.crc) * static_cast<hsize_t>(open.block_rows);
+  std::uint64_t rows = rowsOf(open.crc) * static_cast<std::uint64_t>(open.block_rows);
   for (const Store& store : open.stores) rows = std::min(rows, rowsOf(store));
   return static_cast<std::int64_t>(rows);
 }
@@ -525,12 +282,13 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   const auto blocks = static_cast<std::size_t>((end - begin + block_rows - 1) / block_rows);
   std::vector<std::uint32_t> crcs(blocks);
   const auto damaged = [&] { return problemAt(impl_->path, "The file is damaged and cannot be read on."); };
-  if (!readRows(open.crc, static_cast<hsize_t>(first), blocks, crcs.data())) return damaged();
+  if (!readRows(open.crc, static_cast<std::uint64_t>(first), blocks, crcs.data())) return damaged();
   std::vector<std::vector<std::byte>> columns;
   for (std::size_t column = 0; column < open.stores.size(); ++column) {
     std::vector<std::byte>& bytes =
         columns.emplace_back(static_cast<std::size_t>(end - begin) * bytesOf(open.columns[column]));
-    if (!readRows(open.stores[column], static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin), bytes.data()))
+    if (!readRows(open.stores[column], static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end - begin),
+                  bytes.data()))
       return damaged();
   }
   std::vector<Block> read(blocks);
@@ -557,23 +315,18 @@ void Hdf5File::refresh() {
 }
 
 std::string Hdf5File::text(std::string_view attribute) const {
-  const std::optional<Id> open = scalarAttribute(impl_->file, attribute, H5T_STRING);
-  if (!open) return {};
-  const Id type(H5Aget_type(*open), H5Tclose);
-  const std::size_t size = H5Tget_size(type);
-  if (H5Tis_variable_str(type) != 0 || size > kLongestText) return {};
-  std::string text(size, '\0');
-  if (H5Aread(*open, type, text.data()) < 0) return {};
-  text.resize(std::min(text.find('\0'), text.size()));
-  return text;
+  quiet();
+  return textAttribute(impl_->file, attribute).value_or(std::string());
 }
 
 std::int64_t Hdf5File::integer(std::string_view attribute, std::int64_t fallback) const {
-  return numberOf<std::int64_t>(impl_->file, attribute, H5T_INTEGER, H5T_NATIVE_INT64).value_or(fallback);
+  quiet();
+  return integerAttribute(impl_->file, attribute).value_or(fallback);
 }
 
 double Hdf5File::real(std::string_view attribute, double fallback) const {
-  return numberOf<double>(impl_->file, attribute, H5T_FLOAT, H5T_NATIVE_DOUBLE).value_or(fallback);
+  quiet();
+  return realAttribute(impl_->file, attribute).value_or(fallback);
 }
 
 bool Hdf5File::isOpenElsewhere() const {

@@ -4,19 +4,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/record/hdf5_id.h"
 #include "core/record/table.h"
 
 namespace underact::record {
-
-/// An attribute of a file: words or a number.
-struct Attribute {
-  std::string name;
-  std::variant<std::string, std::int64_t, double> value;
-};
 
 /// Tables in an HDF5 file, written by one and read by many at the same time (SWMR). Any one thread at a time. Sentences
 /// of problems are the user's; their place is the file.

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace underact::record {
+
+// What the sources that speak with HDF5 share. The library's own header is in none of ours: its hid_t is this.
+using Handle = std::int64_t;
+
+/// One identifier of the library's, closed at the end.
+class Id {
+ public:
+  using Close = int (*)(Handle);
+  Id() = default;
+  Id(Handle id, Close closer) : id_(id), close_(closer) {}
+  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Id& operator=(Id&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Id() { close(); }
+  bool close() {
+    const Handle id = std::exchange(id_, -1);
+    return id < 0 || close_(id) >= 0;
+  }
+  operator Handle() const { return id_; }
+  bool isGood() const { return id_ >= 0; }
+
+ private:
+  Handle id_ = -1;
+  Close close_ = nullptr;
+};
+
+/// The library's own account of errors goes to nobody: sentences are ours. Kept by thread, so each way in calls it.
+void quiet();
+
+/// An attribute of a file: words or a number.
+struct Attribute {
+  std::string name;
+  std::variant<std::string, std::int64_t, double> value;
+};
+
+bool writeAttribute(Handle object, const Attribute& attribute);
+
+// None where it is not there, or of another kind.
+std::optional<std::string> textAttribute(Handle object, std::string_view name);
+std::optional<std::int64_t> integerAttribute(Handle object, std::string_view name);
+std::optional<double> realAttribute(Handle object, std::string_view name);
+
+}  // namespace underact::record

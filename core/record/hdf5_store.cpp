@@ -1,0 +1,102 @@
+#include "core/record/hdf5_store.h"
+
+#include <hdf5.h>
+
+#include <algorithm>
+
+namespace underact::record {
+namespace {
+
+constexpr hsize_t kMostRows = hsize_t{1} << 40;
+
+hid_t typeOf(Kind kind) {
+  switch (kind) {
+    case Kind::Byte:
+      return H5T_STD_U8LE;
+    case Kind::Unsigned:
+      return H5T_STD_U32LE;
+    case Kind::Integer:
+      return H5T_STD_I64LE;
+    case Kind::Real:
+      return H5T_IEEE_F64LE;
+  }
+  return -1;
+}
+
+/// Rows of a store selected, and memory for as many.
+struct Selection {
+  Selection(const Store& store, hsize_t first, hsize_t rows) : file(H5Dget_space(store.id), H5Sclose) {
+    const hsize_t begin[2] = {first, 0};
+    const hsize_t size[2] = {rows, store.width};
+    good = file.isGood() && H5Sselect_hyperslab(file, H5S_SELECT_SET, begin, nullptr, size, nullptr) >= 0;
+    memory = Id(H5Screate_simple(store.rank(), size, nullptr), H5Sclose);
+  }
+  Id file, memory;
+  bool good = false;
+};
+
+}  // namespace
+
+std::uint64_t rowsOf(const Store& store) {
+  const Id space(H5Dget_space(store.id), H5Sclose);
+  hsize_t size[2] = {0, 0};
+  if (!space.isGood() || H5Sget_simple_extent_dims(space, size, nullptr) != store.rank()) return 0;
+  return std::min(size[0], kMostRows);
+}
+
+Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows) {
+  Store store;
+  store.kind = column.kind;
+  store.width = static_cast<hsize_t>(column.width);
+  const hsize_t none[2] = {0, store.width};
+  const hsize_t most[2] = {H5S_UNLIMITED, store.width};
+  const hsize_t chunk[2] = {chunk_rows, store.width};
+  const Id space(H5Screate_simple(store.rank(), none, most), H5Sclose);
+  const Id layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(layout, store.rank(), chunk);
+  store.id = Id(
+      H5Dcreate2(group, std::string(column.name).c_str(), typeOf(column.kind), space, H5P_DEFAULT, layout, H5P_DEFAULT),
+      H5Dclose);
+  if (store.id.isGood() && !(writeAttribute(store.id, {"unit", std::string(column.unit)}) &&
+                             writeAttribute(store.id, {"meaning", std::string(column.meaning)})))
+    store.id = Id();
+  return store;
+}
+
+Store openStore(Handle group, const Column& column) {
+  Store store;
+  store.kind = column.kind;
+  store.width = static_cast<hsize_t>(column.width);
+  store.id = Id(H5Dopen2(group, std::string(column.name).c_str(), H5P_DEFAULT), H5Dclose);
+  if (!store.id.isGood()) return store;
+  const Id type(H5Dget_type(store.id), H5Tclose);
+  const Id space(H5Dget_space(store.id), H5Sclose);
+  hsize_t size[2] = {0, 1};
+  const bool same = H5Tequal(type, typeOf(column.kind)) > 0 && H5Sget_simple_extent_ndims(space) == store.rank() &&
+                    H5Sget_simple_extent_dims(space, size, nullptr) == store.rank() &&
+                    (store.rank() == 1 || size[1] == store.width);
+  if (!same) store.id = Id();
+  return store;
+}
+
+bool resize(const Store& store, std::uint64_t rows) {
+  const hsize_t size[2] = {rows, store.width};
+  return H5Dset_extent(store.id, size) >= 0;
+}
+
+bool append(const Store& store, const void* data, std::uint64_t rows) {
+  const hsize_t before = rowsOf(store);
+  if (!resize(store, before + rows)) return false;
+  const Selection selection(store, before, rows);
+  return selection.good &&
+         H5Dwrite(store.id, typeOf(store.kind), selection.memory, selection.file, H5P_DEFAULT, data) >= 0;
+}
+
+bool readRows(const Store& store, std::uint64_t first, std::uint64_t rows, void* data) {
+  if (rows == 0) return true;
+  const Selection selection(store, first, rows);
+  return selection.good &&
+         H5Dread(store.id, typeOf(store.kind), selection.memory, selection.file, H5P_DEFAULT, data) >= 0;
+}
+
+}  // namespace underact::record

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "core/record/hdf5_id.h"
+#include "core/record/table.h"
+
+namespace underact::record {
+
+/// A dataset that grows by rows of `width` numbers: a column of a table.
+struct Store {
+  Id id;  // not good: it is not there, or of another kind
+  Kind kind = Kind::Real;
+  std::uint64_t width = 1;
+  int rank() const { return width > 1 ? 2 : 1; }
+};
+
+Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
+Store openStore(Handle group, const Column& column);
+std::uint64_t rowsOf(const Store& store);  // 0 where it does not say
+
+// false: the library refused, for a full disk or a damaged file.
+bool resize(const Store& store, std::uint64_t rows);
+bool append(const Store& store, const void* data, std::uint64_t rows);
+bool readRows(const Store& store, std::uint64_t first, std::uint64_t rows, void* data);
+
+}  // namespace underact::record
