@@ -11,6 +11,7 @@
 #include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
 #include "app/gui/servo_panel.h"
+#include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/shape_panel.h"
 
 namespace underact::gui {
@@ -24,7 +25,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 9> kRows{{
+  static const std::array<PanelRow, 10> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -49,6 +50,8 @@ std::span<const PanelRow> panels() {
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},
+      {"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+S",
+       QT_TRANSLATE_NOOP("panel", "Record, mark, and find what was recorded."), make<SessionsPanel>, "scenes"},
   }};
   return kRows;
 }

@@ -1,0 +1,513 @@
+#include "core/record/session.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "app/gui/sessions/csv_export.h"
+#include "app/gui/sessions/session_index.h"
+#include "app/gui/sessions/session_list.h"
+#include "app/gui/sessions/session_place.h"
+#include "app/gui/sessions/session_words.h"
+#include "app/gui/sessions/sessions_panel.h"
+#include "app/gui/sessions/stylus_buttons.h"
+#include "core/record/csv.h"
+#include "tests/stories/picture_difference.h"
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+constexpr int kLong_ms = 20000;  // that a slow machine may take
+
+// A window whose recordings go into a folder of the story's own.
+struct Desk {
+  explicit Desk(const QVariantMap& settings = {}, bool first = true) {
+    if (first) forgetSettings();
+    QSettings stored;
+    stored.setValue("recording/folder", folder.path());
+    for (auto one = settings.begin(); one != settings.end(); ++one) stored.setValue(one.key(), one.value());
+    stored.sync();
+    story = std::make_unique<Story>("02_sphere", Beginning{.first_start = false});
+    story->window().resize(1280, 800);
+    story->perform("dock.sessions", true);
+    story->settle();
+  }
+  QStringList files() const { return QDir(folder.path()).entryList({"*.h5"}, QDir::Files, QDir::Name); }
+  QString file(const QString& name) const { return QDir(folder.path()).filePath(name); }
+  QString text(const char* name) { return story->find<QLabel>(name)->text(); }
+  QListWidget& list() { return *story->find<QListWidget>("panel.sessions.list"); }
+  int shown() {
+    int count = 0;
+    for (int row = 0; row < list().count(); ++row) count += list().item(row)->isHidden() ? 0 : 1;
+    return count;
+  }
+  void fill(const char* name, const QString& text) {
+    auto* line = story->find<QLineEdit>(name);
+    line->setFocus(Qt::TabFocusReason);
+    line->selectAll();
+    QTest::keyClicks(line, text);
+  }
+  /// A recording ends between two ticks, and in a story time stands: the next tick comes here.
+  bool record(bool on) {
+    if (!on) story->host().endRecord();
+    if (!on) story->host().run(1);
+    story->perform("session.record", on);
+    return story->window().actions().find("session.record")->isChecked() == on;
+  }
+  /// A session of so many ticks; gives its path.
+  QString session(int ticks, const QString& name = {}) {
+    const QStringList before = files();
+    if (!name.isEmpty()) fill("panel.sessions.name", name);
+    EXPECT_TRUE(record(true));
+    story->run(ticks);
+    EXPECT_TRUE(record(false));
+    for (const QString& one : files()) {
+      if (!before.contains(one)) return file(one);
+    }
+    ADD_FAILURE() << "no file";
+    return {};
+  }
+  bool listed(int count) {
+    return QTest::qWaitFor([this, count] { return list().count() == count; }, kLong_ms);
+  }
+  bool choose(const QString& path) {
+    return QTest::qWaitFor([this, &path] { return story->perform("sessions.choose", path); }, kLong_ms);
+  }
+
+  QTemporaryDir folder;
+  std::unique_ptr<Story> story;
+};
+
+/// A session that nobody closed: what the program leaves when it is killed.
+QString unclosed(const QString& folder, const QString& name) {
+  const QString path = QDir(folder).filePath(name);
+  record::SessionHeader header;
+  header.scene_title = "Sphere";
+  header.words.name = "killed";
+  header.started_unix_ns = 1'700'000'000'000'000'000;
+  Result<record::SessionWriter> writer = record::SessionWriter::create(path.toStdString(), header);
+  EXPECT_TRUE(writer);
+  EXPECT_TRUE(writer.value().begin(1, 0, {}, {}).empty());
+  servo::TickRecord record;
+  for (int tick = 1; tick <= 250; ++tick) {
+    record.tick = tick;
+    record.time_ns = 1'000'000LL * tick;
+    EXPECT_TRUE(writer.value().add(record).empty());
+  }
+  EXPECT_TRUE(writer.value().flush().empty());
+  QFile::copy(path, path + ".killed");  // as it stands on the disk before it is closed
+  writer.value().abandon();
+  QFile::remove(path);
+  QFile::rename(path + ".killed", path);
+  return path;
+}
+
+int linesOfFile(const QString& path) {
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+  return static_cast<int>(file.readAll().count('\n'));
+}
+
+}  // namespace
+
+TEST(SessionStory, OneClickRecordsAtOnceAndTheFileSaysWhoAndWhat) {
+  Desk desk;
+  desk.fill("panel.sessions.name", "first try");
+  desk.fill("panel.sessions.tags", "pilot, left");
+  desk.fill("panel.sessions.subject", "S07");
+  desk.story->click(desk.story->find("button.session.record"));
+  ASSERT_TRUE(desk.story->window().actions().find("session.record")->isChecked());
+  EXPECT_EQ(desk.files().size(), 1);
+  EXPECT_TRUE(desk.files().first().endsWith("_sphere.h5")) << desk.files().first().toStdString();
+  EXPECT_TRUE(desk.story->find("status.recording")->isVisible());
+  desk.story->run(3000);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.status.1") == "00:02"; }, kLong_ms))
+      << desk.text("panel.sessions.status.1").toStdString();
+  EXPECT_EQ(desk.story->find<QAbstractButton>("button.session.record")->text(), "Record 00:02");
+  EXPECT_EQ(desk.text("panel.sessions.status.3"), "3000");
+  EXPECT_TRUE(desk.text("panel.sessions.status.5").contains("GB"))
+      << desk.text("panel.sessions.status.5").toStdString();
+  ASSERT_TRUE(desk.record(false));
+  EXPECT_FALSE(desk.story->find("status.recording")->isVisible());
+  EXPECT_FALSE(desk.story->find("panel.sessions.notice")->isVisible());
+  Result<record::Session> session = record::Session::open(desk.file(desk.files().first()).toStdString());
+  ASSERT_TRUE(session);
+  const record::SessionInfo& info = session.value().info();
+  EXPECT_GE(info.ticks, 3000);
+  EXPECT_TRUE(info.isComplete());
+  EXPECT_EQ(info.end->reason, record::EndReason::Stopped);
+  EXPECT_EQ(info.header.words.name, "first try");
+  EXPECT_EQ(info.header.words.tags, "pilot, left");
+  EXPECT_EQ(info.header.words.subject, "S07");
+  EXPECT_EQ(info.header.scene_title, "Sphere");
+  ASSERT_TRUE(desk.listed(1));
+  EXPECT_TRUE(desk.list().item(0)->text().startsWith("first try\n"));
+}
+
+TEST(SessionStory, WordsTypedWhileItRecordsAreInTheFileTagsAndSubjectStayForTheNext) {
+  Desk desk({{"recording/subject", "S01"}, {"recording/tags", "pilot"}});
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.subject")->text(), "S01");
+  ASSERT_TRUE(desk.record(true));
+  desk.story->run(200);
+  desk.fill("panel.sessions.name", "named later");
+  desk.fill("panel.sessions.subject", "S02");
+  desk.story->find<QPlainTextEdit>("panel.sessions.notes")->setPlainText("the chair was low");
+  ASSERT_TRUE(desk.record(false));
+  const SessionEntry entry = readSessionEntry(desk.file(desk.files().first()));
+  EXPECT_EQ(entry.info.header.words.name, "named later");
+  EXPECT_EQ(entry.info.header.words.notes, "the chair was low");
+  EXPECT_EQ(entry.info.header.words.subject, "S02");
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.name")->text(), "");
+  EXPECT_EQ(desk.story->find<QPlainTextEdit>("panel.sessions.notes")->toPlainText(), "");
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.subject")->text(), "S02");
+  desk.story.reset();
+  EXPECT_EQ(QSettings().value("recording/subject").toString(), "S02");
+  EXPECT_EQ(QSettings().value("recording/tags").toString(), "pilot");
+}
+
+TEST(SessionStory, KeyMMarksButNotWhereOneTypes) {
+  Desk desk;
+  desk.story->perform("view.focus");
+  desk.story->key(Qt::Key_M);  // nothing is recorded yet
+  ASSERT_TRUE(desk.record(true));
+  desk.story->run(500);
+  desk.story->perform("view.focus");
+  desk.story->key(Qt::Key_M);
+  desk.story->run(500);
+  desk.fill("panel.sessions.mark_label", "mug");
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.mark_label")->text(), "mug");
+  desk.story->find("panel.sessions.notes")->setFocus(Qt::TabFocusReason);
+  desk.story->key(Qt::Key_M);
+  EXPECT_EQ(desk.story->find<QPlainTextEdit>("panel.sessions.notes")->toPlainText(), "m");
+  desk.story->click(desk.story->find("panel.sessions.mark"));
+  desk.story->run(500);
+  EXPECT_EQ(desk.text("panel.sessions.status.4"), "2");
+  ASSERT_TRUE(desk.record(false));
+  const SessionEntry entry = readSessionEntry(desk.file(desk.files().first()));
+  ASSERT_EQ(entry.markers.size(), 2U);
+  EXPECT_EQ(entry.markers[0].label, "");
+  EXPECT_EQ(entry.markers[1].label, "mug");
+  EXPECT_EQ(entry.markers[1].tick - entry.markers[0].tick, 500);
+  EXPECT_FALSE(desk.story->window().actions().find("session.mark")->isEnabled());
+}
+
+TEST(SessionStory, AButtonOfTheStylusStartsAndStopsTheRecording) {
+  Desk desk;
+  desk.story->find<QComboBox>("panel.sessions.button.1")->setCurrentIndex(1);
+  desk.story->perform("view.focus");
+  QWindow* window = desk.story->window().windowHandle();
+  const auto press = [&] {
+    QTest::keyPress(window, Qt::Key_Space);
+    desk.story->run(100);
+    QTest::keyRelease(window, Qt::Key_Space);
+    desk.story->run(100);
+  };
+  press();
+  const QAction* record = desk.story->window().actions().find("session.record");
+  ASSERT_TRUE(record->isChecked());
+  press();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !record->isChecked(); }, kLong_ms));
+  EXPECT_EQ(desk.files().size(), 1);
+  desk.story->perform("session.hold_to_run", true);  // then that button is the servo's
+  EXPECT_FALSE(desk.story->find("panel.sessions.button.1")->isEnabled());
+  press();
+  EXPECT_FALSE(record->isChecked());
+}
+
+TEST(SessionStory, APressIsCountedOnceAndABounceNotAtAll) {
+  ButtonEdges edges;
+  servo::TickRecord record;
+  const auto at = [&](std::int64_t ms, unsigned buttons) {
+    record.time_ns = 1'000'000 * ms;
+    record.buttons = buttons;
+    return edges.add(record);
+  };
+  EXPECT_EQ(at(1, 2), 0U);  // held from before
+  EXPECT_EQ(at(100, 0), 0U);
+  EXPECT_EQ(at(200, 2), 2U);
+  EXPECT_EQ(at(201, 2), 0U);
+  EXPECT_EQ(at(202, 0), 0U);
+  EXPECT_EQ(at(205, 2), 0U);  // it has bounced
+  EXPECT_EQ(at(300, 0), 0U);
+  EXPECT_EQ(at(400, 3), 3U);
+}
+
+TEST(SessionStory, SearchFindsBySeveralWordsAndSaysHowMany) {
+  Desk desk;
+  desk.fill("panel.sessions.subject", "S11");
+  const QString left = desk.session(200, "left hand");
+  desk.fill("panel.sessions.subject", "S12");
+  desk.session(200, "right hand");
+  ASSERT_TRUE(desk.listed(2));
+  EXPECT_EQ(desk.text("panel.sessions.count"), "2 sessions");
+  desk.story->perform("sessions.find");
+  QTest::keyClicks(desk.story->find("panel.sessions.search"), "S11 HAND");
+  EXPECT_EQ(desk.shown(), 1);
+  EXPECT_EQ(desk.text("panel.sessions.count"), "1 of 2 sessions");
+  desk.fill("panel.sessions.search", "hand sphere");
+  EXPECT_EQ(desk.shown(), 2);
+  desk.fill("panel.sessions.search", "nobody");
+  EXPECT_EQ(desk.shown(), 0);
+  desk.story->find<QLineEdit>("panel.sessions.search")->clear();
+  ASSERT_TRUE(desk.choose(left));
+  EXPECT_TRUE(desk.text("panel.sessions.details").contains("Subject S11"));
+}
+
+TEST(SessionStory, ACsvHasARowForEachTickAndACancelledOneLeavesNoFile) {
+  Desk desk;
+  const QString path = desk.session(1234);
+  ASSERT_TRUE(desk.choose(path));
+  const QString out = desk.file("out.csv");
+  ASSERT_TRUE(desk.story->perform("sessions.export", out));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.told").contains("out.csv"); }, kLong_ms));
+  const SessionEntry entry = readSessionEntry(path);
+  EXPECT_EQ(linesOfFile(out), entry.info.ticks + 1);
+  EXPECT_GE(entry.info.ticks, 1234);
+  EXPECT_FALSE(desk.story->find("panel.sessions.progress")->isVisible());
+  WorkState state;
+  state.cancelled = true;
+  const CsvExport cancelled = exportCsv(path.toStdString(), desk.file("none.csv").toStdString(), state);
+  EXPECT_TRUE(cancelled.cancelled);
+  EXPECT_FALSE(QFile::exists(desk.file("none.csv")));
+  EXPECT_FALSE(QFile::exists(desk.file("none.csv.part")));
+  ASSERT_TRUE(desk.story->perform("sessions.export", "/nowhere/at/all.csv"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.told").startsWith("Not exported."); }, kLong_ms));
+}
+
+TEST(SessionStory, AFullDiskEndsTheRecordingInOrderAndSaysWhatToDo) {
+  Desk desk({{"recording/keep_free_MB", 1'000'000'000}});  // more than any disk has
+  desk.story->perform("session.start");
+  desk.story->run(500);
+  desk.story->perform("dock.scenes", true);  // the panel is behind another
+  ASSERT_TRUE(desk.record(true));
+  desk.story->run(500);
+  const QAction* record = desk.story->window().actions().find("session.record");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !record->isChecked(); }, kLong_ms));
+  EXPECT_TRUE(desk.text("panel.sessions.notice").contains("record into another folder"))
+      << desk.text("panel.sessions.notice").toStdString();
+  EXPECT_EQ(desk.text("status.recording"), "not recording");
+  EXPECT_FALSE(desk.story->find("panel.sessions")->visibleRegion().isEmpty());
+  desk.story->run(200);
+  EXPECT_EQ(desk.story->snapshot().mode, servo::Mode::Running);
+  const SessionEntry entry = readSessionEntry(desk.file(desk.files().first()));
+  ASSERT_TRUE(entry.isClosed());
+  EXPECT_EQ(entry.info.end->reason, record::EndReason::DiskFull);
+}
+
+TEST(SessionStory, LittleRoomOnTheDiskIsAmberBeforeItIsNone) {
+  record::RecorderStatus status;
+  EXPECT_FALSE(isDiskLow(status));
+  status.disk_left_bytes = 50'000'000'000;
+  EXPECT_FALSE(isDiskLow(status));
+  status.disk_left_s = 599.0;
+  EXPECT_TRUE(isDiskLow(status));
+  status.disk_left_s = 601.0;
+  EXPECT_FALSE(isDiskLow(status));
+  EXPECT_EQ(diskText(status), "50.0 GB, enough for 10 min");
+  status.disk_left_bytes = 999'999'999;
+  EXPECT_TRUE(isDiskLow(status));
+}
+
+TEST(SessionStory, AFolderThatCannotBeUsedIsSaidWithTheWayOut) {
+  Desk desk;
+  QFile in_its_place(desk.file("taken"));
+  ASSERT_TRUE(in_its_place.open(QIODevice::WriteOnly));
+  in_its_place.close();
+  EXPECT_FALSE(desk.story->perform("sessions.folder", desk.file("taken")));
+  EXPECT_TRUE(desk.text("panel.sessions.told").contains("Choose another folder"));
+  ASSERT_TRUE(desk.story->perform("sessions.folder", desk.file("new/one")));
+  QDir(desk.file("new")).removeRecursively();
+  QFile new_in_its_place(desk.file("new"));
+  ASSERT_TRUE(new_in_its_place.open(QIODevice::WriteOnly));
+  EXPECT_FALSE(desk.record(true));
+  EXPECT_FALSE(desk.story->window().actions().find("session.record")->isChecked());
+  EXPECT_TRUE(desk.text("panel.sessions.notice").contains("Choose another folder"))
+      << desk.text("panel.sessions.notice").toStdString();
+}
+
+TEST(SessionStory, AKilledSessionIsRecovered) {
+  Desk desk;
+  const QString path = unclosed(desk.folder.path(), "2026-01-01_00-00-00_sphere.h5");
+  ASSERT_TRUE(desk.choose(path));
+  EXPECT_TRUE(desk.list().currentItem()->text().contains("not closed"));
+  EXPECT_TRUE(desk.story->find("panel.sessions.recover")->isVisible());
+  EXPECT_FALSE(desk.story->window().actions().find("sessions.edit")->isEnabled());
+  desk.story->click(desk.story->find("panel.sessions.recover"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !desk.list().currentItem()->text().contains("not closed"); }, kLong_ms));
+  const SessionEntry entry = readSessionEntry(path);
+  ASSERT_TRUE(entry.isClosed());
+  EXPECT_EQ(entry.info.end->reason, record::EndReason::Recovered);
+  EXPECT_EQ(entry.info.ticks, 200);
+  EXPECT_FALSE(desk.story->find("panel.sessions.recover")->isVisible());
+}
+
+TEST(SessionStory, WordsOfAFinishedSessionAreChangedInItsDialog) {
+  Desk desk;
+  const QString path = desk.session(200, "wrong");
+  ASSERT_TRUE(desk.choose(path));
+  ASSERT_TRUE(desk.story->perform("sessions.edit"));
+  desk.fill("dialog.words.name", "right");
+  desk.fill("dialog.words.tags", "kept");
+  desk.story->settle();
+  EXPECT_TRUE(desk.story->find("dialog.words")->grab().save(QString(UNDERACT_BINARY) + "/pictures/dialog_words.png"));
+  desk.story->click(desk.story->find("dialog.words.save"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.list().item(0)->text().startsWith("right\n"); }, kLong_ms));
+  EXPECT_EQ(readSessionEntry(path).info.header.words.tags, "kept");
+}
+
+TEST(SessionStory, DeletingAsksAndMovesToTheBin) {
+  Desk desk;
+  const QString path = desk.session(200);
+  ASSERT_TRUE(desk.choose(path));
+  desk.list().setFocus(Qt::TabFocusReason);
+  desk.story->key(Qt::Key_Delete);
+  desk.story->settle();
+  EXPECT_TRUE(QFile::exists(path));
+  desk.story->click(desk.story->find("dialog.delete_session.move"));
+  ASSERT_TRUE(desk.listed(0));
+  EXPECT_FALSE(QFile::exists(path));
+}
+
+TEST(SessionStory, AFileThatIsNoSessionIsListedWithTheReason) {
+  Desk desk;
+  QFile file(desk.file("broken.h5"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("not HDF5");
+  file.close();
+  ASSERT_TRUE(desk.listed(1));  // the folder is watched
+  ASSERT_TRUE(desk.choose(desk.file("broken.h5")));
+  EXPECT_TRUE(desk.list().item(0)->text().contains("cannot be read"));
+  EXPECT_TRUE(desk.text("panel.sessions.details").contains("This is no session"));
+  EXPECT_FALSE(desk.story->window().actions().find("sessions.export")->isEnabled());
+}
+
+TEST(SessionStory, ClosingTheWindowEndsTheRecordingInOrder) {
+  Desk desk;
+  ASSERT_TRUE(desk.record(true));
+  desk.story->run(700);
+  desk.story.reset();
+  const SessionEntry entry = readSessionEntry(desk.file(desk.files().first()));
+  ASSERT_TRUE(entry.isClosed());
+  EXPECT_EQ(entry.info.end->reason, record::EndReason::ProgramEnded);
+  EXPECT_EQ(entry.info.ticks, 700);
+}
+
+TEST(SessionStory, ReplayIsOfferedOnceSomebodyListens) {
+  Desk desk;
+  const QString path = desk.session(200);
+  ASSERT_TRUE(desk.choose(path));
+  auto* panel = desk.story->find<SessionsPanel>("panel.sessions");
+  QString asked;
+  QObject::connect(panel, &SessionsPanel::replayRequested, panel, [&asked](const QString& wanted) { asked = wanted; });
+  ASSERT_TRUE(desk.story->find("panel.sessions.replay")->isVisible());
+  desk.story->click(desk.story->find("panel.sessions.replay"));
+  EXPECT_EQ(asked, path);
+}
+
+TEST(SessionStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWhereItFails) {
+  Desk desk;
+  const QString path = desk.session(200);
+  ASSERT_TRUE(desk.choose(path));
+  QDir(desk.folder.path()).mkpath("data/python/underact");
+  QFile package(desk.file("data/python/underact/__main__.py"));  // in place of the one that comes with the program
+  ASSERT_TRUE(package.open(QIODevice::WriteOnly));
+  package.write(
+      "import sys\n"
+      "command, session, kind, which, out, path = sys.argv[1:]\n"
+      "assert (command, kind, which, out) == ('plot', '--kind', 'all', '--out')\n"
+      "if path.endswith('bad.pdf'): print('Reading.\\nThe session holds no ticks.', file=sys.stderr); sys.exit(1)\n"
+      "open(path, 'wb').write(b'%PDF' + open(session, 'rb').read(4))\n");
+  package.close();
+  const QByteArray before = qgetenv("UNDERACT_DATA_DIR");
+  qputenv("UNDERACT_DATA_DIR", desk.file("data").toUtf8());
+  ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("plots.pdf")));
+  EXPECT_TRUE(desk.story->find("panel.sessions.cancel")->isVisible());
+  EXPECT_FALSE(desk.story->perform("sessions.export", desk.file("meanwhile.csv")));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return desk.text("panel.sessions.told") == "The plots are in plots.pdf"; }, kLong_ms));
+  EXPECT_TRUE(QFile::exists(desk.file("plots.pdf")));
+  ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("bad.pdf")));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return desk.text("panel.sessions.told") == "The plots were not drawn. The session holds no ticks."; },
+      kLong_ms))
+      << desk.text("panel.sessions.told").toStdString();
+  qputenv("UNDERACT_DATA_DIR", before);
+}
+
+TEST(SessionStory, TheServoThreadRecordsInRealTimeAndTheWindowStaysQuick) {
+  forgetSettings();
+  QTemporaryDir folder;
+  QSettings().setValue("recording/folder", folder.path());
+  Story story("02_sphere", {.first_start = false, .servo = {.clock = servo::Clock::Thread}});
+  story.perform("session.start");
+  QElapsedTimer took;
+  took.start();
+  story.perform("session.record", true);
+  const qint64 start_ms = took.restart();
+  story.run(1500);
+  took.restart();
+  story.perform("session.record", false);
+  const qint64 stop_ms = took.elapsed();
+  RecordProperty("start_ms", static_cast<int>(start_ms));
+  RecordProperty("stop_ms", static_cast<int>(stop_ms));
+  EXPECT_LT(stop_ms, 500);  // a tenth of it where nothing else runs
+  const QString path = QDir(folder.path()).filePath(QDir(folder.path()).entryList({"*.h5"}).value(0));
+  const SessionEntry entry = readSessionEntry(path);
+  ASSERT_TRUE(entry.isClosed());
+  EXPECT_GT(entry.info.ticks, 1000);
+  EXPECT_EQ(entry.info.dropped, 0);
+}
+
+TEST(SessionStory, TimesAndSizesReadAsOneSaysThem) {
+  EXPECT_EQ(clockText(0.0), "00:00");
+  EXPECT_EQ(clockText(83.9), "01:23");
+  EXPECT_EQ(clockText(3723.0), "1:02:03");
+  EXPECT_EQ(spanText(1.24), "1.2 s");
+  EXPECT_EQ(spanText(83.0), "1 min 23 s");
+  EXPECT_EQ(spanText(7800.0), "2 h 10 min");
+  EXPECT_EQ(spanText(9.0 * 86400.0), "9 days");
+  EXPECT_EQ(bytesText(1), "1 kB");
+  EXPECT_EQ(bytesText(4'200'000), "4.2 MB");
+  EXPECT_EQ(bytesText(13'000'000'000), "13.0 GB");
+  const QDateTime when(QDate(2026, 11, 21), QTime(19, 56, 47));
+  EXPECT_EQ(newSessionFile("/none", when, "Circle in a tilted plane"),
+            "/none/2026-11-21_19-56-47_circle-in-a-tilted-plane.h5");
+  EXPECT_EQ(newSessionFile("/none", when, QString::fromUtf8("Ü")), "/none/2026-11-21_19-56-47_session.h5");
+}
+
+TEST(SessionStory, ThePictureOfTheListAndTheRecording) {
+  for (const char* theme : {"light", "dark"}) {
+    Desk desk;
+    desk.story->perform(QString("view.theme.") + theme);
+    unclosed(desk.folder.path(), "2026-01-01_00-00-00_sphere.h5");
+    desk.session(2000, "first try");
+    ASSERT_TRUE(desk.listed(2));
+    desk.list().setCurrentRow(0);
+    ASSERT_TRUE(desk.record(true));
+    desk.story->run(1000);
+    desk.story->settle(600);
+    EXPECT_TRUE(desk.story->picture().save(QString("%1/pictures/window_sessions_%2.png").arg(UNDERACT_BINARY, theme)));
+    auto* panel = desk.story->find("panel.sessions");
+    for (QWidget* widget : panel->findChildren<QWidget*>()) {
+      QFont no_text = widget->font();
+      no_text.setPixelSize(1);
+      widget->setFont(no_text);
+    }
+    desk.record(false);
+  }
+}
+
+}  // namespace underact::gui::test
