@@ -28,7 +28,7 @@ ButtonsSection::ButtonsSection(QWidget* parent)
   auto* form = new QFormLayout;
   form->setSpacing(4);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   const QString names[] = {tr("At the ti&p"), tr("Se&cond")};
   const QSettings stored;
   for (int button = 0; button < kStylusButtons; ++button) {
@@ -50,6 +50,7 @@ ButtonsSection::ButtonsSection(QWidget* parent)
     uses_[static_cast<std::size_t>(button)] = box;
   }
   column().addLayout(form);
+  setOpen(false);  // chosen once
 }
 
 ButtonUse ButtonsSection::use(int button) const {

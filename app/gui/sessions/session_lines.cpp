@@ -18,6 +18,11 @@ QString dateOf(const SessionEntry& entry, const char* format) {
   return QDateTime::fromMSecsSinceEpoch(entry.began_ms()).toString(format);
 }
 
+QString shortDateOf(const SessionEntry& entry) {
+  const bool this_year = dateOf(entry, "yyyy") == QDateTime::currentDateTime().toString("yyyy");
+  return dateOf(entry, this_year ? "d MMM hh:mm" : "d MMM yyyy");
+}
+
 QString markersOf(const SessionEntry& entry) {
   QStringList marks;
   for (const record::Marker& marker : entry.markers) {
@@ -53,11 +58,10 @@ QString lossesOf(const SessionEntry& entry) {
 
 QString linesOf(const SessionEntry& entry) {
   if (!entry.isReadable())
-    return titleOf(entry) + '\n' +
-           QStringList{dateOf(entry, "d MMM hh:mm"), QObject::tr("cannot be read")}.join(kBetween);
+    return titleOf(entry) + '\n' + QStringList{shortDateOf(entry), QObject::tr("cannot be read")}.join(kBetween);
   QStringList facts;
   if (!entry.isClosed()) facts << QObject::tr("not closed: Recover");
-  facts << dateOf(entry, "d MMM hh:mm") << clockText(entry.info.duration_s) << bytesText(entry.size_bytes);
+  facts << shortDateOf(entry) << clockText(entry.info.duration_s) << bytesText(entry.size_bytes);
   const record::SessionHeader& header = entry.info.header;
   for (const std::string& one :
        {header.words.subject, header.words.name.empty() ? std::string() : header.scene_title, header.words.tags}) {

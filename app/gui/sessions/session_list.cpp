@@ -18,7 +18,7 @@ constexpr int kLinesOfList = 12, kLinesOfDetails = 4;
 
 }  // namespace
 
-SessionList::SessionList(QWidget* parent)
+SessionList::SessionList(QWidget* tools, QWidget* parent)
     : QWidget(parent),
       index_(this),
       search_(new QLineEdit(this)),
@@ -48,6 +48,7 @@ SessionList::SessionList(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   column->addWidget(search_);
+  column->addWidget(tools);
   column->addWidget(count_);
   column->addWidget(list_, 1);
   column->addWidget(details_);

@@ -14,7 +14,8 @@ namespace underact::gui {
 class SessionList : public QWidget {
   Q_OBJECT
  public:
-  explicit SessionList(QWidget* parent = nullptr);
+  /// tools: what can be done with the chosen one; it stands above the list.
+  SessionList(QWidget* tools, QWidget* parent);
   void setFolder(const QString& folder);
   /// Reads, at first or again, what has changed.
   void refresh();

@@ -31,8 +31,7 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   auto* heading = new QLabel(tr("Recent sessions"), content);
   heading->setProperty("role", "section");
   column->addWidget(heading);
-  column->addWidget(list_ = new SessionList(content), 1);
-  column->addWidget(buildButtons());
+  column->addWidget(list_ = new SessionList(buildButtons(), content), 1);
   column->addWidget(job_ = new JobStrip(content));
   fillWithScroll(this, content);
   QAction* hold = parts_.actions.find("session.hold_to_run");
