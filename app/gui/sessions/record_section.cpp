@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-enum Row { kTime, kSize, kTicks, kMarks, kDisk };
+enum Row { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 
 /// What is worth a word while it records: what is lost, and what will soon be.
 QString warningOf(const record::RecorderStatus& status, bool runs) {
@@ -64,7 +64,9 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
   readout_->addRow(tr("Size"), tr("Of the file."));
   readout_->addRow(tr("Ticks"), tr("That are in the file; and those that found no room, if there are any."));
   readout_->addRow(tr("Markers"), tr("Set by key M, the button or the stylus."));
-  readout_->addRow(tr("Disk"), tr("What is left on the disk, and how long it lasts at this recording's pace."));
+  readout_->addRow(tr("Disk left"), tr("What the disk still takes; the recording ends in order before it is full."));
+  readout_->addRow(tr("Enough for"), tr("How long that lasts at this recording's pace."));
+  readout_->set(kTicks, tr("%1, %2 missing").arg(99'999'999).arg(9'999));
   auto* section = new Section("words", tr("Words"), tr("What the file says of the session; they can be changed later."),
                               this, "sessions");
   section->column().addWidget(words_);
@@ -81,7 +83,6 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
   connect(record_, &QPushButton::clicked, this, [this] { actions_.perform("session.record"); });
   connect(words_, &WordsForm::edited, this, [this] { recording_.setWords(words_->words()); });
   connect(&recording_, &Recording::changed, this, &RecordSection::present);
-  present();
 }
 
 QWidget* RecordSection::buildMark() {
@@ -136,7 +137,8 @@ void RecordSection::present() {
   readout_->set(kTicks, status.dropped == 0 ? QString::number(status.ticks)
                                             : tr("%1, %2 missing").arg(status.ticks).arg(status.dropped));
   readout_->set(kMarks, QString::number(recording_.marks()));
-  readout_->set(kDisk, diskText(status));
+  readout_->set(kDisk, status.disk_left_bytes > 0 ? bytesText(status.disk_left_bytes) : QChar(0x2013));
+  readout_->set(kLasts, status.disk_left_s > 0.0 ? spanText(status.disk_left_s) : QChar(0x2013));
   const QString file = QFileInfo(recording_.path()).fileName().replace('_', QString("_") + QChar(0x200B));  // may break
   place_->setText(runs ? tr("Recording into %1").arg(file) : tr("Recorded into %1").arg(file));
   place_->setToolTip(recording_.path());

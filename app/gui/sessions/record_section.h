@@ -20,10 +20,12 @@ class RecordSection : public QWidget {
   RecordSection(Recording& recording, Actions& actions, QWidget* parent = nullptr);
   /// What is typed for the next mark; taken away by this.
   QString takeLabel();
+  /// Shows how the recording is. Until it is called the first time everything stands there at its widest, for a panel
+  /// that makes itself wide enough.
+  void present();
 
  private:
   QWidget* buildMark();
-  void present();
 
   Recording& recording_;
   Actions& actions_;

@@ -68,7 +68,7 @@ SessionList::SessionList(QWidget* tools, QWidget* parent)
 void SessionList::setFolder(const QString& folder) {
   folder_ = folder;
   index_.setFolder(folder);
-  rebuild();
+  rebuild();  // what stood there is of another folder
 }
 
 void SessionList::refresh() {
@@ -123,10 +123,9 @@ void SessionList::rebuild() {
 void SessionList::filter() {
   int shown = 0;
   for (int row = 0; row < list_->count(); ++row) {
-    QListWidgetItem* item = list_->item(row);
-    const SessionEntry* entry = index_.find(item->data(kPath).toString());
-    const bool fits = entry != nullptr && fitsSearch(*entry, search_->text());
-    item->setHidden(!fits);
+    // A row an entry, in the same order: see rebuild().
+    const bool fits = fitsSearch(index_.entries()[static_cast<std::size_t>(row)], search_->text());
+    list_->item(row)->setHidden(!fits);
     shown += fits ? 1 : 0;
   }
   say(shown);

@@ -52,6 +52,7 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   connect(list_, &SessionList::menuAsked, this, [this](const QPoint& where) { menu_->popup(where); });
   connect(list_, &SessionList::deleteAsked, this, [this] { parts_.actions.perform("sessions.delete"); });
   connect(job_, &JobStrip::ended, this, &SessionsPanel::presentChosen);
+  record_->present();
   presentRecording();
   presentChosen();
 }

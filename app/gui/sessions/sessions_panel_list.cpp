@@ -22,6 +22,8 @@
 
 namespace underact::gui {
 
+constexpr int kMargins = 24;  // of a button, beside its words
+
 void SessionsPanel::addListActions() {
   const auto add = [this](const char* name, const QString& text, const char* keys, const QString& tip,
                           std::function<bool(const QVariantList&)> run) {
@@ -84,6 +86,7 @@ QWidget* SessionsPanel::buildButtons() {
     made->setObjectName(QString("panel.sessions.") + name);
     made->setAccessibleName(text);
     made->setToolTip(tip);
+    made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // all four may stand there
     row->addWidget(made);
     return made;
   };
@@ -93,6 +96,7 @@ QWidget* SessionsPanel::buildButtons() {
   export_->setAccessibleName(tr("Export as CSV"));
   row->addStretch(1);
   more_ = button("more", tr("More"), tr("What else can be done with the chosen session, and the folder."));
+  more_->setMinimumWidth(more_->minimumWidth() + kMargins);  // and the arrow
   more_->setMenu(menu_);
   connect(replay_, &QPushButton::clicked, this, [this] { emit replayRequested(list_->chosen()->path); });
   connect(recover_, &QPushButton::clicked, this, [this] { parts_.actions.perform("sessions.recover"); });
