@@ -56,7 +56,7 @@ void SessionsPanel::addListActions() {
   add("sessions.edit", tr("&Edit words…"), "Ctrl+Alt+E",
       tr("Changes the chosen session's name, notes, tags and subject."),
       [this](const QVariantList&) { return editChosen(); });
-  add("sessions.recover", tr("Rec&over"), "Ctrl+Alt+R",
+  add("sessions.recover", tr("Rec&over"), "Ctrl+Shift+W",
       tr("Makes a session whole that the program could not close, so that every program opens it."),
       [this](const QVariantList&) { return recoverChosen(); });
   add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del", tr("Moves the chosen session to the bin."),
