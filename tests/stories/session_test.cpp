@@ -9,121 +9,20 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPlainTextEdit>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSettings>
-#include <QTemporaryDir>
 #include <QVBoxLayout>
-#include <filesystem>
 
 #include "app/gui/scene_library.h"
-#include "app/gui/sessions/csv_export.h"
 #include "app/gui/sessions/session_index.h"
-#include "app/gui/sessions/session_list.h"
 #include "app/gui/sessions/session_place.h"
 #include "app/gui/sessions/session_words.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/sessions/stylus_buttons.h"
 #include "tests/stories/picture_difference.h"
-#include "tests/stories/story.h"
+#include "tests/stories/session_desk.h"
 
 namespace underact::gui::test {
-namespace {
-
-constexpr int kLong_ms = 20000;  // that a slow machine may take
-
-// A window whose recordings go into a folder of the story's own.
-struct Desk {
-  explicit Desk(const QVariantMap& settings = {}, bool first = true) {
-    if (first) forgetSettings();
-    QSettings stored;
-    stored.setValue("recording/folder", folder.path());
-    for (auto one = settings.begin(); one != settings.end(); ++one) stored.setValue(one.key(), one.value());
-    stored.sync();
-    story = std::make_unique<Story>("02_sphere", Beginning{.first_start = false});
-    story->window().resize(1280, 800);
-    story->perform("dock.sessions", true);
-    story->settle();
-  }
-  QStringList files() const { return QDir(folder.path()).entryList({"*.h5"}, QDir::Files, QDir::Name); }
-  QString file(const QString& name) const { return QDir(folder.path()).filePath(name); }
-  QString text(const char* name) { return story->find<QLabel>(name)->text(); }
-  QListWidget& list() { return *story->find<QListWidget>("panel.sessions.list"); }
-  int shown() {
-    int count = 0;
-    for (int row = 0; row < list().count(); ++row) count += list().item(row)->isHidden() ? 0 : 1;
-    return count;
-  }
-  void fill(const char* name, const QString& text) {
-    auto* line = story->find<QLineEdit>(name);
-    line->setFocus(Qt::TabFocusReason);
-    line->selectAll();
-    QTest::keyClicks(line, text);
-  }
-  /// A recording ends between two ticks, and in a story time stands: the next tick comes here.
-  bool record(bool on) {
-    if (!on) story->host().endRecord();
-    if (!on) story->host().run(1);
-    story->perform("session.record", on);
-    return story->window().actions().find("session.record")->isChecked() == on;
-  }
-  /// A session of so many ticks; gives its path.
-  QString session(int ticks, const QString& name = {}) {
-    const QStringList before = files();
-    if (!name.isEmpty()) fill("panel.sessions.name", name);
-    EXPECT_TRUE(record(true));
-    story->run(ticks);
-    EXPECT_TRUE(record(false));
-    for (const QString& one : files()) {
-      if (!before.contains(one)) return file(one);
-    }
-    ADD_FAILURE() << "no file";
-    return {};
-  }
-  bool listed(int count) {
-    return QTest::qWaitFor([this, count] { return list().count() == count; }, kLong_ms);
-  }
-  bool choose(const QString& path) {
-    return QTest::qWaitFor([this, &path] { return story->perform("sessions.choose", path); }, kLong_ms);
-  }
-
-  QTemporaryDir folder;
-  std::unique_ptr<Story> story;
-};
-
-/// A session that nobody closed: what the program leaves when it is killed.
-QString unclosed(const QString& folder, const QString& name) {
-  const QString path = QDir(folder).filePath(name);
-  record::SessionHeader header;
-  header.scene_title = "Sphere";
-  header.words.name = "killed";
-  header.started_unix_ns = 1'700'000'000'000'000'000;
-  Result<record::SessionWriter> writer = record::SessionWriter::create(path.toStdString(), header);
-  EXPECT_TRUE(writer);
-  EXPECT_TRUE(writer.value().begin(1, 0, {}, {}).empty());
-  servo::TickRecord record;
-  for (int tick = 1; tick <= 250; ++tick) {
-    record.tick = tick;
-    record.time_ns = 1'000'000LL * tick;
-    EXPECT_TRUE(writer.value().add(record).empty());
-  }
-  EXPECT_TRUE(writer.value().flush().empty());
-  QFile::copy(path, path + ".killed");  // as it stands on the disk before it is closed
-  writer.value().abandon();
-  QFile::remove(path);
-  QFile::rename(path + ".killed", path);
-  return path;
-}
-
-int linesOfFile(const QString& path) {
-  QFile file(path);
-  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-  return static_cast<int>(file.readAll().count('\n'));
-}
-
-}  // namespace
 
 TEST(SessionStory, OneClickRecordsAtOnceAndTheFileSaysWhoAndWhat) {
   Desk desk;
@@ -158,6 +57,7 @@ TEST(SessionStory, OneClickRecordsAtOnceAndTheFileSaysWhoAndWhat) {
   EXPECT_EQ(info.header.scene_title, "Sphere");
   ASSERT_TRUE(desk.listed(1));
   EXPECT_TRUE(desk.list().item(0)->text().startsWith("first try\n"));
+  EXPECT_EQ(desk.list().currentRow(), 0);
 }
 
 TEST(SessionStory, WordsTypedWhileItRecordsAreInTheFileTagsAndSubjectStayForTheNext) {
@@ -249,48 +149,6 @@ TEST(SessionStory, APressIsCountedOnceAndABounceNotAtAll) {
   EXPECT_EQ(at(400, 3), 3U);
 }
 
-TEST(SessionStory, SearchFindsBySeveralWordsAndSaysHowMany) {
-  Desk desk;
-  desk.fill("panel.sessions.subject", "S11");
-  const QString left = desk.session(200, "left hand");
-  desk.fill("panel.sessions.subject", "S12");
-  desk.session(200, "right hand");
-  ASSERT_TRUE(desk.listed(2));
-  EXPECT_EQ(desk.text("panel.sessions.count"), "2 sessions");
-  desk.story->perform("sessions.find");
-  QTest::keyClicks(desk.story->find("panel.sessions.search"), "S11 HAND");
-  EXPECT_EQ(desk.shown(), 1);
-  EXPECT_EQ(desk.text("panel.sessions.count"), "1 of 2 sessions");
-  desk.fill("panel.sessions.search", "hand sphere");
-  EXPECT_EQ(desk.shown(), 2);
-  desk.fill("panel.sessions.search", "nobody");
-  EXPECT_EQ(desk.shown(), 0);
-  desk.story->find<QLineEdit>("panel.sessions.search")->clear();
-  ASSERT_TRUE(desk.choose(left));
-  EXPECT_TRUE(desk.text("panel.sessions.details").contains("Subject S11"));
-}
-
-TEST(SessionStory, ACsvHasARowForEachTickAndACancelledOneLeavesNoFile) {
-  Desk desk;
-  const QString path = desk.session(1234);
-  ASSERT_TRUE(desk.choose(path));
-  const QString out = desk.file("out.csv");
-  ASSERT_TRUE(desk.story->perform("sessions.export", out));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.told").contains("out.csv"); }, kLong_ms));
-  const SessionEntry entry = readSessionEntry(path);
-  EXPECT_EQ(linesOfFile(out), entry.info.ticks + 1);
-  EXPECT_GE(entry.info.ticks, 1234);
-  EXPECT_FALSE(desk.story->find("panel.sessions.progress")->isVisible());
-  WorkState state;
-  state.cancelled = true;
-  const CsvExport cancelled = exportCsv(path.toStdString(), desk.file("none.csv").toStdString(), state);
-  EXPECT_TRUE(cancelled.cancelled);
-  EXPECT_FALSE(QFile::exists(desk.file("none.csv")));
-  EXPECT_FALSE(QFile::exists(desk.file("none.csv.part")));
-  ASSERT_TRUE(desk.story->perform("sessions.export", "/nowhere/at/all.csv"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.told").startsWith("Not exported."); }, kLong_ms));
-}
-
 TEST(SessionStory, AFullDiskEndsTheRecordingInOrderAndSaysWhatToDo) {
   Desk desk({{"recording/keep_free_MB", 1'000'000'000}});  // more than any disk has
   desk.story->perform("session.start");
@@ -342,62 +200,6 @@ TEST(SessionStory, AFolderThatCannotBeUsedIsSaidWithTheWayOut) {
       << desk.text("panel.sessions.notice").toStdString();
 }
 
-TEST(SessionStory, AKilledSessionIsRecovered) {
-  Desk desk;
-  const QString path = unclosed(desk.folder.path(), "2026-01-01_00-00-00_sphere.h5");
-  ASSERT_TRUE(desk.choose(path));
-  EXPECT_TRUE(desk.list().currentItem()->text().contains("not closed"));
-  EXPECT_TRUE(desk.story->find("panel.sessions.recover")->isVisible());
-  EXPECT_FALSE(desk.story->window().actions().find("sessions.edit")->isEnabled());
-  desk.story->click(desk.story->find("panel.sessions.recover"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !desk.list().currentItem()->text().contains("not closed"); }, kLong_ms));
-  const SessionEntry entry = readSessionEntry(path);
-  ASSERT_TRUE(entry.isClosed());
-  EXPECT_EQ(entry.info.end->reason, record::EndReason::Recovered);
-  EXPECT_EQ(entry.info.ticks, 200);
-  EXPECT_FALSE(desk.story->find("panel.sessions.recover")->isVisible());
-}
-
-TEST(SessionStory, WordsOfAFinishedSessionAreChangedInItsDialog) {
-  Desk desk;
-  const QString path = desk.session(200, "wrong");
-  ASSERT_TRUE(desk.choose(path));
-  ASSERT_TRUE(desk.story->perform("sessions.edit"));
-  desk.fill("dialog.words.name", "right");
-  desk.fill("dialog.words.tags", "kept");
-  desk.story->settle();
-  EXPECT_TRUE(desk.story->find("dialog.words")->grab().save(QString(UNDERACT_BINARY) + "/pictures/dialog_words.png"));
-  desk.story->click(desk.story->find("dialog.words.save"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.list().item(0)->text().startsWith("right\n"); }, kLong_ms));
-  EXPECT_EQ(readSessionEntry(path).info.header.words.tags, "kept");
-}
-
-TEST(SessionStory, DeletingAsksAndMovesToTheBin) {
-  Desk desk;
-  const QString path = desk.session(200);
-  ASSERT_TRUE(desk.choose(path));
-  desk.list().setFocus(Qt::TabFocusReason);
-  desk.story->key(Qt::Key_Delete);
-  desk.story->settle();
-  EXPECT_TRUE(QFile::exists(path));
-  desk.story->click(desk.story->find("dialog.delete_session.move"));
-  ASSERT_TRUE(desk.listed(0));
-  EXPECT_FALSE(QFile::exists(path));
-}
-
-TEST(SessionStory, AFileThatIsNoSessionIsListedWithTheReason) {
-  Desk desk;
-  QFile file(desk.file("broken.h5"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("not HDF5");
-  file.close();
-  ASSERT_TRUE(desk.listed(1));  // the folder is watched
-  ASSERT_TRUE(desk.choose(desk.file("broken.h5")));
-  EXPECT_TRUE(desk.list().item(0)->text().contains("cannot be read"));
-  EXPECT_TRUE(desk.text("panel.sessions.details").contains("This is no session"));
-  EXPECT_FALSE(desk.story->window().actions().find("sessions.export")->isEnabled());
-}
-
 TEST(SessionStory, ClosingTheWindowEndsTheRecordingInOrder) {
   Desk desk;
   ASSERT_TRUE(desk.record(true));
@@ -407,48 +209,6 @@ TEST(SessionStory, ClosingTheWindowEndsTheRecordingInOrder) {
   ASSERT_TRUE(entry.isClosed());
   EXPECT_EQ(entry.info.end->reason, record::EndReason::ProgramEnded);
   EXPECT_EQ(entry.info.ticks, 700);
-}
-
-TEST(SessionStory, ReplayIsOfferedOnceSomebodyListens) {
-  Desk desk;
-  const QString path = desk.session(200);
-  ASSERT_TRUE(desk.choose(path));
-  auto* panel = desk.story->find<SessionsPanel>("panel.sessions");
-  QString asked;
-  QObject::connect(panel, &SessionsPanel::replayRequested, panel, [&asked](const QString& wanted) { asked = wanted; });
-  ASSERT_TRUE(desk.story->find("panel.sessions.replay")->isVisible());
-  desk.story->click(desk.story->find("panel.sessions.replay"));
-  EXPECT_EQ(asked, path);
-}
-
-TEST(SessionStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWhereItFails) {
-  Desk desk;
-  const QString path = desk.session(200);
-  ASSERT_TRUE(desk.choose(path));
-  QDir(desk.folder.path()).mkpath("data/python/underact");
-  QFile package(desk.file("data/python/underact/__main__.py"));  // in place of the one that comes with the program
-  ASSERT_TRUE(package.open(QIODevice::WriteOnly));
-  package.write(
-      "import sys\n"
-      "command, session, kind, which, out, path = sys.argv[1:]\n"
-      "assert (command, kind, which, out) == ('plot', '--kind', 'all', '--out')\n"
-      "if path.endswith('bad.pdf'): print('Reading.\\nThe session holds no ticks.', file=sys.stderr); sys.exit(1)\n"
-      "open(path, 'wb').write(b'%PDF' + open(session, 'rb').read(4))\n");
-  package.close();
-  const QByteArray before = qgetenv("UNDERACT_DATA_DIR");
-  qputenv("UNDERACT_DATA_DIR", desk.file("data").toUtf8());
-  ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("plots.pdf")));
-  EXPECT_TRUE(desk.story->find("panel.sessions.cancel")->isVisible());
-  EXPECT_FALSE(desk.story->perform("sessions.export", desk.file("meanwhile.csv")));
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return desk.text("panel.sessions.told") == "The plots are in plots.pdf"; }, kLong_ms));
-  EXPECT_TRUE(QFile::exists(desk.file("plots.pdf")));
-  ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("bad.pdf")));
-  EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return desk.text("panel.sessions.told") == "The plots were not drawn. The session holds no ticks."; },
-      kLong_ms))
-      << desk.text("panel.sessions.told").toStdString();
-  qputenv("UNDERACT_DATA_DIR", before);
 }
 
 TEST(SessionStory, TheServoThreadRecordsInRealTimeAndTheWindowStaysQuick) {
@@ -501,32 +261,6 @@ TEST(SessionStory, ARestartOfTheServoIsPartOfTheRecording) {
   ASSERT_TRUE(desk.story->window().actions().find("session.record")->isChecked());
   ASSERT_TRUE(desk.record(false));
   EXPECT_EQ(readSessionEntry(desk.file(desk.files().first())).info.ticks, 1000);
-}
-
-TEST(SessionStory, AFolderOfManySessionsIsReadWhileTheWindowGoesOn) {
-  constexpr int kMany = 400;
-  Desk desk;
-  const QString one = unclosed(desk.folder.path(), "one.h5");
-  ASSERT_TRUE(QDir().mkpath(desk.file("many")));
-  for (int number = 0; number < kMany; ++number) {
-    std::filesystem::create_hard_link(one.toStdString(), desk.file(QString("many/%1.h5").arg(number)).toStdString());
-  }
-  qint64 longest_ms = 0;
-  QElapsedTimer since;
-  QTimer beat;
-  QObject::connect(&beat, &QTimer::timeout, [&] { longest_ms = std::max(longest_ms, since.restart()); });
-  since.start();
-  beat.start(1);
-  QElapsedTimer took;
-  took.start();
-  ASSERT_TRUE(desk.story->perform("sessions.folder", desk.file("many")));
-  ASSERT_TRUE(desk.listed(kMany));
-  RecordProperty("read_ms", static_cast<int>(took.elapsed()));
-  since.restart();
-  desk.fill("panel.sessions.search", "killed sphere");
-  EXPECT_EQ(desk.shown(), kMany);
-  RecordProperty("longest_ms", static_cast<int>(longest_ms));
-  EXPECT_LT(longest_ms, 500);  // a tenth of it where nothing else runs
 }
 
 // To be looked at by people: build/.../pictures/window_sessions_*.png.

@@ -1,7 +1,7 @@
-// How the list of sessions words one of them.
+#include "app/gui/sessions/session_lines.h"
+
 #include <QFileInfo>
 
-#include "app/gui/sessions/session_list.h"
 #include "app/gui/sessions/session_words.h"
 
 namespace underact::gui {

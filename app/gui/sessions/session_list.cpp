@@ -7,8 +7,10 @@
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/gui/kinematics/number_table.h"
+#include "app/gui/sessions/session_lines.h"
 
 namespace underact::gui {
 namespace {
@@ -106,7 +108,8 @@ bool SessionList::eventFilter(QObject* watched, QEvent* event) {
 
 void SessionList::rebuild() {
   const QListWidgetItem* current = list_->currentItem();
-  const QString kept = current == nullptr ? QString() : current->data(kPath).toString();
+  QString kept = current == nullptr ? QString() : current->data(kPath).toString();
+  if (index_.find(wanted_) != nullptr) kept = std::exchange(wanted_, {});
   {
     const QSignalBlocker silent(list_);
     list_->clear();

@@ -25,7 +25,8 @@ class SessionList : public QWidget {
   const SessionEntry* chosen() const;
   /// Chooses a session by its path. false: it is not in the list, or is not there yet.
   bool choose(const QString& path);
-  const SessionIndex& index() const { return index_; }
+  /// Chooses it as soon as it is in the list.
+  void chooseLater(const QString& path) { wanted_ = path; }
 
  signals:
   void chosenChanged();
@@ -43,17 +44,11 @@ class SessionList : public QWidget {
   void say(int shown);
 
   SessionIndex index_;
-  QString folder_;
+  QString folder_, wanted_;
   QLineEdit* search_;
   QLabel* count_;
   QListWidget* list_;
   QLabel* details_;
 };
-
-/// Two lines: what it is called; when, how long, how large, of whom, and whether it was closed.
-QString linesOf(const SessionEntry& entry);
-
-/// All that is worth knowing of it.
-QString detailsOf(const SessionEntry& entry);
 
 }  // namespace underact::gui

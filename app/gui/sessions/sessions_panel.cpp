@@ -40,8 +40,9 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   // What a button of the stylus asks for is done when the ticks of this frame are all seen.
   connect(buttons_, &ButtonsSection::pressed, this, &SessionsPanel::press, Qt::QueuedConnection);
   connect(recording_, &Recording::changed, this, &SessionsPanel::presentRecording);
-  connect(recording_, &Recording::ended, this, [this] {
+  connect(recording_, &Recording::ended, this, [this](const QString& path) {
     list_->setBusy({});
+    list_->chooseLater(path);
     if (!recording_->notice().isEmpty()) openDock();  // where it stands why
     if (seen_) list_->refresh();
   });

@@ -1,23 +1,16 @@
 #pragma once
-#include <memory>
-
 #include "app/gui/panel.h"
-#include "app/gui/sessions/background.h"
-#include "app/gui/sessions/csv_export.h"
 
 class QMenu;
 class QPushButton;
-class QVBoxLayout;
 
 namespace underact::gui {
 
 class ButtonsSection;
 class JobStrip;
-class PlotsRun;
 class Recording;
 class RecordSection;
 class SessionList;
-struct SessionEntry;
 enum class ButtonUse;
 
 /// Recording, and what was recorded: begin and end, marks, words; find a session, export it, make it whole.
