@@ -38,6 +38,7 @@ SessionList::SessionList(QWidget* tools, QWidget* parent)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
+  list_->setUniformItemSizes(true);  // two lines each: a long list is laid out at once
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setMinimumHeight(kLinesOfList * fontMetrics().lineSpacing());
   list_->installEventFilter(this);
