@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -153,7 +154,9 @@ TEST(SessionStory, AFullDiskEndsTheRecordingInOrderAndSaysWhatToDo) {
   Desk desk({{"recording/keep_free_MB", 1'000'000'000}});  // more than any disk has
   desk.story->perform("session.start");
   desk.story->run(500);
-  desk.story->perform("dock.scenes", true);  // the panel is behind another
+  desk.story->find<QDockWidget>("dock.scenes")->raise();
+  desk.story->settle();
+  ASSERT_TRUE(desk.story->find("panel.sessions")->visibleRegion().isEmpty());
   ASSERT_TRUE(desk.record(true));
   desk.story->run(500);
   const QAction* record = desk.story->window().actions().find("session.record");
@@ -161,6 +164,7 @@ TEST(SessionStory, AFullDiskEndsTheRecordingInOrderAndSaysWhatToDo) {
   EXPECT_TRUE(desk.text("panel.sessions.notice").contains("record into another folder"))
       << desk.text("panel.sessions.notice").toStdString();
   EXPECT_EQ(desk.text("status.recording"), "not recording");
+  desk.story->settle();
   EXPECT_FALSE(desk.story->find("panel.sessions")->visibleRegion().isEmpty());
   desk.story->run(200);
   EXPECT_EQ(desk.story->snapshot().mode, servo::Mode::Running);
@@ -307,9 +311,7 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     page.setFont(no_text);
     page.setPalette(paletteOf(theme));
     Actions actions(&page);
-    for (const char* name : {"session.hold_to_run", "dock.sessions"}) {
-      actions.add({name, name, {}, name, {}, {}, true}, [](const QVariantList&) { return true; });
-    }
+    actions.add({"session.hold_to_run", "hold", {}, "hold", {}, {}, true}, [](const QVariantList&) { return true; });
     Document document(story.host());
     RecentFiles recent;
     auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), nullptr}, &page);

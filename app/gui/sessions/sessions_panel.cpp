@@ -1,6 +1,7 @@
 #include "app/gui/sessions/sessions_panel.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QMetaMethod>
@@ -83,7 +84,10 @@ void SessionsPanel::addRecordActions() {
 }
 
 void SessionsPanel::openDock() {
-  parts_.actions.perform("dock.sessions", true);
+  auto* dock = qobject_cast<QDockWidget*>(parentWidget());
+  if (dock == nullptr) return;
+  dock->show();  // closed, or behind another panel
+  dock->raise();
 }
 
 void SessionsPanel::add(const servo::TickRecord& record) {
