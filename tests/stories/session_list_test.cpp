@@ -146,7 +146,8 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
       "command, session, kind, which, out, path = sys.argv[1:]\n"
       "assert (command, kind, which, out) == ('plot', '--kind', 'all', '--out')\n"
       "if path.endswith('bad.pdf'): print('Reading.\\nThe session holds no ticks.', file=sys.stderr); sys.exit(1)\n"
-      "open(path, 'wb').write(b'%PDF' + open(session, 'rb').read(4))\n");
+      "for kind in 'error', 'force':\n"
+      "    open(path[:-4] + '_' + kind + '.pdf', 'wb').write(b'%PDF' + open(session, 'rb').read(4))\n");
   package.close();
   const QByteArray before = qgetenv("UNDERACT_DATA_DIR");
   qputenv("UNDERACT_DATA_DIR", desk.file("data").toUtf8());
@@ -154,8 +155,8 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
   EXPECT_TRUE(desk.story->find("panel.sessions.cancel")->isVisible());
   EXPECT_FALSE(desk.story->perform("sessions.export", desk.file("meanwhile.csv")));
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return desk.text("panel.sessions.told") == "The plots are in plots.pdf"; }, kLong_ms));
-  EXPECT_TRUE(QFile::exists(desk.file("plots.pdf")));
+      QTest::qWaitFor([&] { return desk.text("panel.sessions.told") == "2 plots are drawn: plots_*.pdf"; }, kLong_ms));
+  EXPECT_TRUE(QFile::exists(desk.file("plots_error.pdf")));
   ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("bad.pdf")));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return desk.text("panel.sessions.told") == "The plots were not drawn. The session holds no ticks."; },

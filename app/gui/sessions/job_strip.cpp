@@ -40,7 +40,7 @@ JobStrip::JobStrip(QWidget* parent)
   bar_->setAccessibleName(tr("Progress"));
   cancel_->setObjectName("panel.sessions.cancel");
   cancel_->setAccessibleName(tr("Cancel the work on the session"));
-  cancel_->setToolTip(tr("Ends the work; no file is left of it."));
+  cancel_->setToolTip(tr("Ends the work."));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(4);

@@ -17,6 +17,12 @@ QString interpreter() {
   return QFileInfo(debian).isExecutable() ? debian : QStringLiteral("python3");
 }
 
+/// "trial_*.pdf"
+QString patternOf(const QString& out) {
+  const QFileInfo file(out);
+  return file.completeBaseName() + "_*." + file.suffix();
+}
+
 }  // namespace
 
 QString pythonFolder() {
@@ -39,9 +45,9 @@ PlotsRun::PlotsRun(const QString& session, const QString& out, QObject* parent)
   process_.setStandardOutputFile(QProcess::nullDevice());
   connect(&process_, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
     if (cancelled_)
-      emit finished(false, tr("Cancelled: no plots were drawn."));
-    else if (status == QProcess::NormalExit && code == 0 && QFileInfo::exists(out_))
-      emit finished(true, tr("The plots are in %1").arg(QFileInfo(out_).fileName()));
+      emit finished(false, tr("Cancelled: the plots are not all drawn."));
+    else if (status == QProcess::NormalExit && code == 0 && drawn() > 0)
+      emit finished(true, tr("%1 plots are drawn: %2").arg(drawn()).arg(patternOf(out_)));
     else
       emit finished(false, whyNot());
   });
@@ -64,12 +70,21 @@ void PlotsRun::begin() {
         false, tr("The Python package that draws plots was not found beside the program. Install the program whole."));
     return;
   }
+  began_ = QDateTime::currentDateTime().addSecs(-1);  // some file systems keep whole seconds
   process_.start(interpreter(), {"-m", "underact", "plot", session_, "--kind", "all", "--out", out_});
 }
 
 void PlotsRun::cancel() {
   cancelled_ = true;
   process_.kill();
+}
+
+int PlotsRun::drawn() const {
+  int files = 0;
+  for (const QFileInfo& file : QFileInfo(out_).dir().entryInfoList({patternOf(out_)}, QDir::Files)) {
+    if (file.lastModified() >= began_) ++files;
+  }
+  return files;
 }
 
 /// The last thing that it said: above it stands where it happened, which is for its makers.

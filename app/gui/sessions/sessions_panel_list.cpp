@@ -43,7 +43,7 @@ void SessionsPanel::addListActions() {
         chooseFile(tr("Export the session as CSV"), "csv", "sessions.export");
         return true;
       });
-  add("sessions.plots", tr("&Plots as PDF…"), "Ctrl+Shift+P", tr("Draws all plots of the chosen session into a file."),
+  add("sessions.plots", tr("&Plots as PDF…"), "Ctrl+Shift+P", tr("Draws all plots of the chosen session, a file each."),
       [this](const QVariantList& path) {
         if (!path.isEmpty()) return plotTo(path.first().toString());
         chooseFile(tr("Save the plots"), "pdf", "sessions.plots");
