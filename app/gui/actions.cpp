@@ -17,10 +17,10 @@ QAction* Actions::add(const ActionInfo& info, Run run) {
   action->setToolTip(keys.isEmpty() ? info.tip : tr("%1 (%2)").arg(info.tip, keys));
   action->setIconText(info.button.isEmpty() ? QString(info.text).remove('&') : info.button);
   action->setCheckable(info.checkable);
-  connect(action, &QAction::triggered, this, [run, action] {
+  connect(action, &QAction::triggered, this, [run, action](bool on) {
     // Refused? The check mark says what holds, not what was asked for.
-    if (!run(action->isCheckable() ? QVariantList{action->isChecked()} : QVariantList{}) && action->isCheckable()) {
-      action->setChecked(!action->isChecked());
+    if (!run(action->isCheckable() ? QVariantList{on} : QVariantList{}) && action->isCheckable()) {
+      action->setChecked(!on);
     }
   });
   window_->addAction(action);  // so that its shortcut works wherever the focus is

@@ -50,6 +50,14 @@ void drawStop(QPainter& painter, const Theme& theme) {
   painter.setBrush(alarm(theme));
   painter.drawRoundedRect(QRectF(5, 5, 14, 14), 2, 2);
 }
+// A ring in the ink and a red dot: told from Stop by its shape.
+void drawRecord(QPainter& painter, const Theme& theme) {
+  painter.setPen(ink(theme));
+  painter.drawEllipse(QPointF(12, 12), 8.5, 8.5);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(alarm(theme));
+  painter.drawEllipse(QPointF(12, 12), 5, 5);
+}
 void drawFit(QPainter& painter, const Theme& theme) {
   painter.setPen(ink(theme));
   for (const int turn : {0, 90, 180, 270}) {
@@ -198,30 +206,14 @@ void drawUnderact(QPainter& painter, const Theme& theme) {
 }
 
 const QHash<QString, Draw>& drawings() {
-  static const QHash<QString, Draw> kAll{{"start", drawStart},
-                                         {"stop", drawStop},
-                                         {"fit", drawFit},
-                                         {"front", drawFront},
-                                         {"top", drawTop},
-                                         {"side", drawSide},
-                                         {"isometric", drawIsometric},
-                                         {"layers", drawLayers},
-                                         {"help", drawHelp},
-                                         {"open", drawOpen},
-                                         {"save", drawSave},
-                                         {"undo", drawUndo},
-                                         {"redo", drawRedo},
-                                         {"reset", drawReset},
-                                         {"file", drawFile},
-                                         {"point", drawPoint},
-                                         {"sphere", drawSphere},
-                                         {"line", drawLine},
-                                         {"plane", drawPlane},
-                                         {"circle", drawCircle},
-                                         {"cylinder", drawCylinder},
-                                         {"box", drawBox},
-                                         {"virtual_manipulator", drawRobot},
-                                         {"underact", drawUnderact}};
+  static const QHash<QString, Draw> kAll{
+      {"start", drawStart},      {"stop", drawStop},         {"record", drawRecord}, {"fit", drawFit},
+      {"front", drawFront},      {"top", drawTop},           {"side", drawSide},     {"isometric", drawIsometric},
+      {"layers", drawLayers},    {"help", drawHelp},         {"open", drawOpen},     {"save", drawSave},
+      {"undo", drawUndo},        {"redo", drawRedo},         {"reset", drawReset},   {"file", drawFile},
+      {"point", drawPoint},      {"sphere", drawSphere},     {"line", drawLine},     {"plane", drawPlane},
+      {"circle", drawCircle},    {"cylinder", drawCylinder}, {"box", drawBox},       {"virtual_manipulator", drawRobot},
+      {"underact", drawUnderact}};
   return kAll;
 }
 

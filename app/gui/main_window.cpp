@@ -20,6 +20,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/style.h"
 #include "core/arm/preset.h"
@@ -116,6 +117,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  static_cast<SessionsPanel*>(panels_["sessions"])->finish();
   parts_.host.stop();
   actions_->perform("calibration.cancel");  // the scene's own stiffness, before anybody else looks
   remember();

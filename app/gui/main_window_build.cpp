@@ -18,6 +18,7 @@
 #include "app/gui/plots_panel.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/stop_key.h"
 #include "app/gui/stylus_key.h"
@@ -26,7 +27,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 4;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 5;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
@@ -196,6 +197,7 @@ void MainWindow::buildDocks() {
     docks_.insert(row.key, dock);
     panels_.insert(row.key, panel);
   }
+  connect(static_cast<SessionsPanel*>(panels_["sessions"]), &SessionsPanel::told, status_, &StatusLine::setRecording);
   for (QLineEdit* line : findChildren<QLineEdit*>()) line->setAcceptDrops(false);  // a scene is dropped on the window
 }
 

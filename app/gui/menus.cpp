@@ -46,6 +46,16 @@ void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
   }
 }
 
+// A clock that runs moves nothing beside it.
+void keepWidth(QToolBar* bar, QAction* action) {
+  QWidget* button = bar->widgetForAction(action);
+  QFont bold = button->font();
+  bold.setWeight(QFont::DemiBold);
+  const QFontMetrics metrics(bold);
+  const int margins = bar->iconSize().width() + 2 * metrics.averageCharWidth() + 28;
+  button->setMinimumWidth(metrics.horizontalAdvance(action->iconText()) + margins);
+}
+
 QStringList layerNames() {
   return {"layer.workspace",        "layer.triads",          "layer.arm", "layer.target",      "layer.force",
           "layer.influence",        "layer.robot",           "-",         "layer.link_frames", "layer.ghosts",
@@ -69,6 +79,9 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
        {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
         "calibration.left", "calibration.right"});
+  fill(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
+       {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.show",
+        "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fill(view, actions,
        {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",
@@ -102,6 +115,9 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   };
   button("session.start", "start");
   button("session.stop", "stop");
+  bar->addSeparator();
+  button("session.record", "record");
+  keepWidth(bar, actions.find("session.record"));
   bar->addSeparator();
   bar->addWidget(new QLabel(tr("View"), bar));
   for (const char* name : {"view.fit", "view.front", "view.top", "view.side"}) button(name, "");

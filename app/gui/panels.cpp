@@ -11,6 +11,7 @@
 #include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
 #include "app/gui/servo_panel.h"
+#include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/shape_panel.h"
 #include "app/gui/step/step_panel.h"
 
@@ -25,7 +26,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 10> kRows{{
+  static const std::array<PanelRow, 11> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -55,6 +56,8 @@ std::span<const PanelRow> panels() {
                          "How the tip follows a target that jumps: rise, settling, overshoot, poles, and the "
                          "arm measured beside the model."),
        make<StepPanel>, "scenes"},
+      {"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+N",
+       QT_TRANSLATE_NOOP("panel", "Record, mark, and find what was recorded."), make<SessionsPanel>, "scenes"},
   }};
   return kRows;
 }

@@ -1,5 +1,6 @@
 #include "app/gui/status_line.h"
 
+#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <cmath>
@@ -54,6 +55,8 @@ StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
   presentScheduling();
   force_ = field("status.force", tr("Force"), tr("The force sent to the arm, and the most that it is ever sent."),
                  tr("force 0.00 / 0.00 N"));
+  recording_ = field("status.recording", tr("Recording"), {}, {});
+  recording_->hide();
   tip_ = new QLabel(this);
   tip_->setObjectName("status.tip");
   tip_->setAccessibleName(tr("Hint"));
@@ -124,6 +127,19 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
 void StatusLine::setFault(const QString& sentence) {
   mode_->setToolTip(sentence.isEmpty() ? tr("What the servo does.") : sentence);
   setAccessibleDescription(sentence);
+}
+
+void StatusLine::setRecording(const QString& words, const QString& tip, bool needs_a_look) {
+  recording_->setVisible(!words.isEmpty());
+  recording_->setToolTip(tip);
+  if (recording_->text() == words) return;
+  recording_->setText(words);
+  recording_->setAccessibleDescription(tip);
+  recording_->setProperty("role", needs_a_look ? "amber-text" : "");
+  recording_->setStyleSheet(recording_->styleSheet());
+  if (!needs_a_look || words.isEmpty()) return;
+  QAccessibleEvent alert(recording_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 void StatusLine::setTip(const QString& tip) {

@@ -19,6 +19,8 @@ class StatusLine : public QWidget {
   void setTip(const QString& tip);
   /// The sentence of the fault that stopped the servo; empty: none.
   void setFault(const QString& sentence);
+  /// What is being recorded; empty: nothing is. needs_a_look: it should be seen to; tip: why.
+  void setRecording(const QString& words, const QString& tip, bool needs_a_look);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
 
  private:
@@ -29,7 +31,7 @@ class StatusLine : public QWidget {
 
   servo::Host& host_;
   double force_limit_N_;
-  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *tip_;
+  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *recording_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
 };

@@ -33,6 +33,7 @@ QToolBar QToolButton[role="start"] { border: 1px solid %line; }
 QToolBar QToolButton[role="start"]:focus { border-color: %blue; }
 QToolBar QToolButton[role="stop"] { border: 2px solid %red; padding: 5px 22px; }
 QToolBar QToolButton[role="stop"]:hover { background: %redground; }
+QToolBar QToolButton[role="record"]:checked { background: %redground; border-color: %red; font-weight: 600; }
 QToolBar QToolButton[role="menu"] { padding-right: 22px; }
 QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 6px; }
 QToolBar QLabel { color: %quiet; padding: 0 4px; }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QLocale>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -14,6 +15,12 @@ int main(int argc, char** argv) {
   QTemporaryDir settings;
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   qputenv("XDG_DATA_HOME", settings.path().toUtf8());  // faults are kept there
+  // Recordings go among the documents, unless a story says where.
+  QFile folders(settings.filePath("user-dirs.dirs"));
+  if (folders.open(QIODevice::WriteOnly)) {
+    folders.write("XDG_DOCUMENTS_DIR=\"" + settings.filePath("documents").toUtf8() + "\"\n");
+    folders.close();
+  }
   qputenv("UNDERACT_DATA_DIR", UNDERACT_SOURCE);
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   QSurfaceFormat format;

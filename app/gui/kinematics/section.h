@@ -1,6 +1,7 @@
 #pragma once
 #include <QWidget>
 
+class QToolButton;
 class QVBoxLayout;
 
 namespace underact::gui {
@@ -14,8 +15,10 @@ class Section : public QWidget {
           const QString& panel = QStringLiteral("kinematics"));
   QVBoxLayout& column() { return *column_; }
   bool isOpen() const { return !content_->isHidden(); }
+  void setOpen(bool open);
 
  private:
+  QToolButton* fold_;
   QWidget* content_;
   QVBoxLayout* column_;
 };

@@ -1,0 +1,119 @@
+#include "app/gui/sessions/job_strip.h"
+
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+
+#include "app/gui/sessions/plots_run.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookEvery_ms = 50;
+constexpr int kSteps = 1000;  // of the bar
+
+QString sentenceOf(const CsvExport& done, const QString& out) {
+  if (done.cancelled) return QObject::tr("Cancelled: no file was written.");
+  if (!done.problems.empty()) return QObject::tr("Not exported. %1").arg(sentencesOf(done.problems));
+  const QString whole = QObject::tr("%1 ticks are in %2").arg(done.rows).arg(QFileInfo(out).fileName());
+  return done.missing == 0
+             ? whole
+             : QObject::tr("%1. %2 more are damaged in the session and were left out.").arg(whole).arg(done.missing);
+}
+
+}  // namespace
+
+JobStrip::JobStrip(QWidget* parent)
+    : QWidget(parent),
+      told_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  told_->setObjectName("panel.sessions.told");
+  told_->setAccessibleName(tr("What came of it"));
+  told_->setWordWrap(true);
+  told_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  bar_->setObjectName("panel.sessions.progress");
+  bar_->setAccessibleName(tr("Progress"));
+  cancel_->setObjectName("panel.sessions.cancel");
+  cancel_->setAccessibleName(tr("Cancel the work on the session"));
+  cancel_->setToolTip(tr("Ends the work."));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  grid->addWidget(told_, 0, 0, 1, 2);
+  grid->addWidget(bar_, 1, 0);
+  grid->addWidget(cancel_, 1, 1);
+  grid->setColumnStretch(0, 1);
+  for (QWidget* widget : {static_cast<QWidget*>(told_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
+    widget->hide();
+  looks_.setInterval(kLookEvery_ms);
+  connect(&looks_, &QTimer::timeout, this, &JobStrip::look);
+  connect(cancel_, &QPushButton::clicked, this, &JobStrip::cancel);
+}
+
+JobStrip::~JobStrip() = default;
+
+bool JobStrip::beginCsv(const QString& session, const QString& out) {
+  if (isBusy()) return false;
+  out_ = out;
+  begin(tr("Exporting %1").arg(QFileInfo(session).fileName()), kSteps);
+  csv_ = std::make_unique<Background<CsvExport>>(
+      [from = session.toStdString(), to = out.toStdString()](WorkState& state) { return exportCsv(from, to, state); });
+  looks_.start();
+  return true;
+}
+
+bool JobStrip::beginPlots(const QString& session, const QString& out) {
+  if (isBusy()) return false;
+  begin(tr("Drawing the plots of %1").arg(QFileInfo(session).fileName()), 0);  // nobody knows how far it is
+  plots_ = new PlotsRun(session, out, this);
+  connect(plots_, &PlotsRun::finished, this, [this](bool done, const QString& sentence) {
+    plots_->deleteLater();
+    plots_ = nullptr;
+    end(sentence, !done);
+  });
+  plots_->begin();
+  return true;
+}
+
+void JobStrip::cancel() {
+  if (csv_ != nullptr) csv_->cancel();
+  if (plots_ != nullptr) plots_->cancel();
+}
+
+void JobStrip::begin(const QString& sentence, int most) {
+  say(sentence, false);
+  bar_->setRange(0, most);
+  bar_->setValue(0);
+  bar_->show();
+  cancel_->show();
+}
+
+void JobStrip::look() {
+  bar_->setValue(static_cast<int>(csv_->share() * bar_->maximum()));
+  const std::optional<CsvExport> done = csv_->take();
+  if (!done) return;
+  looks_.stop();
+  csv_.reset();
+  end(sentenceOf(*done, out_), !done->problems.empty());
+}
+
+void JobStrip::end(const QString& sentence, bool alarm) {
+  bar_->hide();
+  cancel_->hide();
+  say(sentence, alarm);
+  emit ended();
+}
+
+void JobStrip::say(const QString& sentence, bool alarm) {
+  told_->setText(sentence);
+  told_->setProperty("role", alarm ? "alarm" : "quiet");
+  told_->style()->polish(told_);
+  told_->setVisible(!sentence.isEmpty());
+}
+
+}  // namespace underact::gui

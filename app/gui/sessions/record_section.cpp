@@ -1,0 +1,147 @@
+#include "app/gui/sessions/record_section.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/gui/actions.h"
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kinematics/section.h"
+#include "app/gui/readout.h"
+#include "app/gui/sessions/recording.h"
+#include "app/gui/sessions/session_words.h"
+#include "app/gui/sessions/words_form.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+enum Row { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
+
+/// What is worth a word while it records: what is lost, and what will soon be.
+QString warningOf(const record::RecorderStatus& status, bool runs) {
+  QStringList lines;
+  if (status.dropped > 0)
+    lines << QObject::tr("%1 ticks are missing: the machine was too busy to write them. The servo went on.")
+                 .arg(status.dropped);
+  if (runs && isDiskLow(status))
+    lines << (status.disk_left_s > 0.0
+                  ? QObject::tr("The disk is nearly full: room for %1 more at this pace. Free some space; else the "
+                                "recording ends in order.")
+                        .arg(spanText(status.disk_left_s))
+                  : QObject::tr("The disk is nearly full: %1 are left. Free some space; else the recording ends in "
+                                "order.")
+                        .arg(bytesText(status.disk_left_bytes)));
+  return lines.join('\n');
+}
+
+}  // namespace
+
+RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* parent)
+    : QWidget(parent),
+      recording_(recording),
+      actions_(actions),
+      record_(new QPushButton(this)),
+      mark_(new QPushButton(tr("&Mark"), this)),
+      label_(new QLineEdit(this)),
+      place_(quietLabel("panel.sessions.place", {}, this)),
+      notice_(new QLabel(this)),
+      readout_(new Readout("panel.sessions.status", this)),
+      words_(new WordsForm("panel.sessions.", this)) {
+  record_->setObjectName("panel.sessions.record");
+  record_->setToolTip(actions_.find("session.record")->toolTip());
+  notice_->setObjectName("panel.sessions.notice");
+  notice_->setAccessibleName(tr("What became of the recording"));
+  notice_->setWordWrap(true);
+  notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  readout_->addRow(tr("Time"), tr("From the recording's first tick to its last."));
+  readout_->addRow(tr("Size"), tr("Of the file."));
+  readout_->addRow(tr("Ticks"), tr("That are in the file; and those that found no room, if there are any."));
+  readout_->addRow(tr("Markers"), tr("Set by key M, the button or the stylus."));
+  readout_->addRow(tr("Disk left"), tr("What the disk still takes; the recording ends in order before it is full."));
+  readout_->addRow(tr("Enough for"), tr("How long that lasts at this recording's pace."));
+  readout_->set(kTicks, tr("%1, %2 missing").arg(99'999'999).arg(9'999));
+  auto* section = new Section("words", tr("Words"), tr("What the file says of the session; they can be changed later."),
+                              this, "sessions");
+  section->column().addWidget(words_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(record_);
+  column->addWidget(buildMark());
+  column->addWidget(notice_);
+  column->addWidget(readout_);
+  column->addWidget(place_);
+  column->addWidget(section);
+  words_->setWords(recording_.words());
+  connect(record_, &QPushButton::clicked, this, [this] { actions_.perform("session.record"); });
+  connect(words_, &WordsForm::edited, this, [this] { recording_.setWords(words_->words()); });
+  connect(&recording_, &Recording::changed, this, &RecordSection::present);
+}
+
+QWidget* RecordSection::buildMark() {
+  auto* strip = new QWidget(this);
+  auto* row = new QHBoxLayout(strip);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  mark_->setObjectName("panel.sessions.mark");
+  mark_->setAccessibleName(tr("Set a marker"));
+  mark_->setToolTip(actions_.find("session.mark")->toolTip());
+  label_->setObjectName("panel.sessions.mark_label");
+  label_->setAccessibleName(tr("What the next marker says"));
+  label_->setToolTip(tr("What the next marker says; Enter sets it."));
+  label_->setPlaceholderText(tr("Label"));
+  row->addWidget(label_, 1);
+  row->addWidget(mark_);
+  connect(mark_, &QPushButton::clicked, this, [this] { actions_.perform("session.mark"); });
+  connect(label_, &QLineEdit::returnPressed, this, [this] { actions_.perform("session.mark"); });
+  return strip;
+}
+
+QString RecordSection::takeLabel() {
+  QString label = label_->text();
+  label_->clear();
+  return label;
+}
+
+void RecordSection::present() {
+  const bool runs = recording_.isRunning();
+  const record::RecorderStatus& status = recording_.status();
+  record_->setText(runs ? tr("Stop &recording") : tr("&Record"));
+  record_->setAccessibleName(runs ? tr("Stop recording") : tr("Record"));
+  mark_->setEnabled(runs);
+  if (was_running_ && !runs) words_->setWords(recording_.words());  // what was about that one is gone
+  was_running_ = runs;
+  const bool any = runs || !recording_.path().isEmpty();
+  readout_->setVisible(any);
+  place_->setVisible(any);
+  const QString warning = warningOf(status, runs);
+  const bool alarming = !runs && !recording_.notice().isEmpty();
+  const QString said = alarming ? recording_.notice() : warning;
+  notice_->setText(said);
+  notice_->setVisible(!said.isEmpty());
+  const char* role = alarming ? "alarm" : "amber";
+  if (notice_->property("role") != role) {
+    notice_->setProperty("role", role);
+    notice_->style()->polish(notice_);
+  }
+  if (!any) return;
+  readout_->set(kTime, clockText(status.duration_s));
+  readout_->set(kSize, bytesText(status.bytes));
+  readout_->set(kTicks, status.dropped == 0 ? QString::number(status.ticks)
+                                            : tr("%1, %2 missing").arg(status.ticks).arg(status.dropped));
+  readout_->set(kMarks, QString::number(recording_.marks()));
+  readout_->set(kDisk, status.disk_left_bytes > 0 ? bytesText(status.disk_left_bytes) : QChar(0x2013));
+  readout_->set(kLasts, status.disk_left_s > 0.0 ? spanText(status.disk_left_s) : QChar(0x2013));
+  const QString file = QFileInfo(recording_.path()).fileName().replace('_', QString("_") + QChar(0x200B));  // may break
+  place_->setText(runs ? tr("Recording into %1").arg(file) : tr("Recorded into %1").arg(file));
+  place_->setToolTip(recording_.path());
+}
+
+}  // namespace underact::gui

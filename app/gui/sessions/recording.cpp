@@ -1,0 +1,119 @@
+#include "app/gui/sessions/recording.h"
+
+#include <QSettings>
+#include <algorithm>
+#include <tuple>
+
+#include "app/gui/sessions/session_place.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookEvery_ms = 250;
+constexpr qint64 kMegabyte = 1'000'000;
+constexpr const char* kFolder = "recording/folder";
+constexpr const char* kTags = "recording/tags";
+constexpr const char* kSubject = "recording/subject";
+constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; with less left a recording ends in order
+
+bool isSame(const record::SessionWords& a, const record::SessionWords& b) {
+  return std::tie(a.name, a.notes, a.tags, a.subject) == std::tie(b.name, b.notes, b.tags, b.subject);
+}
+
+}  // namespace
+
+Recording::Recording(servo::Host& host, QObject* parent) : QObject(parent), host_(host) {
+  const QSettings stored;
+  folder_ = stored.value(kFolder, usualSessionFolder()).toString();
+  words_.tags = stored.value(kTags).toString().toStdString();
+  words_.subject = stored.value(kSubject).toString().toStdString();
+  if (stored.contains(kKeepFree))
+    options_.reserve_bytes = std::max<qint64>(0, stored.value(kKeepFree).toLongLong()) * kMegabyte;
+  looks_.setInterval(kLookEvery_ms);
+  connect(&looks_, &QTimer::timeout, this, &Recording::look);
+}
+
+Recording::~Recording() {
+  const QSignalBlocker silent(this);  // who listens may be gone
+  stop(record::EndReason::ProgramEnded);
+}
+
+bool Recording::start() {
+  if (isRunning()) return false;
+  notice_ = prepareSessionFolder(folder_);
+  if (notice_.isEmpty()) {
+    const QString path =
+        newSessionFile(folder_, QDateTime::currentDateTime(), QString::fromStdString(host_.scene().title));
+    Result<std::unique_ptr<record::Recorder>> recorder =
+        record::Recorder::start(host_, path.toStdString(), words_, options_);
+    if (recorder) {
+      recorder_ = std::move(recorder).value();
+      path_ = path;
+      written_ = words_;
+      status_ = {};
+      marks_ = 0;
+      looks_.start();
+    } else {
+      notice_ = tr("%1 Choose another folder for the recordings.").arg(sentencesOf(recorder.problems()));
+    }
+  }
+  emit changed();
+  return isRunning();
+}
+
+bool Recording::stop(record::EndReason reason) {
+  if (!isRunning()) return false;
+  looks_.stop();
+  Problems problems = recorder_->stop(reason);
+  status_ = recorder_->status();
+  recorder_.reset();
+  if (!isSame(words_, written_)) {
+    const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
+    if (!unwritten.empty() && problems.empty())
+      problems.push_back({"What was typed while it recorded is not in the file. Edit the session's words below.", {}});
+  }
+  words_.name.clear();  // they were about this one
+  words_.notes.clear();
+  remember();
+  notice_ = sentencesOf(problems);
+  emit changed();
+  emit ended(path_);
+  return true;
+}
+
+bool Recording::mark(const QString& label) {
+  if (!isRunning()) return false;
+  recorder_->mark(label.trimmed().toStdString());
+  ++marks_;
+  emit changed();
+  return true;
+}
+
+void Recording::look() {
+  status_ = recorder_->status();
+  if (status_.recording)
+    emit changed();
+  else
+    stop();
+}
+
+void Recording::setWords(const record::SessionWords& words) {
+  words_ = words;
+  remember();
+}
+
+void Recording::setFolder(const QString& folder) {
+  folder_ = folder;
+  notice_.clear();
+  QSettings().setValue(kFolder, folder);
+  emit changed();
+}
+
+void Recording::remember() const {
+  QSettings stored;
+  stored.setValue(kTags, QString::fromStdString(words_.tags));
+  stored.setValue(kSubject, QString::fromStdString(words_.subject));
+}
+
+}  // namespace underact::gui

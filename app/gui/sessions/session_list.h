@@ -1,0 +1,54 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/sessions/session_index.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+
+namespace underact::gui {
+
+/// The sessions of the folder, to be found, looked at and chosen.
+class SessionList : public QWidget {
+  Q_OBJECT
+ public:
+  /// tools: what can be done with the chosen one; it stands above the list.
+  SessionList(QWidget* tools, QWidget* parent);
+  void setFolder(const QString& folder);
+  /// Reads, at first or again, what has changed.
+  void refresh();
+  void setBusy(const QString& path) { index_.setBusy(path); }
+  void focusSearch();
+  /// The chosen session; null: none.
+  const SessionEntry* chosen() const;
+  /// Chooses a session by its path. false: it is not in the list, or is not there yet.
+  bool choose(const QString& path);
+  /// Chooses it as soon as it is in the list.
+  void chooseLater(const QString& path) { wanted_ = path; }
+
+ signals:
+  void chosenChanged();
+  void activated();  // a double click, or Enter
+  void menuAsked(const QPoint& global);
+  void deleteAsked();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void rebuild();
+  void filter();
+  void describe();
+  void say(int shown);
+
+  SessionIndex index_;
+  QString folder_, wanted_;
+  QLineEdit* search_;
+  QLabel* count_;
+  QListWidget* list_;
+  QLabel* details_;
+};
+
+}  // namespace underact::gui

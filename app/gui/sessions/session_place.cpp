@@ -1,0 +1,53 @@
+#include "app/gui/sessions/session_place.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QObject>
+#include <QStandardPaths>
+
+namespace underact::gui {
+namespace {
+
+constexpr qsizetype kLongestName = 40;  // of a scene, in a file's name
+
+/// Letters and digits, with single hyphens between: a name that every file system and shell takes.
+QString plainName(const QString& title) {
+  QString name;
+  for (const QChar letter : title.toLower()) {
+    const bool plain = (letter >= 'a' && letter <= 'z') || letter.isDigit();
+    if (plain)
+      name += letter;
+    else if (!name.isEmpty() && !name.endsWith('-'))
+      name += '-';
+  }
+  name.truncate(kLongestName);
+  while (name.endsWith('-')) name.chop(1);
+  return name.isEmpty() ? QStringLiteral("session") : name;
+}
+
+}  // namespace
+
+QString usualSessionFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Underact/sessions";
+}
+
+QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title) {
+  const QString stem = QDir(folder).filePath(when.toString("yyyy-MM-dd_HH-mm-ss_") + plainName(scene_title));
+  QString path = stem + ".h5";
+  for (int another = 2; QFileInfo::exists(path); ++another) path = QString("%1_%2.h5").arg(stem).arg(another);
+  return path;
+}
+
+QString prepareSessionFolder(const QString& folder) {
+  const QFileInfo there(folder);
+  if (there.exists() && !there.isDir())
+    return QObject::tr("%1 is a file, not a folder. Choose another folder for the recordings.").arg(folder);
+  if (!there.exists() && !QDir().mkpath(folder))
+    return QObject::tr("The folder %1 cannot be made. Choose another folder for the recordings.").arg(folder);
+  if (!QFileInfo(folder).isWritable())
+    return QObject::tr("Nothing can be written into the folder %1. Choose another folder for the recordings.")
+        .arg(folder);
+  return {};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,136 @@
+#include "app/gui/sessions/sessions_panel.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QMetaMethod>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/gui/actions.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/sessions/buttons_section.h"
+#include "app/gui/sessions/job_strip.h"
+#include "app/gui/sessions/record_section.h"
+#include "app/gui/sessions/recording.h"
+#include "app/gui/sessions/session_list.h"
+#include "app/gui/sessions/session_words.h"
+
+namespace underact::gui {
+
+SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), recording_(new Recording(parts.host, this)) {
+  addRecordActions();
+  addListActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addWidget(record_ = new RecordSection(*recording_, parts_.actions, content));
+  column->addWidget(buttons_ = new ButtonsSection(content));
+  auto* heading = new QLabel(tr("Recent sessions"), content);
+  heading->setProperty("role", "section");
+  column->addWidget(heading);
+  column->addWidget(list_ = new SessionList(buildButtons(), content), 1);
+  column->addWidget(job_ = new JobStrip(content));
+  fillWithScroll(this, content);
+  QAction* hold = parts_.actions.find("session.hold_to_run");
+  connect(hold, &QAction::toggled, buttons_, &ButtonsSection::setHoldToRun);
+  buttons_->setHoldToRun(hold->isChecked());
+  // What a button of the stylus asks for is done when the ticks of this frame are all seen.
+  connect(buttons_, &ButtonsSection::pressed, this, &SessionsPanel::press, Qt::QueuedConnection);
+  connect(recording_, &Recording::changed, this, &SessionsPanel::presentRecording);
+  connect(recording_, &Recording::ended, this, [this](const QString& path) {
+    list_->setBusy({});
+    list_->chooseLater(path);
+    if (!recording_->notice().isEmpty()) openDock();  // where it stands why
+    if (seen_) list_->refresh();
+  });
+  connect(list_, &SessionList::chosenChanged, this, &SessionsPanel::presentChosen);
+  connect(list_, &SessionList::activated, this, [this] {
+    if (list_->chosen() != nullptr) emit replayRequested(list_->chosen()->path);
+  });
+  connect(list_, &SessionList::menuAsked, this, [this](const QPoint& where) { menu_->popup(where); });
+  connect(list_, &SessionList::deleteAsked, this, [this] { parts_.actions.perform("sessions.delete"); });
+  connect(job_, &JobStrip::ended, this, &SessionsPanel::presentChosen);
+  record_->present();
+  presentRecording();
+  presentChosen();
+}
+
+SessionsPanel::~SessionsPanel() = default;
+
+void SessionsPanel::addRecordActions() {
+  parts_.actions.add({"session.record",
+                      tr("&Record"),
+                      QKeySequence("Ctrl+Shift+R"),
+                      tr("Begins a recording at once, or ends it."),
+                      "record",
+                      {},
+                      true},
+                     [this](const QVariantList& on) {
+                       if (!on.value(0).toBool()) return recording_->stop();
+                       const bool begun = recording_->start();
+                       if (!begun) openDock();  // where it stands why
+                       return begun;
+                     });
+  parts_.actions
+      .add({"session.mark", tr("Set a &marker"), QKeySequence("M"), tr("Marks this moment in the recording."), {}},
+           [this](const QVariantList& label) {
+             return recording_->mark(label.isEmpty() ? record_->takeLabel() : label.first().toString());
+           })
+      ->setEnabled(false);
+}
+
+void SessionsPanel::openDock() {
+  auto* dock = qobject_cast<QDockWidget*>(parentWidget());
+  if (dock == nullptr) return;
+  dock->show();  // closed, or behind another panel
+  dock->raise();
+}
+
+void SessionsPanel::add(const servo::TickRecord& record) {
+  buttons_->add(record);
+}
+
+void SessionsPanel::press(ButtonUse use) {
+  if (use == ButtonUse::Record) parts_.actions.perform("session.record");
+  if (use == ButtonUse::Mark) parts_.actions.perform("session.mark");
+}
+
+void SessionsPanel::finish() {
+  recording_->stop(record::EndReason::ProgramEnded);
+  job_->cancel();
+}
+
+void SessionsPanel::presentRecording() {
+  const bool runs = recording_->isRunning();
+  if (runs && !was_running_) list_->setBusy(recording_->path());
+  was_running_ = runs;
+  const record::RecorderStatus& status = recording_->status();
+  QAction* record = parts_.actions.find("session.record");
+  record->setChecked(runs);  // it may have ended by itself
+  record->setText(runs ? tr("Stop &recording") : tr("&Record"));
+  record->setIconText(tr("Record %1").arg(clockText(runs ? status.duration_s : 0.0)));
+  parts_.actions.find("session.mark")->setEnabled(runs);
+  if (!runs)
+    emit told(recording_->notice().isEmpty() ? QString() : tr("not recording"), recording_->notice(), true);
+  else if (isDiskLow(status))
+    emit told(tr("recording, disk nearly full"), tr("%1 left.").arg(diskText(status)), true);
+  else
+    emit told(status.dropped > 0 ? tr("recording, ticks missing") : tr("recording"), recording_->path(),
+              status.dropped > 0);
+}
+
+void SessionsPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  if (std::exchange(seen_, true)) return;
+  list_->setFolder(recording_->folder());
+}
+
+void SessionsPanel::connectNotify(const QMetaMethod& signal) {
+  if (signal == QMetaMethod::fromSignal(&SessionsPanel::replayRequested)) presentChosen();
+}
+
+}  // namespace underact::gui

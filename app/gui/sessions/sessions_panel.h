@@ -1,0 +1,65 @@
+#pragma once
+#include "app/gui/panel.h"
+
+class QMenu;
+class QPushButton;
+
+namespace underact::gui {
+
+class ButtonsSection;
+class JobStrip;
+class Recording;
+class RecordSection;
+class SessionList;
+enum class ButtonUse;
+
+/// Recording, and what was recorded: begin and end, marks, words; find a session, export it, make it whole.
+class SessionsPanel : public Panel {
+  Q_OBJECT
+ public:
+  SessionsPanel(const PanelParts& parts, QWidget* parent);
+  ~SessionsPanel() override;
+  void add(const servo::TickRecord& record) override;
+  /// The window closes: what is being recorded ends in order, and work on sessions is given up.
+  void finish();
+
+ signals:
+  /// Somebody wants to see it again.
+  void replayRequested(const QString& path);
+  /// For the status line: what is recorded now, why, and whether that needs a look; empty: nothing is.
+  void told(const QString& words, const QString& tip, bool needs_a_look);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void connectNotify(const QMetaMethod& signal) override;
+
+ private:
+  void addRecordActions();
+  void addListActions();
+  QWidget* buildButtons();
+  void openDock();
+  void press(ButtonUse use);
+  void presentRecording();
+  void presentChosen();
+  bool exportCsvTo(const QString& path);
+  bool plotTo(const QString& path);
+  bool recoverChosen();
+  bool editChosen();
+  bool deleteChosen(bool asked);
+  void chooseFile(const QString& title, const QString& suffix, const QString& action);
+  void chooseFolder();
+  bool setFolder(const QString& folder);
+
+  PanelParts parts_;
+  Recording* recording_;
+  RecordSection* record_ = nullptr;
+  ButtonsSection* buttons_ = nullptr;
+  SessionList* list_ = nullptr;
+  JobStrip* job_ = nullptr;
+  QPushButton *replay_ = nullptr, *export_ = nullptr, *recover_ = nullptr, *more_ = nullptr;
+  QMenu* menu_ = nullptr;
+  bool seen_ = false;  // the folder is read when somebody looks
+  bool was_running_ = false;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,54 @@
+#include "app/gui/sessions/words_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/sessions/words_form.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+
+WordsDialog::WordsDialog(const QString& path, const record::SessionWords& words, QWidget* parent)
+    : QDialog(parent), path_(path), form_(new WordsForm("dialog.words.", this)), told_(new QLabel(this)) {
+  setObjectName("dialog.words");
+  setWindowTitle(tr("Words of %1").arg(QFileInfo(path).fileName()));
+  resize(440, 280);
+  form_->setWords(words);
+  told_->setObjectName("dialog.words.told");
+  told_->setAccessibleName(tr("What went wrong"));
+  told_->setProperty("role", "alarm");
+  told_->setWordWrap(true);
+  told_->hide();
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
+  const auto nameButton = [buttons](QDialogButtonBox::StandardButton which, const char* name, const QString& spoken) {
+    QPushButton* button = buttons->button(which);
+    button->setObjectName(QString("dialog.words.") + name);
+    button->setAccessibleName(spoken);
+    button->setIcon({});
+  };
+  nameButton(QDialogButtonBox::Save, "save", tr("Save the words"));
+  nameButton(QDialogButtonBox::Cancel, "cancel", tr("Cancel"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(form_);
+  column->addWidget(told_);
+  column->addStretch(1);
+  column->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &WordsDialog::write);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void WordsDialog::write() {
+  const Problems problems = record::rewriteWords(path_.toStdString(), form_->words());
+  told_->setText(sentencesOf(problems));
+  told_->setVisible(!problems.empty());
+  if (!problems.empty()) return;
+  emit written();
+  accept();
+}
+
+}  // namespace underact::gui

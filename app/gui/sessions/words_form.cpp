@@ -1,0 +1,64 @@
+#include "app/gui/sessions/words_form.h"
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+
+#include "app/gui/kinematics/number_table.h"
+
+namespace underact::gui {
+
+constexpr int kLinesOfNotes = 2;
+
+WordsForm::WordsForm(const QString& prefix, QWidget* parent)
+    : QWidget(parent),
+      name_(new QLineEdit(this)),
+      notes_(new QPlainTextEdit(this)),
+      tags_(new QLineEdit(this)),
+      subject_(new QLineEdit(this)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setSpacing(4);
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  addRow(form, tr("&Name"), name_, prefix + "name", tr("What the session is called in the list."));
+  addRow(form, tr("No&tes"), notes_, prefix + "notes", tr("Anything worth knowing when it is read again."));
+  addRow(form, tr("Ta&gs"), tags_, prefix + "tags", tr("Words to find it by, with commas between."));
+  addRow(form, tr("Su&bject"), subject_, prefix + "subject",
+         tr("Whose hand it is, as a code that only your own list resolves."));
+  form->addRow(quietLabel(prefix + "subject_hint", tr("A code, not a name: whoever reads the file can see it."), this));
+  tags_->setPlaceholderText(tr("pilot, left hand"));
+  notes_->setTabChangesFocus(true);
+  notes_->setAcceptDrops(false);  // a scene is dropped on the window
+  notes_->setFixedHeight(kLinesOfNotes * fontMetrics().lineSpacing() + 2 * notes_->frameWidth() +
+                         2 * static_cast<int>(notes_->document()->documentMargin()));
+  for (QLineEdit* line : {name_, tags_, subject_}) connect(line, &QLineEdit::textEdited, this, &WordsForm::edited);
+  connect(notes_, &QPlainTextEdit::textChanged, this, &WordsForm::edited);
+}
+
+void WordsForm::addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& name,
+                       const QString& tip) {
+  field->setObjectName(name);
+  field->setAccessibleName(QString(label).remove('&'));
+  field->setToolTip(tip);
+  auto* words = new QLabel(label, this);
+  words->setToolTip(tip);
+  words->setBuddy(field);
+  form->addRow(words, field);
+}
+
+record::SessionWords WordsForm::words() const {
+  return {name_->text().trimmed().toStdString(), notes_->toPlainText().trimmed().toStdString(),
+          tags_->text().trimmed().toStdString(), subject_->text().trimmed().toStdString()};
+}
+
+void WordsForm::setWords(const record::SessionWords& words) {
+  const QSignalBlocker silent(this);
+  name_->setText(QString::fromStdString(words.name));
+  notes_->setPlainText(QString::fromStdString(words.notes));
+  tags_->setText(QString::fromStdString(words.tags));
+  subject_->setText(QString::fromStdString(words.subject));
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,33 @@
+#pragma once
+#include <QWidget>
+
+#include "core/record/session_writer.h"
+
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace underact::gui {
+
+/// What a person says of a session: name, notes, tags, subject.
+class WordsForm : public QWidget {
+  Q_OBJECT
+ public:
+  /// prefix: of the fields' object names, "panel.sessions."
+  explicit WordsForm(const QString& prefix, QWidget* parent = nullptr);
+  record::SessionWords words() const;
+  void setWords(const record::SessionWords& words);  // says nothing
+
+ signals:
+  void edited();
+
+ private:
+  void addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& name, const QString& tip);
+
+  QLineEdit* name_;
+  QPlainTextEdit* notes_;
+  QLineEdit *tags_, *subject_;
+};
+
+}  // namespace underact::gui
