@@ -83,8 +83,7 @@ void readScenes(record::Session& session, std::int64_t first_tick, Recorded& rec
       continue;
     }
     if (scene.value().constraints.empty()) continue;
-    recorded.scenes.push_back({std::max<std::int64_t>(change.tick - first_tick, 0), change.carry == tick::Carry::Arm,
-                               std::move(scene).value()});
+    recorded.scenes.push_back({std::max<std::int64_t>(change.tick - first_tick, 0), std::move(scene).value()});
   }
   std::stable_sort(recorded.scenes.begin(), recorded.scenes.end(),
                    [](const auto& a, const auto& b) { return a.row < b.row; });

@@ -33,7 +33,6 @@ struct RecordedMark {
 /// A scene that came into effect.
 struct RecordedScene {
   std::int64_t row = 0;
-  bool is_loaded = true;  // else an edit of the one before
   scene::Description scene;
 };
 

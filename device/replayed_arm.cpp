@@ -62,6 +62,7 @@ void ReplayedArm::replay(std::shared_ptr<const Recorded> recorded) {
   orders_.row = 0;
   orders_.loop_from = 0;
   orders_.loop_to = -1;
+  moved_number_ = sought_number_ = orders_.number + 1;
   if (recorded != nullptr) kept_.emplace_back(0, std::move(recorded));
   send();
 }
@@ -69,22 +70,25 @@ void ReplayedArm::replay(std::shared_ptr<const Recorded> recorded) {
 void ReplayedArm::play() {
   orders_.plays = true;
   ++orders_.moved;
+  moved_number_ = orders_.number + 1;
   send();
 }
 
 void ReplayedArm::pause() {
   orders_.plays = false;
   ++orders_.moved;
+  moved_number_ = orders_.number + 1;
   send();
 }
 
 void ReplayedArm::seek(std::int64_t row) {
   if (orders_.recorded == nullptr) return;
   orders_.row = std::clamp<std::int64_t>(row, 0, lastRow(*orders_.recorded));
-  const bool is_known = taken_.load(std::memory_order_acquire) == orders_.number;
-  if (is_known) orders_.plays = isPlaying();  // it may have come to its end by itself
+  orders_.plays = isPlaying();  // it may have come to its end by itself
   ++orders_.sought;
+  sought_number_ = orders_.number + 1;
   ++orders_.moved;
+  moved_number_ = orders_.number + 1;
   send();
 }
 

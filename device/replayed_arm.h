@@ -54,10 +54,9 @@ class ReplayedArm final : public servo::DevicePort {
   };
   /// Of each replayed sample, in order; 4 s of them are kept while nobody asks.
   bool take(Place& place) { return places_.pop(place); }
-  // Any thread.
-  /// As of the last read().
-  double row() const { return row_.load(std::memory_order_relaxed); }
-  bool isPlaying() const { return playing_.load(std::memory_order_relaxed); }
+  /// As of the last read(), or as it was told since.
+  double row() const { return isTaken(sought_number_) ? row_.load() : static_cast<double>(orders_.row); }
+  bool isPlaying() const { return isTaken(moved_number_) ? playing_.load() : orders_.plays; }
 
  private:
   /// All that the window wants, whole each time: the servo thread takes up the latest only.
@@ -72,6 +71,7 @@ class ReplayedArm final : public servo::DevicePort {
     double speed = 1.0;
     std::int64_t loop_from = 0, loop_to = -1;
   };
+  bool isTaken(std::uint64_t number) const { return taken_.load(std::memory_order_acquire) >= number; }
   void send();
   bool takeUp(const Orders& orders) noexcept UNDERACT_REAL_TIME;
   void seekTo(std::int64_t row) noexcept UNDERACT_REAL_TIME;
@@ -88,6 +88,7 @@ class ReplayedArm final : public servo::DevicePort {
 
   // The window's thread.
   Orders orders_;
+  std::uint64_t moved_number_ = 0, sought_number_ = 0;                           // of the last orders that said so
   std::vector<std::pair<std::uint64_t, std::shared_ptr<const Recorded>>> kept_;  // with the orders that let it go
   mutable std::mutex title_mutex_;  // of what any thread may ask for; never the servo's
   std::string title_;

@@ -69,6 +69,9 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
        {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
         "calibration.left", "calibration.right"});
+  fill(named(bar->addMenu(tr("&Replay")), "menu.replay"), actions,
+       {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
+        "replay.loop_out", "-", "replay.what_if", "-", "replay.close"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fill(view, actions,
        {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",

@@ -19,6 +19,8 @@ class StatusLine : public QWidget {
   void setTip(const QString& tip);
   /// The sentence of the fault that stopped the servo; empty: none.
   void setFault(const QString& sentence);
+  /// Another arm, or none: after a replay has begun or ended.
+  void presentDevice();
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
 
  private:

@@ -107,8 +107,6 @@ TEST(Recorded, MarksFaultsAndScenesStandAtTheirRows) {
   EXPECT_EQ(recorded.marks[1].row, 200);
   EXPECT_FALSE(recorded.marks[1].label.empty());
   ASSERT_EQ(recorded.scenes.size(), 2U);
-  EXPECT_TRUE(recorded.scenes[0].is_loaded);
-  EXPECT_FALSE(recorded.scenes[1].is_loaded);
   EXPECT_EQ(recorded.scenes[1].row, 50);
   EXPECT_EQ(recorded.sceneAt(49), &recorded.scenes[0]);
   EXPECT_EQ(recorded.sceneAt(50), &recorded.scenes[1]);
