@@ -30,7 +30,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 4;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 5;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),

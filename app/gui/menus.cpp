@@ -47,9 +47,21 @@ void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
 }
 
 QStringList layerNames() {
-  return {"layer.workspace",        "layer.triads",          "layer.arm", "layer.target",      "layer.force",
-          "layer.influence",        "layer.robot",           "-",         "layer.link_frames", "layer.ghosts",
-          "layer.motion_ellipsoid", "layer.force_ellipsoid", "-",         "view.kinematics"};
+  return {"layer.workspace",
+          "layer.triads",
+          "layer.arm",
+          "layer.target",
+          "layer.force",
+          "layer.influence",
+          "layer.robot",
+          "layer.path",
+          "-",
+          "layer.link_frames",
+          "layer.ghosts",
+          "layer.motion_ellipsoid",
+          "layer.force_ellipsoid",
+          "-",
+          "view.kinematics"};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/gui/feel_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/plots_panel.h"
+#include "app/gui/replay/session_panel.h"
 #include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
 #include "app/gui/servo_panel.h"
@@ -24,7 +25,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 9> kRows{{
+  static const std::array<PanelRow, 10> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -49,6 +50,9 @@ std::span<const PanelRow> panels() {
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},
+      {"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",
+       QT_TRANSLATE_NOOP("panel", "The whole session that is replayed, in plots: force, angles, energy, spectrum."),
+       make<SessionPanel>, "plots"},
   }};
   return kRows;
 }

@@ -5,12 +5,14 @@
 #include <QFile>
 #include <QLabel>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSlider>
 #include <cmath>
 #include <cstring>
 #include <functional>
 
 #include "app/gui/replay/player.h"
+#include "app/gui/replay/session_plot.h"
 #include "core/record/recorder.h"
 #include "tests/stories/story.h"
 
@@ -32,8 +34,8 @@ QString sessionFile() {
     EXPECT_TRUE(static_cast<bool>(recorder));
     for (int tick = 0; tick < kTicks; tick += 50) {
       sim::HandWish wish = simulated.arm->wished();
-      wish.p_WT.z() = 0.05 - 0.012 * std::sin(3.14159 * tick / kTicks);
-      wish.p_WT.x() = 0.004 * std::sin(6.0 * 3.14159 * tick / kTicks);
+      wish.p_WT.z() = 0.05 - 0.0013 * std::sin(3.14159 * tick / kTicks);
+      wish.p_WT.x() = 0.008 * std::sin(6.0 * 3.14159 * tick / kTicks);
       simulated.arm->wish(wish);
       if (tick == 1000) recorder.value()->mark("half way in");
       if (tick == 3000) {
@@ -193,11 +195,11 @@ TEST(ReplayStory, WhatIfDiffersWhereTheGainIsAnotherAndOnlyThere) {
   EXPECT_GT(recorded().toDouble(), 0.05);
   EXPECT_EQ(now(), recorded());
   EXPECT_EQ(now_rms(), recorded_rms());
-  ASSERT_TRUE(story.perform("replay.pause") || story.perform("replay.play", false));
+  ASSERT_TRUE(story.perform("replay.play", false));
   ASSERT_TRUE(story.perform("replay.seek", 0.0));
-  scene::Description harder = story.window().document().scene();
-  harder.control.gains.kp_N_per_mm *= 0.5;
-  ASSERT_TRUE(story.window().document().edit(harder, "stiffness", story.window().document().newGesture()).empty());
+  scene::Description softer = story.window().document().scene();
+  softer.control.gains.kp_N_per_mm *= 0.5;
+  ASSERT_TRUE(story.window().document().edit(softer, "stiffness", story.window().document().newGesture()).empty());
   story.run(1000);
   ASSERT_TRUE(story.perform("replay.play", true));
   story.run(2000);
@@ -235,7 +237,7 @@ TEST(ReplayStory, LeavingPutsBackTheSceneWithItsEditsAndTheArm) {
   const Vec3 p_WT = story.snapshot().report.p_WT;
   ASSERT_TRUE(open(story));
   EXPECT_FALSE(document.modified());
-  ASSERT_TRUE(story.perform("replay.seek", 2.0));
+  ASSERT_TRUE(story.perform("replay.seek", 2.33));
   story.run(1500);
   EXPECT_GT((story.snapshot().report.p_WT - p_WT).norm(), 0.003);
   ASSERT_TRUE(story.perform("replay.close"));
@@ -253,6 +255,43 @@ TEST(ReplayStory, LeavingPutsBackTheSceneWithItsEditsAndTheArm) {
   EXPECT_EQ(kp(story), 2.0 * tuned.control.gains.kp_N_per_mm.x());
 }
 
+TEST(ReplayStory, TheWholeSessionStandsInPlotsAndAClickGoesThere) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("dock.session", true));
+  EXPECT_FALSE(story.find<QComboBox>("panel.session.kind")->isEnabled());
+  ASSERT_TRUE(open(story));
+  story.settle(200);
+  auto* plot = story.find<SessionPlot>("panel.session.plot");
+  ASSERT_TRUE(plot->isVisible());
+  story.click(plot, plot->placeOf(2.5).toPoint());
+  story.run(1);
+  EXPECT_NEAR(story.window().player().secondsAt(story.window().player().row()), 2.5, 0.03);
+  story.run(400);
+  auto* kind = story.find<QComboBox>("panel.session.kind");
+  QImage before;
+  for (int index = 0; index < kind->count(); ++index) {
+    ASSERT_TRUE(story.perform("session.plot", kind->itemText(index)));
+    story.settle(100);
+    const QImage image = story.window().grab().toImage();
+    EXPECT_NE(image, before) << kind->itemText(index).toStdString();
+    before = image;
+    story.savePicture(QString("replay_session_%1").arg(index));
+  }
+  EXPECT_FALSE(story.perform("session.plot", QString("Taste")));
+}
+
+TEST(ReplayStory, TheRecordedPathIsALayerOfTheView) {
+  Story story("02_sphere");
+  EXPECT_EQ(story.view().pathPartsDrawn(), 0U);
+  ASSERT_TRUE(open(story));
+  EXPECT_GT(story.view().pathPartsDrawn(), 1000U);
+  ASSERT_TRUE(story.perform("layer.path", false));
+  EXPECT_EQ(story.view().pathPartsDrawn(), 0U);
+  ASSERT_TRUE(story.perform("layer.path", true));
+  ASSERT_TRUE(story.perform("replay.close"));
+  EXPECT_EQ(story.view().pathPartsDrawn(), 0U);
+}
+
 TEST(ReplayStory, AFileThatIsNoSessionIsSaidAndNothingChanges) {
   Story story("02_sphere");
   const QString path = temporaryFile("broken.h5", "this is no session");
@@ -267,10 +306,26 @@ TEST(ReplayStory, AFileThatIsNoSessionIsSaidAndNothingChanges) {
   EXPECT_EQ(story.window().document().scene().title, "Sphere");
 }
 
+TEST(ReplayStory, ReadingCanBeCancelledAndNothingChanges) {
+  Story story("03_line");
+  ASSERT_TRUE(story.perform("replay.open", sessionFile()));
+  ASSERT_TRUE(story.find("panel.replay.cancel")->isVisible());
+  story.find<QPushButton>("panel.replay.cancel")->click();  // at once: before a frame looks at what was read
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    story.window().frame();
+    return !story.window().player().isLoading();
+  }));
+  EXPECT_FALSE(story.window().player().isOpen());
+  EXPECT_FALSE(story.find("panel.replay")->isVisible());
+  EXPECT_FALSE(story.find("dialog.session_problems")->isVisible());
+}
+
 TEST(ReplayStory, ASessionIsDroppedOnTheWindowOrOpenedAsAFile) {
   Story story("02_sphere");
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(sessionFile())});
+  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&story.window(), &enter);
   QDropEvent drop({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, {});
   QApplication::sendEvent(&story.window(), &drop);
   EXPECT_TRUE(story.window().player().isLoading());

@@ -33,8 +33,11 @@ void Player::look() {
   if (load_) {
     if (std::optional<Result<LoadedSession>> result = load_->take()) {
       const QString path = load_->path();
+      const bool is_cancelled = load_->isCancelled();
       load_.reset();
-      if (*result) {
+      if (is_cancelled) {
+        emit cancelled();
+      } else if (*result) {
         begin(std::move(*result).value());
       } else {
         emit failed(path, result->problems());

@@ -32,6 +32,7 @@ class Player : public QObject {
   bool isOpen() const { return session_.recorded != nullptr; }
   const device::Recorded& recorded() const { return *session_.recorded; }  // where one is open
   const SessionData& data() const { return *session_.data; }
+  std::shared_ptr<const SessionData> sharedData() const { return session_.data; }
 
   // Where one is open.
   void play();
@@ -69,6 +70,7 @@ class Player : public QObject {
   void loading();
   void opened();
   void closed();
+  void cancelled();  // nobody wants it read any more
   void failed(const QString& path, const underact::Problems& problems);
   void whatIfChanged(bool on);
   void changed();  // play, pause, speed, loop

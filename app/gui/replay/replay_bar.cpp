@@ -59,6 +59,7 @@ ReplayBar::ReplayBar(Player& player, Actions& actions, QWidget* parent)
   show(false, false);
   connect(&player, &Player::loading, this, [this] { show(true, player_.isOpen()); });
   connect(&player, &Player::failed, this, [this] { show(player_.isLoading(), player_.isOpen()); });
+  connect(&player, &Player::cancelled, this, [this] { show(false, player_.isOpen()); });
   connect(&player, &Player::opened, this, &ReplayBar::begin);
   connect(&player, &Player::closed, this, [this] { show(player_.isLoading(), false); });
   connect(&player, &Player::whatIfChanged, comparison_, &QWidget::setVisible);

@@ -22,6 +22,7 @@ class SessionLoad {
   explicit SessionLoad(const QString& path);
   ~SessionLoad();  // ends it early
   void cancel() { cancelled_ = true; }
+  bool isCancelled() const { return cancelled_; }
   double share() const { return share_; }
   const QString& path() const { return path_; }
   /// What came of it, once; empty while it goes on, and ever after.
