@@ -107,6 +107,37 @@ void Document::putBack() {
   kept_.reset();
 }
 
+Problems Document::showRecorded(const scene::Description& shown) {
+  const scene::Change change = scene::changeBetween(scene(), shown);
+  Own own{scene(), original_, path_};
+  Problems problems = host_.edit(shown);
+  if (!problems.empty()) return problems;
+  if (!own_) own_ = std::move(own);
+  const bool is_another = change == scene::Change::Scene || !path_.isEmpty();
+  kept_.reset();
+  original_ = shown;
+  path_.clear();
+  undo_.clear();
+  is_another ? emit opened() : emit edited();
+  return {};
+}
+
+void Document::putBackOwn() {
+  if (!own_) return;
+  const Own own = std::move(*own_);
+  own_.reset();
+  kept_.reset();
+  undo_.clear();
+  if (own.scene.constraints.empty()) return;  // there was none: the last one of the recording stays
+  static_cast<void>(host_.load(own.scene));   // it was in effect before
+  original_ = own.original;
+  path_ = own.path;
+  if (!scene::isSame(own.original, own.scene)) {
+    undo_.push(new SceneEdit(*this, own.original, own.scene, tr("edits"), newGesture()));
+  }
+  emit opened();
+}
+
 const scene::Control& Document::own(std::size_t index) const {
   const scene::Constraint* one = original(index);
   return one != nullptr && one->control ? *one->control : original_.control;

@@ -32,6 +32,13 @@ class Document : public QObject {
   void putBack();
   bool isTryingOut() const { return kept_.has_value(); }
 
+  /// A recording's scene, in place of the one there is, which is kept until putBackOwn(); it has no file, and what was
+  /// edited since the last one is gone. Problems: what is in effect stays.
+  Problems showRecorded(const scene::Description& scene);
+  /// The scene from before showRecorded() is there again, with its file and its edits (as one step to undo).
+  void putBackOwn();
+  bool showsRecorded() const { return own_.has_value(); }
+
   const scene::Description& scene() const { return kept_ ? *kept_ : host_.scene(); }
   // As the file has it, by the name of the constraint that is at index now: others may have been added or taken away.
   /// The control at index as the file has it; of a constraint the file does not have, the scene's.
@@ -40,9 +47,9 @@ class Document : public QObject {
   std::optional<scene::Influence> ownInfluence(std::size_t index) const;
   /// The virtual manipulator at index as the file has it; null: there is none.
   const scene::VirtualManipulator* ownRobot(std::size_t index) const;
-  bool isOpen() const { return !path_.isEmpty(); }
+  bool isOpen() const { return !path_.isEmpty() || own_; }
   bool modified() const { return !undo_.isClean(); }
-  QString path() const { return path_; }
+  QString path() const { return path_; }  // empty: it has no file
   QUndoStack& undoStack() { return undo_; }
 
  signals:
@@ -55,9 +62,15 @@ class Document : public QObject {
   const scene::Constraint* original(std::size_t index) const;
   void put(const scene::Description& scene);  // one that was in effect before
 
+  struct Own {
+    scene::Description scene, original;
+    QString path;
+  };
+
   servo::Host& host_;
   scene::Description original_;
   std::optional<scene::Description> kept_;  // while another scene is tried out in its place
+  std::optional<Own> own_;                  // while a recording's is shown
   QString path_;
   QUndoStack undo_;
   int gestures_ = 0;

@@ -38,7 +38,16 @@ void Hand::setShape(const QString& type) {
   if (arm_ != nullptr) showHint();
 }
 
+void Hand::setReplaying(bool on) {
+  replaying_ = on;
+  moving_ = false;
+  view_->setHandAvailable(arm_ != nullptr && !on);
+  showHint();
+}
+
 void Hand::showHint() {
+  if (replaying_) return view_->setHint(faulted_ ? QString() : tr("Replaying: forces go to no arm."));
+  if (arm_ == nullptr) return view_->setHint({});
   // One line at a time: what went wrong goes before what could be done.
   const bool has_inside = !QStringList{"point", "line", "circle", "virtual_manipulator"}.contains(shape_);
   const QString what = has_inside ? tr("Push into the %1.") : tr("Pull it away from the %1.");

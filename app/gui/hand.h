@@ -21,6 +21,8 @@ class Hand : public QObject {
   void present(const servo::Snapshot& snapshot);
   /// What there is to push into: "sphere".
   void setShape(const QString& type);
+  /// While a recording moves the stylus nobody else does.
+  void setReplaying(bool on);
   bool hasPushed() const { return has_pushed_; }
 
  private:
@@ -31,6 +33,7 @@ class Hand : public QObject {
   QString shape_ = "sphere";
   bool has_pushed_;
   bool moving_ = false;
+  bool replaying_ = false;
   bool faulted_ = false;
 };
 

@@ -58,6 +58,29 @@ void drawRecord(QPainter& painter, const Theme& theme) {
   painter.setBrush(alarm(theme));
   painter.drawEllipse(QPointF(12, 12), 5, 5);
 }
+// Of a recording: in ink, so that nobody takes it for the servo's Start.
+void drawPlay(QPainter& painter, const Theme& theme) {
+  painter.setPen(ink(theme));
+  painter.setBrush(theme.ink);
+  painter.drawPolygon(QPolygonF{{{8, 5.5}, {18, 12}, {8, 18.5}}});
+}
+void drawPause(QPainter& painter, const Theme& theme) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.ink);
+  painter.drawRect(QRectF(7, 5, 3.5, 14));
+  painter.drawRect(QRectF(13.5, 5, 3.5, 14));
+}
+void drawForward(QPainter& painter, const Theme& theme) {
+  painter.setPen(ink(theme));
+  painter.setBrush(theme.ink);
+  painter.drawLine(QPointF(6, 6), QPointF(6, 18));
+  painter.drawPolygon(QPolygonF{{{10, 6.5}, {18, 12}, {10, 17.5}}});
+}
+void drawBack(QPainter& painter, const Theme& theme) {
+  painter.translate(24, 0);
+  painter.scale(-1, 1);
+  drawForward(painter, theme);
+}
 void drawFit(QPainter& painter, const Theme& theme) {
   painter.setPen(ink(theme));
   for (const int turn : {0, 90, 180, 270}) {
@@ -206,14 +229,21 @@ void drawUnderact(QPainter& painter, const Theme& theme) {
 }
 
 const QHash<QString, Draw>& drawings() {
-  static const QHash<QString, Draw> kAll{
-      {"start", drawStart},      {"stop", drawStop},         {"record", drawRecord}, {"fit", drawFit},
-      {"front", drawFront},      {"top", drawTop},           {"side", drawSide},     {"isometric", drawIsometric},
-      {"layers", drawLayers},    {"help", drawHelp},         {"open", drawOpen},     {"save", drawSave},
-      {"undo", drawUndo},        {"redo", drawRedo},         {"reset", drawReset},   {"file", drawFile},
-      {"point", drawPoint},      {"sphere", drawSphere},     {"line", drawLine},     {"plane", drawPlane},
-      {"circle", drawCircle},    {"cylinder", drawCylinder}, {"box", drawBox},       {"virtual_manipulator", drawRobot},
-      {"underact", drawUnderact}};
+  static const QHash<QString, Draw> kAll{{"start", drawStart},      {"stop", drawStop},
+                                         {"record", drawRecord},    {"play", drawPlay},
+                                         {"pause", drawPause},      {"back", drawBack},
+                                         {"forward", drawForward},  {"fit", drawFit},
+                                         {"front", drawFront},      {"top", drawTop},
+                                         {"side", drawSide},        {"isometric", drawIsometric},
+                                         {"layers", drawLayers},    {"help", drawHelp},
+                                         {"open", drawOpen},        {"save", drawSave},
+                                         {"undo", drawUndo},        {"redo", drawRedo},
+                                         {"reset", drawReset},      {"file", drawFile},
+                                         {"point", drawPoint},      {"sphere", drawSphere},
+                                         {"line", drawLine},        {"plane", drawPlane},
+                                         {"circle", drawCircle},    {"cylinder", drawCylinder},
+                                         {"box", drawBox},          {"virtual_manipulator", drawRobot},
+                                         {"underact", drawUnderact}};
   return kAll;
 }
 

@@ -6,9 +6,9 @@
 
 namespace underact::gui {
 
-/// An icon painted with a pen, crisp at any size, in the theme's ink. name: "start", "stop", "record", "fit", "front",
-/// "top", "side", "isometric", "layers", "help", "open", "save", "undo", "redo", "reset", a shape's type ("sphere"),
-/// "file", "underact". An unknown name gives an empty icon.
+/// An icon painted with a pen, crisp at any size, in the theme's ink. name: "start", "stop", "record", "play", "pause",
+/// "back", "forward", "fit", "front", "top", "side", "isometric", "layers", "help", "open", "save", "undo", "redo",
+/// "reset", a shape's type ("sphere"), "file", "underact". An unknown name gives an empty icon.
 QIcon icon(const QString& name, const Theme& theme);
 
 /// The colour of Stop and of a fault: not one of the meanings in the view, so it stands out there.

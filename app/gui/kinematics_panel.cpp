@@ -14,6 +14,7 @@
 #include "app/gui/kinematics/number_table.h"
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/replay/player.h"
 #include "app/gui/view/scene_view.h"
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
@@ -129,7 +130,8 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   q_rad_ = q_rad;
   if (visibleRegion().isEmpty() || !isDue(snapshot)) return;  // behind another tab it is visible, and not seen
   const KinematicsNow now = kinematicsNow(geometry_, limits_, q_rad);
-  joints_->setMovable(parts_.arm == nullptr        ? tr("A real arm is moved by hand: these only show where it is.")
+  joints_->setMovable(parts_.player.isOpen()  ? tr("A recording moves the arm: close the session, then the sliders do.")
+                      : parts_.arm == nullptr ? tr("A real arm is moved by hand: these only show where it is.")
                       : mode_ == servo::Mode::Idle ? QString()
                                                    : tr("The servo is running. Press Stop (Esc), then the sliders "
                                                         "move the arm."));
@@ -142,7 +144,7 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
 }
 
 bool KinematicsPanel::wishJoint(int joint, double angle_deg, bool relative) {
-  if (parts_.arm == nullptr || mode_ != servo::Mode::Idle) return false;
+  if (parts_.arm == nullptr || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
   const sim::HandWish& last = parts_.arm->wished();
   const bool is_ours = wish_ && last.p_WT == wish_->p_WT && last.R_WT == wish_->R_WT && last.turns;
   arm::JointAngles q_rad = is_ours ? wished_rad_ : q_rad_;

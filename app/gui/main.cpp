@@ -11,6 +11,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/options.h"
 #include "app/gui/picture.h"
+#include "app/gui/replay/replay_actions.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/simulated_host.h"
 #include "app/gui/view/gl_surface.h"
@@ -32,7 +33,8 @@ bool hasScreen() {
 
 // The scene asked for, else the last one, else the sphere.
 QString sceneToOpen(const Options& options) {
-  if (!options.scene.empty()) return QString::fromStdString(options.scene);
+  const QString asked = QString::fromStdString(options.scene);
+  if (!asked.isEmpty() && !isSession(asked)) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
@@ -41,7 +43,7 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
   SimulatedHost simulated =
       makeSimulatedHost({.rate_hz = options.rate_hz, .scheduling = options.scheduling, .max_late = options.max_late});
   ThemeWatcher theme;
-  MainWindow window({*simulated.host, simulated.arm, theme});
+  MainWindow window({*simulated.host, simulated.arm, theme, simulated.replay});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
     QObject::connect(&window.view(), &SceneView::drawn, &window, [&since_start, first = true](double frame_ms) mutable {
       if (first)
@@ -54,6 +56,8 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
   // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated) window.actions().perform("session.start");
+  const QString session = QString::fromStdString(options.scene);
+  if (isSession(session)) window.openSession(session);
   return QApplication::exec();
 }
 

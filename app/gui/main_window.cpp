@@ -18,6 +18,10 @@
 #include "app/gui/hand.h"
 #include "app/gui/icons.h"
 #include "app/gui/panels.h"
+#include "app/gui/problems_dialog.h"
+#include "app/gui/replay/player.h"
+#include "app/gui/replay/replay_actions.h"
+#include "app/gui/replay/replay_bar.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/sessions/sessions_panel.h"
@@ -30,8 +34,10 @@ namespace underact::gui {
 MainWindow::~MainWindow() = default;
 
 void MainWindow::frame() {
+  player_->look();
   const servo::Snapshot& snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
+    player_->add(record);
     faults_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
@@ -40,6 +46,7 @@ void MainWindow::frame() {
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
   status_->present(snapshot);
+  replay_bar_->present(snapshot);
   for (Panel* panel : panels_) panel->present(snapshot);
   presentMode(snapshot);
 }
@@ -66,7 +73,7 @@ void MainWindow::connectDocument() {
       status_->setForceLimit(preset->continuous_force_N);
     }
     hand_->setShape(QString::fromLatin1(scene::typeName(scene.constraints.front().shape)));
-    settings_.last_scene = document_->path();
+    if (!document_->showsRecorded()) settings_.last_scene = document_->path();
     actions_->find("scene.save_as")->setEnabled(true);
     presentMode(parts_.host.snapshot());
     updateTitle();
@@ -76,6 +83,30 @@ void MainWindow::connectDocument() {
     view_->followEdit(document_->scene());
     updateTitle();
   });
+}
+
+void MainWindow::connectPlayer() {
+  connect(player_, &Player::opened, this, &MainWindow::replayBegins);
+  connect(player_, &Player::closed, this, &MainWindow::replayEnds);
+  auto* problems = new ProblemsDialog(this);
+  problems->setObjectName("dialog.session_problems");
+  connect(problems, &ProblemsDialog::openAnother, this, [this] { actions_->perform("replay.open"); });
+  connect(player_, &Player::failed, problems, &ProblemsDialog::show);
+  connect(player_, &Player::opened, problems, &QWidget::hide);
+}
+
+void MainWindow::replayBegins() {
+  hand_->setReplaying(true);
+  status_->presentDevice();
+}
+
+void MainWindow::replayEnds() {
+  hand_->setReplaying(false);
+  status_->presentDevice();
+}
+
+void MainWindow::openSession(const QString& path) {
+  actions_->perform("replay.open", path);
 }
 
 void MainWindow::updateTitle() {
@@ -90,6 +121,7 @@ void MainWindow::setTheme(const Theme& theme) {
   actions_->setIcons([&theme](const QString& name) { return icon(name, theme); });
   setWindowIcon(icon("underact", theme));
   view_->setTheme(theme);
+  replay_bar_->setTheme(theme);
   faults_->setTheme(theme);
   for (Panel* panel : panels_) panel->setTheme(theme);
 }
@@ -118,6 +150,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   static_cast<SessionsPanel*>(panels_["sessions"])->finish();
+  player_->close();
+  if (!files_->settleEdits()) {  // those from before the replay
+    event->ignore();
+    return;
+  }
   parts_.host.stop();
   actions_->perform("calibration.cancel");  // the scene's own stiffness, before anybody else looks
   remember();
@@ -131,7 +168,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  actions_->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
+  const QString path = event->mimeData()->urls().first().toLocalFile();
+  actions_->perform(isSession(path) ? "replay.open" : "scene.open", path);
 }
 
 }  // namespace underact::gui

@@ -6,8 +6,9 @@
 #include "core/servo/host.h"
 
 namespace underact::device {
+class ReplayedArm;
 class SimulatedArm;
-}
+}  // namespace underact::device
 
 namespace underact::gui {
 
@@ -17,7 +18,9 @@ class FaultWatch;
 class FramePacer;
 class Hand;
 class Panel;
+class Player;
 class RecentFiles;
+class ReplayBar;
 class SceneFiles;
 class SceneView;
 class StatusLine;
@@ -25,8 +28,9 @@ class StatusLine;
 /// What a window works with; made by main(), and by the stories.
 struct WindowParts {
   servo::Host& host;
-  device::SimulatedArm* arm;  // the host's device, where it is the simulated one; else null
+  device::SimulatedArm* arm;  // the arm behind the host, where it is the simulated one; else null
   ThemeWatcher& theme;
+  device::ReplayedArm* replay = nullptr;  // the host's device, where it can replay; else null
 };
 
 /// The window: the view in the middle, panels around it, and each frame what the servo last said handed to all of them.
@@ -39,8 +43,13 @@ class MainWindow : public QMainWindow {
   Actions& actions() { return *actions_; }
   Document& document() { return *document_; }
   SceneView& view() { return *view_; }
+  Player& player() { return *player_; }
   /// One frame: shows the newest snapshot and fetches every tick since the last frame. The pacer calls it.
   void frame();
+
+ public slots:
+  /// Replays a recorded session.
+  void openSession(const QString& path);
 
  protected:
   bool event(QEvent* event) override;
@@ -57,6 +66,9 @@ class MainWindow : public QMainWindow {
   void arrangeDocks();
   void orderTabs();
   void connectDocument();
+  void connectPlayer();
+  void replayBegins();
+  void replayEnds();
   void setTheme(const Theme& theme);
   void presentMode(const servo::Snapshot& snapshot);
   void updateTitle();
@@ -70,6 +82,8 @@ class MainWindow : public QMainWindow {
   RecentFiles* recent_;
   SceneFiles* files_;
   SceneView* view_;
+  Player* player_;
+  ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;
   StatusLine* status_ = nullptr;
   FaultWatch* faults_;

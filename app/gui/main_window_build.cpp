@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
@@ -16,6 +17,9 @@
 #include "app/gui/menus.h"
 #include "app/gui/panels.h"
 #include "app/gui/plots_panel.h"
+#include "app/gui/replay/player.h"
+#include "app/gui/replay/replay_actions.h"
+#include "app/gui/replay/replay_bar.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/sessions/sessions_panel.h"
@@ -37,6 +41,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       recent_(new RecentFiles(this)),
       files_(new SceneFiles(*document_, *recent_, this)),
       view_(new SceneView(this)),
+      player_(new Player(parts.host, *document_, parts.replay, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)) {
   setObjectName("window");
@@ -49,6 +54,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   view_->setLayers(settings_.layers);
   addActions();
   addHelpActions();
+  addReplayActions(*actions_, *player_, *files_, this);
   addViewActions(*actions_, *view_, parts_.theme);
   buildView();
   buildDocks();
@@ -56,6 +62,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   buildToolBar(this, *actions_);
   orderTabs();
   connectDocument();
+  connectPlayer();
   updateTitle();
   restore();
   setTheme(parts_.theme.theme());
@@ -80,6 +87,8 @@ void MainWindow::addActions() {
                 });
   actions_->add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
                 [this](const QVariantList& path) {
+                  if (!path.isEmpty() && isSession(path.first().toString()))
+                    return actions_->perform("replay.open", path);
                   if (!path.isEmpty()) return files_->open(path.first().toString());
                   files_->chooseAndOpen();
                   return true;
@@ -152,7 +161,14 @@ void MainWindow::addHelpActions() {
 
 void MainWindow::buildView() {
   view_->setMinimumSize(320, 240);
-  setCentralWidget(view_);
+  auto* middle = new QWidget(this);
+  replay_bar_ = new ReplayBar(*player_, *actions_, middle);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(view_, 1);
+  column->addWidget(replay_bar_);
+  setCentralWidget(middle);
   hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
   if (parts_.arm != nullptr) new StylusKey(*parts_.arm, this, view_);
   const double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
@@ -172,7 +188,8 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    Panel* panel = row.make(PanelParts{parts_.host, *document_, *recent_, *actions_, *view_, parts_.arm}, dock);
+    Panel* panel =
+        row.make(PanelParts{parts_.host, *document_, *recent_, *actions_, *view_, parts_.arm, *player_}, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
     dock->setWidget(panel);
@@ -203,7 +220,7 @@ void MainWindow::buildDocks() {
 
 // From left to right and top to bottom: tool bar, scenes, view, then the panels in their order.
 void MainWindow::orderTabs() {
-  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_};
+  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, replay_bar_};
   for (const PanelRow& row : panels()) {
     if (panels_[row.key] != groups[1]) groups << panels_[row.key];
   }

@@ -57,9 +57,21 @@ void keepWidth(QToolBar* bar, QAction* action) {
 }
 
 QStringList layerNames() {
-  return {"layer.workspace",        "layer.triads",          "layer.arm", "layer.target",      "layer.force",
-          "layer.influence",        "layer.robot",           "-",         "layer.link_frames", "layer.ghosts",
-          "layer.motion_ellipsoid", "layer.force_ellipsoid", "-",         "view.kinematics"};
+  return {"layer.workspace",
+          "layer.triads",
+          "layer.arm",
+          "layer.target",
+          "layer.force",
+          "layer.influence",
+          "layer.robot",
+          "layer.path",
+          "-",
+          "layer.link_frames",
+          "layer.ghosts",
+          "layer.motion_ellipsoid",
+          "layer.force_ellipsoid",
+          "-",
+          "view.kinematics"};
 }
 
 }  // namespace
@@ -82,6 +94,9 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
        {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.show",
         "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
+  fill(named(bar->addMenu(tr("&Replay")), "menu.replay"), actions,
+       {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
+        "replay.loop_out", "-", "replay.what_if", "-", "replay.close"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fill(view, actions,
        {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",

@@ -8,7 +8,7 @@ namespace underact::gui {
 
 /// What the command line asks of the window.
 struct Options {
-  std::string scene;    // to open; empty: the last one, or the sphere
+  std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
   std::string picture;  // a scene to draw into out, without a window
   std::string out;
   int rate_hz = 1000;

@@ -12,6 +12,7 @@ namespace underact::gui {
 
 class Actions;
 class Document;
+class Player;
 class RecentFiles;
 class SceneView;
 
@@ -22,7 +23,8 @@ struct PanelParts {
   RecentFiles& recent;
   Actions& actions;
   SceneView& view;
-  device::SimulatedArm* arm;  // the host's device, where it is the simulated one; else null
+  device::SimulatedArm* arm;  // the arm behind the host, where it is the simulated one; else null
+  Player& player;
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

@@ -8,6 +8,7 @@
 #include "app/gui/feel_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/plots_panel.h"
+#include "app/gui/replay/session_panel.h"
 #include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
 #include "app/gui/servo_panel.h"
@@ -26,7 +27,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 11> kRows{{
+  static const std::array<PanelRow, 12> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -58,6 +59,9 @@ std::span<const PanelRow> panels() {
        make<StepPanel>, "scenes"},
       {"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+N",
        QT_TRANSLATE_NOOP("panel", "Record, mark, and find what was recorded."), make<SessionsPanel>, "scenes"},
+      {"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",
+       QT_TRANSLATE_NOOP("panel", "The whole session that is replayed, in plots: force, angles, energy, spectrum."),
+       make<SessionPanel>, "plots"},
   }};
   return kRows;
 }

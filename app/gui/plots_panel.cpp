@@ -10,6 +10,7 @@
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/plot/live_plot.h"
+#include "app/gui/replay/player.h"
 
 namespace underact::gui {
 
@@ -18,6 +19,7 @@ constexpr int kFramesAPlot = 3;
 
 PlotsPanel::PlotsPanel(const PanelParts& parts, QWidget* parent)
     : Panel(parent),
+      player_(parts.player),
       plot_(new LivePlot(this)),
       axis_(new QComboBox(this)),
       energy_(new QCheckBox(tr("Ener&gy"), this)) {
@@ -85,7 +87,7 @@ void PlotsPanel::present(const servo::Snapshot&) {
 }
 
 void PlotsPanel::add(const servo::TickRecord& record) {
-  plot_->add(record);
+  plot_->add(record, player_.beside());
 }
 
 void PlotsPanel::setTheme(const Theme& theme) {

@@ -7,6 +7,7 @@ class QComboBox;
 namespace underact::gui {
 
 class LivePlot;
+class Player;
 
 /// The plots, and which axis the displacement against force is of.
 class PlotsPanel : public Panel {
@@ -22,6 +23,7 @@ class PlotsPanel : public Panel {
   LivePlot& plot() { return *plot_; }
 
  private:
+  Player& player_;
   LivePlot* plot_;
   QComboBox* axis_;
   QCheckBox* energy_;

@@ -21,8 +21,9 @@ QString filterText() {
 
 // Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program.
 QString placeToSave(const Document& document) {
-  const QFileInfo file(document.path());
-  const bool shipped = file.absolutePath() == sceneFolder();
+  const bool has_file = !document.path().isEmpty();
+  const QFileInfo file(has_file ? document.path() : sceneFolder() + QObject::tr("/recorded.json"));
+  const bool shipped = !has_file || file.absolutePath() == sceneFolder();
   const QString folder =
       shipped ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : file.absolutePath();
   return QDir(folder).filePath(shipped ? file.completeBaseName() + "-tuned.json" : file.fileName());
@@ -48,7 +49,9 @@ bool SceneFiles::open(const QString& path) {
 }
 
 void SceneFiles::chooseAndOpen() {
-  auto* dialog = new QFileDialog(window_, tr("Open a scene"), QFileInfo(document_.path()).absolutePath(), filterText());
+  auto* dialog = new QFileDialog(
+      window_, tr("Open a scene"),
+      QFileInfo(document_.path().isEmpty() ? sceneFolder() + "/." : document_.path()).absolutePath(), filterText());
   dialog->setObjectName("dialog.open");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);

@@ -40,14 +40,9 @@ StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 2, 12, 2);
   row->setSpacing(20);
-  const servo::DeviceInfo info = host.device();
   mode_ = field("status.mode", tr("Servo"), tr("What the servo does."), tr("Stopping"));
-  device_ = field("status.device", tr("Arm"),
-                  info.simulated ? tr("A simulation in software: no arm is moved.") : QString(), {});
-  const QString title = QString::fromStdString(info.title);
-  QString kind = info.simulated && !title.contains("simulated", Qt::CaseInsensitive) ? tr(" (simulated)") : QString();
-  if (info.untested) kind += tr(" (untested)");
-  device_->setText(title + kind);
+  device_ = field("status.device", tr("Arm"), {}, {});
+  presentDevice();
   rate_ = field("status.rate", tr("Servo rate"), tr("Ticks a second."), tr("4000 Hz"));
   late_ = field("status.late", tr("Lateness"), tr("99 of 100 ticks in the last 10 s started no later than this."),
                 tr("late p99 9999 µs"));
@@ -74,6 +69,19 @@ QLabel* StatusLine::field(const char* name, const QString& spoken, const QString
   label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that numbers move nothing
   layout()->addWidget(label);
   return label;
+}
+
+void StatusLine::presentDevice() {
+  const servo::DeviceInfo info = host_.device();
+  const QString title = QString::fromStdString(info.title);
+  const bool is_recorded = title.startsWith(QLatin1String("Recorded"));
+  const bool is_said = is_recorded || title.contains("simulated", Qt::CaseInsensitive);
+  QString kind = info.simulated && !is_said ? tr(" (simulated)") : QString();
+  if (info.untested) kind += tr(" (untested)");
+  device_->setText(title + kind);
+  device_->setToolTip(is_recorded      ? tr("A recording moves the stylus: forces go to no arm.")
+                      : info.simulated ? tr("A simulation in software: no arm is moved.")
+                                       : QString());
 }
 
 void StatusLine::present(const servo::Snapshot& snapshot) {

@@ -65,6 +65,8 @@ void addLayers(Actions& actions, SceneView& view) {
       {"layer.robot", "&Virtual robot", "Ctrl+Alt+R",
        "The robots that exist only in software, where their joints are, and which ways their tips can go.",
        &Layers::robot},
+      {"layer.path", "Recorded &path", "Alt+P",
+       "Where the tip went in the session that is replayed; the more force, the more vermillion.", &Layers::path},
       {"layer.link_frames", "&Link frames", "Alt+6",
        "The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.",
        &Layers::link_frames},

@@ -166,6 +166,15 @@ void Chart::reserve(std::size_t count) {
   }
 }
 
+std::optional<double> Chart::xAt(const QPointF& place) const {
+  if (!axes_.contains(place)) return {};
+  return x_from_ + (place.x() - axes_.left()) / axes_.width() * (x_to_ - x_from_);
+}
+
+QPointF Chart::placeOf(double x) const {
+  return {axes_.left() + (x - x_from_) / (x_to_ - x_from_) * axes_.width(), axes_.center().y()};
+}
+
 void Chart::pointsChanged() {
   for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
     float* x = vtkFloatArray::SafeDownCast(tables_[curve]->GetColumn(0))->GetPointer(0);

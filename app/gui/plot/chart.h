@@ -6,7 +6,9 @@
 #include <QFont>
 #include <QRectF>
 #include <QString>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/gui/plot/plot_history.h"
@@ -49,6 +51,12 @@ class Chart {
   /// Room for so many points a curve, all curves alike; allocates only when the number changes.
   void reserve(std::size_t points);
   std::span<PlotPoint> points(std::size_t curve) { return points_[curve]; }
+  std::size_t curves() const { return curves_.size(); }
+  std::pair<double, double> yRange() const { return {y_from_, y_to_}; }
+  /// The x of a place in the widget, logical pixels; none: outside the axes.
+  std::optional<double> xAt(const QPointF& place) const;
+  /// Where an x stands, half way up the axes.
+  QPointF placeOf(double x) const;
   void pointsChanged();
   void paintWords(QPainter& painter) const;
 

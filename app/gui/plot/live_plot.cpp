@@ -72,8 +72,8 @@ struct LivePlot::Impl {
     }
     energy.reserve(6 * (energy.columns() + 2));
     angles.reserve(4 * (angles.columns() + 2));
-    error.reserve(2 * (error.columns() + 2));
-    force.reserve(2 * (force.columns() + 2));
+    error.reserve(4 * (error.columns() + 2));
+    force.reserve(4 * (force.columns() + 2));
     path.reserve(4 * (kPathGroups + 2));
     placed = pixels;
   }
@@ -95,8 +95,15 @@ struct LivePlot::Impl {
     std::fill(force.points(0).begin(), force.points(0).end(), PlotPoint{0.0F, static_cast<float>(limit)});
     force.points(0)[0].x = static_cast<float>(-PlotHistory::kSpan_s);
 
-    const double top_mm = error_range.update(greatestOf(error.points(0).first(errors)), now_s);
-    const double most_N = std::max(greatestOf(force.points(2).first(sent)), greatestOf(force.points(1).first(asked)));
+    const std::size_t old_errors = thinByTime(history, &PlotRow::recorded_error_mm, error.columns(), error.points(1));
+    const std::size_t old_sent = thinByTime(history, &PlotRow::recorded_N, force.columns(), force.points(4));
+    error.setCurveShown(1, old_errors > 0);
+    force.setCurveShown(4, old_sent > 0);
+    const double most_mm =
+        std::max(greatestOf(error.points(0).first(errors)), greatestOf(error.points(1).first(old_errors)));
+    const double top_mm = error_range.update(most_mm, now_s);
+    const double most_N = std::max({greatestOf(force.points(2).first(sent)), greatestOf(force.points(1).first(asked)),
+                                    greatestOf(force.points(4).first(old_sent))});
     force.setCurveShown(3, greatestOf(force.points(3).first(passive)) > 0.0);
     force_range.update(std::min(std::max(most_N, limit), kAskedShown * limit) / 1.05, now_s);
     double away_mm = 0.0, along_N = 0.0;
@@ -160,13 +167,16 @@ struct LivePlot::Impl {
   LivePlot* plot;
   GlSurface* surface = nullptr;
   PlotHistory history;
-  Chart error{LivePlot::tr("Error [mm]"), LivePlot::tr("time [s]"), {{QString(), 1.5F}}};
+  Chart error{LivePlot::tr("Error [mm]"),
+              LivePlot::tr("time [s]"),
+              {{QString(), 1.5F}, {LivePlot::tr("recorded"), 1.5F, true}}};
   Chart force{LivePlot::tr("Force [N]"),
               LivePlot::tr("time [s]"),
               {{LivePlot::tr("limit"), 1.0F},
                {LivePlot::tr("asked"), 1.0F},
                {LivePlot::tr("sent"), 2.0F},
-               {LivePlot::tr("passive"), 1.5F}}};
+               {LivePlot::tr("passive"), 1.5F},
+               {LivePlot::tr("recorded"), 1.5F, true}}};
   Chart path{pathTitle(0), LivePlot::tr("displacement [mm]"), {{QString(), 1.5F}}};
   Chart angles{
       LivePlot::tr("Angle [°]"),
@@ -205,8 +215,8 @@ LivePlot::~LivePlot() {
   delete impl_->surface;
 }
 
-void LivePlot::add(const servo::TickRecord& record) {
-  impl_->history.add(record);
+void LivePlot::add(const servo::TickRecord& record, const RecordedBeside& recorded) {
+  impl_->history.add(record, recorded);
   impl_->data_changed = true;
 }
 
@@ -227,9 +237,9 @@ void LivePlot::clear() {
 void LivePlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
   my.surface->setBackground(theme.background);
-  my.error.setColours(theme, {theme.target});
-  my.force.setColours(theme,
-                      {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force, theme.constraint});
+  my.error.setColours(theme, {theme.target, theme.ink});
+  my.force.setColours(
+      theme, {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force, theme.constraint, theme.ink});
   my.energy.setColours(theme, {theme.ink, theme.force_limited, theme.constraint});
   my.path.setColours(theme, {theme.force});
   my.angles.setColours(theme, {theme.orientation, theme.position, theme.target});

@@ -2,6 +2,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/gui/plot/plot_history.h"
 #include "app/gui/theme.h"
 #include "core/servo/snapshot.h"
 
@@ -17,9 +18,10 @@ class LivePlot : public QWidget {
   explicit LivePlot(QWidget* parent = nullptr);
   ~LivePlot() override;
 
-  void add(const servo::TickRecord& record);  // every tick, in order
-  void redraw();                              // each frame
-  void clear();                               // another scene
+  /// Every tick, in order. recorded: drawn beside it, dashed.
+  void add(const servo::TickRecord& record, const RecordedBeside& recorded = {});
+  void redraw();  // each frame
+  void clear();   // another scene
   void setTheme(const Theme& theme);
   void setAxis(int axis);  // 0 x, 1 y, 2 z: of the displacement against force
   int axis() const;

@@ -60,22 +60,9 @@ std::size_t thin(const PlotHistory& history, float PlotRow::*value, std::size_t 
 
 }  // namespace
 
-PlotHistory::PlotHistory() : rows_(kCapacity) {}
-
-void PlotHistory::clear() {
-  first_ = size_ = 0;
-}
-
-void PlotHistory::add(const servo::TickRecord& record) {
-  const double time_s = kSecondPerNanosecond * static_cast<double>(record.time_ns);
-  if (size_ > 0 && time_s < newest_s()) clear();
-  while (size_ > 0 && (size_ == kCapacity || row(0).time_s < time_s - kSpan_s)) {
-    first_ = (first_ + 1) % kCapacity;
-    --size_;
-  }
-  PlotRow& fresh = rows_[(first_ + size_) % kCapacity];
-  ++size_;
-  fresh.time_s = time_s;
+PlotRow plotRowOf(const servo::TickRecord& record) {
+  PlotRow fresh;
+  fresh.time_s = kSecondPerNanosecond * static_cast<double>(record.time_ns);
   fresh.error_mm = onScreen(record.error_m, kMillimetrePerMetre);
   fresh.asked_N = onScreen(record.f_asked_T_W.norm(), 1.0);
   fresh.sent_N = onScreen(record.f_sent_T_W.norm(), 1.0);
@@ -89,6 +76,26 @@ void PlotHistory::add(const servo::TickRecord& record) {
   fresh.theta_deg = onScreen(record.angles.theta_rad, 1.0 / kRadPerDegree);
   fresh.energy_mJ = onScreen(record.energy_J, 1e3);
   fresh.passive_N = onScreen(record.passive_N, 1.0);
+  return fresh;
+}
+
+PlotHistory::PlotHistory() : rows_(kCapacity) {}
+
+void PlotHistory::clear() {
+  first_ = size_ = 0;
+}
+
+void PlotHistory::add(const servo::TickRecord& record, const RecordedBeside& recorded) {
+  PlotRow fresh = plotRowOf(record);
+  fresh.recorded_error_mm = recorded.error_mm;
+  fresh.recorded_N = recorded.force_N;
+  if (size_ > 0 && fresh.time_s < newest_s()) clear();
+  while (size_ > 0 && (size_ == kCapacity || row(0).time_s < fresh.time_s - kSpan_s)) {
+    first_ = (first_ + 1) % kCapacity;
+    --size_;
+  }
+  rows_[(first_ + size_) % kCapacity] = fresh;
+  ++size_;
 }
 
 std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,

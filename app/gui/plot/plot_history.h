@@ -1,12 +1,19 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
+
+/// What a recording has at the tick that is replayed; NaN: nothing is.
+struct RecordedBeside {
+  float error_mm = std::numeric_limits<float>::quiet_NaN();
+  float force_N = std::numeric_limits<float>::quiet_NaN();  // sent
+};
 
 /// What the plots keep of a tick, in the screen's units.
 struct PlotRow {
@@ -22,7 +29,12 @@ struct PlotRow {
   float theta_deg = 0.0F;
   float energy_mJ = 0.0F;  // that the stylus has put in and not got back
   float passive_N = 0.0F;  // what the passivity controllers add
+  // Of what is replayed; NaN: nothing is.
+  float recorded_error_mm = std::numeric_limits<float>::quiet_NaN();
+  float recorded_N = std::numeric_limits<float>::quiet_NaN();
 };
+
+PlotRow plotRowOf(const servo::TickRecord& record);
 
 /// The last 10 s of ticks, up to 10000 a second, in a ring that never grows.
 class PlotHistory {
@@ -32,7 +44,7 @@ class PlotHistory {
 
   PlotHistory();
   /// A clock that goes backwards is another device: what was before is dropped.
-  void add(const servo::TickRecord& record);
+  void add(const servo::TickRecord& record, const RecordedBeside& recorded = {});
   void clear();
   std::size_t size() const { return size_; }
   /// From the oldest, 0, to the newest.

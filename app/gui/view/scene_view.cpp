@@ -80,8 +80,8 @@ void SceneView::Impl::before(QSize pixels) {
     renderer.RemoveAllViewProps();
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
     for (const auto& target : hand.targets()) renderer.AddActor(target);
-    for (const auto& lines :
-         {workspace.lines(), constraint.lines(), influence.lines(), robots.lines(), hand.lines(), kinematics.lines()}) {
+    for (const auto& lines : {workspace.lines(), constraint.lines(), influence.lines(), robots.lines(), path.lines(),
+                              hand.lines(), kinematics.lines()}) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
@@ -95,6 +95,7 @@ void SceneView::Impl::before(QSize pixels) {
   kinematics.setLineWidth(scale);
   influence.setLineWidth(scale);
   robots.setLineWidth(scale);
+  path.setLineWidth(scale);
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
@@ -244,6 +245,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->kinematics.setTheme(theme);
   impl_->influence.setTheme(theme);
   impl_->robots.setTheme(theme);
+  impl_->path.setTheme(theme);
   impl_->actors_changed = true;
   impl_->surface->update();
 }
@@ -256,6 +258,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->kinematics.show(layers.link_frames, layers.ghosts, layers.motion_ellipsoid, layers.force_ellipsoid);
   impl_->influence.show(layers.influence);
   impl_->robots.show(layers.robot);
+  impl_->path.show(layers.path);
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
 }
@@ -330,6 +333,15 @@ bool SceneView::moving() const {
   return impl_->movement.state() == QAbstractAnimation::Running;
 }
 
+void SceneView::setRecordedPath(std::vector<PathPoint> path) {
+  impl_->path.setPath(std::move(path));
+  impl_->surface->update();
+}
+
+std::size_t SceneView::pathPartsDrawn() const {
+  return impl_->path.parts();
+}
+
 void SceneView::setHint(const QString& text) {
   if (text == impl_->hint) return;
   impl_->hint = text;
@@ -340,6 +352,7 @@ void SceneView::setForceLimit(double continuous_N) {
   impl_->force_limit_N = continuous_N;
   impl_->hand.setForceLimit(continuous_N);
   impl_->kinematics.setForceLimit(continuous_N);
+  impl_->path.setForceLimit(continuous_N);
   if (impl_->shown) impl_->showArm();
   impl_->surface->update();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/gui/theme.h"
+#include "app/gui/view/path_picture.h"
 #include "core/arm/branches.h"
 #include "core/scene/description.h"
 #include "core/servo/snapshot.h"
@@ -23,6 +24,7 @@ struct Layers {
   bool force = true;      // the force arrow
   bool influence = true;  // see InfluencePicture; where the scene has one
   bool robot = true;      // virtual manipulators
+  bool path = true;       // of a recording that is replayed
   // For teaching, see KinematicsPicture.
   bool link_frames = false;
   bool ghosts = false;            // the inverse solutions
@@ -56,6 +58,9 @@ class SceneView : public QWidget {
   std::size_t ghostsDrawn() const;
   std::size_t robotsDrawn() const;
   std::optional<arm::JointAngles> chosenGhost_rad() const;
+  /// Where the tip of a recording went; empty: none.
+  void setRecordedPath(std::vector<PathPoint> path);
+  std::size_t pathPartsDrawn() const;
   /// One line over the view; empty: none.
   void setHint(const QString& text);
   /// The largest force of the gauge and the arrow's scale, N.

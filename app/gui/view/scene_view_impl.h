@@ -49,6 +49,7 @@ struct SceneView::Impl {
   KinematicsPicture kinematics;
   InfluencePicture influence;
   RobotPicture robots;
+  PathPicture path;
   scene::Description scene;  // that is drawn
   ViewWords words;
   Theme theme = Theme::light();

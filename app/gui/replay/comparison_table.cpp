@@ -1,0 +1,70 @@
+#include "app/gui/replay/comparison_table.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+void setText(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+}  // namespace
+
+ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent), stretch_(new QLabel(this)) {
+  setObjectName("panel.replay.comparison");
+  setAccessibleName(tr("Recorded and now"));
+  setToolTip(
+      tr("Over the ticks since the last jump or edit in which both times the servo let the whole force through."));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(20);
+  grid->setVerticalSpacing(2);
+  int column = 1;
+  for (const QString& head : {tr("rms error [mm]"), tr("peak force [N]"), tr("mean force [N]")}) {
+    auto* label = new QLabel(head, this);
+    label->setProperty("role", "quiet");
+    grid->addWidget(label, 0, column++, Qt::AlignRight);
+  }
+  grid->addWidget(new QLabel(tr("recorded"), this), 1, 0);
+  grid->addWidget(new QLabel(tr("now"), this), 2, 0);
+  recorded_ = {cell("panel.replay.recorded.rms", tr("Error, recorded")),
+               cell("panel.replay.recorded.peak", tr("Greatest force, recorded")),
+               cell("panel.replay.recorded.mean", tr("Mean force, recorded"))};
+  now_ = {cell("panel.replay.now.rms", tr("Error, now")), cell("panel.replay.now.peak", tr("Greatest force, now")),
+          cell("panel.replay.now.mean", tr("Mean force, now"))};
+  for (int at = 0; at < 3; ++at) {
+    grid->addWidget(recorded_[static_cast<std::size_t>(at)], 1, at + 1, Qt::AlignRight);
+    grid->addWidget(now_[static_cast<std::size_t>(at)], 2, at + 1, Qt::AlignRight);
+  }
+  stretch_->setObjectName("panel.replay.stretch");
+  stretch_->setAccessibleName(tr("Compared over"));
+  stretch_->setProperty("role", "quiet");
+  grid->addWidget(stretch_, 0, 0);
+  grid->setColumnStretch(4, 1);
+}
+
+QLabel* ComparisonTable::cell(const char* name, const QString& spoken) {
+  auto* label = new QLabel(this);
+  label->setObjectName(name);
+  label->setAccessibleName(spoken);
+  return label;
+}
+
+void ComparisonTable::fill(const std::array<QLabel*, 3>& cells, const Figures& figures) {
+  setText(cells[0], numberText(kMillimetrePerMetre * figures.rms_error_m, 2));
+  setText(cells[1], numberText(figures.peak_N, 3));
+  setText(cells[2], numberText(figures.mean_N, 3));
+}
+
+void ComparisonTable::present(const Comparison& comparison, int rate_hz) {
+  fill(recorded_, comparison.recorded());
+  fill(now_, comparison.now());
+  setText(stretch_, tr("over %1 s").arg(numberText(static_cast<double>(comparison.ticks()) / rate_hz, 1)));
+}
+
+}  // namespace underact::gui

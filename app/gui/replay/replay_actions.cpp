@@ -1,0 +1,146 @@
+#include "app/gui/replay/replay_actions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <functional>
+
+#include "app/gui/actions.h"
+#include "app/gui/replay/player.h"
+#include "app/gui/scene_files.h"
+
+namespace underact::gui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("replay", text);
+}
+
+void chooseSession(Actions& actions, QWidget* window) {
+  auto* dialog =
+      new QFileDialog(window, tr("Replay a session"), {}, tr("Recorded sessions (*.h5 *.hdf5);;All files (*)"));
+  dialog->setObjectName("dialog.session");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  QObject::connect(dialog, &QFileDialog::fileSelected, &actions,
+                   [&actions](const QString& path) { actions.perform("replay.open", path); });
+  dialog->open();
+}
+
+void addPlaying(Actions& actions, Player& player) {
+  struct Row {
+    const char *name, *text, *shortcut, *tip, *icon;
+    std::function<void(const QVariantList&)> run;
+  };
+  const Row rows[] = {
+      {"replay.play", "&Play or pause", "P", "Plays the recording, or lets it stand still.", "play",
+       [&player](const QVariantList& on) {
+         on.value(0, !player.isPlaying()).toBool() ? player.play() : player.pause();
+       }},
+      {"replay.back", "One tick &back", ",", "Shows the tick before this one, and stands still.", "back",
+       [&player](const QVariantList&) {
+         player.pause();
+         player.step(-1);
+       }},
+      {"replay.forward", "One tick &further", ".", "Shows the tick after this one, and stands still.", "forward",
+       [&player](const QVariantList&) {
+         player.pause();
+         player.step(1);
+       }},
+      {"replay.loop_in", "Loop begins &here", "I", "The loop begins at this tick.", "",
+       [&player](const QVariantList&) {
+         player.setLoopIn(player.row());
+         player.setLoop(true);
+       }},
+      {"replay.loop_out", "Loop &ends here", "O", "The loop ends at this tick.", "", [&player](const QVariantList&) {
+         player.setLoopOut(player.row());
+         player.setLoop(true);
+       }}};
+  for (const Row& row : rows) {
+    actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), row.icon},
+                [run = row.run](const QVariantList& arguments) {
+                  run(arguments);
+                  return true;
+                });
+  }
+  actions.add({"replay.loop",
+               tr("&Loop"),
+               QKeySequence("L"),
+               tr("Plays on and on: from where the loop begins to where it ends."),
+               {},
+               {},
+               true},
+              [&player](const QVariantList& on) {
+                player.setLoop(on.value(0).toBool());
+                return true;
+              });
+}
+
+void addCommands(Actions& actions, Player& player) {
+  actions.addCommand("replay.seek", [&player](const QVariantList& seconds) {
+    bool is_number = false;
+    const double time_s = seconds.value(0).toDouble(&is_number);
+    if (!is_number || !player.isOpen()) return false;
+    player.seek(qRound64(time_s * player.recorded().rate_hz));
+    return true;
+  });
+  actions.addCommand("replay.speed", [&player](const QVariantList& times) {
+    bool is_number = false;
+    const double speed = times.value(0).toDouble(&is_number);
+    if (!is_number || !player.isOpen()) return false;
+    player.setSpeed(speed);
+    return true;
+  });
+}
+
+}  // namespace
+
+bool isSession(const QString& path) {
+  return path.endsWith(".h5", Qt::CaseInsensitive) || path.endsWith(".hdf5", Qt::CaseInsensitive);
+}
+
+void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidget* window) {
+  actions.add({"replay.open", tr("&Open session…"), QKeySequence("Ctrl+Shift+O"),
+               tr("Opens a recorded session and replays it."), "open"},
+              [&actions, &player, &files, window](const QVariantList& path) {
+                if (path.isEmpty()) {
+                  chooseSession(actions, window);
+                  return true;
+                }
+                if (player.isOpen() && !files.settleEdits()) return false;  // what was tried in the one before
+                actions.perform("calibration.cancel");
+                return player.open(path.first().toString());
+              });
+  addPlaying(actions, player);
+  actions.add({"replay.what_if",
+               tr("&What if"),
+               QKeySequence("Ctrl+Alt+W"),
+               tr("The recorded hand on the scene and the gains of the window, in place of the recorded ones."),
+               {},
+               {},
+               true},
+              [&player](const QVariantList& on) {
+                player.setWhatIf(on.value(0).toBool());
+                return true;
+              });
+  actions.add({"replay.close", tr("&Close session"), QKeySequence("Ctrl+Shift+W"),
+               tr("Ends the replay: the arm and the scene from before are there again.")},
+              [&player, &files](const QVariantList&) {
+                if (!files.settleEdits()) return false;
+                player.close();
+                return true;
+              });
+  addCommands(actions, player);
+  const auto enable = [&actions, &player] {
+    for (const char* name : {"play", "back", "forward", "loop", "loop_in", "loop_out", "what_if", "close"})
+      actions.find(QString("replay.") + name)->setEnabled(player.isOpen());
+    actions.find("replay.loop")->setChecked(player.isOpen() && player.loops());
+    actions.find("replay.what_if")->setChecked(player.isOpen() && player.whatIf());
+  };
+  enable();
+  for (const auto signal : {&Player::opened, &Player::closed, &Player::changed})
+    QObject::connect(&player, signal, &actions, enable);
+  QObject::connect(&player, &Player::whatIfChanged, &actions, enable);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,53 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/theme.h"
+#include "core/servo/snapshot.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class Actions;
+class ComparisonTable;
+class Player;
+class ScrubSlider;
+
+/// Below the view while a session is opened or replayed: where it is, play and pause, speed, loop, what if.
+class ReplayBar : public QWidget {
+  Q_OBJECT
+ public:
+  ReplayBar(Player& player, Actions& actions, QWidget* parent);
+  void present(const servo::Snapshot& snapshot);
+  void setTheme(const Theme& theme);
+
+ private:
+  void buildLoading(QVBoxLayout* column);
+  void buildTransport(QVBoxLayout* column);
+  void buildChoices(QVBoxLayout* column);
+  QToolButton* button(const char* action, const QString& spoken);
+  QCheckBox* box(const char* action, const QString& words);
+  void show(bool loads, bool plays);
+  void begin();
+  void presentPlace();
+
+  Player& player_;
+  Actions& actions_;
+  QWidget *loading_, *replay_;
+  QLabel *reading_, *time_, *here_, *name_;
+  QProgressBar* progress_;
+  QToolButton *play_, *back_, *forward_;
+  ScrubSlider* scrub_;
+  QComboBox* speed_;
+  ComparisonTable* comparison_;
+  Theme theme_ = Theme::light();
+  bool shows_pause_ = false;
+};
+
+}  // namespace underact::gui

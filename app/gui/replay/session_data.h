@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "app/gui/plot/plot_history.h"
+#include "core/servo/histogram.h"
+
+namespace underact::gui {
+
+/// What the charts keep of a recorded tick.
+struct SessionRow {
+  PlotRow plot;  // time_s: since the first tick
+  std::array<float, 3> p_mm{};
+};
+
+/// A session for charts. Of a long one a row stands for a group of ticks: the one with the greatest force.
+class SessionData {
+ public:
+  static constexpr std::size_t kMostRows = 2'000'000;
+
+  /// most_rows: beyond it the rows are halved; even.
+  explicit SessionData(std::size_t most_rows = kMostRows) : most_rows_(most_rows) {}
+  /// row: of the recording; in order.
+  void add(std::int64_t row, double rate_hz, const servo::TickRecord& record);
+  const std::vector<SessionRow>& rows() const { return rows_; }
+  /// Ticks that a row stands for.
+  std::int64_t ticksPerRow() const { return ticks_per_row_; }
+  const servo::Histogram& lateness() const { return lateness_; }  // of all ticks
+
+ private:
+  void halve();
+
+  std::size_t most_rows_;
+  std::vector<SessionRow> rows_;
+  std::int64_t ticks_per_row_ = 1, group_ = -1;
+  servo::Histogram lateness_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,112 @@
+#include "app/gui/replay/session_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/actions.h"
+#include "app/gui/replay/player.h"
+#include "app/gui/replay/session_plot.h"
+#include "app/gui/servo/lateness_chart.h"
+#include "app/gui/view/scene_view.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLateness = 5;  // in the chooser, after those of SessionPlotKind
+constexpr std::size_t kMostPathPoints = 6000;
+
+}  // namespace
+
+SessionPanel::SessionPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent),
+      parts_(parts),
+      kind_(new QComboBox(this)),
+      pages_(new QStackedWidget(this)),
+      nothing_(new QLabel(this)),
+      plot_(new SessionPlot(this)),
+      lateness_(new LatenessChart(this)) {
+  kind_->setObjectName("panel.session.kind");
+  kind_->setAccessibleName(tr("What is plotted"));
+  kind_->setToolTip(tr("Which plot of the whole session is shown. A click into a plot against time goes there."));
+  kind_->addItems({tr("Error and force"), tr("Force against displacement"), tr("Angles of influence"), tr("Energy"),
+                   tr("Spectrum"), tr("Lateness")});
+  kind_->setFocusPolicy(Qt::StrongFocus);
+  nothing_->setText(tr("Plots of a recorded session stand here when one is open (Ctrl+Shift+O)."));
+  nothing_->setAlignment(Qt::AlignCenter);
+  nothing_->setWordWrap(true);
+  nothing_->setProperty("role", "quiet");
+  lateness_->setObjectName("panel.session.lateness");
+  for (QWidget* page :
+       {static_cast<QWidget*>(nothing_), static_cast<QWidget*>(plot_), static_cast<QWidget*>(lateness_)})
+    pages_->addWidget(page);
+  auto* label = new QLabel(tr("Of the &session"), this);
+  label->setProperty("role", "quiet");
+  label->setBuddy(kind_);
+  auto* strip = new QHBoxLayout;
+  strip->setContentsMargins(12, 4, 12, 0);
+  strip->setSpacing(8);
+  strip->addWidget(label);
+  strip->addWidget(kind_);
+  strip->addStretch(1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(strip);
+  column->addWidget(pages_, 1);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &SessionPanel::show);
+  connect(&parts.player, &Player::opened, this, [this] {
+    plot_->setSession(parts_.player.sharedData(), parts_.player.recorded().rate_hz);
+    lateness_->present(parts_.player.data().lateness(), 1e6 / parts_.player.recorded().rate_hz);
+    showPath();
+    show();
+  });
+  connect(&parts.player, &Player::closed, this, [this] {
+    plot_->setSession({}, 1000);
+    parts_.view.setRecordedPath({});
+    show();
+  });
+  connect(plot_, &SessionPlot::timeAsked, this,
+          [this](double time_s) { parts_.actions.perform("replay.seek", time_s); });
+  parts.actions.addCommand("session.plot", [this](const QVariantList& kind) {
+    const int index = kind_->findText(kind.value(0).toString());
+    if (index >= 0) kind_->setCurrentIndex(index);
+    return index >= 0;
+  });
+  show();
+}
+
+void SessionPanel::show() {
+  const int index = kind_->currentIndex();
+  if (index != kLateness) plot_->setKind(static_cast<SessionPlotKind>(index));
+  kind_->setEnabled(parts_.player.isOpen());
+  pages_->setCurrentWidget(!parts_.player.isOpen() ? static_cast<QWidget*>(nothing_)
+                           : index == kLateness    ? static_cast<QWidget*>(lateness_)
+                                                   : plot_);
+}
+
+void SessionPanel::showPath() {
+  const std::vector<SessionRow>& rows = parts_.player.data().rows();
+  const std::size_t step = std::max<std::size_t>(rows.size() / kMostPathPoints, 1);
+  std::vector<PathPoint> path;
+  for (std::size_t index = 0; index < rows.size(); index += step) {
+    const SessionRow& row = rows[index];
+    path.push_back({Vec3(row.p_mm[0], row.p_mm[1], row.p_mm[2]), static_cast<double>(row.plot.sent_N)});
+  }
+  parts_.view.setRecordedPath(path);
+}
+
+void SessionPanel::present(const servo::Snapshot&) {
+  if (!parts_.player.isOpen() || visibleRegion().isEmpty()) return;  // behind another tab it is visible, and not seen
+  plot_->setCursor(parts_.player.secondsAt(parts_.player.row()));
+}
+
+void SessionPanel::setTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+  lateness_->setTheme(theme);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,33 @@
+#pragma once
+#include "app/gui/panel.h"
+
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+
+namespace underact::gui {
+
+class LatenessChart;
+class SessionPlot;
+
+/// Plots of the whole session that is replayed, with a cursor where it is.
+class SessionPanel : public Panel {
+  Q_OBJECT
+ public:
+  SessionPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void show();
+  void showPath();
+
+  PanelParts parts_;
+  QComboBox* kind_;
+  QStackedWidget* pages_;
+  QLabel* nothing_;
+  SessionPlot* plot_;
+  LatenessChart* lateness_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,357 @@
+#include "app/gui/replay/session_plot.h"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/gui/plot/chart.h"
+#include "app/gui/plot/plot_range.h"
+#include "app/gui/replay/spectrum.h"
+#include "app/gui/replay/thin_session.h"
+#include "app/gui/view/gl_surface.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kLeastError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
+constexpr double kRoom = 1.05;
+constexpr double kAskedShown = 2.5;          // times the greatest force sent: what was asked may be anything
+constexpr double kMostFrequency_hz = 250.0;  // a hand ends at some 20 Hz, a buzz of a stiff scene below this
+constexpr double kLeast_dB = -20.0, kStep_dB = 20.0;
+constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB over a thousandth
+constexpr std::size_t kPathGroups = 500;
+constexpr float kNoBreak = std::numeric_limits<float>::infinity();
+
+double greatestOf(std::span<const PlotPoint> points, float PlotPoint::*value) {
+  float greatest = 0.0F;
+  for (const PlotPoint& point : points) {
+    if (std::isfinite(point.*value)) greatest = std::max(greatest, std::abs(point.*value));
+  }
+  return static_cast<double>(greatest);
+}
+
+double endOf(double greatest, double least) {
+  return roundUp(std::max(kRoom * greatest, least));
+}
+
+/// Both ends of the cursor, the last two points of each chart's last curve.
+void putLine(std::span<PlotPoint> points, double x, double from, double to) {
+  std::fill(points.begin(), points.end(), PlotPoint{static_cast<float>(x), static_cast<float>(to)});
+  points[0].y = static_cast<float>(from);
+}
+
+}  // namespace
+
+struct SessionPlot::Impl {
+  explicit Impl(SessionPlot* owner) : plot(owner) {
+    surface = new GlSurface([this](QSize pixels) { before(pixels); },
+                            [this](QPainter& painter) {
+                              for (const Chart* chart : shown()) chart->paintWords(painter);
+                            },
+                            plot);
+    surface->setAttribute(Qt::WA_TransparentForMouseEvents);
+    for (Chart* chart : all()) actor->GetScene()->AddItem(chart->item());
+    angles.setTickStep(45.0);
+    surface->renderer().AddActor(actor);
+    actor->GetScene()->SetRenderer(&surface->renderer());
+    showKind();
+  }
+
+  std::vector<Chart*> all() {
+    return {&error, &force, &along[0], &along[1], &along[2], &angles, &energy, &force_lines, &error_lines};
+  }
+  /// From left to right.
+  std::vector<Chart*> shown() {
+    switch (kind) {
+      case SessionPlotKind::ErrorAndForce:
+        return {&error, &force};
+      case SessionPlotKind::ForceAgainstDisplacement:
+        return {&along[0], &along[1], &along[2]};
+      case SessionPlotKind::Angles:
+        return {&angles};
+      case SessionPlotKind::Energy:
+        return {&energy};
+      case SessionPlotKind::Spectrum:
+        return {&force_lines, &error_lines};
+    }
+    return {};
+  }
+  bool isAgainstTime() const {
+    return kind != SessionPlotKind::ForceAgainstDisplacement && kind != SessionPlotKind::Spectrum;
+  }
+  void showKind() {
+    for (Chart* chart : all()) chart->item()->SetVisible(false);
+    for (Chart* chart : shown()) chart->item()->SetVisible(true);
+    placed = {};
+    surface->update();
+  }
+
+  void before(QSize pixels) {
+    if (pixels != placed) {
+      place(pixels);
+      fill();
+    } else if (!cursor_changed) {
+      return;
+    }
+    cursor_changed = false;
+    putCursor();
+    for (Chart* chart : shown()) chart->pointsChanged();
+  }
+
+  void place(QSize pixels) {
+    placed = pixels;
+    const double width = plot->width(), height = plot->height();
+    const double scale = pixels.height() / std::max(1.0, height);
+    const std::vector<Chart*> charts = shown();
+    const double each = width / static_cast<double>(charts.size());
+    double left = 0.0;
+    for (Chart* chart : charts) {
+      chart->setPlace({left, 0.0, each, height}, height, scale, plot->font());
+      chart->reserve(4 * (std::max(chart->columns(), kPathGroups) + 2));
+      left += each;
+    }
+  }
+
+  std::size_t against(Chart& chart, std::size_t curve, const std::function<float(const SessionRow&)>& value,
+                      float largest_step = kNoBreak) {
+    return thinSession(rows(), value, chart.columns(), largest_step, chart.points(curve));
+  }
+  const std::vector<SessionRow>& rows() const {
+    static const std::vector<SessionRow> kNone;
+    return data ? data->rows() : kNone;
+  }
+  double end_s() const { return rows().empty() ? 1.0 : std::max(rows().back().plot.time_s, 1e-3); }
+
+  void fill() {
+    switch (kind) {
+      case SessionPlotKind::ErrorAndForce:
+        return fillErrorAndForce();
+      case SessionPlotKind::ForceAgainstDisplacement:
+        return fillAlong();
+      case SessionPlotKind::Angles:
+        return fillAngles();
+      case SessionPlotKind::Energy:
+        return fillEnergy();
+      case SessionPlotKind::Spectrum:
+        fillLines(force_lines, [](const SessionRow& row) { return row.plot.sent_N; });
+        return fillLines(error_lines, [](const SessionRow& row) { return row.plot.error_mm; });
+    }
+  }
+
+  void fillErrorAndForce() {
+    against(error, 0, [](const SessionRow& row) { return row.plot.error_mm; });
+    against(force, 0, [](const SessionRow& row) { return row.plot.asked_N; });
+    against(force, 1, [](const SessionRow& row) { return row.plot.sent_N; });
+    error.setRange(0.0, end_s(), 0.0, endOf(greatestOf(error.points(0), &PlotPoint::y), kLeastError_mm));
+    const double sent_N = std::max(greatestOf(force.points(1), &PlotPoint::y), kLeastForce_N);
+    const double asked_N = std::min(greatestOf(force.points(0), &PlotPoint::y), kAskedShown * sent_N);
+    force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kLeastForce_N));
+  }
+
+  /// One scale for all three axes: which of them is stiff is seen at once.
+  void fillAlong() {
+    double away_mm = kLeastAway_mm, along_N = kLeastForce_N;
+    for (std::size_t axis = 0; axis < along.size(); ++axis) {
+      thinSessionPath(rows(), axis, kPathGroups, along[axis].points(0));
+      away_mm = std::max(away_mm, greatestOf(along[axis].points(0), &PlotPoint::x));
+      along_N = std::max(along_N, greatestOf(along[axis].points(0), &PlotPoint::y));
+    }
+    away_mm = endOf(away_mm, kLeastAway_mm);
+    along_N = endOf(along_N, kLeastForce_N);
+    for (Chart& chart : along) chart.setRange(-away_mm, away_mm, -along_N, along_N);
+  }
+
+  void fillAngles() {
+    against(
+        angles, 0, [](const SessionRow& row) { return row.plot.alpha_deg; }, 180.0F);
+    against(
+        angles, 1, [](const SessionRow& row) { return row.plot.beta_deg; }, 180.0F);
+    against(
+        angles, 2, [](const SessionRow& row) { return row.plot.theta_deg; }, 180.0F);
+    angles.setRange(0.0, end_s(), -180.0, 180.0);
+  }
+
+  void fillEnergy() {
+    const std::size_t used = against(energy, 1, [](const SessionRow& row) { return row.plot.energy_mJ; });
+    double most_mJ = 0.0, least_mJ = 0.0;
+    for (const PlotPoint& point : energy.points(1).first(used)) {
+      most_mJ = std::max(most_mJ, static_cast<double>(point.y));
+      least_mJ = std::min(least_mJ, static_cast<double>(point.y));
+    }
+    std::fill(energy.points(0).begin(), energy.points(0).end(), PlotPoint{static_cast<float>(end_s()), 0.0F});
+    energy.points(0)[0].x = 0.0F;
+    const double top_mJ = endOf(most_mJ, kLeastEnergy_mJ);
+    energy.setRange(0.0, end_s(), least_mJ < 0.0 ? -endOf(-least_mJ, 0.1 * top_mJ) : -0.1 * top_mJ, top_mJ);
+  }
+
+  void fillLines(Chart& chart, const std::function<float(const SessionRow&)>& value) {
+    std::vector<float> values;
+    values.reserve(rows().size());
+    for (const SessionRow& row : rows()) values.push_back(value(row));
+    const double each_hz = rate_hz / static_cast<double>(data ? data->ticksPerRow() : 1);
+    const double most_hz = std::min(kMostFrequency_hz, 0.5 * each_hz);
+    const std::span<PlotPoint> points = chart.points(0);
+    std::size_t used = 0;
+    double most_dB = kStep_dB;
+    for (const SpectrumLine& line : spectrumOf(values, each_hz)) {
+      if (line.frequency_hz > most_hz || used >= points.size()) break;
+      const double level_dB = std::max(kPerUnit_dB + 20.0 * std::log10(std::max(line.amplitude, 1e-9)), kLeast_dB);
+      most_dB = std::max(most_dB, level_dB);
+      points[used++] = {static_cast<float>(line.frequency_hz), static_cast<float>(level_dB)};
+    }
+    std::fill(points.begin() + static_cast<std::ptrdiff_t>(used), points.end(),
+              used > 0 ? points[used - 1] : PlotPoint{});
+    chart.setRange(0.0, most_hz, kLeast_dB, kStep_dB * std::ceil(most_dB / kStep_dB));
+  }
+
+  void putCursor() {
+    if (isAgainstTime()) {
+      for (Chart* chart : shown()) {
+        const auto [from, to] = chart->yRange();
+        putLine(chart->points(chart->curves() - 1), cursor_s, from, to);
+      }
+    } else if (kind == SessionPlotKind::ForceAgainstDisplacement) {
+      const SessionRow* row = rowAt(cursor_s);
+      for (std::size_t axis = 0; axis < along.size(); ++axis) {
+        const std::span<PlotPoint> points = along[axis].points(1);
+        const double x = row != nullptr ? static_cast<double>(row->plot.away_mm[axis]) : 0.0;
+        const double y = row != nullptr ? static_cast<double>(row->plot.force_N[axis]) : 0.0;
+        const double arm = 0.06 * along[axis].yRange().second;
+        putLine(points, x, y - arm, y + arm);
+      }
+    }
+  }
+
+  const SessionRow* rowAt(double time_s) const {
+    const auto found = std::lower_bound(rows().begin(), rows().end(), time_s - 1e-9,
+                                        [](const SessionRow& row, double wanted) { return row.plot.time_s < wanted; });
+    return found == rows().end() ? (rows().empty() ? nullptr : &rows().back()) : &*found;
+  }
+
+  SessionPlot* plot;
+  GlSurface* surface = nullptr;
+  std::shared_ptr<const SessionData> data;
+  double rate_hz = 1000.0;
+  SessionPlotKind kind = SessionPlotKind::ErrorAndForce;
+  double cursor_s = 0.0;
+  bool cursor_changed = true;
+  Chart error{SessionPlot::tr("Error [mm]"), SessionPlot::tr("time [s]"), {{QString(), 1.5F}, {QString(), 1.0F}}};
+  Chart force{SessionPlot::tr("Force [N]"),
+              SessionPlot::tr("time [s]"),
+              {{SessionPlot::tr("asked"), 1.0F}, {SessionPlot::tr("sent"), 2.0F}, {QString(), 1.0F}}};
+  std::array<Chart, 3> along{Chart{SessionPlot::tr("Force along x [N]"),
+                                   SessionPlot::tr("displacement [mm]"),
+                                   {{QString(), 1.5F}, {QString(), 2.0F}}},
+                             Chart{SessionPlot::tr("Force along y [N]"),
+                                   SessionPlot::tr("displacement [mm]"),
+                                   {{QString(), 1.5F}, {QString(), 2.0F}}},
+                             Chart{SessionPlot::tr("Force along z [N]"),
+                                   SessionPlot::tr("displacement [mm]"),
+                                   {{QString(), 1.5F}, {QString(), 2.0F}}}};
+  Chart angles{SessionPlot::tr("Angle [°]"),
+               SessionPlot::tr("time [s]"),
+               {{SessionPlot::tr("α stylus"), 1.5F, true},
+                {SessionPlot::tr("β tip"), 1.5F},
+                {SessionPlot::tr("θ target"), 2.5F},
+                {QString(), 1.0F}}};
+  Chart energy{SessionPlot::tr("Energy [mJ]"),
+               SessionPlot::tr("time [s]"),
+               {{QString(), 1.0F}, {SessionPlot::tr("stored"), 2.0F}, {QString(), 1.0F}}};
+  Chart force_lines{SessionPlot::tr("Force [dB over 1 mN]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
+  Chart error_lines{SessionPlot::tr("Error [dB over 1 µm]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
+  vtkNew<vtkContextActor> actor;
+  QSize placed;
+};
+
+SessionPlot::SessionPlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+  setObjectName("panel.session.plot");
+  setAccessibleName(tr("Plots of the whole session"));
+  setMinimumSize(240, 96);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(impl_->surface);
+  setTheme(Theme::light());
+}
+
+SessionPlot::~SessionPlot() {
+  delete impl_->surface;
+}
+
+void SessionPlot::setSession(std::shared_ptr<const SessionData> session, int rate_hz) {
+  impl_->data = std::move(session);
+  impl_->rate_hz = rate_hz;
+  impl_->cursor_s = 0.0;
+  impl_->placed = {};
+  impl_->surface->update();
+}
+
+void SessionPlot::setKind(SessionPlotKind kind) {
+  impl_->kind = kind;
+  impl_->showKind();
+}
+
+SessionPlotKind SessionPlot::kind() const {
+  return impl_->kind;
+}
+
+void SessionPlot::setCursor(double time_s) {
+  if (time_s == impl_->cursor_s) return;
+  impl_->cursor_s = time_s;
+  impl_->cursor_changed = true;
+  if (impl_->kind != SessionPlotKind::Spectrum) impl_->surface->update();
+}
+
+void SessionPlot::setTheme(const Theme& theme) {
+  Impl& my = *impl_;
+  const QColor quiet = mixed(theme.background, theme.ink, 0.55);
+  my.surface->setBackground(theme.background);
+  my.error.setColours(theme, {theme.target, theme.ink});
+  my.force.setColours(theme, {quiet, theme.force, theme.ink});
+  for (Chart& chart : my.along) chart.setColours(theme, {theme.force, theme.ink});
+  my.angles.setColours(theme, {theme.orientation, theme.position, theme.target, theme.ink});
+  my.energy.setColours(theme, {theme.ink, theme.constraint, theme.ink});
+  my.force_lines.setColours(theme, {theme.force});
+  my.error_lines.setColours(theme, {theme.target});
+  my.surface->update();
+}
+
+QImage SessionPlot::picture() {
+  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());  // never shown: no layout has been at work
+  return impl_->surface->picture();
+}
+
+QPointF SessionPlot::placeOf(double time_s) const {
+  return impl_->shown().front()->placeOf(time_s);
+}
+
+void SessionPlot::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !impl_->isAgainstTime() || !impl_->data) return;
+  for (const Chart* chart : impl_->shown()) {
+    if (const std::optional<double> time_s = chart->xAt(event->position())) emit timeAsked(*time_s);
+  }
+}
+
+void SessionPlot::mouseMoveEvent(QMouseEvent* event) {
+  if ((event->buttons() & Qt::LeftButton) == 0 || !impl_->isAgainstTime() || !impl_->data) return;
+  for (const Chart* chart : impl_->shown()) {
+    if (const std::optional<double> time_s = chart->xAt(event->position())) emit timeAsked(*time_s);
+  }
+}
+
+void SessionPlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  impl_->placed = {};
+  impl_->surface->update();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,75 @@
+#include "app/gui/replay/spectrum.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr std::size_t kLeast = 16, kMost = 4096;
+
+double meanOf(std::span<const float> values) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const float value : values) {
+    if (!std::isfinite(value)) continue;
+    sum += static_cast<double>(value);
+    ++count;
+  }
+  return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+void transform(std::vector<std::complex<double>>& values) {
+  const std::size_t size = values.size();
+  for (std::size_t index = 1, other = 0; index < size; ++index) {  // bits of the index turned round
+    std::size_t bit = size >> 1U;
+    for (; (other & bit) != 0; bit >>= 1U) other ^= bit;
+    other ^= bit;
+    if (index < other) std::swap(values[index], values[other]);
+  }
+  for (std::size_t length = 2; length <= size; length *= 2) {
+    const double angle_rad = -2.0 * kPi / static_cast<double>(length);
+    for (std::size_t begin = 0; begin < size; begin += length) {
+      for (std::size_t at = 0; at < length / 2; ++at) {
+        const std::complex<double> turn = std::polar(1.0, angle_rad * static_cast<double>(at));
+        const std::complex<double> even = values[begin + at], odd = turn * values[begin + at + length / 2];
+        values[begin + at] = even + odd;
+        values[begin + at + length / 2] = even - odd;
+      }
+    }
+  }
+}
+
+std::vector<SpectrumLine> spectrumOf(std::span<const float> values, double rate_hz) {
+  if (values.size() < kLeast) return {};
+  const std::size_t size = std::min(std::bit_floor(values.size()), kMost);
+  const double mean = meanOf(values);
+  std::vector<double> window(size), power(size / 2 + 1, 0.0);
+  for (std::size_t at = 0; at < size; ++at)
+    window[at] = 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(at) / static_cast<double>(size));
+  std::size_t windows = 0;
+  std::vector<std::complex<double>> part(size);
+  for (std::size_t begin = 0; begin + size <= values.size(); begin += size / 2, ++windows) {
+    for (std::size_t at = 0; at < size; ++at) {
+      const auto value = static_cast<double>(values[begin + at]);
+      part[at] = std::isfinite(value) ? window[at] * (value - mean) : 0.0;
+    }
+    transform(part);
+    for (std::size_t line = 0; line < power.size(); ++line) power[line] += std::norm(part[line]);
+  }
+  std::vector<SpectrumLine> spectrum(power.size());
+  const double to_amplitude = 4.0 / static_cast<double>(size);  // both sides, and a Hann window's mean of a half
+  for (std::size_t line = 0; line < spectrum.size(); ++line) {
+    spectrum[line].frequency_hz = rate_hz * static_cast<double>(line) / static_cast<double>(size);
+    spectrum[line].amplitude = to_amplitude * std::sqrt(power[line] / static_cast<double>(windows));
+  }
+  return spectrum;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,44 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/pieces.h"
+
+namespace underact::gui {
+
+/// A place of a recorded tip and the force sent there.
+struct PathPoint {
+  Vec3 p_mm = Vec3::Zero();
+  double force_N = 0.0;
+};
+
+/// Where the tip of a recording went: a line from quiet, where nothing pushed, over the colour of forces to that of a
+/// limit, at the arm's continuous force.
+class PathPicture {
+ public:
+  PathPicture();
+  void setTheme(const Theme& theme);
+  void setLineWidth(double device_pixels_per_pixel);
+  void setForceLimit(double continuous_N);
+  void show(bool shown);
+  /// Points that are not finite break the line.
+  void setPath(std::vector<PathPoint> path);
+  std::size_t parts() const { return shown_ ? parts_ : 0; }  // of the line that is drawn
+  std::vector<vtkActor*> lines() const { return {actor_}; }
+
+ private:
+  void build();
+
+  Theme theme_ = Theme::light();
+  double limit_N_ = 1.0;
+  bool shown_ = true;
+  std::size_t parts_ = 0;
+  std::vector<PathPoint> path_;
+  Lines lines_;
+  vtkSmartPointer<vtkActor> actor_;
+};
+
+}  // namespace underact::gui

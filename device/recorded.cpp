@@ -1,0 +1,141 @@
+#include "device/recorded.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/record/tick_table.h"
+
+namespace underact::device {
+namespace {
+
+// A file whose numbers of ticks are damaged must not ask for all memory: four hours at 10 kHz.
+constexpr std::int64_t kMostRows = 144'000'000;
+
+bool isFinite(const arm::JointAngles& q_rad) {
+  return std::all_of(q_rad.begin(), q_rad.end(), [](double angle_rad) { return std::isfinite(angle_rad); });
+}
+
+/// Rows in the order of the file, with one for each tick that is missing.
+class Rows {
+ public:
+  explicit Rows(std::vector<RecordedRow>& rows) : rows_(rows) {}
+
+  std::int64_t firstTick() const { return first_tick_; }
+  /// Gives the row of this tick.
+  std::int64_t add(const servo::TickRecord& record) {
+    if (rows_.empty()) first_tick_ = record.tick;
+    const std::int64_t missing =
+        std::clamp<std::int64_t>(record.tick - first_tick_ - size(), 0, kMostRows - std::min(size(), kMostRows));
+    for (std::int64_t row = 0; row < missing && size() > 0; ++row) repeat();
+    RecordedRow row;
+    const bool has_sample = (record.input & servo::kHadSample) != 0 && isFinite(record.q_rad);
+    if (has_sample) q_rad_ = record.q_rad;
+    if (has_sample && !had_one_) fillBefore();
+    row.q_rad = q_rad_;
+    row.force_N = static_cast<float>(record.f_sent_T_W.norm());
+    row.error_m = static_cast<float>(record.error_m);
+    row.buttons = record.buttons;
+    row.is_full = record.level >= 1.0 && record.fault == FaultKind::None;
+    const bool faults = record.fault != FaultKind::None && fault_ == FaultKind::None;
+    row.begins_anew =
+        missing > 0 || faults || (record.input & servo::kRestarted) != 0 || (size() > 0 && record.time_ns < time_ns_);
+    fault_ = record.fault;
+    time_ns_ = record.time_ns;
+    rows_.push_back(row);
+    return size() - 1;
+  }
+
+ private:
+  std::int64_t size() const { return static_cast<std::int64_t>(rows_.size()); }
+  void repeat() {
+    RecordedRow row;
+    row.q_rad = q_rad_;
+    rows_.push_back(row);
+  }
+  void fillBefore() {
+    had_one_ = true;
+    for (RecordedRow& row : rows_) row.q_rad = q_rad_;
+  }
+
+  std::vector<RecordedRow>& rows_;
+  arm::JointAngles q_rad_{};
+  bool had_one_ = false;
+  std::int64_t first_tick_ = 0, time_ns_ = 0;
+  FaultKind fault_ = FaultKind::None;
+};
+
+std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t first_tick, std::int64_t rows) {
+  const auto rowOf = [&](std::int64_t tick) { return std::clamp<std::int64_t>(tick - first_tick, 0, rows - 1); };
+  std::vector<RecordedMark> marks;
+  for (const record::Marker& marker : session.markers()) marks.push_back({rowOf(marker.tick), marker.label, false});
+  for (const servo::FaultMark& fault : session.faults())
+    marks.push_back({rowOf(fault.tick), describe(fault.fault), true});
+  std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
+  return marks;
+}
+
+void readScenes(record::Session& session, std::int64_t first_tick, Recorded& recorded) {
+  for (const record::ChangeRow& change : session.changes()) {
+    Result<scene::Description> scene = session.scene(change);
+    if (!scene) {
+      recorded.damage.insert(recorded.damage.end(), scene.problems().begin(), scene.problems().end());
+      continue;
+    }
+    if (scene.value().constraints.empty()) continue;
+    recorded.scenes.push_back({std::max<std::int64_t>(change.tick - first_tick, 0), std::move(scene).value()});
+  }
+  std::stable_sort(recorded.scenes.begin(), recorded.scenes.end(),
+                   [](const auto& a, const auto& b) { return a.row < b.row; });
+}
+
+}  // namespace
+
+const RecordedScene* Recorded::sceneAt(std::int64_t row) const {
+  const RecordedScene* found = nullptr;
+  for (const RecordedScene& scene : scenes) {
+    if (scene.row <= row) found = &scene;
+  }
+  return found != nullptr || scenes.empty() ? found : &scenes.front();
+}
+
+Result<std::shared_ptr<const Recorded>> loadRecorded(const std::string& path, const LoadWatch& watch) {
+  Result<record::Session> opened = record::Session::open(path);
+  if (!opened) return opened.problems();
+  record::Session& session = opened.value();
+  auto recorded = std::make_shared<Recorded>();
+  const record::SessionHeader& header = session.info().header;
+  recorded->name = header.words.name.empty() ? std::filesystem::path(path).stem().string() : header.words.name;
+  recorded->path = path;
+  recorded->rate_hz = static_cast<int>(header.rate_hz);
+  recorded->frozen_s = header.frozen_s;
+  recorded->arm = header.arm;
+  recorded->damage = session.info().damage;
+  recorded->rows.reserve(static_cast<std::size_t>(std::clamp<std::int64_t>(session.info().ticks, 0, kMostRows)));
+  Rows rows(recorded->rows);
+  bool is_cancelled = false;
+  const Problems problems = session.eachBlock(
+      [&](const record::Block& block, std::int64_t) {
+        for (const servo::TickRecord& record : record::unpackTicks(block)) {
+          const std::int64_t row = rows.add(record);
+          if (watch.row) watch.row(row, record);
+        }
+        is_cancelled = watch.cancelled != nullptr && watch.cancelled->load();
+        return !is_cancelled;
+      },
+      [&](const record::Gap& gap) {
+        recorded->damage.push_back({"Ticks " + std::to_string(gap.first_row) + " to " +
+                                        std::to_string(gap.first_row + gap.rows - 1) +
+                                        " of this session are damaged; the arm stands still there.",
+                                    {path}});
+      },
+      watch.progress);
+  if (!problems.empty()) return problems;
+  if (is_cancelled) return Problems{{"Opening was ended before the whole session was read.", {path}}};
+  if (recorded->rows.empty()) return Problems{{"There are no ticks in this session: nothing can be replayed.", {path}}};
+  recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
+  readScenes(session, rows.firstTick(), *recorded);
+  return std::shared_ptr<const Recorded>(std::move(recorded));
+}
+
+}  // namespace underact::device
