@@ -214,7 +214,9 @@ void MainWindow::buildDocks() {
     docks_.insert(row.key, dock);
     panels_.insert(row.key, panel);
   }
-  connect(static_cast<SessionsPanel*>(panels_["sessions"]), &SessionsPanel::told, status_, &StatusLine::setRecording);
+  auto* sessions = static_cast<SessionsPanel*>(panels_["sessions"]);
+  connect(sessions, &SessionsPanel::told, status_, &StatusLine::setRecording);
+  connect(sessions, &SessionsPanel::replayRequested, this, &MainWindow::openSession);
   for (QLineEdit* line : findChildren<QLineEdit*>()) line->setAcceptDrops(false);  // a scene is dropped on the window
 }
 

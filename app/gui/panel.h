@@ -35,6 +35,8 @@ class Panel : public QWidget {
   virtual void present(const servo::Snapshot&) {}  // each frame
   virtual void add(const servo::TickRecord&) {}    // every tick, in order
   virtual void setTheme(const Theme&) {}
+  /// Its dock is opened, and stands before those that share its place.
+  void bringForward();
 };
 
 }  // namespace underact::gui

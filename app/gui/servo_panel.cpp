@@ -102,7 +102,7 @@ bool ServoPanel::restart() {
   told_->setProperty("role", done ? "quiet" : "alarm");
   told_->style()->polish(told_);
   told_->show();
-  if (!done) parts_.actions.perform("dock.servo", true);  // where it stands, whoever asked
+  if (!done) bringForward();  // where it stands, whoever asked
   shown_ticks_ = -1;
   return done;
 }

@@ -1,7 +1,6 @@
 #include "app/gui/sessions/sessions_panel.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QMetaMethod>
@@ -44,7 +43,7 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   connect(recording_, &Recording::ended, this, [this](const QString& path) {
     list_->setBusy({});
     list_->chooseLater(path);
-    if (!recording_->notice().isEmpty()) openDock();  // where it stands why
+    if (!recording_->notice().isEmpty()) bringForward();  // where it stands why
     if (seen_) list_->refresh();
   });
   connect(list_, &SessionList::chosenChanged, this, &SessionsPanel::presentChosen);
@@ -72,7 +71,7 @@ void SessionsPanel::addRecordActions() {
                      [this](const QVariantList& on) {
                        if (!on.value(0).toBool()) return recording_->stop();
                        const bool begun = recording_->start();
-                       if (!begun) openDock();  // where it stands why
+                       if (!begun) bringForward();  // where it stands why
                        return begun;
                      });
   parts_.actions
@@ -81,13 +80,6 @@ void SessionsPanel::addRecordActions() {
              return recording_->mark(label.isEmpty() ? record_->takeLabel() : label.first().toString());
            })
       ->setEnabled(false);
-}
-
-void SessionsPanel::openDock() {
-  auto* dock = qobject_cast<QDockWidget*>(parentWidget());
-  if (dock == nullptr) return;
-  dock->show();  // closed, or behind another panel
-  dock->raise();
 }
 
 void SessionsPanel::add(const servo::TickRecord& record) {

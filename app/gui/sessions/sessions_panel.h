@@ -37,7 +37,6 @@ class SessionsPanel : public Panel {
   void addRecordActions();
   void addListActions();
   QWidget* buildButtons();
-  void openDock();
   void press(ButtonUse use);
   void presentRecording();
   void presentChosen();

@@ -31,7 +31,7 @@ void SessionsPanel::addListActions() {
   };
   add("sessions.find", tr("&Find a session"), "Ctrl+Shift+F", tr("Puts the cursor into the search field."),
       [this](const QVariantList&) {
-        openDock();
+        bringForward();
         list_->focusSearch();
         return true;
       });

@@ -1,0 +1,14 @@
+#include "app/gui/panel.h"
+
+#include <QDockWidget>
+
+namespace underact::gui {
+
+void Panel::bringForward() {
+  auto* dock = qobject_cast<QDockWidget*>(parentWidget());
+  if (dock == nullptr) return;
+  dock->show();
+  dock->raise();
+}
+
+}  // namespace underact::gui
