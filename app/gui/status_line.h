@@ -20,7 +20,7 @@ class StatusLine : public QWidget {
   /// The sentence of the fault that stopped the servo; empty: none.
   void setFault(const QString& sentence);
   /// Another arm, or none: after a replay has begun or ended.
-  void presentDevice();
+  void presentDevice(bool is_recorded = false);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
 
  private:
