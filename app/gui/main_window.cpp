@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QStatusTipEvent>
@@ -18,7 +19,6 @@
 #include "app/gui/hand.h"
 #include "app/gui/icons.h"
 #include "app/gui/panels.h"
-#include "app/gui/problems_dialog.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
@@ -27,6 +27,7 @@
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/style.h"
+#include "app/gui/words.h"
 #include "core/arm/preset.h"
 
 namespace underact::gui {
@@ -88,16 +89,31 @@ void MainWindow::connectDocument() {
 void MainWindow::connectPlayer() {
   connect(player_, &Player::opened, this, &MainWindow::replayBegins);
   connect(player_, &Player::closed, this, &MainWindow::replayEnds);
-  auto* problems = new ProblemsDialog(this);
-  problems->setObjectName("dialog.session_problems");
-  connect(problems, &ProblemsDialog::openAnother, this, [this] { actions_->perform("replay.open"); });
-  connect(player_, &Player::failed, problems, &ProblemsDialog::show);
-  connect(player_, &Player::opened, problems, &QWidget::hide);
+  connect(player_, &Player::failed, this, [this](const QString& path, const Problems& problems) {
+    const QString file = QFileInfo(path).fileName();
+    tellOfSession(player_->isOpen() ? tr("A scene of “%1” cannot be run. The one before it stays.").arg(file)
+                                    : tr("“%1” was not opened. Scene and arm stay as they are.").arg(file),
+                  problems);
+  });
+}
+
+void MainWindow::tellOfSession(const QString& what, const Problems& problems) {
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("Recorded session"), what, QMessageBox::Ok, this);
+  box->setObjectName("dialog.session_problems");
+  box->setInformativeText(sentencesOf(problems));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);  // nothing keeps anybody from the arm
+  box->show();
 }
 
 void MainWindow::replayBegins() {
+  const device::Recorded& recorded = player_->recorded();
+  if (!recorded.damage.empty()) {
+    tellOfSession(tr("“%1” is damaged. What could be read is replayed.").arg(QString::fromStdString(recorded.name)),
+                  recorded.damage);
+  }
   hand_->setReplaying(true);
-  status_->presentDevice();
+  status_->presentDevice(true);
 }
 
 void MainWindow::replayEnds() {

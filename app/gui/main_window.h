@@ -67,6 +67,7 @@ class MainWindow : public QMainWindow {
   void orderTabs();
   void connectDocument();
   void connectPlayer();
+  void tellOfSession(const QString& what, const Problems& problems);
   void replayBegins();
   void replayEnds();
   void setTheme(const Theme& theme);

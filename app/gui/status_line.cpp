@@ -71,10 +71,9 @@ QLabel* StatusLine::field(const char* name, const QString& spoken, const QString
   return label;
 }
 
-void StatusLine::presentDevice() {
+void StatusLine::presentDevice(bool is_recorded) {
   const servo::DeviceInfo info = host_.device();
   const QString title = QString::fromStdString(info.title);
-  const bool is_recorded = title.startsWith(QLatin1String("Recorded"));
   const bool is_said = is_recorded || title.contains("simulated", Qt::CaseInsensitive);
   QString kind = info.simulated && !is_said ? tr(" (simulated)") : QString();
   if (info.untested) kind += tr(" (untested)");

@@ -22,7 +22,7 @@ class StatusLine : public QWidget {
   /// What is being recorded; empty: nothing is. needs_a_look: it should be seen to; tip: why.
   void setRecording(const QString& words, const QString& tip, bool needs_a_look);
   /// Another arm, or none: after a replay has begun or ended.
-  void presentDevice();
+  void presentDevice(bool is_recorded = false);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
 
  private:

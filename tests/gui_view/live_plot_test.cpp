@@ -124,6 +124,21 @@ TEST(PlotHistory, AnAngleThatGoesRoundIsBrokenAtTheWrapAndNowhereElse) {
   EXPECT_GT(gapsOf(trembling), 0);
 }
 
+TEST(PlotHistory, WhatWasRecordedStandsBesideItWhileSomethingIsReplayed) {
+  PlotHistory history;
+  for (std::int64_t tick = 0; tick < 200; ++tick) {
+    const bool is_replayed = tick >= 100;
+    history.add(recordAt(tick, 0.001, 0.1), is_replayed ? RecordedBeside{2.5F, 0.3F} : RecordedBeside{});
+  }
+  std::vector<PlotPoint> points(2 * (300 + 2));
+  const std::size_t used = thinByTime(history, &PlotRow::recorded_N, 300, points);
+  ASSERT_GT(used, 0U);
+  EXPECT_EQ(points[0].y, 0.3F);
+  EXPECT_NEAR(static_cast<double>(points[0].x), -0.099, 1e-6) << "nothing before it was replayed";
+  EXPECT_EQ(history.row(150).recorded_error_mm, 2.5F);
+  EXPECT_TRUE(std::isnan(history.row(50).recorded_error_mm));
+}
+
 TEST(PlotHistory, AnAngleThatIsNotThereIsLeftOut) {
   PlotHistory history;
   for (std::int64_t tick = 0; tick < 100; ++tick) history.add(recordAt(tick, 0.001, 0.1));

@@ -72,8 +72,8 @@ struct LivePlot::Impl {
     }
     energy.reserve(6 * (energy.columns() + 2));
     angles.reserve(4 * (angles.columns() + 2));
-    error.reserve(4 * (error.columns() + 2));
-    force.reserve(4 * (force.columns() + 2));
+    error.reserve(2 * (error.columns() + 2));
+    force.reserve(2 * (force.columns() + 2));
     path.reserve(4 * (kPathGroups + 2));
     placed = pixels;
   }

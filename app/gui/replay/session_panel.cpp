@@ -16,7 +16,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLateness = 5;  // in the chooser, after those of SessionPlotKind
+constexpr int kLateness = 5;     // in the chooser, after those of SessionPlotKind
+constexpr int kFramesAPlot = 3;  // as the live plots
 constexpr std::size_t kMostPathPoints = 6000;
 
 }  // namespace
@@ -100,7 +101,8 @@ void SessionPanel::showPath() {
 }
 
 void SessionPanel::present(const servo::Snapshot&) {
-  if (!parts_.player.isOpen() || visibleRegion().isEmpty()) return;  // behind another tab it is visible, and not seen
+  if (!parts_.player.isOpen() || ++frame_ % kFramesAPlot != 0) return;
+  if (visibleRegion().isEmpty()) return;  // behind another tab it is visible, and not seen
   plot_->setCursor(parts_.player.secondsAt(parts_.player.row()));
 }
 

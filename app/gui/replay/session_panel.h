@@ -28,6 +28,7 @@ class SessionPanel : public Panel {
   QLabel* nothing_;
   SessionPlot* plot_;
   LatenessChart* lateness_;
+  int frame_ = 0;
 };
 
 }  // namespace underact::gui

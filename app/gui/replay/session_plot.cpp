@@ -61,6 +61,7 @@ struct SessionPlot::Impl {
     surface->setAttribute(Qt::WA_TransparentForMouseEvents);
     for (Chart* chart : all()) actor->GetScene()->AddItem(chart->item());
     angles.setTickStep(45.0);
+    for (Chart* chart : {&force_lines, &error_lines}) chart->setTickStep(kStep_dB);
     surface->renderer().AddActor(actor);
     actor->GetScene()->SetRenderer(&surface->renderer());
     showKind();
