@@ -17,6 +17,7 @@
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
 #include "app/gui/icons.h"
+#include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
@@ -32,6 +33,7 @@ void MainWindow::frame() {
   const servo::Snapshot& snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
     faults_->add(record);
+    live_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
   faults_->look(snapshot);
@@ -39,6 +41,7 @@ void MainWindow::frame() {
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
   status_->present(snapshot);
+  status_->setLive(live_->where(), live_->details());
   for (Panel* panel : panels_) panel->present(snapshot);
   presentMode(snapshot);
 }

@@ -16,6 +16,7 @@ class Document;
 class FaultWatch;
 class FramePacer;
 class Hand;
+class LiveData;
 class Panel;
 class RecentFiles;
 class SceneFiles;
@@ -73,6 +74,7 @@ class MainWindow : public QMainWindow {
   Hand* hand_ = nullptr;
   StatusLine* status_ = nullptr;
   FaultWatch* faults_;
+  LiveData* live_;
   FramePacer* pacer_;
   QHash<QString, QDockWidget*> docks_;
   QHash<QString, Panel*> panels_;

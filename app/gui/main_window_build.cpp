@@ -10,8 +10,10 @@
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
+#include "app/gui/gallery/gallery_actions.h"
 #include "app/gui/hand.h"
 #include "app/gui/help_dialog.h"
+#include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
 #include "app/gui/panels.h"
@@ -37,6 +39,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       files_(new SceneFiles(*document_, *recent_, this)),
       view_(new SceneView(this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
+      live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -48,6 +51,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   view_->setLayers(settings_.layers);
   addActions();
   addHelpActions();
+  addGalleryActions(*actions_, this);
   addViewActions(*actions_, *view_, parts_.theme);
   buildView();
   buildDocks();

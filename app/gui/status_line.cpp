@@ -54,6 +54,8 @@ StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
   presentScheduling();
   force_ = field("status.force", tr("Force"), tr("The force sent to the arm, and the most that it is ever sent."),
                  tr("force 0.00 / 0.00 N"));
+  live_ = field("status.live", tr("Live data"), {}, {});
+  live_->hide();
   tip_ = new QLabel(this);
   tip_->setObjectName("status.tip");
   tip_->setAccessibleName(tr("Hint"));
@@ -124,6 +126,12 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
 void StatusLine::setFault(const QString& sentence) {
   mode_->setToolTip(sentence.isEmpty() ? tr("What the servo does.") : sentence);
   setAccessibleDescription(sentence);
+}
+
+void StatusLine::setLive(const QString& where, const QString& details) {
+  setText(live_, where);
+  if (live_->toolTip() != details) live_->setToolTip(details);
+  live_->setVisible(!where.isEmpty());
 }
 
 void StatusLine::setTip(const QString& tip) {

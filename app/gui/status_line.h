@@ -20,6 +20,8 @@ class StatusLine : public QWidget {
   /// The sentence of the fault that stopped the servo; empty: none.
   void setFault(const QString& sentence);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
+  /// Where live data goes ("live data to 127.0.0.1:9870"), and more of it for a tool tip; empty: nowhere.
+  void setLive(const QString& where, const QString& details);
 
  private:
   QLabel* field(const char* name, const QString& spoken, const QString& tip, const QString& widest);
@@ -29,7 +31,7 @@ class StatusLine : public QWidget {
 
   servo::Host& host_;
   double force_limit_N_;
-  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *tip_;
+  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *live_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
 };
