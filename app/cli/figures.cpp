@@ -13,12 +13,17 @@ void addFigures(CLI::App& program, const Streams& streams, Exit& exit) {
   const auto only = std::make_shared<std::string>();
   command->add_option("--out", *out, "Folder to write into; its page is index.html")->required();
   command->add_option("--only", *only, "Numbers of figures with commas between, as in 4.5,B.1");
-  command->callback([out, only, &streams, &exit] {
+  const auto progress_lines = std::make_shared<bool>(false);
+  command->add_flag("--progress-lines", *progress_lines,
+                    "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 25, "
+                    "\"figure\": \"4.2\"}");
+  command->callback([out, only, progress_lines, &streams, &exit] {
     const std::filesystem::path folder = programFolder();
     std::vector<std::string> arguments{
         "figures", "--cli", (folder / "underact-cli").string(), "--window", (folder / "underact").string(),
         "--out",   *out};
     if (!only->empty()) arguments.insert(arguments.end(), {"--only", *only});
+    if (*progress_lines) arguments.push_back("--progress-lines");
     exit = runPython(arguments, streams);
   });
 }

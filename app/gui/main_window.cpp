@@ -18,6 +18,7 @@
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
 #include "app/gui/icons.h"
+#include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
@@ -40,6 +41,7 @@ void MainWindow::frame() {
   parts_.host.drain([this](const servo::TickRecord& record) {
     player_->add(record);
     faults_->add(record);
+    live_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
   faults_->look(snapshot);
@@ -48,6 +50,7 @@ void MainWindow::frame() {
   hand_->present(snapshot);
   status_->present(snapshot);
   replay_bar_->present(snapshot);
+  status_->setLive(live_->where(), live_->details());
   for (Panel* panel : panels_) panel->present(snapshot);
   presentMode(snapshot);
 }

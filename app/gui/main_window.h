@@ -17,6 +17,7 @@ class Document;
 class FaultWatch;
 class FramePacer;
 class Hand;
+class LiveData;
 class Panel;
 class Player;
 class RecentFiles;
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   Hand* hand_ = nullptr;
   StatusLine* status_ = nullptr;
   FaultWatch* faults_;
+  LiveData* live_;
   FramePacer* pacer_;
   QHash<QString, QDockWidget*> docks_;
   QHash<QString, Panel*> panels_;

@@ -11,8 +11,10 @@
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
+#include "app/gui/gallery/gallery_actions.h"
 #include "app/gui/hand.h"
 #include "app/gui/help_dialog.h"
+#include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
 #include "app/gui/panels.h"
@@ -43,6 +45,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
+      live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -55,6 +58,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   addActions();
   addHelpActions();
   addReplayActions(*actions_, *player_, *files_, this);
+  addGalleryActions(*actions_, this);
   addViewActions(*actions_, *view_, parts_.theme);
   buildView();
   buildDocks();

@@ -86,7 +86,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,
                    [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
-  fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "app.quit"});
+  fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "-", "app.quit"});
   fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions, {"edit.undo", "edit.redo", "-", "gains.reset"});
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
        {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
@@ -107,7 +107,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
   for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));
   fill(layout, actions, {"-", "layout.reset"});
-  fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions, {"help.keys", "help.about"});
+  fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions, {"help.keys", "help.figures", "-", "help.about"});
 }
 
 void buildToolBar(QMainWindow* window, Actions& actions) {

@@ -52,6 +52,8 @@ StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
                  tr("force 0.00 / 0.00 N"));
   recording_ = field("status.recording", tr("Recording"), {}, {});
   recording_->hide();
+  live_ = field("status.live", tr("Live data"), {}, {});
+  live_->hide();
   tip_ = new QLabel(this);
   tip_->setObjectName("status.tip");
   tip_->setAccessibleName(tr("Hint"));
@@ -147,6 +149,12 @@ void StatusLine::setRecording(const QString& words, const QString& tip, bool nee
   if (!needs_a_look || words.isEmpty()) return;
   QAccessibleEvent alert(recording_, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
+}
+
+void StatusLine::setLive(const QString& where, const QString& details) {
+  setText(live_, where);
+  if (live_->toolTip() != details) live_->setToolTip(details);
+  live_->setVisible(!where.isEmpty());
 }
 
 void StatusLine::setTip(const QString& tip) {

@@ -24,6 +24,8 @@ class StatusLine : public QWidget {
   /// Another arm, or none: after a replay has begun or ended.
   void presentDevice(bool is_recorded = false);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
+  /// Where live data goes ("live data to 127.0.0.1:9870"), and more of it for a tool tip; empty: nowhere.
+  void setLive(const QString& where, const QString& details);
 
  private:
   QLabel* field(const char* name, const QString& spoken, const QString& tip, const QString& widest);
@@ -33,7 +35,7 @@ class StatusLine : public QWidget {
 
   servo::Host& host_;
   double force_limit_N_;
-  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *recording_, *tip_;
+  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *recording_, *live_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
 };

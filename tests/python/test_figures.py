@@ -6,6 +6,7 @@ import html.parser
 import json
 import os
 import stat
+import sys
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -109,6 +110,28 @@ class TheFigures(InFolder):
         status, error, _ = self.make("--only", "9.9")
         self.assertEqual(status, 2)
         self.assertIn("There is no figure 9.9; there are 3.4, 4.1", error)
+
+    def test_say_which_one_is_made_to_a_program_that_asks(self):
+        status, error, _ = self.make("--only", "B.1,B.2", "--progress-lines")
+        self.assertEqual(status, 0)
+        self.assertEqual(
+            [json.loads(line) for line in error.splitlines()],
+            [
+                {"number": 1, "of": 2, "figure": "B.1"},
+                {"number": 2, "of": 2, "figure": "B.2"},
+            ],
+        )
+
+    def test_say_what_to_install_where_a_library_is_missing(self):
+        loaded = [name for name in sys.modules if name.startswith(("matplotlib", "underact.figures"))]
+        with mock.patch.dict(sys.modules):
+            for name in loaded:
+                del sys.modules[name]
+            sys.modules["matplotlib"] = None
+            status, error, _ = self.make("--only", "B.1")
+        self.assertEqual(status, 4)
+        self.assertIn("has no matplotlib", error)
+        self.assertIn("Install python3-h5py, python3-matplotlib", error)
 
     def test_of_the_view_are_left_out_with_a_sentence_where_there_is_no_window(self):
         status, error, rows = self.make("--only", "4.4")

@@ -1,52 +1,15 @@
 #include "app/stream/live_stream.h"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <string>
 
 #include "core/json/json.h"
+#include "tests/support/udp_listener.h"
 
 namespace underact::stream {
-namespace {
-
-/// Someone who listens on a port of this machine that the system chose.
-class Listener {
- public:
-  Listener() : fd_(socket(AF_INET, SOCK_DGRAM, 0)) {
-    sockaddr_in here{};
-    here.sin_family = AF_INET;
-    here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof here;
-    EXPECT_EQ(bind(fd_, reinterpret_cast<sockaddr*>(&here), size), 0);
-    getsockname(fd_, reinterpret_cast<sockaddr*>(&here), &size);
-    port_ = ntohs(here.sin_port);
-    const timeval patience{5, 0};
-    setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-  }
-  ~Listener() { close(fd_); }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
-  int port() const { return port_; }
-  /// The next message; empty: none came in 5 s.
-  std::string next() const {
-    std::string text(4096, '\0');
-    const ssize_t size = recv(fd_, text.data(), text.size(), 0);
-    text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-    return text;
-  }
-
- private:
-  int fd_;
-  int port_ = 0;
-};
-
-}  // namespace
-
 TEST(LiveStream, SendsEachTickAsOneJsonObjectWithoutWhatIsNoNumber) {
-  const Listener listener;
+  const test::UdpListener listener;
   Result<LiveStream> live = LiveStream::open({kThisMachine, listener.port()}, 1000);
   ASSERT_TRUE(live);
   servo::TickRecord record;
@@ -66,7 +29,7 @@ TEST(LiveStream, SendsEachTickAsOneJsonObjectWithoutWhatIsNoNumber) {
 }
 
 TEST(LiveStream, OfAFastServoSendsAThousandMessagesASecond) {
-  const Listener listener;
+  const test::UdpListener listener;
   Result<LiveStream> live = LiveStream::open({kThisMachine, listener.port()}, 4000);
   ASSERT_TRUE(live);
   servo::TickRecord record;

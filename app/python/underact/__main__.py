@@ -58,7 +58,7 @@ def figures(options: argparse.Namespace) -> int:
     from .figures.make import make
 
     only = [key.strip() for key in options.only.split(",")] if options.only else None
-    return make(options.cli, options.window, options.out, only)
+    return make(options.cli, options.window, options.out, only, options.progress_lines)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -112,7 +112,20 @@ def parser() -> argparse.ArgumentParser:
     )
     one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
     one.add_argument("--only", help="figures with commas between, as 4.2,5.7")
+    one.add_argument(
+        "--progress-lines",
+        action="store_true",
+        help="say on standard error which figure is made, as one JSON object a line",
+    )
     return top
+
+
+def missing(module: str | None) -> str:
+    """What to do where Python does not find a library."""
+    return (
+        f"Python ({sys.executable}) has no {module}. Install python3-h5py, python3-matplotlib and "
+        "python3-pandas, or name a Python that has them in UNDERACT_PYTHON."
+    )
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -120,6 +133,11 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser().parse_args(arguments)
     try:
         return options.run(options)
+    except ModuleNotFoundError as error:
+        if (error.name or "").startswith(__package__):
+            raise  # one of ours: nothing to install
+        print(missing(error.name), file=sys.stderr)
+        return FILE
     except Unreadable as error:
         print(error, file=sys.stderr)
         return FILE

@@ -132,14 +132,34 @@ def _chosen(only: list[str] | None) -> list[Entry]:
     return [entry for entry in CATALOGUE if entry.key in only]
 
 
-def make(cli: Path, window: Path | None, out: Path, only: list[str] | None = None) -> int:
+def _tell(number: int, entries: list[Entry], lines: bool) -> None:
+    """Says on standard error which figure is made now: to a person on a terminal, or to a program,
+    a line each.
+    """
+    key = entries[number - 1].key
+    if lines:
+        words = json.dumps({"number": number, "of": len(entries), "figure": key}) + "\n"
+    elif sys.stderr.isatty():
+        words = f"\r{number} of {len(entries)}: figure {key}   "
+    else:
+        return
+    print(words, end="", file=sys.stderr, flush=True)
+
+
+def make(
+    cli: Path,
+    window: Path | None,
+    out: Path,
+    only: list[str] | None = None,
+    progress_lines: bool = False,
+) -> int:
     """Makes the figures (all, or those named) into the folder `out`.
 
     Gives 0, or 1 where an assertion fails.
 
     Writes NAME.png, .svg and .pdf of each, scenes/ and sessions/, index.html and figures.json.
-    Progress goes to
-    standard error where that is a terminal; what failed always does.
+    Progress goes to standard error where that is a terminal, or with `progress_lines` as one JSON
+    object a line; what failed always does.
     """
     entries = _chosen(only)
     out = Path(out).absolute()
@@ -147,15 +167,9 @@ def make(cli: Path, window: Path | None, out: Path, only: list[str] | None = Non
     maker = Maker(Programs(Path(cli).absolute(), Path(window).absolute() if window else None), out)
     rows = []
     for index, entry in enumerate(entries, start=1):
-        if sys.stderr.isatty():
-            print(
-                f"\r{index} of {len(entries)}: figure {entry.key}   ",
-                end="",
-                file=sys.stderr,
-                flush=True,
-            )
+        _tell(index, entries, progress_lines)
         rows.append(maker.make(entry))
-    if sys.stderr.isatty():
+    if sys.stderr.isatty() and not progress_lines:
         print(file=sys.stderr)
     (out / "figures.json").write_text(
         json.dumps(rows, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"

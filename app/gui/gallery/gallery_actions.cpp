@@ -1,0 +1,46 @@
+#include "app/gui/gallery/gallery_actions.h"
+
+#include <QCoreApplication>
+#include <QWidget>
+
+#include "app/gui/actions.h"
+#include "app/gui/gallery/gallery_dialog.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr const char* kReplay = "replay.open";  // the window that can replay has this action
+
+GalleryWays waysOf(Actions& actions, QWidget* window) {
+  const auto by = [&actions, window](const QString& action) {
+    return [&actions, window, action](const QString& path) {
+      actions.perform(action, path);
+      window->activateWindow();
+    };
+  };
+  GalleryWays ways;
+  ways.open_scene = by("scene.open");
+  if (actions.names().contains(kReplay)) ways.open_session = by(kReplay);
+  return ways;
+}
+
+}  // namespace
+
+void addGalleryActions(Actions& actions, QWidget* window) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("gallery", text); };
+  actions.add({"help.figures", tr("&Figures of the thesis"), QKeySequence("Ctrl+Alt+G"),
+               tr("The thesis's figures, remade by this program, with the numbers that they should show.")},
+              [&actions, window](const QVariantList& only) {
+                auto* dialog = window->findChild<GalleryDialog*>();
+                if (dialog == nullptr) {
+                  dialog = new GalleryDialog(waysOf(actions, window), only.value(0).toString(), window);
+                  dialog->setAttribute(Qt::WA_DeleteOnClose);
+                }
+                dialog->show();
+                dialog->raise();
+                dialog->activateWindow();
+                return true;
+              });
+}
+
+}  // namespace underact::gui

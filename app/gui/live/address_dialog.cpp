@@ -1,0 +1,96 @@
+#include "app/gui/live/address_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+QLabel* line(const char* name, const QString& spoken, const char* role, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setAccessibleName(spoken);
+  label->setProperty("role", role);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->hide();
+  return label;
+}
+
+}  // namespace
+
+AddressDialog::AddressDialog(const QString& address, QWidget* parent)
+    : QDialog(parent),
+      address_(new QLineEdit(address, this)),
+      warning_(line("dialog.live.warning", tr("Warning"), "amber", this)),
+      refusal_(line("dialog.live.refusal", tr("What is wrong"), "alarm", this)) {
+  setObjectName("dialog.live");
+  setWindowTitle(tr("Send live data to"));
+  setModal(false);
+  setMinimumWidth(460);
+  auto* about = new QLabel(tr("Each tick goes out as one JSON object over UDP. PlotJuggler listens with its source "
+                              "“UDP Server”, at port %1 by itself.")
+                               .arg(stream::kPort),
+                           this);
+  about->setWordWrap(true);
+  address_->setObjectName("dialog.live.address");
+  address_->setAccessibleName(tr("Address"));
+  address_->setToolTip(tr("A port, a host by its number, or both: 9870, 192.168.1.20, 192.168.1.20:9870."));
+  address_->selectAll();
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  send_ = buttons->addButton(tr("&Send"), QDialogButtonBox::ActionRole);
+  send_->setObjectName("dialog.live.send");
+  send_->setAccessibleName(tr("Send"));
+  send_->setDefault(true);
+  QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);
+  cancel->setObjectName("dialog.live.cancel");
+  cancel->setAccessibleName(tr("Cancel"));
+  cancel->setIcon({});
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Address"), address_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(about);
+  column->addLayout(form);
+  column->addWidget(warning_);
+  column->addWidget(refusal_);
+  column->addWidget(buttons);
+  connect(address_, &QLineEdit::textChanged, this, &AddressDialog::look);
+  connect(send_, &QPushButton::clicked, this, &AddressDialog::choose);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  look();
+}
+
+void AddressDialog::refuse(const QString& sentence) {
+  refusal_->setText(sentence);
+  refusal_->setVisible(!sentence.isEmpty());
+}
+
+void AddressDialog::look() {
+  refuse({});
+  const Result<stream::Address> read = stream::readAddress(address_->text().trimmed().toStdString());
+  const bool leaves = read && !read.value().isThisMachine();
+  if (leaves) {
+    warning_->setText(tr("%1 is not this machine. What the hand does and feels goes there unencrypted: whoever is on "
+                         "the way can read it.")
+                          .arg(QString::fromStdString(read.value().host)));
+  }
+  warning_->setVisible(leaves);
+}
+
+void AddressDialog::choose() {
+  const Result<stream::Address> read = stream::readAddress(address_->text().trimmed().toStdString());
+  if (read)
+    emit chosen(read.value());
+  else
+    refuse(sentencesOf(read.problems()));
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,90 @@
+#include "app/gui/live/live_data.h"
+
+#include <QAction>
+#include <QWidget>
+#include <utility>
+
+#include "app/gui/actions.h"
+#include "app/gui/live/address_dialog.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+
+QString addressText(const stream::Address& address) {
+  const QString host = QString::fromStdString(address.host);
+  return QString(host.contains(':') ? "[%1]:%2" : "%1:%2").arg(host).arg(address.port);
+}
+
+LiveData::LiveData(servo::Host& host, Actions& actions, QWidget* window)
+    : QObject(window), host_(host), actions_(actions) {
+  addActions(window);
+}
+
+void LiveData::addActions(QWidget* window) {
+  actions_.add({"live.send",
+                tr("Send &live data to PlotJuggler"),
+                QKeySequence("Ctrl+Alt+J"),
+                tr("Sends every tick as JSON over UDP while it is on; to this machine, where no address is given."),
+                {},
+                {},
+                true},
+               [this, window](const QVariantList& on) {
+                 if (!on.value(0).toBool()) {
+                   stop();
+                   return true;
+                 }
+                 const Problems problems = sendTo(address_);
+                 if (!problems.empty()) askForAddress(window, sentencesOf(problems));
+                 return problems.empty();
+               });
+  actions_.add({"live.address", tr("Send live &data to…"), QKeySequence("Ctrl+Alt+A"),
+                tr("Sends every tick to an address that you give.")},
+               [this, window](const QVariantList& address) {
+                 if (address.isEmpty()) {
+                   askForAddress(window, {});
+                   return true;
+                 }
+                 const Result<stream::Address> read = stream::readAddress(address.first().toString().toStdString());
+                 return read && sendTo(read.value()).empty();
+               });
+}
+
+void LiveData::askForAddress(QWidget* window, const QString& refusal) {
+  auto* dialog = new AddressDialog(addressText(address_), window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->refuse(refusal);
+  connect(dialog, &AddressDialog::chosen, this, [this, dialog](const stream::Address& address) {
+    const Problems problems = sendTo(address);
+    if (problems.empty())
+      dialog->accept();
+    else
+      dialog->refuse(sentencesOf(problems));
+  });
+  dialog->show();
+}
+
+Problems LiveData::sendTo(const stream::Address& address) {
+  Result<stream::LiveStream> opened = stream::LiveStream::open(address, host_.rateHz());
+  if (!opened) return opened.problems();
+  stream_ = std::move(opened).value();
+  address_ = address;
+  actions_.find("live.send")->setChecked(true);
+  return {};
+}
+
+void LiveData::stop() {
+  stream_.reset();
+  actions_.find("live.send")->setChecked(false);
+}
+
+QString LiveData::where() const {
+  return isSending() ? tr("live data to %1").arg(addressText(address_)) : QString();
+}
+
+QString LiveData::details() const {
+  if (!isSending()) return {};
+  const QString much = tr("%1 ticks sent, %2 not taken by the network.").arg(stream_->sent()).arg(stream_->lost());
+  return address_.isThisMachine() ? much : much + '\n' + tr("Another machine gets what the hand does.");
+}
+
+}  // namespace underact::gui
