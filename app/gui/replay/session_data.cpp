@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kMostPathPoints = 20'000;
+constexpr std::size_t kMostPathPoints = 8000;
 constexpr double kFinest_mm = 0.2, kCoarser = 1.5;  // between two points of the path
 
 }  // namespace
