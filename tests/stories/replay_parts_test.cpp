@@ -88,6 +88,26 @@ TEST(ReplayParts, ALongSessionIsHalvedAndKeepsItsSpikes) {
             1);
 }
 
+TEST(ReplayParts, ThePathKeepsItsShapeAndItsGreatestForceInFewPoints) {
+  std::vector<SessionRow> rows(100'000);
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    const double turn_rad = 2.0 * kPi * static_cast<double>(index) / static_cast<double>(rows.size());
+    rows[index].p_mm = {static_cast<float>(40.0 * std::cos(turn_rad)), static_cast<float>(40.0 * std::sin(turn_rad)),
+                        0};
+    rows[index].plot.sent_N = index == 54'321 ? 0.7F : 0.1F;
+  }
+  const std::vector<PathPoint> path = pathOf(rows, 300);
+  EXPECT_LE(path.size(), 300U);
+  EXPECT_GT(path.size(), 100U);
+  double greatest_N = 0.0, longest_mm = 0.0;
+  for (std::size_t index = 1; index < path.size(); ++index) {
+    greatest_N = std::max(greatest_N, path[index].force_N);
+    longest_mm = std::max(longest_mm, (path[index].p_mm - path[index - 1].p_mm).norm());
+  }
+  EXPECT_NEAR(greatest_N, 0.7, 1e-6);
+  EXPECT_LT(longest_mm, 2.5);
+}
+
 TEST(ReplayParts, OnlyTicksThatPushedFullyBothTimesAreCompared) {
   Comparison comparison;
   EXPECT_TRUE(std::isnan(comparison.now().mean_N));

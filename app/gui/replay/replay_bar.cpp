@@ -25,6 +25,7 @@
 namespace underact::gui {
 namespace {
 
+constexpr int kFramesAPlace = 3;  // while it plays: numbers that change more often cannot be read
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 /// "1:02.345"
@@ -62,6 +63,7 @@ ReplayBar::ReplayBar(Player& player, Actions& actions, QWidget* parent)
   connect(&player, &Player::cancelled, this, [this] { show(false, player_.isOpen()); });
   connect(&player, &Player::opened, this, &ReplayBar::begin);
   connect(&player, &Player::closed, this, [this] { show(player_.isLoading(), false); });
+  connect(&player, &Player::changed, this, &ReplayBar::presentSpeed);
   connect(&player, &Player::whatIfChanged, comparison_, &QWidget::setVisible);
 }
 
@@ -197,6 +199,9 @@ void ReplayBar::presentPlace() {
           .arg(QString::fromStdString(player_.recorded().name), numberText(static_cast<double>(recorded.force_N), 2),
                numberText(1e3 * static_cast<double>(recorded.error_m), 1));
   setText(here_, here_->fontMetrics().elidedText(text, Qt::ElideRight, here_->width()));
+}
+
+void ReplayBar::presentSpeed() {
   const auto found = std::find(kSpeeds.begin(), kSpeeds.end(), player_.speed());
   const QSignalBlocker silent(speed_);
   speed_->setCurrentIndex(found == kSpeeds.end() ? -1 : static_cast<int>(found - kSpeeds.begin()));
@@ -205,8 +210,11 @@ void ReplayBar::presentPlace() {
 void ReplayBar::present(const servo::Snapshot&) {
   if (player_.isLoading()) progress_->setValue(static_cast<int>(player_.share() * progress_->maximum()));
   if (!player_.isOpen()) return;
-  presentPlace();
-  comparison_->present(player_.comparison(), player_.recorded().rate_hz);
+  const bool is_due = !player_.isPlaying() || ++frame_ % kFramesAPlace == 0;
+  if (is_due) {
+    presentPlace();
+    comparison_->present(player_.comparison(), player_.recorded().rate_hz);
+  }
   if (player_.isPlaying() == shows_pause_) return;
   shows_pause_ = player_.isPlaying();
   play_->setIcon(icon(shows_pause_ ? "pause" : "play", theme_));

@@ -36,6 +36,7 @@ class ReplayBar : public QWidget {
   void show(bool loads, bool plays);
   void begin();
   void presentPlace();
+  void presentSpeed();
 
   Player& player_;
   Actions& actions_;
@@ -48,6 +49,7 @@ class ReplayBar : public QWidget {
   ComparisonTable* comparison_;
   Theme theme_ = Theme::light();
   bool shows_pause_ = false;
+  int frame_ = 0;
 };
 
 }  // namespace underact::gui

@@ -17,6 +17,7 @@ SessionLoad::SessionLoad(const QString& path)
         watch.cancelled = &cancelled_;
         Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(file, watch);
         if (!recorded) return recorded.problems();
+        data->finish(rate_hz);
         return LoadedSession{std::move(recorded).value(), std::move(data)};
       })) {}
 

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "app/gui/actions.h"
 #include "app/gui/replay/player.h"
@@ -18,7 +17,6 @@ namespace {
 
 constexpr int kLateness = 5;     // in the chooser, after those of SessionPlotKind
 constexpr int kFramesAPlot = 3;  // as the live plots
-constexpr std::size_t kMostPathPoints = 6000;
 
 }  // namespace
 
@@ -60,13 +58,13 @@ SessionPanel::SessionPanel(const PanelParts& parts, QWidget* parent)
   column->addWidget(pages_, 1);
   connect(kind_, &QComboBox::currentIndexChanged, this, &SessionPanel::show);
   connect(&parts.player, &Player::opened, this, [this] {
-    plot_->setSession(parts_.player.sharedData(), parts_.player.recorded().rate_hz);
+    plot_->setSession(parts_.player.sharedData());
     lateness_->present(parts_.player.data().lateness(), 1e6 / parts_.player.recorded().rate_hz);
-    showPath();
+    parts_.view.setRecordedPath(parts_.player.data().path());
     show();
   });
   connect(&parts.player, &Player::closed, this, [this] {
-    plot_->setSession({}, 1000);
+    plot_->setSession({});
     parts_.view.setRecordedPath({});
     show();
   });
@@ -87,17 +85,6 @@ void SessionPanel::show() {
   pages_->setCurrentWidget(!parts_.player.isOpen() ? static_cast<QWidget*>(nothing_)
                            : index == kLateness    ? static_cast<QWidget*>(lateness_)
                                                    : plot_);
-}
-
-void SessionPanel::showPath() {
-  const std::vector<SessionRow>& rows = parts_.player.data().rows();
-  const std::size_t step = std::max<std::size_t>(rows.size() / kMostPathPoints, 1);
-  std::vector<PathPoint> path;
-  for (std::size_t index = 0; index < rows.size(); index += step) {
-    const SessionRow& row = rows[index];
-    path.push_back({Vec3(row.p_mm[0], row.p_mm[1], row.p_mm[2]), static_cast<double>(row.plot.sent_N)});
-  }
-  parts_.view.setRecordedPath(path);
 }
 
 void SessionPanel::present(const servo::Snapshot&) {

@@ -20,7 +20,6 @@ class SessionPanel : public Panel {
 
  private:
   void show();
-  void showPath();
 
   PanelParts parts_;
   QComboBox* kind_;

@@ -15,7 +15,6 @@
 
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
-#include "app/gui/replay/spectrum.h"
 #include "app/gui/replay/thin_session.h"
 #include "app/gui/view/gl_surface.h"
 
@@ -143,8 +142,8 @@ struct SessionPlot::Impl {
       case SessionPlotKind::Energy:
         return fillEnergy();
       case SessionPlotKind::Spectrum:
-        fillLines(force_lines, [](const SessionRow& row) { return row.plot.sent_N; });
-        return fillLines(error_lines, [](const SessionRow& row) { return row.plot.error_mm; });
+        fillLines(force_lines, data ? data->forceSpectrum() : std::vector<SpectrumLine>{});
+        return fillLines(error_lines, data ? data->errorSpectrum() : std::vector<SpectrumLine>{});
     }
   }
 
@@ -194,16 +193,12 @@ struct SessionPlot::Impl {
     energy.setRange(0.0, end_s(), least_mJ < 0.0 ? -endOf(-least_mJ, 0.1 * top_mJ) : -0.1 * top_mJ, top_mJ);
   }
 
-  void fillLines(Chart& chart, const std::function<float(const SessionRow&)>& value) {
-    std::vector<float> values;
-    values.reserve(rows().size());
-    for (const SessionRow& row : rows()) values.push_back(value(row));
-    const double each_hz = rate_hz / static_cast<double>(data ? data->ticksPerRow() : 1);
-    const double most_hz = std::min(kMostFrequency_hz, 0.5 * each_hz);
+  void fillLines(Chart& chart, const std::vector<SpectrumLine>& spectrum) const {
+    const double most_hz = std::min(kMostFrequency_hz, spectrum.empty() ? 1e9 : spectrum.back().frequency_hz);
     const std::span<PlotPoint> points = chart.points(0);
     std::size_t used = 0;
     double most_dB = kStep_dB;
-    for (const SpectrumLine& line : spectrumOf(values, each_hz)) {
+    for (const SpectrumLine& line : spectrum) {
       if (line.frequency_hz > most_hz || used >= points.size()) break;
       const double level_dB = std::max(kPerUnit_dB + 20.0 * std::log10(std::max(line.amplitude, 1e-9)), kLeast_dB);
       most_dB = std::max(most_dB, level_dB);
@@ -241,7 +236,6 @@ struct SessionPlot::Impl {
   SessionPlot* plot;
   GlSurface* surface = nullptr;
   std::shared_ptr<const SessionData> data;
-  double rate_hz = 1000.0;
   SessionPlotKind kind = SessionPlotKind::ErrorAndForce;
   double cursor_s = 0.0;
   bool cursor_changed = true;
@@ -287,9 +281,8 @@ SessionPlot::~SessionPlot() {
   delete impl_->surface;
 }
 
-void SessionPlot::setSession(std::shared_ptr<const SessionData> session, int rate_hz) {
+void SessionPlot::setSession(std::shared_ptr<const SessionData> session) {
   impl_->data = std::move(session);
-  impl_->rate_hz = rate_hz;
   impl_->cursor_s = 0.0;
   impl_->placed = {};
   impl_->surface->update();

@@ -17,8 +17,8 @@ class SessionPlot : public QWidget {
  public:
   explicit SessionPlot(QWidget* parent = nullptr);
   ~SessionPlot() override;
-  /// Null: none. rate_hz: of the recording.
-  void setSession(std::shared_ptr<const SessionData> session, int rate_hz);
+  /// Null: none.
+  void setSession(std::shared_ptr<const SessionData> session);
   void setKind(SessionPlotKind kind);
   SessionPlotKind kind() const;
   void setCursor(double time_s);

@@ -33,12 +33,14 @@ void transform(std::vector<std::complex<double>>& values) {
     other ^= bit;
     if (index < other) std::swap(values[index], values[other]);
   }
+  std::vector<std::complex<double>> turns(size / 2);
+  for (std::size_t at = 0; at < turns.size(); ++at)
+    turns[at] = std::polar(1.0, -2.0 * kPi * static_cast<double>(at) / static_cast<double>(size));
   for (std::size_t length = 2; length <= size; length *= 2) {
-    const double angle_rad = -2.0 * kPi / static_cast<double>(length);
     for (std::size_t begin = 0; begin < size; begin += length) {
       for (std::size_t at = 0; at < length / 2; ++at) {
-        const std::complex<double> turn = std::polar(1.0, angle_rad * static_cast<double>(at));
-        const std::complex<double> even = values[begin + at], odd = turn * values[begin + at + length / 2];
+        const std::complex<double> even = values[begin + at],
+                                   odd = turns[at * (size / length)] * values[begin + at + length / 2];
         values[begin + at] = even + odd;
         values[begin + at + length / 2] = even - odd;
       }
