@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "app/gui/replay/comparison.h"
 #include "app/gui/replay/session_data.h"
@@ -31,23 +30,6 @@ device::RecordedRow recordedRow(float force_N, float error_m) {
 }
 
 }  // namespace
-
-TEST(ReplayParts, TheTransformIsTheOneOfTheDefinition) {
-  std::mt19937 random(20070601);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
-  for (const std::size_t size : {1U, 2U, 16U, 64U}) {
-    std::vector<std::complex<double>> values(size);
-    for (std::complex<double>& value : values) value = {any(random), any(random)};
-    std::vector<std::complex<double>> fast = values;
-    transform(fast);
-    for (std::size_t line = 0; line < size; ++line) {
-      std::complex<double> sum = 0.0;
-      for (std::size_t at = 0; at < size; ++at)
-        sum += values[at] * std::polar(1.0, -2.0 * kPi * static_cast<double>(line * at) / static_cast<double>(size));
-      EXPECT_NEAR(std::abs(fast[line] - sum), 0.0, 1e-12) << size << " " << line;
-    }
-  }
-}
 
 TEST(ReplayParts, ASineStandsAtItsFrequencyWithItsAmplitude) {
   std::vector<float> values(20'000);

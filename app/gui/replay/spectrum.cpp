@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <unsupported/Eigen/FFT>
+#include <vector>
 
 #include "core/base/units.h"
 
@@ -25,29 +28,6 @@ double meanOf(std::span<const float> values) {
 
 }  // namespace
 
-void transform(std::vector<std::complex<double>>& values) {
-  const std::size_t size = values.size();
-  for (std::size_t index = 1, other = 0; index < size; ++index) {  // bits of the index turned round
-    std::size_t bit = size >> 1U;
-    for (; (other & bit) != 0; bit >>= 1U) other ^= bit;
-    other ^= bit;
-    if (index < other) std::swap(values[index], values[other]);
-  }
-  std::vector<std::complex<double>> turns(size / 2);
-  for (std::size_t at = 0; at < turns.size(); ++at)
-    turns[at] = std::polar(1.0, -2.0 * kPi * static_cast<double>(at) / static_cast<double>(size));
-  for (std::size_t length = 2; length <= size; length *= 2) {
-    for (std::size_t begin = 0; begin < size; begin += length) {
-      for (std::size_t at = 0; at < length / 2; ++at) {
-        const std::complex<double> even = values[begin + at],
-                                   odd = turns[at * (size / length)] * values[begin + at + length / 2];
-        values[begin + at] = even + odd;
-        values[begin + at + length / 2] = even - odd;
-      }
-    }
-  }
-}
-
 std::vector<SpectrumLine> spectrumOf(std::span<const float> values, double rate_hz) {
   if (values.size() < kLeast) return {};
   const std::size_t size = std::min(std::bit_floor(values.size()), kMost);
@@ -56,14 +36,16 @@ std::vector<SpectrumLine> spectrumOf(std::span<const float> values, double rate_
   for (std::size_t at = 0; at < size; ++at)
     window[at] = 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(at) / static_cast<double>(size));
   std::size_t windows = 0;
-  std::vector<std::complex<double>> part(size);
+  Eigen::FFT<double> fourier;
+  std::vector<double> part(size);
+  std::vector<std::complex<double>> lines;
   for (std::size_t begin = 0; begin + size <= values.size(); begin += size / 2, ++windows) {
     for (std::size_t at = 0; at < size; ++at) {
       const auto value = static_cast<double>(values[begin + at]);
       part[at] = std::isfinite(value) ? window[at] * (value - mean) : 0.0;
     }
-    transform(part);
-    for (std::size_t line = 0; line < power.size(); ++line) power[line] += std::norm(part[line]);
+    fourier.fwd(lines, part);
+    for (std::size_t line = 0; line < power.size(); ++line) power[line] += std::norm(lines[line]);
   }
   std::vector<SpectrumLine> spectrum(power.size());
   const double to_amplitude = 4.0 / static_cast<double>(size);  // both sides, and a Hann window's mean of a half

@@ -1,5 +1,4 @@
 #pragma once
-#include <complex>
 #include <span>
 #include <vector>
 
@@ -14,8 +13,5 @@ struct SpectrumLine {
 /// its frequency with A. Hann windows of up to 4096 values that overlap by half; the mean power of all of them (Welch
 /// 1967). What is constant is taken off; a value that is not finite counts as the mean. Empty: fewer than 16 values.
 std::vector<SpectrumLine> spectrumOf(std::span<const float> values, double rate_hz);
-
-/// The discrete Fourier transform, in place. Size: a power of two.
-void transform(std::vector<std::complex<double>>& values);
 
 }  // namespace underact::gui

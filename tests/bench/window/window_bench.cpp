@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <memory>
 
 #include "app/gui/actions.h"
 #include "app/gui/main_window.h"
 #include "app/gui/simulated_host.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/scene_view.h"
+#include "core/record/recorder.h"
 #include "core/scene/read.h"
 
 // In one run, in turn: the servo alone, and the servo beside a window that draws a moving stylus at 1280 x 800, that is
@@ -102,6 +104,31 @@ void measureWithWindow(bool first_round) {
   print("with a scene loaded every 200 ms", simulated.host->timing().lateLately(), dropped());
 }
 
+/// A session of a 4 kHz servo beside the window: no tick may be missing in it.
+void measureRecorded() {
+  const QTemporaryDir folder;
+  SimulatedHost simulated = makeSimulatedHost({.rate_hz = 4000});
+  ThemeWatcher theme;
+  MainWindow window({*simulated.host, simulated.arm, theme});
+  window.resize(1280, 800);
+  window.show();
+  window.actions().perform("scene.open", scenePath("02_sphere"));
+  window.actions().perform("session.start");
+  for (const bool recorded : {false, true}) {
+    std::unique_ptr<record::Recorder> recorder;
+    if (recorded)
+      recorder = record::Recorder::start(*simulated.host, folder.filePath("s.h5").toStdString(), {}).value();
+    pass([&](double ms) { moveHand(*simulated.arm, ms); });
+    print(recorded ? "4 kHz, window drawing, recorded" : "4 kHz, window drawing", simulated.host->timing().lateLately(),
+          simulated.host->snapshot().dropped);
+    if (!recorder) continue;
+    recorder->stop();
+    const record::RecorderStatus status = recorder->status();
+    std::printf("%-34s %lld ticks in the session, %lld dropped, %.1f MB\n", "", static_cast<long long>(status.ticks),
+                static_cast<long long>(status.dropped), 1e-6 * static_cast<double>(status.bytes));
+  }
+}
+
 void measure() {
   {
     SimulatedHost host = makeSimulatedHost({});
@@ -111,6 +138,7 @@ void measure() {
     measureAlone();
     measureWithWindow(round == 0);
   }
+  measureRecorded();
 }
 
 }  // namespace
