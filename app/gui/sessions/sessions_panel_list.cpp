@@ -56,12 +56,12 @@ void SessionsPanel::addListActions() {
   add("sessions.edit", tr("&Edit words…"), "Ctrl+Alt+E",
       tr("Changes the chosen session's name, notes, tags and subject."),
       [this](const QVariantList&) { return editChosen(); });
-  add("sessions.recover", tr("Rec&over"), "Ctrl+Shift+W",
+  add("sessions.recover", tr("Rec&over"), "Ctrl+Alt+U",
       tr("Makes a session whole that the program could not close, so that every program opens it."),
       [this](const QVariantList&) { return recoverChosen(); });
   add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del", tr("Moves the chosen session to the bin."),
       [this](const QVariantList& asked) { return deleteChosen(asked.value(0).toBool()); });
-  add("sessions.folder", tr("Choose &folder…"), "Ctrl+Shift+O", tr("Where recordings go, and which are listed."),
+  add("sessions.folder", tr("Choose &folder…"), "Ctrl+Alt+C", tr("Where recordings go, and which are listed."),
       [this](const QVariantList& path) {
         if (!path.isEmpty()) return setFolder(path.first().toString());
         chooseFolder();
