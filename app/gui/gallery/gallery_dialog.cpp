@@ -48,7 +48,9 @@ QIcon thumbnailOf(const QString& path, const QSize& room, qreal ratio) {
     painter.drawImage(where, image);
   }
   thumbnail.setDevicePixelRatio(ratio);
-  return QIcon(thumbnail);
+  QIcon icon(thumbnail);
+  icon.addPixmap(thumbnail, QIcon::Selected);  // else the style tints it
+  return icon;
 }
 
 }  // namespace
@@ -154,7 +156,8 @@ void GalleryDialog::showFigure(int) {
   if (row == nullptr) row = &none;
   title_->setText(row->key.isEmpty() ? QString() : tr("Figure %1: %2").arg(row->key, row->title));
   caption_->setText(row->caption);
-  picture_->setPicture(row->picture, row->problem.isEmpty() ? row->left_out : row->problem);
+  const bool empty = !row->key.isEmpty() && row->problem.isEmpty() && row->left_out.isEmpty();
+  picture_->setPicture(row->picture, empty ? tr("There is no picture.") : row->problem + row->left_out);
   picture_->setAccessibleName(row->key.isEmpty() ? tr("Picture") : title_->text());
   picture_->setAccessibleDescription(row->caption);
   scene_->setEnabled(!row->scene.isEmpty());
