@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardPaths>
-#include <QStyle>
 #include <QTableWidget>
 #include <QTimer>
 #include <algorithm>
@@ -97,9 +96,9 @@ void GalleryDialog::readFolder() {
   page_->setEnabled(static_cast<bool>(read));
   fillList();
   if (!read) {
-    say(sentencesOf(read.problems()) + ' ' +
-        tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers; it takes about a "
-           "minute."));
+    say(sentencesOf(read.problems()));
+    picture_->setPicture({}, tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. "
+                                "Press “Make the figures”; it takes about a minute."));
     return;
   }
   QString sentence =
@@ -115,11 +114,12 @@ void GalleryDialog::readFolder() {
 void GalleryDialog::say(const QString& sentence, const char* role) {
   message_->setText(sentence);
   message_->setProperty("role", role);
-  message_->style()->polish(message_);
+  message_->setStyleSheet(message_->styleSheet());  // has the style look at the property again
 }
 
 void GalleryDialog::fillList() {
   const int before = std::max(figures_->currentRow(), 0);
+  figures_->setVisible(!list_.rows.empty());
   {
     const QSignalBlocker silent(figures_);
     figures_->clear();
