@@ -106,6 +106,13 @@ void Story::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(window, key, modifiers);
 }
 
+void Story::bringToFront(QWidget* window) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
+  window->activateWindow();
+  // Not qWaitForWindowActive(): a dialog counts as active as long as its parent is.
+  ASSERT_TRUE(QTest::qWaitFor([window] { return QGuiApplication::focusWindow() == window->windowHandle(); }));
+}
+
 void Story::type(QWidget* number, const QString& text) {
   number->setFocus(Qt::TabFocusReason);
   key(Qt::Key_A, Qt::ControlModifier);

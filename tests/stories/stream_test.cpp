@@ -101,7 +101,7 @@ TEST(StreamStory, TheDialogWarnsOfAnotherMachineAndRefusesWhatIsNoAddress) {
   auto* address = story.find<QLineEdit>("dialog.live.address");
   auto* warning = story.find<QLabel>("dialog.live.warning");
   auto* refusal = story.find<QLabel>("dialog.live.refusal");
-  EXPECT_TRUE(QTest::qWaitForWindowActive(dialog));
+  story.bringToFront(dialog);
   EXPECT_EQ(address->text(), "127.0.0.1:9870");
   EXPECT_FALSE(warning->isVisible());
   story.type(address, "lab");

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardPaths>
-#include <QStyle>
 #include <QTableWidget>
 #include <QTimer>
 #include <algorithm>
@@ -48,7 +47,9 @@ QIcon thumbnailOf(const QString& path, const QSize& room, qreal ratio) {
     painter.drawImage(where, image);
   }
   thumbnail.setDevicePixelRatio(ratio);
-  return QIcon(thumbnail);
+  QIcon icon(thumbnail);
+  icon.addPixmap(thumbnail, QIcon::Selected);  // else the style tints it
+  return icon;
 }
 
 }  // namespace
@@ -95,9 +96,9 @@ void GalleryDialog::readFolder() {
   page_->setEnabled(static_cast<bool>(read));
   fillList();
   if (!read) {
-    say(sentencesOf(read.problems()) + ' ' +
-        tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers; it takes about a "
-           "minute."));
+    say(sentencesOf(read.problems()));
+    picture_->setPicture({}, tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. "
+                                "Press “Make the figures”; it takes about a minute."));
     return;
   }
   QString sentence =
@@ -113,11 +114,12 @@ void GalleryDialog::readFolder() {
 void GalleryDialog::say(const QString& sentence, const char* role) {
   message_->setText(sentence);
   message_->setProperty("role", role);
-  message_->style()->polish(message_);
+  message_->setStyleSheet(message_->styleSheet());  // has the style look at the property again
 }
 
 void GalleryDialog::fillList() {
   const int before = std::max(figures_->currentRow(), 0);
+  figures_->setVisible(!list_.rows.empty());
   {
     const QSignalBlocker silent(figures_);
     figures_->clear();
@@ -154,7 +156,8 @@ void GalleryDialog::showFigure(int) {
   if (row == nullptr) row = &none;
   title_->setText(row->key.isEmpty() ? QString() : tr("Figure %1: %2").arg(row->key, row->title));
   caption_->setText(row->caption);
-  picture_->setPicture(row->picture, row->problem.isEmpty() ? row->left_out : row->problem);
+  const bool empty = !row->key.isEmpty() && row->problem.isEmpty() && row->left_out.isEmpty();
+  picture_->setPicture(row->picture, empty ? tr("There is no picture.") : row->problem + row->left_out);
   picture_->setAccessibleName(row->key.isEmpty() ? tr("Picture") : title_->text());
   picture_->setAccessibleDescription(row->caption);
   scene_->setEnabled(!row->scene.isEmpty());

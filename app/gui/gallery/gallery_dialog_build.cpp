@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QTimer>
@@ -50,12 +51,13 @@ GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* par
   setObjectName("dialog.figures");
   setWindowTitle(tr("Figures of the thesis"));
   setModal(false);
-  resize(1080, 740);
+  resize(QSize(1080, 740).boundedTo(screen()->availableSize()));
   figures_->setObjectName("dialog.figures.list");
   figures_->setAccessibleName(tr("Figures"));
   figures_->setIconSize(kThumbnail);
   figures_->setWordWrap(true);
   figures_->setSpacing(2);
+  figures_->setStyleSheet("QListWidget { show-decoration-selected: 1; }");  // the whole row, with its picture
   figures_->setMinimumWidth(kThumbnail.width() + 12 * fontMetrics().averageCharWidth());
   auto* parts = new QSplitter(Qt::Horizontal, this);
   parts->setChildrenCollapsible(false);

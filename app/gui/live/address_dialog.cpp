@@ -71,6 +71,18 @@ AddressDialog::AddressDialog(const QString& address, QWidget* parent)
 void AddressDialog::refuse(const QString& sentence) {
   refusal_->setText(sentence);
   refusal_->setVisible(!sentence.isEmpty());
+  fit();
+}
+
+void AddressDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  fit();  // the style is known only now
+}
+
+// A layout makes no room for lines that wrap.
+void AddressDialog::fit() {
+  layout()->activate();
+  resize(width(), layout()->totalHeightForWidth(width()));
 }
 
 void AddressDialog::look() {
@@ -83,6 +95,7 @@ void AddressDialog::look() {
                           .arg(QString::fromStdString(read.value().host)));
   }
   warning_->setVisible(leaves);
+  fit();
 }
 
 void AddressDialog::choose() {

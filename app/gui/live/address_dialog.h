@@ -21,8 +21,12 @@ class AddressDialog : public QDialog {
   /// The dialog stays until it is accepted.
   void chosen(const underact::stream::Address& address);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void look();
+  void fit();
   void choose();
 
   QLineEdit* address_;

@@ -61,6 +61,7 @@ void LiveData::askForAddress(QWidget* window, const QString& refusal) {
       dialog->refuse(sentencesOf(problems));
   });
   dialog->show();
+  dialog->activateWindow();
 }
 
 Problems LiveData::sendTo(const stream::Address& address) {
