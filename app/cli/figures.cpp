@@ -15,7 +15,7 @@ void addFigures(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--only", *only, "Numbers of figures with commas between, as in 4.5,B.1");
   const auto progress_lines = std::make_shared<bool>(false);
   command->add_flag("--progress-lines", *progress_lines,
-                    "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 25, "
+                    "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 27, "
                     "\"figure\": \"4.2\"}");
   command->callback([out, only, progress_lines, &streams, &exit] {
     const std::filesystem::path folder = programFolder();

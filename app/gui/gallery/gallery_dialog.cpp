@@ -101,10 +101,11 @@ void GalleryDialog::readFolder() {
                                 "Press “Make the figures”; it takes about a minute."));
     return;
   }
-  QString sentence =
-      verdictOf(list_) + ' ' +
-      tr("Made by Underact %1 on %2.").arg(list_.program_version, list_.made.toString("yyyy-MM-dd hh:mm"));
+  QString sentence = verdictOf(list_);
   const bool old = list_.program_version != kVersion;
+  if (!list_.program_version.isEmpty())
+    sentence +=
+        ' ' + tr("Made by Underact %1 on %2.").arg(list_.program_version, list_.made.toString("yyyy-MM-dd hh:mm"));
   if (old) sentence += ' ' + tr("This is Underact %1: make them again to see what it does.").arg(kVersion);
   const bool passed =
       std::all_of(list_.rows.begin(), list_.rows.end(), [](const FigureRow& row) { return row.passed; });

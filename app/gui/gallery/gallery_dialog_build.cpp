@@ -51,11 +51,14 @@ GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* par
   setObjectName("dialog.figures");
   setWindowTitle(tr("Figures of the thesis"));
   setModal(false);
-  resize(QSize(1080, 740).boundedTo(screen()->availableSize()));
+  const QSize wished(154 * fontMetrics().averageCharWidth(), 48 * fontMetrics().lineSpacing());
+  resize(wished.expandedTo({1080, 740}).boundedTo(screen()->availableSize()));
   figures_->setObjectName("dialog.figures.list");
   figures_->setAccessibleName(tr("Figures"));
   figures_->setIconSize(kThumbnail);
   figures_->setWordWrap(true);
+  figures_->setResizeMode(QListView::Adjust);
+  figures_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   figures_->setSpacing(2);
   figures_->setStyleSheet("QListWidget { show-decoration-selected: 1; }");  // the whole row, with its picture
   figures_->setMinimumWidth(kThumbnail.width() + 12 * fontMetrics().averageCharWidth());
@@ -64,7 +67,7 @@ GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* par
   parts->addWidget(figures_);
   parts->addWidget(buildShown());
   parts->setStretchFactor(1, 1);
-  parts->setSizes({kThumbnail.width() + 28 * fontMetrics().averageCharWidth(), 700});
+  parts->setSizes({kThumbnail.width() + 32 * fontMetrics().averageCharWidth(), 700});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(12);
