@@ -123,7 +123,8 @@ class TheFigures(InFolder):
         )
 
     def test_say_what_to_install_where_a_library_is_missing(self):
-        loaded = [name for name in sys.modules if name.startswith(("matplotlib", "underact.figures"))]
+        gone = ("matplotlib", "underact.figures")
+        loaded = [name for name in sys.modules if name.startswith(gone)]
         with mock.patch.dict(sys.modules):
             for name in loaded:
                 del sys.modules[name]

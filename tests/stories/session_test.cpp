@@ -18,6 +18,7 @@
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/session_place.h"
 #include "app/gui/sessions/session_words.h"
+#include "app/gui/replay/player.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/sessions/stylus_buttons.h"
 #include "tests/stories/picture_difference.h"
@@ -314,7 +315,8 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     actions.add({"session.hold_to_run", "hold", {}, "hold", {}, {}, true}, [](const QVariantList&) { return true; });
     Document document(story.host());
     RecentFiles recent;
-    auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), nullptr}, &page);
+    Player player(story.host(), document, nullptr, &page);
+    auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), nullptr, player}, &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);
