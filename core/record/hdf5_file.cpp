@@ -176,6 +176,8 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
     if (errno == EWOULDBLOCK) return problemAt(path, "Another program has this file open. Close it there first.");
     return impl->fail("The file cannot be opened for writing");
   }
+  // A killed writer's file is longer than it says; what comes now must not be written over its end.
+  if (killed && H5Fincrement_filesize(impl->file, 0) < 0) return impl->fail("The file cannot be opened for writing");
   Problems problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
