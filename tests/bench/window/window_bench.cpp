@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <string_view>
 
 #include "app/gui/actions.h"
 #include "app/gui/main_window.h"
@@ -18,7 +19,8 @@
 #include "core/scene/read.h"
 
 // In one run, in turn: the servo alone, and the servo beside a window that draws a moving stylus at 1280 x 800, that is
-// dragged to other sizes, and that is given another scene every 200 ms. Each 10 s; the figures are of that time alone.
+// dragged to other sizes, and that is given another scene every 200 ms; then a servo of 4 kHz beside the window,
+// recorded and not (alone with the argument "recorded"). Each 10 s; the figures are of that time alone.
 namespace underact::gui {
 namespace {
 
@@ -152,6 +154,10 @@ int main(int argc, char** argv) {
   QApplication::setStyle("Fusion");
   QApplication::setQuitOnLastWindowClosed(false);
   std::setlocale(LC_NUMERIC, "C");
-  underact::gui::measure();
+  if (argc > 1 && std::string_view(argv[1]) == "recorded") {
+    underact::gui::measureRecorded();
+  } else {
+    underact::gui::measure();
+  }
   return 0;
 }
