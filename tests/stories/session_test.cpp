@@ -14,11 +14,11 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gui/replay/player.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/session_place.h"
 #include "app/gui/sessions/session_words.h"
-#include "app/gui/replay/player.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/sessions/stylus_buttons.h"
 #include "tests/stories/picture_difference.h"
