@@ -20,7 +20,8 @@ namespace underact::gui {
 /// What a pressed button does.
 enum class Drag { None, Hand, Orbit, Pan, Zoom };
 
-/// scene_view.cpp: what is drawn; scene_view_events.cpp: what mouse and keys mean.
+/// scene_view.cpp: what is asked of the view; scene_view_impl.cpp: what is drawn; scene_view_events.cpp: what mouse and
+/// keys mean.
 struct SceneView::Impl {
   static constexpr double kBody_m = 0.084;  // of the stylus, that is drawn
 
@@ -34,6 +35,7 @@ struct SceneView::Impl {
   void paintWords(QPainter& painter);
   std::vector<Vec3> extent() const;
   void fit();
+  OrbitCamera fitted(const OrbitCamera& looking) const;  // that sees everything from there
   void moveTo(const OrbitCamera& wanted);
   void cameraByHand(const OrbitCamera& wanted);  // from now on it stays where it was put
   bool overStylus(const QPointF& pointer) const;

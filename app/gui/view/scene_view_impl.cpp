@@ -1,0 +1,169 @@
+#include "app/gui/view/scene_view_impl.h"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QPainter>
+#include <algorithm>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLook_ms = 200, kGhost_ms = 800;
+const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // the hint stands at the top
+
+/// From the front, a little from the right and above: the sphere, the stylus and the arm behind it stand apart.
+OrbitCamera firstLook() {
+  OrbitCamera camera;
+  camera.azimuth_rad = 32.0 * kRadPerDegree;
+  camera.elevation_rad = 20.0 * kRadPerDegree;
+  return camera;
+}
+
+}  // namespace
+
+SceneView::Impl::Impl(SceneView* owner) : view(owner), camera(firstLook()) {
+  surface =
+      new GlSurface([this](QSize pixels) { before(pixels); }, [this](QPainter& painter) { paintWords(painter); }, view);
+  const vtkNew<vtkLight> key;  // follows the camera, a little from its left and above
+  key->SetLightTypeToCameraLight();
+  key->SetPosition(-0.4, 0.6, 1.0);
+  key->SetFocalPoint(0.0, 0.0, 0.0);
+  surface->renderer().SetAutomaticLightCreation(false);
+  surface->renderer().AddLight(key);
+  movement.setDuration(kLook_ms);
+  movement.setStartValue(0.0);
+  movement.setEndValue(1.0);
+  movement.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&movement, &QVariantAnimation::valueChanged, view, [this](const QVariant& share) {
+    camera = between(from, to, share.toDouble());
+    surface->update();
+  });
+  ghost_way.setDuration(kGhost_ms);
+  ghost_way.setStartValue(0.0);
+  ghost_way.setEndValue(1.0);
+  ghost_way.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&ghost_way, &QVariantAnimation::valueChanged, view, [this](const QVariant& share) {
+    kinematics.setShare(share.toDouble());
+    surface->update();
+  });
+}
+
+void SceneView::Impl::before(QSize pixels) {
+  const double scale = pixels.height() / std::max(1.0, size().height());
+  if (actors_changed) {
+    actors_changed = false;
+    vtkRenderer& renderer = surface->renderer();
+    renderer.RemoveAllViewProps();
+    for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
+    for (const auto& target : hand.targets()) renderer.AddActor(target);
+    for (const auto& lines : {workspace.lines(), constraint.lines(), influence.lines(), robots.lines(), path.lines(),
+                              hand.lines(), kinematics.lines()}) {
+      for (vtkActor* actor : lines) renderer.AddActor(actor);
+    }
+    for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
+    for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
+    renderer.AddActor(influence.rings());
+    renderer.AddActor(hand.mark());
+  }
+  constraint.setLineWidth(scale);
+  workspace.setLineWidth(scale);
+  hand.setLineWidth(scale);
+  kinematics.setLineWidth(scale);
+  influence.setLineWidth(scale);
+  robots.setLineWidth(scale);
+  path.setLineWidth(scale);
+  constraint.update(camera.eye_mm());
+  workspace.update(camera);
+  hand.update(camera, size());
+  kinematics.update(camera);
+  influence.update(camera, size());
+  robots.update(camera);
+  vtkCamera* eye = surface->renderer().GetActiveCamera();
+  const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
+  eye->SetPosition(eye_mm.data());
+  eye->SetFocalPoint(camera.focus_mm.data());
+  eye->SetViewUp(up_W.data());
+  eye->SetViewAngle(OrbitCamera::kViewAngle_rad / kRadPerDegree);
+  const double far_mm = camera.distance_mm + camera.focus_mm.norm() + 600.0;
+  eye->SetClippingRange(std::max(0.01 * far_mm, camera.distance_mm - camera.focus_mm.norm() - 600.0), far_mm);
+}
+
+void SceneView::Impl::showArm() {
+  hand.present(*shown);
+  kinematics.present(shown->report.sample.q_rad);
+  influence.present(shown->report);
+  robots.present(*shown);
+}
+
+void SceneView::Impl::paintWords(QPainter& painter) {
+  WordsState state;
+  state.theme = theme;
+  state.font = view->font();
+  state.size = size();
+  state.scale = view->devicePixelRatioF();
+  state.camera = camera;
+  state.hint = hint;
+  if (hand.known() && shown && shown->mode == servo::Mode::Faulted) {
+    state.fault = QString::fromStdString(describe(shown->report.fault));
+  }
+  state.force_N = hand.force_N();
+  state.force_limit_N = force_limit_N;
+  state.limited = hand.limited();
+  state.focus = view->hasFocus();
+  std::vector<Label> labels = workspace.labels();
+  labels.insert(labels.end(), kinematics.labels().begin(), kinematics.labels().end());
+  labels.insert(labels.end(), influence.labels().begin(), influence.labels().end());
+  state.has_influence = influence.isSeen();
+  labels.insert(labels.end(), robots.labels().begin(), robots.labels().end());
+  words.paint(painter, state, labels);
+}
+
+std::vector<Vec3> SceneView::Impl::extent() const {
+  std::vector<Vec3> points = constraint.extent_mm();
+  const Vec3 half_mm = workspaceHalf_mm();
+  for (int corner = 0; corner < 8; ++corner) {
+    points.push_back(
+        half_mm.cwiseProduct(Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
+  }
+  const std::vector<Vec3> of_robots = robots.extent_mm();
+  points.insert(points.end(), of_robots.begin(), of_robots.end());
+  if (hand.known()) {
+    points.push_back(kMillimetrePerMetre * hand.X_WT().translation());
+    points.push_back(kMillimetrePerMetre * (hand.X_WT() * Vec3(0.0, 0.0, kBody_m)));
+    if (layers.arm) {
+      points.push_back(kMillimetrePerMetre * hand.skeleton().p_WShoulder);
+      points.push_back(kMillimetrePerMetre * hand.skeleton().p_WElbow);
+    }
+    const std::vector<Vec3> ghosts = kinematics.extent_mm();
+    points.insert(points.end(), ghosts.begin(), ghosts.end());
+  }
+  return points;
+}
+
+void SceneView::Impl::fit() {
+  OrbitCamera& ends_as = movement.state() == QAbstractAnimation::Running ? to : camera;
+  ends_as = fitted(ends_as);
+}
+
+OrbitCamera SceneView::Impl::fitted(const OrbitCamera& looking) const {
+  return gui::fitted(looking, size(), extent(), kRoom_px);
+}
+
+void SceneView::Impl::moveTo(const OrbitCamera& wanted) {
+  movement.stop();
+  from = camera;
+  to = wanted;
+  if (view->isVisible()) {
+    movement.start();
+  } else {
+    camera = to;
+  }
+  surface->update();
+}
+
+}  // namespace underact::gui
