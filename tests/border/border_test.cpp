@@ -164,12 +164,14 @@ TEST(Border, AProgramThatStandsStillPushesNoMoreAndSaysSoWhenItGoesOn) {
   ASSERT_TRUE(comes([&] { return program.arm().last_N() == 0.0; }));
   std::this_thread::sleep_for(1s);
   EXPECT_EQ(program.arm().last_N(), 0.0);
+  const std::int64_t pushes = program.arm().pushes();
   program.send(SIGCONT);
   EXPECT_EQ(program.line(), "fault stood_still");
-  // A tick that was at work when it was stopped may still write what it had found; the one after it is the fault's.
-  const std::int64_t pushes = program.arm().pushes(), frames = program.arm().frames();
+  // A tick that was at work when it was stopped may still write what it had found, one frame; the arm may read that
+  // frame after the line was read here. The tick after it is the fault's.
+  const std::int64_t frames = program.arm().frames();
   ASSERT_TRUE(comes([&] { return program.arm().frames() > frames + 200; }));
-  EXPECT_EQ(program.arm().pushes(), pushes);
+  EXPECT_LE(program.arm().pushes(), pushes + 1);
   EXPECT_EQ(program.arm().last_N(), 0.0);
 }
 
