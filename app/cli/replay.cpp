@@ -12,6 +12,7 @@
 #include "app/cli/scene_file.h"
 #include "core/base/units.h"
 #include "core/record/csv.h"
+#include "core/record/tick_figures.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/scene/read.h"
@@ -27,23 +28,21 @@ struct ReplayOptions {
   bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
 };
 
-/// Figures over the ticks of one side.
+/// One side of the comparison.
 struct Side {
-  double square_error_mm2 = 0.0, sum_force_N = 0.0, peak_force_N = 0.0, work_mJ = 0.0;
+  record::TickFigures figures;
+  double work_mJ = 0.0;
   Vec3 f_T_W = Vec3::Zero();  // sent at the last tick
   void add(const servo::TickRecord& record, const Vec3& way_T_W) {
-    square_error_mm2 += std::pow(kMillimetrePerMetre * record.error_m, 2);
-    const double force_N = record.f_sent_T_W.norm();
-    sum_force_N += force_N;
-    peak_force_N = std::max(peak_force_N, force_N);
+    figures.add(record.error_m, record.f_sent_T_W.norm());
     work_mJ += kMillimetrePerMetre * f_T_W.dot(way_T_W);
     f_T_W = record.f_sent_T_W;
   }
-  JsonObject json(double ticks) const {
+  JsonObject json() const {
     JsonObject object;
-    object.addNumber("rms_error_mm", std::sqrt(square_error_mm2 / ticks));
-    object.addNumber("mean_force_N", sum_force_N / ticks);
-    object.addNumber("peak_force_N", peak_force_N);
+    object.addNumber("rms_error_mm", kMillimetrePerMetre * figures.rmsError_m());
+    object.addNumber("mean_force_N", figures.meanForce_N());
+    object.addNumber("peak_force_N", figures.peakForce_N());
     object.addNumber("work_mJ", work_mJ);
     return object;
   }
@@ -64,8 +63,8 @@ class Comparison {
   JsonObject json() const {
     JsonObject object;
     object.addInteger("ticks", std::llround(ticks_));
-    object.addObject("recorded", recorded_.json(ticks_));
-    object.addObject("replayed", now_.json(ticks_));
+    object.addObject("recorded", recorded_.json());
+    object.addObject("replayed", now_.json());
     JsonObject apart;
     apart.addNumber("rms_N", std::sqrt(square_apart_N2_ / ticks_));
     apart.addNumber("max_N", most_apart_N_);

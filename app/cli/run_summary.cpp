@@ -24,14 +24,10 @@ constexpr servo::Percentiles kNoPercentiles{kNotANumber, kNotANumber, kNotANumbe
 }  // namespace
 
 void RunSummary::add(const servo::TickRecord& record) {
-  ++ticks_;
-  const double force_N = record.f_sent_T_W.norm();
-  peak_force_N_ = std::max(peak_force_N_, force_N);
-  sum_force_N_ += force_N;
-  sum_square_error_m2_ += record.error_m * record.error_m;
+  figures_.add(record.error_m, record.f_sent_T_W.norm());
   if ((record.limits & safety::kClampBit) != 0U) ++clamped_;
   // A step of the tip goes with the force that was in effect during it: the one written a tick before.
-  if (ticks_ > 1) work_J_ += f_T_W_.dot(record.p_WT - p_WT_);
+  if (ticks() > 1) work_J_ += f_T_W_.dot(record.p_WT - p_WT_);
   most_work_J_ = std::max(most_work_J_, work_J_);
   branch_changes_ += record.branch_changes;
   out_of_reach_ += record.out_of_reach ? 1 : 0;
@@ -53,15 +49,14 @@ void RunSummary::tell(std::int64_t tick, const Fault& fault) {
 }
 
 JsonObject RunSummary::json(const Setting& setting) const {
-  const double count = static_cast<double>(ticks_);
   JsonObject object;
-  object.addInteger("ticks", ticks_);
+  object.addInteger("ticks", ticks());
   object.addInteger("rate_hz", setting.rate_hz);
   object.addInteger("seed", setting.seed);
-  object.addNumber("peak_force_N", peak_force_N_);
-  object.addNumber("mean_force_N", sum_force_N_ / count);
+  object.addNumber("peak_force_N", figures_.peakForce_N());
+  object.addNumber("mean_force_N", figures_.meanForce_N());
   object.addInteger("clamped_ticks", clamped_);
-  object.addNumber("rms_error_mm", kMillimetrePerMetre * std::sqrt(sum_square_error_m2_ / count));
+  object.addNumber("rms_error_mm", kMillimetrePerMetre * figures_.rmsError_m());
   object.addVector("final_p_mm", kMillimetrePerMetre * p_WT_);
   object.addNumber("work_mJ", 1e3 * work_J_);            // that the force has done on the hand in all
   object.addNumber("most_work_mJ", 1e3 * most_work_J_);  // and at most on the way

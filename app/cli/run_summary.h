@@ -5,6 +5,7 @@
 
 #include "app/cli/json_object.h"
 #include "core/base/fault.h"
+#include "core/record/tick_figures.h"
 #include "core/servo/histogram.h"
 #include "core/servo/snapshot.h"
 
@@ -16,7 +17,7 @@ class RunSummary {
   void add(const servo::TickRecord& record);
   /// What the servo says of a fault, with the numbers that a row has no room for. tick: that found it.
   void tell(std::int64_t tick, const Fault& fault);
-  std::int64_t ticks() const { return ticks_; }
+  std::int64_t ticks() const { return figures_.ticks(); }
   bool faulted() const { return !faults_.empty(); }
 
   struct Setting {
@@ -28,11 +29,8 @@ class RunSummary {
   JsonObject json(const Setting& setting) const;
 
  private:
-  std::int64_t ticks_ = 0;
+  record::TickFigures figures_;
   std::int64_t clamped_ = 0;
-  double peak_force_N_ = 0.0;
-  double sum_force_N_ = 0.0;
-  double sum_square_error_m2_ = 0.0;
   double work_J_ = 0.0, most_work_J_ = 0.0;
   std::int64_t branch_changes_ = 0;
   std::int64_t out_of_reach_ = 0;

@@ -92,7 +92,7 @@ TEST(ReplayParts, ThePathKeepsItsShapeAndItsGreatestForceInFewPoints) {
 
 TEST(ReplayParts, OnlyTicksThatPushedFullyBothTimesAreCompared) {
   Comparison comparison;
-  EXPECT_TRUE(std::isnan(comparison.now().mean_N));
+  EXPECT_TRUE(std::isnan(comparison.now().meanForce_N()));
   comparison.add(recordedRow(0.2F, 0.003F), pushed(0.1, 0.001));
   comparison.add(recordedRow(0.4F, 0.004F), pushed(0.5, 0.001));
   device::RecordedRow ramp = recordedRow(0.9F, 0.1F);
@@ -102,12 +102,12 @@ TEST(ReplayParts, OnlyTicksThatPushedFullyBothTimesAreCompared) {
   starting.level = 0.5;
   comparison.add(recordedRow(0.9F, 0.1F), starting);
   EXPECT_EQ(comparison.ticks(), 2);
-  EXPECT_NEAR(comparison.recorded().rms_error_m, std::sqrt(12.5e-6), 1e-9);
-  EXPECT_NEAR(comparison.now().rms_error_m, 0.001, 1e-12);
-  EXPECT_NEAR(comparison.recorded().peak_N, 0.4, 1e-6);
-  EXPECT_NEAR(comparison.now().peak_N, 0.5, 1e-12);
-  EXPECT_NEAR(comparison.recorded().mean_N, 0.3, 1e-6);
-  EXPECT_NEAR(comparison.now().mean_N, 0.3, 1e-12);
+  EXPECT_NEAR(comparison.recorded().rmsError_m(), std::sqrt(12.5e-6), 1e-9);
+  EXPECT_NEAR(comparison.now().rmsError_m(), 0.001, 1e-12);
+  EXPECT_NEAR(comparison.recorded().peakForce_N(), 0.4, 1e-6);
+  EXPECT_NEAR(comparison.now().peakForce_N(), 0.5, 1e-12);
+  EXPECT_NEAR(comparison.recorded().meanForce_N(), 0.3, 1e-6);
+  EXPECT_NEAR(comparison.now().meanForce_N(), 0.3, 1e-12);
 }
 
 TEST(ReplayParts, APathIsBrokenWhereAPlaceIsNoNumberAndHiddenWithItsLayer) {

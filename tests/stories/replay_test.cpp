@@ -106,7 +106,7 @@ TEST(ReplayStory, ItPlaysWhatWasRecordedToTheBitAndStopsAtItsEnd) {
               0);
     EXPECT_NEAR(story.force_N(), static_cast<double>(player.recorded().rows[row].force_N), 1e-5) << row;
   }
-  EXPECT_GT(player.comparison().recorded().peak_N, 0.1);
+  EXPECT_GT(player.comparison().recorded().peakForce_N(), 0.1);
   story.run(600);
   EXPECT_EQ(player.row(), kTicks - 1);
   EXPECT_FALSE(player.isPlaying());

@@ -55,10 +55,10 @@ QLabel* ComparisonTable::cell(const char* name, const QString& spoken) {
   return label;
 }
 
-void ComparisonTable::fill(const std::array<QLabel*, 3>& cells, const Figures& figures) {
-  setText(cells[0], numberText(kMillimetrePerMetre * figures.rms_error_m, 2));
-  setText(cells[1], numberText(figures.peak_N, 3));
-  setText(cells[2], numberText(figures.mean_N, 3));
+void ComparisonTable::fill(const std::array<QLabel*, 3>& cells, const record::TickFigures& figures) {
+  setText(cells[0], numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
+  setText(cells[1], numberText(figures.peakForce_N(), 3));
+  setText(cells[2], numberText(figures.meanForce_N(), 3));
 }
 
 void ComparisonTable::present(const Comparison& comparison, int rate_hz) {

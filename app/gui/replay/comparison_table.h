@@ -19,7 +19,7 @@ class ComparisonTable : public QWidget {
 
  private:
   QLabel* cell(const char* name, const QString& spoken);
-  void fill(const std::array<QLabel*, 3>& cells, const Figures& figures);
+  void fill(const std::array<QLabel*, 3>& cells, const record::TickFigures& figures);
 
   std::array<QLabel*, 3> recorded_{}, now_{};
   QLabel* stretch_;
