@@ -9,7 +9,7 @@
 #include "app/cli/python.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/session_table.h"
-#include "core/record/csv.h"
+#include "core/record/csv_export.h"
 #include "core/record/recorder.h"
 #include "core/record/session.h"
 
@@ -44,20 +44,16 @@ Exit exportCsv(const ExportOptions& options, const Streams& streams) {
   }
   const Interrupt interrupt;
   Progress progress(streams);
-  std::int64_t missing = 0;
-  Problems problems = session.value().eachBlock(
-      [&](const record::Block& block, std::int64_t) {
-        for (const servo::TickRecord& record : record::unpackTicks(block)) csv.value().add(record);
-        return !csv.value().hasFailed() && !interrupt.came();
-      },
-      [&](const record::Gap& gap) { missing += gap.rows; }, [&](double share) { progress.show(share); });
-  const Problems unwritten = csv.value().close();
-  print(problems, streams.err);
-  print(unwritten, streams.err);
-  if (missing > 0) streams.err << missing << " ticks are damaged in the file and were left out.\n";
-  if (interrupt.came()) streams.err << "Stopped: what was written is not the whole session.\n";
-  if (!unwritten.empty()) return Exit::File;
-  return problems.empty() && missing == 0 && !interrupt.came() ? Exit::Well : Exit::BadInput;
+  const record::CsvExport done = record::exportCsv(session.value(), csv.value(), [&](double share) {
+    progress.show(share);
+    return !interrupt.came();
+  });
+  print(done.unread, streams.err);
+  print(done.unwritten, streams.err);
+  if (done.missing > 0) streams.err << done.missing << " ticks are damaged in the file and were left out.\n";
+  if (done.is_stopped) streams.err << "Stopped: what was written is not the whole session.\n";
+  if (!done.unwritten.empty()) return Exit::File;
+  return done.isWhole() ? Exit::Well : Exit::BadInput;
 }
 
 Exit exportSession(const ExportOptions& options, const Streams& streams) {
