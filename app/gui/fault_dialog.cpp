@@ -15,31 +15,22 @@
 #include <QVBoxLayout>
 
 #include "app/gui/plot/fault_plot.h"
+#include "app/gui/told_label.h"
 
 namespace underact::gui {
 namespace {
 
 constexpr std::size_t kMostTold = record::kFaultFilesKept;  // what is older has lost its file, too
 
-QLabel* wrapped(const char* name, const QString& spoken, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 }  // namespace
 
 FaultDialog::FaultDialog(QWidget* parent)
     : QDialog(parent),
       list_(new QListWidget(this)),
-      what_(wrapped("dialog.fault.what", tr("What happened"), this)),
-      meaning_(wrapped("dialog.fault.meaning", tr("What it means"), this)),
-      to_do_(wrapped("dialog.fault.to_do", tr("What to do"), this)),
-      file_(wrapped("dialog.fault.file", tr("Where the fault is kept"), this)),
+      what_(toldLabel("dialog.fault.what", tr("What happened"), "", this)),
+      meaning_(toldLabel("dialog.fault.meaning", tr("What it means"), "", this)),
+      to_do_(toldLabel("dialog.fault.to_do", tr("What to do"), "", this)),
+      file_(toldLabel("dialog.fault.file", tr("Where the fault is kept"), "", this)),
       plot_(new FaultPlot(this)) {
   setObjectName("dialog.fault");
   setModal(false);

@@ -18,23 +18,9 @@
 #include "app/gui/influence_section.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/rate_section.h"
+#include "app/gui/told_label.h"
 
 namespace underact::gui {
-namespace {
-
-QLabel* note(const char* name, const char* role, const QString& spoken, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
-  label->setProperty("role", role);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label->hide();
-  return label;
-}
-
-}  // namespace
-
 FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   addActions();
   addInfluenceCommands();
@@ -141,11 +127,12 @@ void FeelPanel::buildFoot(QVBoxLayout* outer) {
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(12, 8, 12, 8);
   foot->setSpacing(8);
-  warning_ = note("panel.feel.warning", "amber", tr("Warning"), this);
+  warning_ = toldLabel("panel.feel.warning", tr("Warning"), "amber", this);
   warning_->setToolTip(
       tr("A sampled wall with one tick of delay stays calm for K < (b + B) / (1.5 T); b: the hand's damping, "
          "B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly."));
-  refusal_ = note("panel.feel.refusal", "alarm", tr("Why the change was refused"), this);
+  refusal_ = toldLabel("panel.feel.refusal", tr("Why the change was refused"), "alarm", this);
+  for (QLabel* label : {warning_, refusal_}) label->hide();
   foot->addWidget(warning_);
   foot->addWidget(refusal_);
   auto* grid = new QGridLayout;

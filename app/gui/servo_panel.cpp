@@ -11,6 +11,7 @@
 #include "app/gui/check/check_dialog.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/servo/sections.h"
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -83,10 +84,7 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
                            "in the view (F2)."));
   connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
   connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
-  told_ = new QLabel(this);
-  told_->setObjectName("panel.servo.told");
-  told_->setAccessibleName(tr("What came of the restart"));
-  told_->setWordWrap(true);
+  told_ = toldLabel("panel.servo.told", tr("What came of the restart"), "", this);
   told_->hide();
   column->addWidget(box);
   column->addWidget(buttonFor("servo.restart", tr("Restart the servo")));

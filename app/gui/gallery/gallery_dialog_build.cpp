@@ -16,22 +16,12 @@
 
 #include "app/gui/gallery/figure_picture.h"
 #include "app/gui/gallery/gallery_dialog.h"
+#include "app/gui/told_label.h"
 
 namespace underact::gui {
 namespace {
 
 constexpr QSize kThumbnail(112, 80);
-
-QLabel* words(const char* name, const QString& spoken, const char* role, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
-  label->setProperty("role", role);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 }  // namespace
 
@@ -41,9 +31,9 @@ GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* par
       folder_(figureFolder()),
       only_(only),
       figures_(new QListWidget(this)),
-      title_(words("dialog.figures.title", tr("Figure"), "section", this)),
-      caption_(words("dialog.figures.caption", tr("Caption"), "", this)),
-      message_(words("dialog.figures.message", tr("State of the figures"), "", this)),
+      title_(toldLabel("dialog.figures.title", tr("Figure"), "section", this)),
+      caption_(toldLabel("dialog.figures.caption", tr("Caption"), "", this)),
+      message_(toldLabel("dialog.figures.message", tr("State of the figures"), "", this)),
       picture_(new FigurePicture(this)),
       numbers_(new QTableWidget(0, 6, this)),
       progress_(new QProgressBar(this)),

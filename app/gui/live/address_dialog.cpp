@@ -7,30 +7,17 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
-namespace {
-
-QLabel* line(const char* name, const QString& spoken, const char* role, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
-  label->setProperty("role", role);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->hide();
-  return label;
-}
-
-}  // namespace
-
 AddressDialog::AddressDialog(const QString& address, QWidget* parent)
     : QDialog(parent),
       address_(new QLineEdit(address, this)),
-      warning_(line("dialog.live.warning", tr("Warning"), "amber", this)),
-      refusal_(line("dialog.live.refusal", tr("What is wrong"), "alarm", this)) {
+      warning_(toldLabel("dialog.live.warning", tr("Warning"), "amber", this)),
+      refusal_(toldLabel("dialog.live.refusal", tr("What is wrong"), "alarm", this)) {
   setObjectName("dialog.live");
+  for (QLabel* label : {warning_, refusal_}) label->hide();
   setWindowTitle(tr("Send live data to"));
   setModal(false);
   setMinimumWidth(460);

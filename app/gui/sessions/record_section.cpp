@@ -17,6 +17,7 @@
 #include "app/gui/sessions/recording.h"
 #include "app/gui/sessions/session_words.h"
 #include "app/gui/sessions/words_form.h"
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -51,15 +52,11 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
       mark_(new QPushButton(tr("&Mark"), this)),
       label_(new QLineEdit(this)),
       place_(quietLabel("panel.sessions.place", {}, this)),
-      notice_(new QLabel(this)),
+      notice_(toldLabel("panel.sessions.notice", tr("What became of the recording"), "", this)),
       readout_(new Readout("panel.sessions.status", this)),
       words_(new WordsForm("panel.sessions.", this)) {
   record_->setObjectName("panel.sessions.record");
   record_->setToolTip(actions_.find("session.record")->toolTip());
-  notice_->setObjectName("panel.sessions.notice");
-  notice_->setAccessibleName(tr("What became of the recording"));
-  notice_->setWordWrap(true);
-  notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   readout_->addRow(tr("Time"), tr("From the recording's first tick to its last."));
   readout_->addRow(tr("Size"), tr("Of the file."));
   readout_->addRow(tr("Ticks"), tr("That are in the file; and those that found no room, if there are any."));

@@ -7,20 +7,20 @@
 #include <QVBoxLayout>
 
 #include "app/gui/sessions/words_form.h"
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
 
 WordsDialog::WordsDialog(const QString& path, const record::SessionWords& words, QWidget* parent)
-    : QDialog(parent), path_(path), form_(new WordsForm("dialog.words.", this)), told_(new QLabel(this)) {
+    : QDialog(parent),
+      path_(path),
+      form_(new WordsForm("dialog.words.", this)),
+      told_(toldLabel("dialog.words.told", tr("What went wrong"), "alarm", this)) {
   setObjectName("dialog.words");
   setWindowTitle(tr("Words of %1").arg(QFileInfo(path).fileName()));
   resize(440, 280);
   form_->setWords(words);
-  told_->setObjectName("dialog.words.told");
-  told_->setAccessibleName(tr("What went wrong"));
-  told_->setProperty("role", "alarm");
-  told_->setWordWrap(true);
   told_->hide();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
   const auto nameButton = [buttons](QDialogButtonBox::StandardButton which, const char* name, const QString& spoken) {

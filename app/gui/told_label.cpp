@@ -1,0 +1,18 @@
+#include "app/gui/told_label.h"
+
+#include <QLabel>
+
+namespace underact::gui {
+
+QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setAccessibleName(spoken);
+  label->setProperty("role", role);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,13 @@
+#pragma once
+
+class QLabel;
+class QString;
+class QWidget;
+
+namespace underact::gui {
+
+/// A label for sentences that come later: they wrap, stand as they are (no markup) and can be selected.
+/// spoken: what a screen reader calls it; role: of the style sheet, "" for plain words.
+QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent);
+
+}  // namespace underact::gui
