@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     folders.close();
   }
   qputenv("UNDERACT_DATA_DIR", UNDERACT_SOURCE);
+  qputenv("UNDERACT_CLI", UNDERACT_CLI);
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   QSurfaceFormat format;
   format.setVersion(3, 2);

@@ -8,7 +8,7 @@
 #include <QTimer>
 #include <filesystem>
 
-#include "app/gui/sessions/csv_export.h"
+#include "app/gui/sessions/csv_file.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "tests/stories/session_desk.h"
@@ -58,7 +58,7 @@ TEST(SessionListStory, ACsvHasARowForEachTickAndACancelledOneLeavesNoFile) {
   EXPECT_FALSE(desk.story->find("panel.sessions.progress")->isVisible());
   WorkState state;
   state.cancelled = true;
-  const CsvExport cancelled = exportCsv(path.toStdString(), desk.file("none.csv").toStdString(), state);
+  const CsvFile cancelled = writeCsvFile(path.toStdString(), desk.file("none.csv").toStdString(), state);
   EXPECT_TRUE(cancelled.cancelled);
   EXPECT_FALSE(QFile::exists(desk.file("none.csv")));
   EXPECT_FALSE(QFile::exists(desk.file("none.csv.part")));

@@ -1,35 +1,16 @@
 #include "app/gui/gallery/figures_run.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
-#include <QTimer>
 
 #include "app/gui/gallery/figure_list.h"
 #include "underact/version.h"
-#ifdef Q_OS_UNIX
-#include <sys/resource.h>
-#include <unistd.h>
-
-#include <csignal>
-#endif
 
 namespace underact::gui {
-namespace {
-
-constexpr int kWaitForEnd_ms = 2000;
-constexpr int kBehindTheWindow = 10;  // nice: the hand and its picture come first
-
-}  // namespace
-
-QString cliProgram() {
-  if (qEnvironmentVariableIsSet("UNDERACT_CLI")) return qEnvironmentVariable("UNDERACT_CLI");
-  return QCoreApplication::applicationDirPath() + "/underact-cli";
-}
 
 QString figureFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/figures";
@@ -38,27 +19,18 @@ QString figureFolder() {
 FiguresRun::FiguresRun(const QString& folder, const QString& only, QObject* parent)
     : QObject(parent), folder_(folder), fresh_(folder + ".making"), only_(only), lock_(folder + ".lock") {
   lock_.setStaleLockTime(0);  // a run takes as long as it takes; what died left no process
-  process_.setStandardOutputFile(QProcess::nullDevice());
-#ifdef Q_OS_UNIX
-  // A group of its own: the program starts others, which end with it.
-  process_.setChildProcessModifier([] {
-    ::setpgid(0, 0);
-    ::setpriority(PRIO_PROCESS, 0, kBehindTheWindow);
+  process_.setReader([this](const QByteArray& line) {
+    const QJsonObject progress = QJsonDocument::fromJson(line).object();
+    if (!progress.contains("of")) return false;
+    emit progressed(progress["number"].toInt(), progress["of"].toInt(), progress["figure"].toString());
+    return true;
   });
-#endif
-  connect(&process_, &QProcess::readyReadStandardError, this, &FiguresRun::read);
-  connect(&process_, &QProcess::finished, this, &FiguresRun::end);
-  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error != QProcess::FailedToStart) return;
-    lock_.unlock();
-    emit finished(End::Failed,
-                  tr("The program %1 could not be started. Install Underact whole.").arg(process_.program()));
-  });
+  connect(&process_, &CliProcess::ended, this, &FiguresRun::end);
 }
 
 FiguresRun::~FiguresRun() {
   process_.disconnect(this);
-  kill();
+  process_.kill();
   if (lock_.isLocked()) QDir(fresh_).removeRecursively();
 }
 
@@ -74,41 +46,16 @@ void FiguresRun::begin() {
   QDir(fresh_).removeRecursively();
   QStringList words{"figures", "--out", fresh_, "--progress-lines"};
   if (!only_.isEmpty()) words << "--only" << only_;
-  process_.start(cliProgram(), words, QIODevice::ReadOnly);
+  process_.start(words);
 }
 
 void FiguresRun::cancel() {
   cancelled_ = true;
-  kill();
-}
-
-void FiguresRun::kill() {
-  if (process_.state() == QProcess::NotRunning) return;
-#ifdef Q_OS_UNIX
-  process_.waitForStarted(kWaitForEnd_ms);  // before that it has no group yet
-  if (process_.processId() > 0) ::kill(-static_cast<pid_t>(process_.processId()), SIGKILL);
-#endif
   process_.kill();
-  process_.waitForFinished(kWaitForEnd_ms);
 }
 
-void FiguresRun::read() {
-  unread_ += process_.readAllStandardError();
-  for (qsizetype end = unread_.indexOf('\n'); end >= 0; end = unread_.indexOf('\n')) {
-    const QByteArray line = unread_.left(end).trimmed();
-    unread_.remove(0, end + 1);
-    const QJsonObject progress = QJsonDocument::fromJson(line).object();
-    if (progress.contains("of"))
-      emit progressed(progress["number"].toInt(), progress["of"].toInt(), progress["figure"].toString());
-    else if (!line.isEmpty())
-      last_words_ = QString::fromUtf8(line);
-  }
-}
-
-void FiguresRun::end() {
-  unread_ += '\n';
-  read();
-  const bool whole = process_.exitStatus() == QProcess::NormalExit && readFigures(fresh_);
+void FiguresRun::end(std::optional<int> code) {
+  const bool whole = code && readFigures(fresh_);  // with another code than 0 where a figure shows other numbers
   const QString why_not = cancelled_ ? tr("Cancelled: the figures are those from before.") : whole ? keep() : whyNot();
   QDir(fresh_).removeRecursively();
   lock_.unlock();
@@ -123,10 +70,9 @@ QString FiguresRun::keep() {
               : tr("The figures could not be put into %1. Make room there, or leave to write.").arg(folder_);
 }
 
-/// The last thing that it said: above it stands where it happened, which is for its makers.
 QString FiguresRun::whyNot() const {
-  return last_words_.isEmpty() ? tr("The figures were not made, and underact-cli did not say why.")
-                               : tr("The figures were not made. %1").arg(last_words_);
+  return process_.lastWords().isEmpty() ? tr("The figures were not made, and underact-cli did not say why.")
+                                        : tr("The figures were not made. %1").arg(process_.lastWords());
 }
 
 }  // namespace underact::gui

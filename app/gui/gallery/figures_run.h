@@ -1,13 +1,11 @@
 #pragma once
 #include <QLockFile>
 #include <QObject>
-#include <QProcess>
 #include <QString>
 
-namespace underact::gui {
+#include "app/gui/cli_process.h"
 
-/// The program underact-cli: beside this one; $UNDERACT_CLI where that is set.
-QString cliProgram();
+namespace underact::gui {
 
 /// Where the figures are kept between two starts.
 QString figureFolder();
@@ -32,17 +30,13 @@ class FiguresRun : public QObject {
   void finished(underact::gui::FiguresRun::End end, const QString& sentence);
 
  private:
-  void read();
-  void end();
-  void kill();
+  void end(std::optional<int> code);
   QString keep();
   QString whyNot() const;
 
   QString folder_, fresh_, only_;
   QLockFile lock_;
-  QProcess process_;
-  QByteArray unread_;   // the beginning of a line
-  QString last_words_;  // that it said, and that are no progress
+  CliProcess process_;
   bool cancelled_ = false;
 };
 

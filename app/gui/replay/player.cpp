@@ -20,7 +20,9 @@ Player::~Player() = default;
 
 bool Player::open(const QString& path) {
   if (arm_ == nullptr) return false;
-  load_ = std::make_unique<SessionLoad>(QFileInfo(path).absoluteFilePath());
+  path_ = QFileInfo(path).absoluteFilePath();
+  load_ = std::make_unique<Background<Result<LoadedSession>>>(
+      [from = path_.toStdString()](WorkState& state) { return loadSession(from, state); });
   emit loading();
   return true;
 }
@@ -32,7 +34,6 @@ void Player::cancelLoading() {
 void Player::look() {
   if (load_) {
     if (std::optional<Result<LoadedSession>> result = load_->take()) {
-      const QString path = load_->path();
       const bool is_cancelled = load_->isCancelled();
       load_.reset();
       if (is_cancelled) {
@@ -40,7 +41,7 @@ void Player::look() {
       } else if (*result) {
         begin(std::move(*result).value());
       } else {
-        emit failed(path, result->problems());
+        emit failed(path_, result->problems());
       }
     }
   }

@@ -84,7 +84,8 @@ class Player : public QObject {
   servo::Host& host_;
   Document& document_;
   device::ReplayedArm* arm_;
-  std::unique_ptr<SessionLoad> load_;
+  QString path_;  // that is read
+  std::unique_ptr<Background<Result<LoadedSession>>> load_;
   LoadedSession session_;
   const device::RecordedScene* scene_ = nullptr;  // in the window
   std::optional<scene::Description> tried_;       // while what if is off

@@ -8,6 +8,7 @@
 #include <QStyle>
 
 #include "app/gui/sessions/plots_run.h"
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -16,7 +17,7 @@ namespace {
 constexpr int kLookEvery_ms = 50;
 constexpr int kSteps = 1000;  // of the bar
 
-QString sentenceOf(const CsvExport& done, const QString& out) {
+QString sentenceOf(const CsvFile& done, const QString& out) {
   if (done.cancelled) return QObject::tr("Cancelled: no file was written.");
   if (!done.problems.empty()) return QObject::tr("Not exported. %1").arg(sentencesOf(done.problems));
   const QString whole = QObject::tr("%1 ticks are in %2").arg(done.rows).arg(QFileInfo(out).fileName());
@@ -29,13 +30,9 @@ QString sentenceOf(const CsvExport& done, const QString& out) {
 
 JobStrip::JobStrip(QWidget* parent)
     : QWidget(parent),
-      told_(new QLabel(this)),
+      told_(toldLabel("panel.sessions.told", tr("What came of it"), "quiet", this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
-  told_->setObjectName("panel.sessions.told");
-  told_->setAccessibleName(tr("What came of it"));
-  told_->setWordWrap(true);
-  told_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   bar_->setObjectName("panel.sessions.progress");
   bar_->setAccessibleName(tr("Progress"));
   cancel_->setObjectName("panel.sessions.cancel");
@@ -61,8 +58,8 @@ bool JobStrip::beginCsv(const QString& session, const QString& out) {
   if (isBusy()) return false;
   out_ = out;
   begin(tr("Exporting %1").arg(QFileInfo(session).fileName()), kSteps);
-  csv_ = std::make_unique<Background<CsvExport>>(
-      [from = session.toStdString(), to = out.toStdString()](WorkState& state) { return exportCsv(from, to, state); });
+  csv_ = std::make_unique<Background<CsvFile>>([from = session.toStdString(), to = out.toStdString()](
+                                                   WorkState& state) { return writeCsvFile(from, to, state); });
   looks_.start();
   return true;
 }
@@ -95,7 +92,7 @@ void JobStrip::begin(const QString& sentence, int most) {
 
 void JobStrip::look() {
   bar_->setValue(static_cast<int>(csv_->share() * bar_->maximum()));
-  const std::optional<CsvExport> done = csv_->take();
+  const std::optional<CsvFile> done = csv_->take();
   if (!done) return;
   looks_.stop();
   csv_.reset();

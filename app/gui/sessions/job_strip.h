@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/sessions/background.h"
-#include "app/gui/sessions/csv_export.h"
+#include "app/gui/background.h"
+#include "app/gui/sessions/csv_file.h"
 
 class QLabel;
 class QProgressBar;
@@ -37,7 +37,7 @@ class JobStrip : public QWidget {
   void look();
   void end(const QString& sentence, bool alarm);
 
-  std::unique_ptr<Background<CsvExport>> csv_;
+  std::unique_ptr<Background<CsvFile>> csv_;
   PlotsRun* plots_ = nullptr;
   QString out_;
   QLabel* told_;

@@ -1,20 +1,17 @@
 #pragma once
 #include <QDateTime>
 #include <QObject>
-#include <QProcess>
+
+#include "app/gui/cli_process.h"
 
 namespace underact::gui {
 
-/// The folder of the Python package that ships with the program; empty: it is not there.
-QString pythonFolder();
-
-/// Draws all plots of a session, by the Python package, in a process of its own. Each is a file with its kind in the
-/// name: for trial.pdf trial_error.pdf, trial_force.pdf and so on.
+/// Draws all plots of a session, by `underact-cli log plot`. Each is a file with its kind in the name: for trial.pdf
+/// trial_error.pdf, trial_force.pdf and so on.
 class PlotsRun : public QObject {
   Q_OBJECT
  public:
-  PlotsRun(const QString& session, const QString& out, QObject* parent);
-  ~PlotsRun() override;  // ends it early
+  PlotsRun(const QString& session, const QString& out, QObject* parent);  // its end ends the work early
   void begin();
   void cancel();
 
@@ -23,11 +20,11 @@ class PlotsRun : public QObject {
   void finished(bool done, const QString& sentence);
 
  private:
+  void end(std::optional<int> code);
   int drawn() const;  // files
-  QString whyNot();
   QString session_, out_;
   QDateTime began_;
-  QProcess process_;
+  CliProcess process_;
   bool cancelled_ = false;
 };
 

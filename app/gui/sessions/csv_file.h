@@ -2,13 +2,13 @@
 #include <cstdint>
 #include <string>
 
-#include "app/gui/sessions/background.h"
+#include "app/gui/background.h"
 #include "core/base/result.h"
 
 namespace underact::gui {
 
 /// What came of an export.
-struct CsvExport {
+struct CsvFile {
   std::int64_t rows = 0;     // written
   std::int64_t missing = 0;  // that are damaged in the session
   bool cancelled = false;    // no file is left then
@@ -16,6 +16,6 @@ struct CsvExport {
 };
 
 /// Writes the ticks of a session as CSV, as underact-cli does. What is at out stays until the new file is whole.
-CsvExport exportCsv(const std::string& session, const std::string& out, WorkState& state);
+CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkState& state);
 
 }  // namespace underact::gui

@@ -26,6 +26,7 @@ class Background {
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
   void cancel() { state_.cancelled = true; }
+  bool isCancelled() const { return state_.cancelled; }
   double share() const { return state_.share; }
   /// What came of it, once; empty while it goes on, and ever after.
   std::optional<Outcome> take() {

@@ -1,0 +1,34 @@
+#include "app/gui/sessions/csv_file.h"
+
+#include <filesystem>
+
+#include "core/record/csv_export.h"
+
+namespace underact::gui {
+
+CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkState& state) {
+  Result<record::Session> read = record::Session::open(session);
+  if (!read) return {.problems = read.problems()};
+  const std::string part = out + ".part";
+  Result<record::CsvWriter> writer = record::CsvWriter::open(part);
+  if (!writer) return {.problems = {{"The file cannot be made there. Choose another folder.", {out}}}};
+  const record::CsvExport exported = record::exportCsv(read.value(), writer.value(), [&state](double share) {
+    state.share = share;
+    return !state.cancelled;
+  });
+  CsvFile done{exported.rows, exported.missing, state.cancelled, exported.unread};
+  done.problems.insert(done.problems.end(), exported.unwritten.begin(), exported.unwritten.end());
+  std::error_code error;
+  if (done.cancelled || !done.problems.empty()) {
+    std::filesystem::remove(part, error);
+    return done;
+  }
+  std::filesystem::rename(part, out, error);
+  if (error) {
+    done.problems = {{"The file that stands there cannot be replaced. Choose another name.", {out}}};
+    std::filesystem::remove(part, error);
+  }
+  return done;
+}
+
+}  // namespace underact::gui
