@@ -102,7 +102,11 @@ const RecordedScene* Recorded::sceneAt(std::int64_t row) const {
 Result<std::shared_ptr<const Recorded>> loadRecorded(const std::string& path, const LoadWatch& watch) {
   Result<record::Session> opened = record::Session::open(path);
   if (!opened) return opened.problems();
-  record::Session& session = opened.value();
+  return loadRecorded(opened.value(), watch);
+}
+
+Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, const LoadWatch& watch) {
+  const std::string& path = session.info().path;
   auto recorded = std::make_shared<Recorded>();
   const record::SessionHeader& header = session.info().header;
   recorded->name = header.words.name.empty() ? std::filesystem::path(path).stem().string() : header.words.name;

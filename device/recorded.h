@@ -62,5 +62,7 @@ struct LoadWatch {
 /// joints are those of the row before. Cost: 64 bytes a tick. Problems: as record::Session::open(); no ticks in it; it
 /// was cancelled.
 Result<std::shared_ptr<const Recorded>> loadRecorded(const std::string& path, const LoadWatch& watch = {});
+/// The same of a session that is open already.
+Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, const LoadWatch& watch);
 
 }  // namespace underact::device

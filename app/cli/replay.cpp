@@ -31,19 +31,18 @@ struct ReplayOptions {
 /// One side of the comparison.
 struct Side {
   record::TickFigures figures;
-  double work_mJ = 0.0;
-  Vec3 f_T_W = Vec3::Zero();  // sent at the last tick
-  void add(const servo::TickRecord& record, const Vec3& way_T_W) {
+  record::Work work;
+  /// p_WT: of the hand, which is the recorded one on both sides.
+  void add(const servo::TickRecord& record, const Vec3& p_WT) {
     figures.add(record.error_m, record.f_sent_T_W.norm());
-    work_mJ += kMillimetrePerMetre * f_T_W.dot(way_T_W);
-    f_T_W = record.f_sent_T_W;
+    work.add(record.f_sent_T_W, p_WT);
   }
   JsonObject json() const {
     JsonObject object;
     object.addNumber("rms_error_mm", kMillimetrePerMetre * figures.rmsError_m());
     object.addNumber("mean_force_N", figures.meanForce_N());
     object.addNumber("peak_force_N", figures.peakForce_N());
-    object.addNumber("work_mJ", work_mJ);
+    object.addNumber("work_mJ", kMillimetrePerMetre * work.all_J());
     return object;
   }
 };
@@ -51,22 +50,19 @@ struct Side {
 class Comparison {
  public:
   void add(const servo::TickRecord& recorded, const servo::TickRecord& now) {
-    const Vec3 way_T_W = ticks_ > 0.0 ? Vec3(recorded.p_WT - p_WT_) : Vec3(Vec3::Zero());
-    p_WT_ = recorded.p_WT;
-    recorded_.add(recorded, way_T_W);
-    now_.add(now, way_T_W);
+    recorded_.add(recorded, recorded.p_WT);
+    now_.add(now, recorded.p_WT);
     const double apart_N = (now.f_sent_T_W - recorded.f_sent_T_W).norm();
     square_apart_N2_ += apart_N * apart_N;
     most_apart_N_ = std::max(most_apart_N_, apart_N);
-    ticks_ += 1.0;
   }
   JsonObject json() const {
     JsonObject object;
-    object.addInteger("ticks", std::llround(ticks_));
+    object.addInteger("ticks", recorded_.figures.ticks());
     object.addObject("recorded", recorded_.json());
     object.addObject("replayed", now_.json());
     JsonObject apart;
-    apart.addNumber("rms_N", std::sqrt(square_apart_N2_ / ticks_));
+    apart.addNumber("rms_N", std::sqrt(square_apart_N2_ / static_cast<double>(recorded_.figures.ticks())));
     apart.addNumber("max_N", most_apart_N_);
     object.addObject("force_difference", apart);
     return object;
@@ -74,8 +70,7 @@ class Comparison {
 
  private:
   Side recorded_, now_;
-  Vec3 p_WT_ = Vec3::Zero();
-  double ticks_ = 0.0, square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
+  double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
 };
 
 Exit fail(const Problems& problems, const Streams& streams) {

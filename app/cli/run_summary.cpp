@@ -26,13 +26,9 @@ constexpr servo::Percentiles kNoPercentiles{kNotANumber, kNotANumber, kNotANumbe
 void RunSummary::add(const servo::TickRecord& record) {
   figures_.add(record.error_m, record.f_sent_T_W.norm());
   if ((record.limits & safety::kClampBit) != 0U) ++clamped_;
-  // A step of the tip goes with the force that was in effect during it: the one written a tick before.
-  if (ticks() > 1) work_J_ += f_T_W_.dot(record.p_WT - p_WT_);
-  most_work_J_ = std::max(most_work_J_, work_J_);
+  work_.add(record.f_sent_T_W, record.p_WT);
   branch_changes_ += record.branch_changes;
   out_of_reach_ += record.out_of_reach ? 1 : 0;
-  p_WT_ = record.p_WT;
-  f_T_W_ = record.f_sent_T_W;
   if (record.fault != fault_ && record.fault != FaultKind::None) {
     faults_.push_back({record.tick, record.time_ns, Fault{record.fault}});
   }
@@ -57,9 +53,9 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addNumber("mean_force_N", figures_.meanForce_N());
   object.addInteger("clamped_ticks", clamped_);
   object.addNumber("rms_error_mm", kMillimetrePerMetre * figures_.rmsError_m());
-  object.addVector("final_p_mm", kMillimetrePerMetre * p_WT_);
-  object.addNumber("work_mJ", 1e3 * work_J_);            // that the force has done on the hand in all
-  object.addNumber("most_work_mJ", 1e3 * most_work_J_);  // and at most on the way
+  object.addVector("final_p_mm", kMillimetrePerMetre * work_.p_WT());
+  object.addNumber("work_mJ", 1e3 * work_.all_J());        // that the force has done on the hand in all
+  object.addNumber("most_work_mJ", 1e3 * work_.most_J());  // and at most on the way
   object.addInteger("branch_changes", branch_changes_);
   object.addInteger("out_of_reach_ticks", out_of_reach_);
   std::vector<JsonObject> faults;

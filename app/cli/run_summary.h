@@ -31,11 +31,9 @@ class RunSummary {
  private:
   record::TickFigures figures_;
   std::int64_t clamped_ = 0;
-  double work_J_ = 0.0, most_work_J_ = 0.0;
+  record::Work work_;
   std::int64_t branch_changes_ = 0;
   std::int64_t out_of_reach_ = 0;
-  Vec3 p_WT_ = Vec3::Constant(kNotANumber);
-  Vec3 f_T_W_ = Vec3::Zero();          // written at the last tick
   FaultKind fault_ = FaultKind::None;  // of the last tick
   struct Found {
     std::int64_t tick = 0;

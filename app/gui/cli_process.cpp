@@ -14,14 +14,14 @@ namespace {
 constexpr int kWaitForEnd_ms = 2000;
 constexpr int kBehindTheWindow = 10;  // nice
 
-}  // namespace
-
 QString cliProgram() {
   if (qEnvironmentVariableIsSet("UNDERACT_CLI")) return qEnvironmentVariable("UNDERACT_CLI");
   return QCoreApplication::applicationDirPath() + "/underact-cli";
 }
 
-CliProcess::CliProcess(QObject* parent) : QObject(parent) {
+}  // namespace
+
+CliProcess::CliProcess() {
   process_.setStandardOutputFile(QProcess::nullDevice());
 #ifdef Q_OS_UNIX
   // A group of its own: the program starts others, which end with it.

@@ -8,15 +8,12 @@
 
 namespace underact::gui {
 
-/// The program underact-cli: beside this one; $UNDERACT_CLI where that is set.
-QString cliProgram();
-
-/// underact-cli at a work that takes long, behind the window: the hand and its picture come first. What it starts
-/// itself (Python) ends with it.
+/// underact-cli (beside this program; $UNDERACT_CLI where that is set) at a work that takes long, behind the window:
+/// the hand and its picture come first. What it starts itself (Python) ends with it.
 class CliProcess : public QObject {
   Q_OBJECT
  public:
-  explicit CliProcess(QObject* parent = nullptr);
+  CliProcess();
   ~CliProcess() override;  // ends it early, without a signal
   void start(const QStringList& words);
   /// Ends it early; ended() comes before this returns.

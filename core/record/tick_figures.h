@@ -27,4 +27,25 @@ class TickFigures {
   double sum_square_error_m2_ = 0.0, sum_force_N_ = 0.0, peak_force_N_ = 0.0;
 };
 
+/// What the force has done on the hand. A step of the tip goes with the force that was in effect during it: the one
+/// that was sent a tick before.
+class Work {
+ public:
+  void add(const Vec3& f_T_W, const Vec3& p_WT) {
+    if (begun_) all_J_ += f_T_W_.dot(p_WT - p_WT_);
+    most_J_ = std::max(most_J_, all_J_);
+    begun_ = true;
+    f_T_W_ = f_T_W;
+    p_WT_ = p_WT;
+  }
+  double all_J() const { return all_J_; }
+  double most_J() const { return most_J_; }   // at any tick so far
+  const Vec3& p_WT() const { return p_WT_; }  // of the last tick
+
+ private:
+  bool begun_ = false;
+  double all_J_ = 0.0, most_J_ = 0.0;
+  Vec3 f_T_W_ = Vec3::Zero(), p_WT_ = Vec3::Constant(kNotANumber);
+};
+
 }  // namespace underact::record

@@ -145,6 +145,7 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
       "import sys\n"
       "command, session, kind, which, out, path = sys.argv[1:]\n"
       "assert (command, kind, which, out) == ('plot', '--kind', 'all', '--out')\n"
+      "if path.endswith('slow.pdf'): import time; time.sleep(600)\n"
       "if path.endswith('bad.pdf'): print('Reading.\\nThe session holds no ticks.', file=sys.stderr); sys.exit(1)\n"
       "for kind in 'error', 'force':\n"
       "    open(path[:-4] + '_' + kind + '.pdf', 'wb').write(b'%PDF' + open(session, 'rb').read(4))\n");
@@ -161,6 +162,11 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return desk.text("panel.sessions.told") == "The plots were not drawn. The session holds no ticks."; },
       kLong_ms))
+      << desk.text("panel.sessions.told").toStdString();
+  ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("slow.pdf")));
+  desk.story->click(desk.story->find("panel.sessions.cancel"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return desk.text("panel.sessions.told") == "Cancelled: the plots are not all drawn."; }, kLong_ms))
       << desk.text("panel.sessions.told").toStdString();
   qputenv("UNDERACT_DATA_DIR", before);
 }

@@ -5,7 +5,7 @@
 namespace underact::gui {
 
 Result<LoadedSession> loadSession(const std::string& path, WorkState& state) {
-  const Result<record::Session> session = record::Session::open(path);
+  Result<record::Session> session = record::Session::open(path);
   if (!session) return session.problems();
   const auto rate_hz = static_cast<double>(session.value().info().header.rate_hz);
   auto data = std::make_shared<SessionData>();
@@ -13,7 +13,7 @@ Result<LoadedSession> loadSession(const std::string& path, WorkState& state) {
   watch.progress = [&](double share) { state.share = share; };
   watch.row = [&](std::int64_t row, const servo::TickRecord& record) { data->add(row, rate_hz, record); };
   watch.cancelled = &state.cancelled;
-  Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(path, watch);
+  Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(session.value(), watch);
   if (!recorded) return recorded.problems();
   data->finish(rate_hz);
   return LoadedSession{std::move(recorded).value(), std::move(data)};
