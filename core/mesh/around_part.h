@@ -1,0 +1,43 @@
+#pragma once
+#include "core/base/real_time.h"
+#include "core/mesh/on_triangle.h"
+#include "core/mesh/surface.h"
+
+namespace underact::mesh {
+
+/// The place of a corner in its face.
+inline std::size_t placeOf(const Face& face, std::int32_t corner) noexcept UNDERACT_REAL_TIME {
+  return face[0] == corner ? 0 : face[1] == corner ? 1 : 2;
+}
+
+/// Calls look(face) for the faces that meet the given one in the part where a point of it is: none inside, the one
+/// across an edge, those around a corner, first one way round and then, past a border, the other; until look gives
+/// false. Bounded: of a fan, the first hundred.
+template <class Look>
+void forNeighbours(const Surface& surface, std::int32_t face, Part part, const Look& look) noexcept UNDERACT_REAL_TIME {
+  constexpr int kMostOfFan = 100;
+  if (part == Part::Inside) return;
+  const auto neighbourOf = [&](std::int32_t of, std::size_t side) noexcept UNDERACT_REAL_TIME {
+    return surface.neighbours[static_cast<std::size_t>(of)][side];
+  };
+  if (part < Part::CornerA) {
+    const auto side = static_cast<std::size_t>(part) - static_cast<std::size_t>(Part::EdgeAB);
+    if (const std::int32_t other = neighbourOf(face, side); other >= 0) (void)look(other);
+    return;
+  }
+  const auto start = static_cast<std::size_t>(part) - static_cast<std::size_t>(Part::CornerA);
+  const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][start];
+  for (const bool forward : {true, false}) {
+    std::int32_t at = face;
+    for (int count = 0; count < kMostOfFan; ++count) {
+      // Of a face whose corner this is at place k, side k leaves it and side k - 1 comes to it.
+      const std::size_t place = placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner);
+      at = neighbourOf(at, forward ? place : (place + 2) % 3);
+      if (at == face) return;  // all the way round
+      if (at < 0) break;
+      if (!look(at)) return;
+    }
+  }
+}
+
+}  // namespace underact::mesh

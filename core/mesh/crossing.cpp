@@ -1,0 +1,133 @@
+#include "core/mesh/crossing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/norms.h"
+#include "core/mesh/search.h"
+#include "core/mesh/tree.h"
+
+namespace underact::mesh {
+namespace {
+
+/// The way, sheared so that it runs along the axis in which it is longest: then a face is met where its corners, seen
+/// along that axis, go around 0. Corners that faces share are sheared alike, to the bit.
+class Sheared {
+ public:
+  Sheared(const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME : from_M_(from_M) {
+    const Vec3 way_M = to_M - from_M;
+    for (Eigen::Index axis = 1; axis < 3; ++axis) {
+      if (std::abs(way_M[axis]) > std::abs(way_M[along_])) along_ = axis;
+    }
+    length_ = way_M[along_];
+    shear_ = {way_M[(along_ + 1) % 3] / length_, way_M[(along_ + 2) % 3] / length_};
+  }
+  /// Across, across, and the share of the way.
+  Vec3 of(const Vec3& p_M) const noexcept UNDERACT_REAL_TIME {
+    const Vec3 v_M = p_M - from_M_;
+    const double along = v_M[along_];
+    return {v_M[(along_ + 1) % 3] - shear_[0] * along, v_M[(along_ + 2) % 3] - shear_[1] * along, along / length_};
+  }
+  double length() const noexcept UNDERACT_REAL_TIME { return length_; }
+  /// The share of the way that lies within the rounding of the coordinates. A tip that rests on a face must not come
+  /// through it, and whether it is behind is decided by other means than the crossing.
+  double slack(const Surface& surface) const noexcept UNDERACT_REAL_TIME {
+    constexpr double kRounding = 1e-12;
+    const double largest = std::max(largestOf(surface.low_M.cast<double>()), largestOf(surface.high_M.cast<double>()));
+    return kRounding * (largest + largestOf(from_M_)) / std::abs(length_);
+  }
+
+ private:
+  Vec3 from_M_;
+  Eigen::Index along_ = 0;
+  double length_ = 0.0;
+  std::array<double, 2> shear_{};
+};
+
+/// The share of the way at which it goes through the face; infinite where it does not.
+double shareAt(const Surface& surface, std::int32_t face, Way way, const Sheared& sheared,
+               double slack) noexcept UNDERACT_REAL_TIME {
+  const auto [a_M, b_M, c_M] = cornersOf(surface, face);
+  const Vec3 a = sheared.of(a_M), b = sheared.of(b_M), c = sheared.of(c_M);
+  const auto area = [](const Vec3& from, const Vec3& to) noexcept UNDERACT_REAL_TIME {
+    return from.x() * to.y() - from.y() * to.x();
+  };
+  const double at_a = area(b, c), at_b = area(c, a), at_c = area(a, b);
+  const double whole = at_a + at_b + at_c;
+  // Counterclockwise as seen from the end of the axis: the normal points along it.
+  const bool is_against = (whole < 0.0) == (sheared.length() > 0.0);
+  if (whole == 0.0 || is_against != (way == Way::Inwards)) return kInfinity;
+  const bool is_through =
+      whole > 0.0 ? at_a >= 0.0 && at_b >= 0.0 && at_c >= 0.0 : at_a <= 0.0 && at_b <= 0.0 && at_c <= 0.0;
+  if (!is_through) return kInfinity;
+  const double share = (at_a * a.z() + at_b * b.z() + at_c * c.z()) / whole;
+  return share >= -slack && share <= 1.0 + slack ? share : kInfinity;
+}
+
+/// Which of the node's boxes the way may meet, bit by bit: the boxes are widened by what floats round, and this widens
+/// them again by its own.
+unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME {
+  constexpr double kWider = 1e-6;
+  std::array<double, 3> low{}, high{};
+  double size = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double from = 0.0, to = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      const auto r = static_cast<double>(node.R_NM[3 * axis + k]), p = static_cast<double>(node.p_MN[k]);
+      from += r * (from_M[column] - p);
+      to += r * (to_M[column] - p);
+    }
+    low[axis] = std::min(from, to);
+    high[axis] = std::max(from, to);
+    size = std::max({size, std::abs(from), std::abs(to)});
+  }
+  const double wider = kWider * size;
+  unsigned met = 0;
+  for (std::size_t child = 0; child < kWays; ++child) {
+    bool meets = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      meets &= static_cast<double>(node.low_N[axis][child]) <= high[axis] + wider;
+      meets &= static_cast<double>(node.high_N[axis][child]) >= low[axis] - wider;
+    }
+    met |= (meets ? 1U : 0U) << child;
+  }
+  return met;
+}
+
+}  // namespace
+
+Crossing firstCrossing(const Surface& surface, Way way, const Vec3& from_M, const Vec3& to_M) noexcept {
+  Crossing crossing;
+  if (from_M == to_M) return crossing;
+  const Sheared sheared(from_M, to_M);
+  const double slack = sheared.slack(surface);
+  double first = kInfinity;
+  std::array<std::int32_t, (kWays - 1) * kMostDepth + kWays> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = 0;
+  for (int visits = 0; waiting > 0; ++visits) {
+    if (visits == kMostVisits) {
+      crossing.is_whole = false;
+      break;
+    }
+    const Node& node = surface.nodes[static_cast<std::size_t>(stack[--waiting])];
+    const unsigned met = metBy(node, from_M, to_M);
+    for (std::size_t child = 0; child < kWays; ++child) {
+      if ((met >> child & 1U) == 0U || node.children[child] == kNoChild) continue;
+      if (node.children[child] >= 0) {
+        stack[waiting++] = node.children[child];
+        continue;
+      }
+      const double share = shareAt(surface, -1 - node.children[child], way, sheared, slack);
+      if (share < first) {
+        first = share;
+        crossing.face = -1 - node.children[child];
+      }
+    }
+  }
+  return crossing;
+}
+
+}  // namespace underact::mesh

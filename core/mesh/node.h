@@ -1,0 +1,23 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+namespace underact::mesh {
+
+inline constexpr std::size_t kWays = 8;
+
+/// Of a child of a node that holds nothing.
+inline constexpr std::int32_t kNoChild = INT32_MIN;
+
+/// Eight boxes, in a frame N of the node's own that lies along its part of the surface: so they are thin, and a ball
+/// that touches the surface meets few of them. Floats, widened so that each box holds what it must after every
+/// rounding.
+struct alignas(32) Node {
+  std::array<float, 9> R_NM;                      // row by row; a rotation within 1e-6
+  std::array<float, 3> p_MN;                      // the frame's origin
+  std::array<std::array<float, kWays>, 3> low_N;  // axis by axis, of the children
+  std::array<std::array<float, kWays>, 3> high_N;
+  std::array<std::int32_t, kWays> children;  // a node, or below 0 the face -1 - child; kNoChild: none, from there on
+};
+
+}  // namespace underact::mesh

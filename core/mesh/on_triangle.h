@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+
+namespace underact::mesh {
+
+/// Which part of a triangle ABC a point of it is on.
+enum class Part : std::uint8_t { Inside, EdgeAB, EdgeBC, EdgeCA, CornerA, CornerB, CornerC };
+
+struct OnTriangle {
+  Vec3 p_M;                  // the point
+  double squared = 0.0;      // of its distance from q
+  Part part = Part::Inside;  // the smallest part it is on
+};
+
+/// The point of the triangle ABC nearest to q; a, b, c, q: finite, any unit. Holds for triangles without area, too:
+/// then it is on an edge or a corner. Source: Ericson 2005, Real-Time Collision Detection, section 5.1.5.
+OnTriangle onTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& q) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::mesh

@@ -1,0 +1,91 @@
+#include "core/mesh/surface.h"
+
+#include <string>
+
+#include "core/mesh/normals.h"
+#include "core/mesh/topology.h"
+#include "core/mesh/tree.h"
+
+namespace underact::mesh {
+namespace {
+
+constexpr std::size_t kMostFaces = std::size_t{1} << 27U;
+constexpr float kLargest = 1e15F;  // units: the square of a distance is a float
+
+Problems whatIsWrong(const Triangles& triangles) {
+  if (triangles.faces.empty()) return {{"The mesh has no triangles.", {}}};
+  if (triangles.faces.size() > kMostFaces || triangles.p_MV.size() > 3 * kMostFaces)
+    return {{"The mesh has more than 134 million triangles.", {}}};
+  for (const Eigen::Vector3f& corner : triangles.p_MV) {
+    if (!(corner.cwiseAbs().maxCoeff() <= kLargest) || !corner.allFinite())
+      return {{"The mesh has a corner that is not at a finite place.", {}}};
+  }
+  const auto corners = static_cast<std::int32_t>(triangles.p_MV.size());
+  for (const Face& face : triangles.faces) {
+    for (const std::int32_t corner : face) {
+      if (corner < 0 || corner >= corners) return {{"A triangle names a corner that is not there.", {}}};
+    }
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
+      return {{"A triangle has the same corner twice.", {}}};
+  }
+  return {};
+}
+
+/// Faces in the tree's order, and corners in the order in which faces name them: what is near in space is near in
+/// memory. Corners that no face names are gone.
+Triangles inOrder(const Triangles& given, const std::vector<std::int32_t>& order) {
+  Triangles triangles;
+  triangles.faces.reserve(given.faces.size());
+  triangles.p_MV.reserve(given.p_MV.size());
+  std::vector<std::int32_t> places(given.p_MV.size(), -1);
+  for (const std::int32_t index : order) {
+    Face face = given.faces[static_cast<std::size_t>(index)];
+    for (std::int32_t& corner : face) {
+      std::int32_t& place = places[static_cast<std::size_t>(corner)];
+      if (place < 0) {
+        place = static_cast<std::int32_t>(triangles.p_MV.size());
+        triangles.p_MV.push_back(given.p_MV[static_cast<std::size_t>(corner)]);
+      }
+      corner = place;
+    }
+    triangles.faces.push_back(face);
+  }
+  return triangles;
+}
+
+void boundsOf(Surface& surface) {
+  surface.low_M = surface.high_M = surface.triangles.p_MV.front();
+  for (const Eigen::Vector3f& corner : surface.triangles.p_MV) {
+    surface.low_M = surface.low_M.cwiseMin(corner);
+    surface.high_M = surface.high_M.cwiseMax(corner);
+  }
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch) {
+  Problems problems = whatIsWrong(triangles);
+  if (!problems.empty()) return problems;
+  const Problems cancelled{{"Cancelled.", {}}};
+  watch.tell("Building the tree", 0.0);
+  std::optional<Tree> tree = makeTree(triangles, watch);
+  if (!tree) return cancelled;
+  auto surface = std::make_shared<Surface>();
+  surface->triangles = inOrder(triangles, tree->order);
+  triangles = {};
+  surface->nodes = std::move(tree->nodes);
+  Topology topology = topologyOf(surface->triangles.faces);
+  surface->neighbours = std::move(topology.neighbours);
+  surface->is_closed = topology.is_closed;
+  surface->normals_M = cornerNormals(surface->triangles);
+  boundsOf(*surface);
+  return std::shared_ptr<const Surface>(std::move(surface));
+}
+
+std::size_t bytesOf(const Surface& surface) {
+  const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
+  return sizeof(Surface) + bytes(surface.triangles.p_MV) + bytes(surface.triangles.faces) + bytes(surface.neighbours) +
+         bytes(surface.normals_M) + bytes(surface.nodes);
+}
+
+}  // namespace underact::mesh
