@@ -53,15 +53,15 @@ Triangles inOrder(const Triangles& given, const std::vector<std::int32_t>& order
   return triangles;
 }
 
-void boundsOf(Surface& surface) {
+}  // namespace
+
+void setBounds(Surface& surface) {
   surface.low_M = surface.high_M = surface.triangles.p_MV.front();
   for (const Eigen::Vector3f& corner : surface.triangles.p_MV) {
     surface.low_M = surface.low_M.cwiseMin(corner);
     surface.high_M = surface.high_M.cwiseMax(corner);
   }
 }
-
-}  // namespace
 
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch) {
   Problems problems = whatIsWrong(triangles);
@@ -78,7 +78,7 @@ Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Wa
   surface->neighbours = std::move(topology.neighbours);
   surface->is_closed = topology.is_closed;
   surface->normals_M = cornerNormals(surface->triangles);
-  boundsOf(*surface);
+  setBounds(*surface);
   return std::shared_ptr<const Surface>(std::move(surface));
 }
 

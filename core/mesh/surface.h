@@ -25,6 +25,9 @@ struct Surface {
 /// these, cancelled.
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {});
 
+/// low_M and high_M, from its corners (one at least).
+void setBounds(Surface& surface);
+
 /// Of memory.
 std::size_t bytesOf(const Surface& surface);
 

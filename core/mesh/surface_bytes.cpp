@@ -1,0 +1,125 @@
+#include "core/mesh/surface_bytes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/mesh/tree.h"
+
+namespace underact::mesh {
+namespace {
+
+constexpr std::uint64_t kLayout = 0x554d'4553'0000'0001U ^ (sizeof(Node) << 8U);
+
+struct Header {
+  std::uint64_t layout = kLayout, corners = 0, faces = 0, nodes = 0, is_closed = 0;
+};
+
+/// Every list of a surface, in one place for both ways.
+template <class Surface, class List>
+void eachList(Surface& surface, List&& list) {
+  list(surface.triangles.p_MV);
+  list(surface.triangles.faces);
+  list(surface.neighbours);
+  list(surface.normals_M);
+  list(surface.nodes);
+}
+
+bool areFinite(const std::vector<Eigen::Vector3f>& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const Eigen::Vector3f& v) { return v.allFinite(); });
+}
+
+/// Each face of corners that are there; each neighbour a face that shares the edge, so that a walk around a corner
+/// ends.
+bool areFacesWell(const Surface& surface) {
+  const auto corners = static_cast<std::int32_t>(surface.triangles.p_MV.size());
+  const auto faces = static_cast<std::int32_t>(surface.triangles.faces.size());
+  for (std::size_t index = 0; index < surface.triangles.faces.size(); ++index) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      const std::int32_t corner = surface.triangles.faces[index][side], other = surface.neighbours[index][side];
+      if (corner < 0 || corner >= corners || other < -1 || other >= faces) return false;
+      if (other < 0) continue;
+      const Face& beside = surface.triangles.faces[static_cast<std::size_t>(other)];
+      if (std::find(beside.begin(), beside.end(), corner) == beside.end()) return false;
+    }
+  }
+  return true;
+}
+
+/// Each node but the root is the child of one before it, and each face of one node; none deeper than a search has room
+/// for. Numbers of boxes may be any: they decide what is found, not whether it ends.
+bool areNodesWell(const Surface& surface) {
+  std::vector<bool> has_node(surface.nodes.size(), false), has_face(surface.triangles.faces.size(), false);
+  std::vector<int> depths(surface.nodes.size(), 1);
+  const auto nodes = static_cast<std::int32_t>(surface.nodes.size());
+  for (std::int32_t index = 0; index < nodes; ++index) {
+    const Node& node = surface.nodes[static_cast<std::size_t>(index)];
+    const bool is_bottom = node.children[0] < 0;
+    bool ended = false;
+    for (const std::int32_t child : node.children) {
+      ended |= child == kNoChild;
+      if (ended && child != kNoChild) return false;
+      if (ended) continue;
+      if ((child < 0) != is_bottom) return false;
+      std::vector<bool>& has = is_bottom ? has_face : has_node;
+      const auto place = static_cast<std::size_t>(is_bottom ? -1 - child : child);
+      if (place >= has.size() || has[place] || (!is_bottom && child <= index)) return false;
+      has[place] = true;
+      if (!is_bottom) depths[place] = depths[static_cast<std::size_t>(index)] + 1;
+    }
+    if (node.children[0] == kNoChild || depths[static_cast<std::size_t>(index)] > kMostDepth) return false;
+  }
+  return std::all_of(has_face.begin(), has_face.end(), [](bool has) { return has; });
+}
+
+}  // namespace
+
+std::vector<std::byte> surfaceBytes(const Surface& surface) {
+  Header header;
+  header.corners = surface.triangles.p_MV.size();
+  header.faces = surface.triangles.faces.size();
+  header.nodes = surface.nodes.size();
+  header.is_closed = surface.is_closed ? 1 : 0;
+  std::vector<std::byte> bytes;
+  bytes.reserve(sizeof header + bytesOf(surface));
+  const auto add = [&bytes](const void* data, std::size_t size) {
+    const auto* const begin = static_cast<const std::byte*>(data);
+    bytes.insert(bytes.end(), begin, begin + size);
+  };
+  add(&header, sizeof header);
+  eachList(surface, [&](const auto& list) { add(list.data(), list.size() * sizeof(list[0])); });
+  return bytes;
+}
+
+std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes) {
+  Header header;
+  if (bytes.size() < sizeof header) return nullptr;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  // Counts that the bytes cannot hold would overflow below.
+  const bool is_likely = header.layout == kLayout && header.is_closed <= 1 && header.faces > 0 && header.nodes > 0 &&
+                         std::max({header.corners, header.faces, header.nodes}) <= bytes.size();
+  if (!is_likely) return nullptr;
+  auto surface = std::make_shared<Surface>();
+  std::size_t wanted = sizeof header;
+  wanted +=
+      header.corners * 2 * sizeof(Eigen::Vector3f) + header.faces * 2 * sizeof(Face) + header.nodes * sizeof(Node);
+  if (wanted != bytes.size()) return nullptr;
+  surface->triangles.p_MV.resize(header.corners);
+  surface->normals_M.resize(header.corners);
+  surface->triangles.faces.resize(header.faces);
+  surface->neighbours.resize(header.faces);
+  surface->nodes.resize(header.nodes);
+  surface->is_closed = header.is_closed == 1;
+  std::size_t at = sizeof header;
+  eachList(*surface, [&](auto& list) {
+    std::memcpy(static_cast<void*>(list.data()), bytes.data() + at, list.size() * sizeof(list[0]));
+    at += list.size() * sizeof(list[0]);
+  });
+  const bool is_well = areFinite(surface->triangles.p_MV) && areFinite(surface->normals_M) && areFacesWell(*surface) &&
+                       areNodesWell(*surface);
+  if (!is_well || surface->triangles.p_MV.empty()) return nullptr;
+  setBounds(*surface);
+  return surface;
+}
+
+}  // namespace underact::mesh
