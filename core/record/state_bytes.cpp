@@ -21,6 +21,8 @@ void eachPart(State& state, Part&& part) {
   for (auto& law : state.laws) part(law);
   for (auto& influence : state.influences) part(influence);
   for (auto& robot : state.robots) part(robot);
+  for (auto& mesh : state.meshes) part(mesh);
+  for (auto& grip : state.grips) part(grip);
   for (auto& energy : state.energies) part(energy);
   for (auto& follower : state.followers) part(follower);
 }
@@ -45,7 +47,7 @@ std::string stateLayout() {
   std::string layout = "1";
   for (const std::size_t size :
        {sizeof(tick::TickState), sizeof(safety::GateState), sizeof(control::LawState), sizeof(target::InfluenceState),
-        sizeof(manipulator::State), sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
+        sizeof(manipulator::State), sizeof(target::MeshState), sizeof(target::Grip), sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
     layout += ":" + std::to_string(size);
   }
   return layout;

@@ -11,6 +11,7 @@
 #include "core/json/text.h"
 #include "core/scene/fields.h"
 #include "core/scene/manipulators.h"
+#include "core/scene/meshes.h"
 #include "core/scene/read.h"
 #include "core/scene/rules.h"
 
@@ -46,6 +47,7 @@ class Checker {
   void checkMetric(const std::string& key, const Control& control, const Shape& shape);
   void checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control);
   void checkInfluence(const Constraint& constraint, const Control& control);
+  void checkFriction(const Friction& friction);
   void checkName(const std::string& key, const std::string& name);
 
   const Description& scene_;
@@ -110,7 +112,10 @@ void Checker::checkVelocity(const std::string& key, const Velocity& velocity) {
 void Checker::checkMetric(const std::string& key, const Control& control, const Shape& shape) {
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (control.space == tick::Space::Joint) return;  // gains of joints make no metric of the workspace
-  if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape)) return;
+  if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape) ||
+      std::holds_alternative<Mesh>(shape)) {
+    return;
+  }
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
   Eigen::Index axis = 0;
   const double least = kp.minCoeff(&axis);
@@ -165,6 +170,18 @@ void Checker::checkRobot(const VirtualManipulator& robot, const Constraint& cons
   for (const Problem& problem : made.problems()) add(path_, problem.sentence);
 }
 
+void Checker::checkFriction(const Friction& friction) {
+  const std::string key = path_ + ".friction";
+  const double most = kMostFriction;
+  if (!(friction.static_share >= 0.0 && friction.static_share <= most)) {
+    add(key + ".static", "This must be from 0 (smooth) to " + numberText(most) + "; here it is " +
+                             numberText(friction.static_share) + ".");
+  } else if (!(friction.dynamic_share >= 0.0 && friction.dynamic_share <= friction.static_share)) {
+    add(key + ".dynamic", "This must be from 0 to the static share, " + numberText(friction.static_share) +
+                              "; here it is " + numberText(friction.dynamic_share) + ".");
+  }
+}
+
 void Checker::checkConstraint(std::size_t index) {
   const Constraint& constraint = scene_.constraints[index];
   line_ = constraint.place.line;
@@ -184,7 +201,15 @@ void Checker::checkConstraint(std::size_t index) {
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) {
     checkRobot(*robot, constraint, controlOf(scene_, index));
   }
+  if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) {
+    checkMesh(*mesh, constraint.side, controlOf(scene_, index),
+              [this](const std::string& key, std::string sentence) { add(path_ + "." + key, std::move(sentence)); });
+  }
   if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
+  if (constraint.friction) {
+    if (!takesFriction(constraint.shape)) add(path_ + ".friction", "There is nothing to slide along.");
+    checkFriction(*constraint.friction);
+  }
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);
   checkMetric(path_, controlOf(scene_, index), constraint.shape);
 }

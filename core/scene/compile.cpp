@@ -9,6 +9,7 @@
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
 #include "core/scene/manipulators.h"
+#include "core/scene/meshes.h"
 #include "core/scene/read.h"
 
 namespace underact::scene {
@@ -91,7 +92,15 @@ Vec3 metricOf(const Control& control) {
 Result<target::Constraint> heldTo(const Constraint& constraint, const Control& control) {
   return std::visit(
       [&](const auto& chosen) -> Result<target::Constraint> {
-        if constexpr (std::is_same_v<std::decay_t<decltype(chosen)>, VirtualManipulator>) {
+        using Chosen = std::decay_t<decltype(chosen)>;
+        if constexpr (std::is_same_v<Chosen, Mesh>) {
+          auto placed = makeMeshPlace(chosen, constraint.side, constraint.place);
+          if (!placed) return placed.problems();
+          target::Constraint held;
+          held.mesh = std::move(placed).value();
+          held.side = constraint.side;
+          return held;
+        } else if constexpr (std::is_same_v<Chosen, VirtualManipulator>) {
           auto made = makeManipulator(chosen, control, constraint.place);
           if (!made) return made.problems();
           target::Constraint held;
@@ -127,6 +136,9 @@ Result<tick::TickProgram> compile(const Description& scene) {
       const double sign = constraint.influence->stylus_axis == StylusAxis::PlusZ ? 1.0 : -1.0;
       held.influence = {constraint.influence->t, sign, kRadPerDegree * constraint.influence->blend_deg};
       held.influenced = true;
+    }
+    if (constraint.friction) {
+      held.friction = {constraint.friction->static_share, constraint.friction->dynamic_share};
     }
     entries.push_back(
         {std::move(held), lawOf(control, preset.continuous_force_N, lever_m), control.space, control.passivity});

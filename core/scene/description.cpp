@@ -28,6 +28,10 @@ bool takesInfluence(const Shape& shape) {
          std::holds_alternative<Sphere>(shape);
 }
 
+bool takesFriction(const Shape& shape) {
+  return !std::holds_alternative<Point>(shape) && !std::holds_alternative<VirtualManipulator>(shape);
+}
+
 const char* stiffnessKey(chain::JointType type) {
   return type == chain::JointType::Revolute ? "stiffness_N_mm_per_rad" : "stiffness_N_per_mm";
 }

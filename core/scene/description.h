@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -76,7 +77,17 @@ struct VirtualManipulator {
   manipulator::ForceLaw force_law = manipulator::ForceLaw::Energy;
 };
 
-using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator>;
+/// A mesh from a file, that stands in the workspace.
+struct Mesh {
+  std::string file;  // as the scene says it: relative to the scene's own folder, or absolute
+  double scale_mm_per_unit = 1.0;
+  Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
+  mesh::Search search = mesh::Search::Hybrid;
+  std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
+  std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
+};
+
+using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh>;
 
 /// The word of a scene file for the shape's type: "point", "sphere", ...
 const char* typeName(const Shape& shape);
@@ -133,6 +144,12 @@ struct Influence {
   bool operator==(const Influence&) const = default;
 };
 
+/// Shares of the force across the surface: of a shape or a mesh.
+struct Friction {
+  double static_share = 0.0, dynamic_share = 0.0;
+  bool operator==(const Friction&) const = default;
+};
+
 struct Constraint {
   std::string name;  // unique in the scene; made up from type and number where the file gives none
   Shape shape;
@@ -140,6 +157,7 @@ struct Constraint {
   std::optional<Control> control;           // its own; else the scene's
   Place place = {};                         // of the constraint in its file
   std::optional<Influence> influence = {};  // none: position only
+  std::optional<Friction> friction = {};    // none: smooth
 };
 
 struct Description {

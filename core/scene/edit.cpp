@@ -24,8 +24,10 @@ Description withoutControls(Description scene) {
   return scene;
 }
 
-/// Joint by joint the same kind, so that their values go on.
+/// Joint by joint the same kind, so that their values go on; the same triangles, so that the proxy's face is there.
 bool goTogether(const Shape& a, const Shape& b) {
+  if (const auto* mesh = std::get_if<Mesh>(&a), *next = std::get_if<Mesh>(&b); mesh != nullptr && next != nullptr)
+    return mesh->surface == next->surface;
   const auto *one = std::get_if<VirtualManipulator>(&a), *other = std::get_if<VirtualManipulator>(&b);
   if (one == nullptr || other == nullptr) return a.index() == b.index();
   const auto same_type = [](const Joint& left, const Joint& right) { return left.type == right.type; };
@@ -42,6 +44,11 @@ Description withControl(Description scene, std::size_t index, const Control& con
 
 Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence) {
   scene.constraints[index].influence = influence;
+  return scene;
+}
+
+Description withFriction(Description scene, std::size_t index, const std::optional<Friction>& friction) {
+  scene.constraints[index].friction = friction;
   return scene;
 }
 
@@ -78,7 +85,8 @@ Change changeBetween(const Description& before, const Description& after) {
   for (std::size_t index = 0; index < count; ++index) {
     const Constraint &one = before.constraints[index], &other = after.constraints[index];
     const bool alike = goTogether(one.shape, other.shape) && one.side == other.side &&
-                       one.influence.has_value() == other.influence.has_value();
+                       one.influence.has_value() == other.influence.has_value() &&
+                       one.friction.has_value() == other.friction.has_value();
     if (!alike || controlOf(before, index).space != controlOf(after, index).space) return Change::Scene;
   }
   const bool same_targets = writeScene(withoutControls(before)) == writeScene(withoutControls(after));

@@ -15,6 +15,9 @@ Description withControl(Description scene, std::size_t index, const Control& con
 /// The same with the influence of the constraint at index; none: position only.
 Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence);
 
+/// The same with its friction; none: smooth.
+Description withFriction(Description scene, std::size_t index, const std::optional<Friction>& friction);
+
 /// The scene with another shape in place of the one at index.
 Description withShape(Description scene, std::size_t index, const Shape& shape);
 /// With one more constraint at the end; a number goes behind its name where that is taken.

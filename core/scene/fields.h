@@ -91,6 +91,14 @@ struct Fields<VirtualManipulator> {
   static constexpr std::tuple<> kAll{};
 };
 
+/// Its file and its pose: meshes.cpp.
+template <>
+struct Fields<Mesh> {
+  static constexpr const char* kType = "mesh";
+  static constexpr bool kHasSides = true;
+  static constexpr std::tuple<> kAll{};
+};
+
 /// Calls visit(field, number) for each field of the shape, in the order of the file.
 template <class Shape, class Visit>
 void eachField(Shape& shape, Visit&& visit) {
@@ -187,11 +195,17 @@ inline constexpr Word<SolverMethod> kSolverWords[] = {
 inline constexpr Word<manipulator::ForceLaw> kForceLawWords[] = {{"energy", manipulator::ForceLaw::Energy},
                                                                  {"thesis-5.2", manipulator::ForceLaw::Thesis52}};
 
+inline constexpr Word<mesh::Search> kSearchWords[] = {
+    {"hybrid", mesh::Search::Hybrid}, {"global", mesh::Search::Global}, {"local", mesh::Search::Local}};
+
 /// Of a joint's spring: "stiffness_N_mm_per_rad" or "stiffness_N_per_mm".
 const char* stiffnessKey(chain::JointType type);
 
 /// Whether the type takes an influence: a circle, a cylinder, a sphere.
 bool takesInfluence(const Shape& shape);
+
+/// Whether the type takes friction: all that the stylus can slide along.
+bool takesFriction(const Shape& shape);
 
 /// Whether the type parts the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);

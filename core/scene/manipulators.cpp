@@ -67,17 +67,6 @@ class JointChecker {
   bool& well_;
 };
 
-std::string judgeHome(const Eigen::Matrix4d& X) {
-  if (!X.allFinite()) return "This is no finite pose; a double holds at most about 1.8e308.";
-  if (X.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) return "The last row of a pose is [0, 0, 0, 1].";
-  if (!isRotation(X.topLeftCorner<3, 3>())) {
-    return "The upper left 3 x 3 numbers are no rotation: its rows must have length 1, be at right angles, and form a "
-           "right-handed frame.";
-  }
-  if (X.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFarthest_mm) return "The tip must lie within 1e6 mm (1 km).";
-  return {};
-}
-
 }  // namespace
 
 bool checkManipulator(const VirtualManipulator& robot, const Control& control,
@@ -91,7 +80,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     checker.check("joints[" + std::to_string(i) + "]", robot.joints[i]);
   }
-  checker.say("X_WV_home", judgeHome(robot.X_WV_home));
+  checker.say("X_WV_home", judgePose(robot.X_WV_home));
   checker.say("ko_N_mm_per_rad", judgeGain(robot.ko_N_mm_per_rad));
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
     checker.say("ko_N_mm_per_rad",

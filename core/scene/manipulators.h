@@ -9,6 +9,9 @@ namespace underact::scene {
 
 // Inside the room: what is particular to virtual manipulators.
 
+/// Four rows of four numbers.
+void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings);
+
 /// Joints, home, orientation, solver and force law of an object of the file.
 void readManipulator(ObjectReader& object, VirtualManipulator& into);
 

@@ -11,7 +11,7 @@ namespace underact::scene {
 namespace {
 
 constexpr double kVersion = 1.0;
-const std::vector<std::string> kLaterKeys{"friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"damping"};
 
 void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);
@@ -77,6 +77,8 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
     isKind(*schema, json::Kind::String, "$schema", "text in double quotes", findings);
   }
   object.refuse("velocity", kBelongsToControl);
+  object.refuse("friction", kBelongsToConstraint);
+  object.refuse("search", kBelongsToConstraint);
   object.refuseLater(kLaterKeys);
   object.finish();
   return scene;

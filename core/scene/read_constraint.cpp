@@ -3,14 +3,15 @@
 #include <utility>
 
 #include "core/scene/manipulators.h"
+#include "core/scene/meshes.h"
 #include "core/scene/read_parts.h"
 
 namespace underact::scene {
 namespace {
 
 // In the contract, but not in this version.
-const std::vector<std::string> kLaterTypes{"mesh", "curve"};
-const std::vector<std::string> kLaterKeys{"friction", "search", "damping"};
+const std::vector<std::string> kLaterTypes{"curve"};
+const std::vector<std::string> kLaterKeys{"damping"};
 
 template <std::size_t... kIndex>
 std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
@@ -108,6 +109,31 @@ void readInfluence(ObjectReader& object, Constraint& into) {
   reader.finish();
 }
 
+void readFriction(ObjectReader& object, Constraint& into) {
+  if (!takesFriction(into.shape)) {
+    object.refuse("friction", std::string("A ") + typeName(into.shape) +
+                                  " is nothing to slide along, so it has no friction. Take it away.");
+    return;
+  }
+  const json::Value* const value = object.find("friction");
+  if (value == nullptr) return;
+  const std::string path = object.pathOf("friction");
+  into.friction.emplace();
+  if (!isKind(*value, json::Kind::Object, path, "an object, as in {\"static\": 0.4, \"dynamic\": 0.3}",
+              object.findings())) {
+    return;
+  }
+  ObjectReader reader(*value, path, "a friction", object.findings());
+  if (const json::Value* share = reader.find("static", true)) {
+    readNumber(*share, reader.pathOf("static"), into.friction->static_share, object.findings());
+  }
+  into.friction->dynamic_share = into.friction->static_share;
+  if (const json::Value* share = reader.find("dynamic")) {
+    readNumber(*share, reader.pathOf("dynamic"), into.friction->dynamic_share, object.findings());
+  }
+  reader.finish();
+}
+
 }  // namespace
 
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
@@ -126,11 +152,18 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
     object.setWhat(std::string("a ") + typeName(into.shape));
     if (auto* robot = std::get_if<VirtualManipulator>(&into.shape)) {
       readManipulator(object, *robot);
+    } else if (auto* mesh = std::get_if<Mesh>(&into.shape)) {
+      readMesh(object, *mesh);
     } else {
       readFields(object, into.shape);
     }
     readSide(object, into);
     readInfluence(object, into);
+    readFriction(object, into);
+    if (!std::holds_alternative<Mesh>(into.shape)) {
+      object.refuse("search", std::string("A ") + typeName(into.shape) +
+                                  " is found by a formula, not by a search; a mesh has one. Take it away.");
+    }
   }
   if (const json::Value* control = object.find("control")) {
     into.control = readControl(*control, object.pathOf("control"), findings);

@@ -3,7 +3,7 @@
 namespace underact::scene {
 namespace {
 
-const std::vector<std::string> kLaterKeys{"friction", "search", "damping"};
+const std::vector<std::string> kLaterKeys{"damping"};
 
 /// A number for all axes, or one for each.
 void readGain(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
@@ -44,6 +44,8 @@ Control readControl(const json::Value& value, const std::string& path, Findings&
   if (const json::Value* passivity = object.find("passivity")) {
     readWord(*passivity, object.pathOf("passivity"), kPassivityWords, control.passivity, findings);
   }
+  object.refuse("friction", kBelongsToConstraint);
+  object.refuse("search", kBelongsToConstraint);
   object.refuseLater(kLaterKeys);
   object.finish();
   return control;

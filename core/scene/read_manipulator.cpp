@@ -46,7 +46,29 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
   joint.finish(known);
 }
 
-void readHome(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings) {
+void readSolver(const json::Value& value, const std::string& path, Solver& into, Findings& findings) {
+  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"method\": \"auto\"}", findings)) return;
+  ObjectReader solver(value, path, "a solver", findings);
+  if (const json::Value* method = solver.find("method")) {
+    readWord(*method, solver.pathOf("method"), kSolverWords, into.method, findings);
+  }
+  if (const json::Value* steps = solver.find("max_steps")) {
+    double count = into.max_steps;
+    readNumber(*steps, solver.pathOf("max_steps"), count, findings);
+    if (count >= 1.0 && count <= 100.0 && std::floor(count) == count) {
+      into.max_steps = static_cast<int>(count);
+    } else if (steps->kind == json::Kind::Number) {
+      findings.add(*steps, solver.pathOf("max_steps"),
+                   "This must be a whole number from 1 to 100; here it is " + json::numberText(count) + ".");
+    }
+  }
+  readOptional(solver, "tolerance", into.tolerance);
+  solver.finish();
+}
+
+}  // namespace
+
+void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings) {
   findings.remember(path, value);
   const bool four = value.kind == json::Kind::Array && value.items.size() == 4;
   if (!four) {
@@ -71,28 +93,6 @@ void readHome(const json::Value& value, const std::string& path, Eigen::Matrix4d
   }
 }
 
-void readSolver(const json::Value& value, const std::string& path, Solver& into, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"method\": \"auto\"}", findings)) return;
-  ObjectReader solver(value, path, "a solver", findings);
-  if (const json::Value* method = solver.find("method")) {
-    readWord(*method, solver.pathOf("method"), kSolverWords, into.method, findings);
-  }
-  if (const json::Value* steps = solver.find("max_steps")) {
-    double count = into.max_steps;
-    readNumber(*steps, solver.pathOf("max_steps"), count, findings);
-    if (count >= 1.0 && count <= 100.0 && std::floor(count) == count) {
-      into.max_steps = static_cast<int>(count);
-    } else if (steps->kind == json::Kind::Number) {
-      findings.add(*steps, solver.pathOf("max_steps"),
-                   "This must be a whole number from 1 to 100; here it is " + json::numberText(count) + ".");
-    }
-  }
-  readOptional(solver, "tolerance", into.tolerance);
-  solver.finish();
-}
-
-}  // namespace
-
 void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   Findings& findings = object.findings();
   const json::Value* joints = object.find("joints", true);
@@ -106,7 +106,7 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into) {
     into.joints.emplace_back();  // a harmless one
   }
   if (const json::Value* home = object.find("X_WV_home", true)) {
-    readHome(*home, object.pathOf("X_WV_home"), into.X_WV_home, findings);
+    readPose(*home, object.pathOf("X_WV_home"), into.X_WV_home, findings);
   }
   if (const json::Value* orientation = object.find("orientation")) {
     readWord(*orientation, object.pathOf("orientation"), kOrientationWords, into.orientation, findings);

@@ -34,4 +34,15 @@ bool isRotation(const Mat3& R) {
   return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
 }
 
+std::string judgePose(const Eigen::Matrix4d& X) {
+  if (!X.allFinite()) return "This is no finite pose; a double holds at most about 1.8e308.";
+  if (X.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) return "The last row of a pose is [0, 0, 0, 1].";
+  if (!isRotation(X.topLeftCorner<3, 3>())) {
+    return "The upper left 3 x 3 numbers are no rotation: its rows must have length 1, be at right angles, and form a "
+           "right-handed frame.";
+  }
+  if (X.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFarthest_mm) return "The place must lie within 1e6 mm (1 km).";
+  return {};
+}
+
 }  // namespace underact::scene

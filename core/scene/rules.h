@@ -12,6 +12,9 @@ inline constexpr double kFarthest_mm = 1e6;
 std::string judge(Meaning meaning, double number);
 std::string judgeGain(double gain);
 
+/// Of a rotation and a translation in mm.
+std::string judgePose(const Eigen::Matrix4d& X);
+
 /// To 1e-6 of each number, as shape::makeBox.
 bool isRotation(const Mat3& R);
 

@@ -128,19 +128,23 @@ std::string solverText(const Solver& solver) {
   return objectText(members, 6);
 }
 
-/// A joint and a row of the pose on each line.
-void addManipulator(Members& members, const VirtualManipulator& robot) {
-  std::string joints, rows;
-  for (const Joint& joint : robot.joints) joints += (joints.empty() ? "\n        " : ",\n        ") + jointText(joint);
-  members.emplace_back("joints", "[" + joints + "\n      ]");
+/// A row on each line.
+std::string poseText(const Eigen::Matrix4d& X) {
+  std::string rows;
   for (Eigen::Index row = 0; row < 4; ++row) {
     std::string numbers;
-    for (Eigen::Index column = 0; column < 4; ++column) {
-      numbers += (column == 0 ? "" : ", ") + text(robot.X_WV_home(row, column));
-    }
+    for (Eigen::Index column = 0; column < 4; ++column) numbers += (column == 0 ? "" : ", ") + text(X(row, column));
     rows += (row == 0 ? "\n        [" : ",\n        [") + numbers + "]";
   }
-  members.emplace_back("X_WV_home", "[" + rows + "\n      ]");
+  return "[" + rows + "\n      ]";
+}
+
+/// A joint on each line.
+void addManipulator(Members& members, const VirtualManipulator& robot) {
+  std::string joints;
+  for (const Joint& joint : robot.joints) joints += (joints.empty() ? "\n        " : ",\n        ") + jointText(joint);
+  members.emplace_back("joints", "[" + joints + "\n      ]");
+  members.emplace_back("X_WV_home", poseText(robot.X_WV_home));
   if (robot.orientation != manipulator::Orientation::None) {
     members.emplace_back("orientation", json::quoted(wordOf(kOrientationWords, robot.orientation)));
   }
@@ -151,11 +155,29 @@ void addManipulator(Members& members, const VirtualManipulator& robot) {
   }
 }
 
+void addMesh(Members& members, const Mesh& mesh) {
+  const Mesh usual;
+  members.emplace_back("file", json::quoted(mesh.file));
+  if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quoted(mesh.checksum));
+  if (mesh.scale_mm_per_unit != usual.scale_mm_per_unit) {
+    members.emplace_back("scale_mm_per_unit", text(mesh.scale_mm_per_unit));
+  }
+  if (!sameBits(mesh.X_WM, usual.X_WM)) members.emplace_back("X_WM", poseText(mesh.X_WM));
+  if (mesh.search != usual.search) members.emplace_back("search", json::quoted(wordOf(kSearchWords, mesh.search)));
+}
+
+std::string frictionText(const Friction& friction) {
+  Members members{{"static", text(friction.static_share)}};
+  if (friction.dynamic_share != friction.static_share) members.emplace_back("dynamic", text(friction.dynamic_share));
+  return objectText(members, 6);
+}
+
 std::string constraintText(const Constraint& constraint, std::size_t index) {
   Members members;
   if (constraint.name != madeUpName(constraint, index)) members.emplace_back("name", json::quoted(constraint.name));
   members.emplace_back("type", json::quoted(typeName(constraint.shape)));
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) addManipulator(members, *robot);
+  if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) addMesh(members, *mesh);
   std::visit(
       [&](const auto& shape) {
         const std::remove_cvref_t<decltype(shape)> usual;
@@ -171,6 +193,7 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
     members.emplace_back("side", json::quoted(wordOf(kSideWords, constraint.side)));
   }
   if (constraint.influence) members.emplace_back("influence", influenceText(*constraint.influence));
+  if (constraint.friction) members.emplace_back("friction", frictionText(*constraint.friction));
   if (constraint.control) members.emplace_back("control", controlText(*constraint.control, 6));
   return objectText(members, 4);
 }

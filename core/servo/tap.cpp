@@ -30,6 +30,8 @@ Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
   makeRoom(start_.laws);
   makeRoom(start_.influences);
   makeRoom(start_.robots);
+  makeRoom(start_.meshes);
+  makeRoom(start_.grips);
   makeRoom(start_.energies);
   makeRoom(start_.followers);
 }

@@ -9,6 +9,14 @@ bool isFree(Side side, double height_m) noexcept UNDERACT_REAL_TIME {
   return (side == Side::Outside && height_m >= 0.0) || (side == Side::Inside && height_m <= 0.0);
 }
 
+/// In W; the height in the metric.
+shape::Nearest nearestOf(const Constraint& constraint, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
+  if (!constraint.weighted) return closestPoint(constraint.shape, p_W);
+  shape::Nearest nearest = closestPoint(constraint.shape, constraint.scale.cwiseProduct(p_W));
+  nearest.p_WP = nearest.p_WP.cwiseQuotient(constraint.scale);
+  return nearest;
+}
+
 }  // namespace
 
 Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stiffness) {
@@ -19,13 +27,30 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 }
 
 Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept {
-  const Vec3 at = constraint.weighted ? Vec3(constraint.scale.cwiseProduct(p_WT)) : p_WT;
-  const shape::Nearest nearest = closestPoint(constraint.shape, at);
+  const shape::Nearest nearest = nearestOf(constraint, p_WT);
   if (isFree(constraint.side, nearest.height_m)) return {p_WT, Status::Free, 0.0};
   if (nearest.status == shape::Status::NotUnique) return {p_WT, Status::Degenerate, std::abs(nearest.height_m)};
   if (!constraint.weighted) return {nearest.p_WP, Status::Unique, std::abs(nearest.height_m)};
-  const Vec3 p_WP = nearest.p_WP.cwiseQuotient(constraint.scale);
-  return {p_WP, Status::Unique, (p_WP - p_WT).norm()};
+  return {nearest.p_WP, Status::Unique, (nearest.p_WP - p_WT).norm()};
+}
+
+Target rubbedTarget(const Constraint& constraint, const Vec3& p_WT, const Target& target, const MeshState& mesh,
+                    Grip& grip) noexcept {
+  if (target.status != Status::Unique) {
+    grip.holds = false;
+    return target;
+  }
+  if (slides(constraint.friction, p_WT, target.p_WP, grip)) {
+    if (constraint.mesh) {
+      grip.p_WG = ontoMesh(*constraint.mesh, mesh, grip.p_WG);
+    } else {
+      const shape::Nearest nearest = nearestOf(constraint, grip.p_WG);
+      grip.p_WG = nearest.status == shape::Status::Unique ? nearest.p_WP : target.p_WP;
+    }
+  }
+  Target rubbed = target;
+  rubbed.p_WP = grip.p_WG;
+  return rubbed;
 }
 
 Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W, double dt_s,

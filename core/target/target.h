@@ -6,6 +6,7 @@
 #include "core/manipulator/manipulator.h"
 #include "core/shape/shape.h"
 #include "core/target/influence.h"
+#include "core/target/mesh_target.h"
 
 namespace underact::target {
 
@@ -21,6 +22,8 @@ struct Constraint {
   bool influenced = false;  // the stylus's turn has a part in the target: influence (both sides, not weighted)
   Influence influence = {};
   std::optional<manipulator::Manipulator> manipulator = {};  // its tip takes the place of the shape
+  std::optional<MeshPlace> mesh = {};                        // takes the place of the shape (not weighted)
+  Friction friction = {};                                    // of a shape or a mesh
 };
 
 /// Free: an untouched wall. Degenerate: several points are equally near, so nothing says where to pull.
@@ -42,6 +45,11 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 /// p_WT: m, finite. Cost: constant for each shape.
 /// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
 Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
+
+/// The target without friction -> the one with it: the point where the target holds on to the shape or the mesh. mesh:
+/// of a mesh, what meshTarget() left.
+Target rubbedTarget(const Constraint& constraint, const Vec3& p_WT, const Target& target, const MeshState& mesh,
+                    Grip& grip) noexcept UNDERACT_REAL_TIME;
 
 /// The same for an influenced constraint; stylus_W: z of frame 6, unit; dt_s: since the last one, 0: unknown.
 Target influencedTarget(const Constraint& constraint, const Vec3& p_WT, const Vec3& stylus_W, double dt_s,

@@ -1,5 +1,8 @@
 #include "core/tick/cost.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace underact::tick {
 namespace {
 
@@ -27,6 +30,10 @@ constexpr double kClosedForm_ns = 130.0;    // of a virtual manipulator
 constexpr double kStepsOf_ns = 60.0;        // by iteration: the two evaluations and the step of a warm start ...
 constexpr double kStepsOfJoint_ns = 160.0;  // ... for each joint
 constexpr double kJoints_ns = 250.0;        // the joints that a target asks for, and the force of their torques
+
+constexpr double kFriction_ns = 12.0;
+// Of a mesh: the search at 1000 triangles, and what each doubling adds; the local search and a wall's proxy.
+constexpr double kSearch_ns = 350.0, kSearchOfDoubling_ns = 75.0, kWalk_ns = 90.0;
 
 struct ShapeCost {
   double operator()(const shape::Point&) const { return kPoint_ns; }
@@ -59,6 +66,13 @@ double costOf(control::Passivity passivity) {
   return passivity == control::Passivity::Control ? kPassive_ns : kObserve_ns;
 }
 
+double costOf(const target::Constraint& constraint) {
+  if (!constraint.mesh) return std::visit(ShapeCost{}, constraint.shape);
+  if (constraint.side != target::Side::Both || constraint.mesh->search == mesh::Search::Local) return kWalk_ns;
+  const auto faces = static_cast<double>(constraint.mesh->surface->triangles.faces.size());
+  return kSearch_ns + kSearchOfDoubling_ns * std::max(0.0, std::log2(faces / 1000.0));
+}
+
 double costOf(const manipulator::Manipulator& robot) {
   const double turn_ns = robot.orientation == manipulator::Orientation::None ? 0.0 : kWrist_ns;
   if (robot.closed) return turn_ns + kClosedForm_ns;
@@ -71,7 +85,8 @@ double predictedCost_ns(const TickProgram& program) {
   double cost_ns = kKinematics_ns + kGateAndReport_ns;
   for (const Entry& entry : program.entries) {
     const std::optional<manipulator::Manipulator>& robot = entry.constraint.manipulator;
-    cost_ns += robot ? costOf(*robot) : std::visit(ShapeCost{}, entry.constraint.shape);
+    cost_ns += robot ? costOf(*robot) : costOf(entry.constraint);
+    if (entry.constraint.friction.isThere()) cost_ns += kFriction_ns;
     cost_ns += std::visit(LawCost{}, entry.law);
     cost_ns += costOf(entry.passivity);
     if (entry.constraint.influenced) cost_ns += kInfluence_ns;

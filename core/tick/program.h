@@ -25,6 +25,8 @@ struct Needs {
   bool metric = false;       // nearest in the gains' own metric (unequal gains)
   bool choice = false;       // which constraint is nearest (combine: nearest)
   bool robots = false;       // virtual manipulators' joints
+  bool meshes = false;       // the last face and the proxy of each mesh
+  bool friction = false;     // where each target holds on
   bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
   bool energy = false;       // what each constraint was given and gave back (passivity)
   bool motors = false;       // J_p for the gate: the heat of the motors, and the joints' stops
@@ -69,6 +71,8 @@ struct TickState {
   std::vector<control::LawState> laws;             // one for each entry; none where no law remembers anything
   std::vector<target::InfluenceState> influences;  // one for each entry; none where the stylus's turn does not count
   std::vector<manipulator::State> robots;          // one for each entry; none where there is no virtual manipulator
+  std::vector<target::MeshState> meshes;           // one for each entry; none where there is no mesh
+  std::vector<target::Grip> grips;                 // one for each entry; none where there is no friction
   std::vector<control::EnergyState> energies;      // one for each entry; none where nobody looks at passivity
   std::vector<arm::FollowerState> followers;       // one for each entry; none where no law works on joints
 };

@@ -23,6 +23,8 @@ void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (target::InfluenceState& influence : state.influences) influence = target::InfluenceState{};
   for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
+  for (target::MeshState& mesh : state.meshes) mesh = target::MeshState{};
+  for (target::Grip& grip : state.grips) grip.holds = false;
   state.bump_T_W.setZero();
   state.retuned = false;
 }
@@ -103,6 +105,7 @@ target::Target targetOf(const target::Constraint& constraint, std::size_t index,
     X_WT.translation() = report.p_WT;
     return manipulatedTarget(constraint, X_WT, dt_s, state.robots[index], report.held[index].robot);
   }
+  if (constraint.mesh) return meshTarget(*constraint.mesh, constraint.side, report.p_WT, state.meshes[index]);
   if (!constraint.influenced) return nearestTarget(constraint, report.p_WT);
   return influencedTarget(constraint, report.p_WT, report.stylus_W, dt_s, state.influences[index]);
 }
@@ -114,7 +117,11 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
     const target::Constraint& constraint = program.entries[index].constraint;
     // A robot is told anew in full; of another constraint, one of an earlier program may still stand here.
     if (!constraint.manipulator && held.robot.joints > 0) held.robot = target::Robot{};
-    const target::Target target = targetOf(constraint, index, dt_s, state, report);
+    target::Target target = targetOf(constraint, index, dt_s, state, report);
+    if (constraint.friction.isThere()) {
+      const target::MeshState mesh = constraint.mesh ? state.meshes[index] : target::MeshState{};
+      target = rubbedTarget(constraint, report.p_WT, target, mesh, state.grips[index]);
+    }
     const bool acts = target.status != target::Status::Free;
     held.p_WP = target.p_WP;
     held.f_T_W.setZero();

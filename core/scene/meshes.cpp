@@ -1,0 +1,77 @@
+#include "core/scene/meshes.h"
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/scene/manipulators.h"
+#include "core/scene/rules.h"
+
+namespace underact::scene {
+namespace {
+
+using json::numberText;
+
+constexpr double kSmallestScale = 1e-9, kLargestScale = 1e9;  // mm a unit
+
+}  // namespace
+
+void readMesh(ObjectReader& object, Mesh& into) {
+  Findings& findings = object.findings();
+  if (const json::Value* file = object.find("file", true)) {
+    readText(*file, object.pathOf("file"), into.file, findings);
+  } else {
+    into.file = "missing";  // said already
+  }
+  if (const json::Value* checksum = object.find("checksum")) {
+    readText(*checksum, object.pathOf("checksum"), into.checksum, findings);
+  }
+  if (const json::Value* scale = object.find("scale_mm_per_unit")) {
+    readNumber(*scale, object.pathOf("scale_mm_per_unit"), into.scale_mm_per_unit, findings);
+  }
+  if (const json::Value* pose = object.find("X_WM")) readPose(*pose, object.pathOf("X_WM"), into.X_WM, findings);
+  if (const json::Value* search = object.find("search")) {
+    readWord(*search, object.pathOf("search"), kSearchWords, into.search, findings);
+  }
+}
+
+void checkMesh(const Mesh& mesh, target::Side side, const Control& control,
+               const std::function<void(const std::string&, std::string)>& add) {
+  const auto say = [&add](const std::string& key, std::string sentence) {
+    if (!sentence.empty()) add(key, std::move(sentence));
+  };
+  if (mesh.file.empty()) say("file", "A mesh needs the name of its file.");
+  if (!(mesh.scale_mm_per_unit >= kSmallestScale && mesh.scale_mm_per_unit <= kLargestScale)) {
+    say("scale_mm_per_unit",
+        "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches); here it is " +
+            numberText(mesh.scale_mm_per_unit) + ".");
+  }
+  say("X_WM", judgePose(mesh.X_WM));
+  const Vec3& kp = control.gains.kp_N_per_mm;
+  const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
+  if (weighted && !(kp.x() == kp.y() && kp.y() == kp.z())) {
+    say("file",
+        "The nearest point of a mesh is not sought in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in "
+        "the control, or give every axis the same kp.");
+  }
+  if (side == target::Side::Both || mesh.search == mesh::Search::Hybrid) return;
+  say("search", "A wall's proxy follows the surface; it is not sought. Take \"search\" away.");
+}
+
+Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place) {
+  if (mesh.surface == nullptr) return Problems{{"The mesh " + json::shown(mesh.file) + " is not loaded.", place}};
+  if (side != target::Side::Both && !mesh.surface->is_closed) {
+    return Problems{{"The mesh " + json::shown(mesh.file) +
+                         " has holes or edges that do not fit together, so it has no inside and no outside. Take "
+                         "\"side\" away: the stylus is then held to its surface.",
+                     place}};
+  }
+  target::MeshPlace placed;
+  placed.surface = mesh.surface;
+  placed.R_WM = Eigen::Quaterniond(Mat3(mesh.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
+  placed.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
+  placed.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
+  placed.search = mesh.search;
+  return placed;
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,42 @@
+#pragma once
+#include <memory>
+
+#include "core/base/real_time.h"
+#include "core/mesh/touch.h"
+#include "core/target/friction.h"
+
+namespace underact::target {
+
+enum class Side : std::uint8_t;
+struct Target;
+
+/// A mesh that stands in the workspace: p_W = p_WM + scale_m R_WM p_M.
+struct MeshPlace {
+  std::shared_ptr<const mesh::Surface> surface;  // never null
+  Mat3 R_WM = Mat3::Identity();
+  Vec3 p_WM = Vec3::Zero();
+  double scale_m = 1.0;  // of a unit of the mesh, > 0
+  mesh::Search search = mesh::Search::Hybrid;
+};
+
+/// What a mesh remembers from tick to tick.
+struct MeshState {
+  mesh::SearchState search;  // of the nearest point
+  mesh::TouchState touch;    // of a wall's proxy
+};
+
+inline Vec3 toMesh(const MeshPlace& place, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
+  return place.R_WM.transpose() * (p_W - place.p_WM) / place.scale_m;
+}
+inline Vec3 toWorkspace(const MeshPlace& place, const Vec3& p_M) noexcept UNDERACT_REAL_TIME {
+  return place.p_WM + place.scale_m * (place.R_WM * p_M);
+}
+
+/// Both sides: the nearest point, as place.search says; local: along the surface, so that the target never changes over
+/// to another sheet. A wall: the proxy's place, free where nothing is touched. Friction is not in it.
+Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState& state) noexcept UNDERACT_REAL_TIME;
+
+/// The point of the mesh near p_W, found along the surface from where the target is.
+Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::target

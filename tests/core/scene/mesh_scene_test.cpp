@@ -1,0 +1,123 @@
+
+#include "core/scene/compile.h"
+#include "core/scene/edit.h"
+#include "core/scene/read.h"
+#include "core/scene/write.h"
+#include "tests/core/scene/scene_support.h"
+
+namespace underact::scene {
+namespace {
+
+using test::problemsIn;
+using test::sceneWith;
+
+std::string problemOf(const std::string& constraint) {
+  const std::vector<std::string> lines = problemsIn(sceneWith(constraint));
+  return lines.empty() ? "" : lines.front();
+}
+
+Description sceneOf(const std::string& constraint) {
+  return readScene(sceneWith(constraint), "").value();
+}
+
+/// A tetrahedron; without its last face it is open.
+std::shared_ptr<const mesh::Surface> tetrahedron(bool is_closed) {
+  mesh::Triangles triangles;
+  triangles.p_MV = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
+  triangles.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  if (!is_closed) triangles.faces.pop_back();
+  return mesh::makeSurface(std::move(triangles)).value();
+}
+
+constexpr const char* kMesh =
+    R"({"type": "mesh", "file": "a.stl", "scale_mm_per_unit": 25.4, "X_WM": [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3],
+        [0, 0, 0, 1]], "search": "local", "friction": {"static": 0.4, "dynamic": 0.25}})";
+
+TEST(MeshScene, IsReadWholeAndWrittenBack) {
+  const Description scene = sceneOf(kMesh);
+  const Constraint& constraint = scene.constraints.at(0);
+  const Mesh& mesh = std::get<Mesh>(constraint.shape);
+  EXPECT_EQ(mesh.file, "a.stl");
+  EXPECT_EQ(mesh.scale_mm_per_unit, 25.4);
+  EXPECT_EQ(mesh.X_WM(0, 1), -1.0);
+  EXPECT_EQ(mesh.X_WM(2, 3), 3.0);
+  EXPECT_EQ(mesh.search, mesh::Search::Local);
+  EXPECT_EQ(constraint.friction->static_share, 0.4);
+  EXPECT_EQ(constraint.friction->dynamic_share, 0.25);
+  const Result<Description> again = readScene(writeScene(scene), "");
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(isSame(scene, again.value())) << writeScene(scene);
+}
+
+TEST(MeshScene, WhatIsLeftOutIsUsual) {
+  const Constraint constraint =
+      sceneOf(R"({"type": "mesh", "file": "a.stl", "friction": {"static": 0.4}})").constraints.at(0);
+  const Mesh& mesh = std::get<Mesh>(constraint.shape);
+  EXPECT_EQ(mesh.scale_mm_per_unit, 1.0);
+  EXPECT_TRUE(mesh.X_WM.isIdentity(0.0));
+  EXPECT_EQ(mesh.search, mesh::Search::Hybrid);
+  EXPECT_EQ(constraint.friction->dynamic_share, 0.4);
+}
+
+TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
+  EXPECT_NE(problemOf(R"({"type": "mesh"})").find("The key \"file\" is missing; a mesh needs it."), std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "mesh", "file": ""})").find("A mesh needs the name of its file."), std::string::npos);
+  EXPECT_NE(
+      problemOf(R"({"type": "mesh", "file": "a", "scale_mm_per_unit": 0})").find("This must be from 1e-9 to 1e9 mm"),
+      std::string::npos);
+  EXPECT_NE(
+      problemOf(R"({"type": "mesh", "file": "a", "X_WM": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})")
+          .find("are no rotation"),
+      std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "side": "outside", "search": "local"})")
+                .find("A wall's proxy follows the surface"),
+            std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1]}})").find("\"euclidean\""),
+            std::string::npos);
+  EXPECT_EQ(
+      problemOf(R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1], "anisotropy": "euclidean"}})"),
+      "");
+  EXPECT_NE(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "friction": {"static": 1}})")
+                .find("nothing to slide along"),
+            std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 6}})")
+                .find("This must be from 0 (smooth) to 5"),
+            std::string::npos);
+  EXPECT_NE(
+      problemOf(
+          R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 0.1, "dynamic": 0.2}})")
+          .find("from 0 to the static share, 0.1"),
+      std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 0, 1], "search": "local"})")
+                .find("found by a formula"),
+            std::string::npos);
+}
+
+TEST(MeshScene, CompilesOnlyWithItsSurfaceAndAWallOnlyWithAClosedOne) {
+  Description scene = sceneOf(R"({"type": "mesh", "file": "a.stl", "scale_mm_per_unit": 2, "side": "outside"})");
+  const auto problem = [&] { return compile(scene).problems().at(0).sentence; };
+  Mesh& mesh = std::get<Mesh>(scene.constraints.at(0).shape);
+  ASSERT_FALSE(compile(scene));
+  EXPECT_EQ(problem(), "The mesh \"a.stl\" is not loaded.");
+  mesh.surface = tetrahedron(false);
+  ASSERT_FALSE(compile(scene));
+  EXPECT_NE(problem().find("has no inside and no outside"), std::string::npos);
+  mesh.surface = tetrahedron(true);
+  const Result<tick::TickProgram> program = compile(scene);
+  ASSERT_TRUE(program);
+  EXPECT_TRUE(program.value().needs.meshes);
+  EXPECT_EQ(program.value().entries.at(0).constraint.mesh->scale_m, 0.002);
+}
+
+TEST(MeshScene, AnotherFileIsAnotherSceneAnotherPlaceIsNot) {
+  Description scene = sceneOf(R"({"type": "mesh", "file": "a.stl"})");
+  std::get<Mesh>(scene.constraints.at(0).shape).surface = tetrahedron(true);
+  Description moved = scene, other = scene;
+  std::get<Mesh>(moved.constraints.at(0).shape).X_WM(0, 3) = 1.0;
+  std::get<Mesh>(other.constraints.at(0).shape).surface = tetrahedron(true);
+  EXPECT_EQ(changeBetween(scene, moved), Change::Targets);
+  EXPECT_EQ(changeBetween(scene, other), Change::Scene);
+}
+
+}  // namespace
+}  // namespace underact::scene
