@@ -10,7 +10,7 @@ namespace underact::cli {
 
 std::span<const AddCommand> commands() {
   static constexpr std::array kCommands{addForward, addInverse, addJacobian,  addTarget,     addRun, addLog,
-                                        addReplay,  addFigures, addCalibrate, addServoCheck, addLab, addScene};
+                                        addReplay,  addFigures, addCalibrate, addServoCheck, addLab, addMesh, addScene};
   return kCommands;
 }
 

@@ -22,7 +22,7 @@ inline constexpr double mostTime_s(std::uint64_t file_bytes) {
   return 10.0 * mostCpu_s(file_bytes);
 }
 
-/// A coordinate from here on is no number to us.
-inline constexpr float kBeyondAll = 1e30F;
+/// A coordinate from here on is no number to us: the square of a distance must be a float.
+inline constexpr float kBeyondAll = 1e15F;
 
 }  // namespace underact::mesh_file
