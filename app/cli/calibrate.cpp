@@ -51,7 +51,7 @@ Exit refused(const Problems& problems, const Streams& streams) {
 }
 
 Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
-  const Result<LoadedScene> loaded = loadScene(options.scene);
+  const Result<LoadedScene> loaded = loadScene(options.scene, streams);
   if (!loaded) {
     print(loaded.problems(), streams.err);
     return exitOf(loaded.problems());

@@ -32,6 +32,7 @@ void addLog(CLI::App& program, const Streams& streams, Exit& exit);
 void addReplay(CLI::App& program, const Streams& streams, Exit& exit);
 void addFigures(CLI::App& program, const Streams& streams, Exit& exit);
 void addLab(CLI::App& program, const Streams& streams, Exit& exit);
+void addMesh(CLI::App& program, const Streams& streams, Exit& exit);
 void addScene(CLI::App& program, const Streams& streams, Exit& exit);
 
 /// All commands, in the order of --help.

@@ -88,7 +88,7 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
     streams.err << "--seconds: of the simulated arm at most 100 s are measured.\n";
     return Exit::Usage;
   }
-  const Result<LoadedScene> loaded = loadScene(options.scene);
+  const Result<LoadedScene> loaded = loadScene(options.scene, streams);
   if (!loaded) {
     print(loaded.problems(), streams.err);
     return exitOf(loaded.problems());

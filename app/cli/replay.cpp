@@ -103,10 +103,10 @@ Exit verify(record::Session& session, const Streams& streams) {
 }
 
 /// The recorded scene, or another, with the gains that were asked for.
-Result<scene::Description> wantedScene(const ReplayOptions& options, record::Session& session) {
+Result<scene::Description> wantedScene(const ReplayOptions& options, record::Session& session, const Streams& streams) {
   scene::Description scene;
   if (!options.scene.empty()) {
-    Result<LoadedScene> loaded = loadScene(options.scene);
+    Result<LoadedScene> loaded = loadScene(options.scene, streams);
     if (!loaded) return loaded.problems();
     scene = loaded.value().description;
   } else {
@@ -134,7 +134,7 @@ Result<scene::Description> wantedScene(const ReplayOptions& options, record::Ses
 }
 
 Exit compare(record::Session& session, const ReplayOptions& options, const Streams& streams) {
-  const Result<scene::Description> scene = wantedScene(options, session);
+  const Result<scene::Description> scene = wantedScene(options, session, streams);
   if (!scene) return fail(scene.problems(), streams);
   std::optional<record::CsvWriter> csv;
   if (!options.record.empty()) {

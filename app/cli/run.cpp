@@ -160,7 +160,7 @@ Result<LoadedScene> inSpace(LoadedScene loaded, const std::string& space) {
 
 /// Empty: something was wrong, has been told, and exit says what.
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
-  Result<LoadedScene> scene = loadScene(options.scene);
+  Result<LoadedScene> scene = loadScene(options.scene, streams);
   if (!scene) {
     print(scene.problems(), streams.err);
     exit = exitOf(scene.problems());

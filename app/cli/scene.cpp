@@ -16,7 +16,7 @@ namespace {
 Exit check(const std::vector<std::string>& paths, const Streams& streams) {
   Exit exit = Exit::Well;
   for (const std::string& path : paths) {
-    const Result<LoadedScene> loaded = loadScene(path);
+    const Result<LoadedScene> loaded = loadScene(path, streams);
     if (loaded) continue;
     const Exit now = exitOf(loaded.problems());
     print(loaded.problems(), now == Exit::File ? streams.err : streams.out);
@@ -100,7 +100,7 @@ void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
 }
 
 Exit show(const std::string& path, bool json, const Streams& streams) {
-  const Result<LoadedScene> loaded = loadScene(path);
+  const Result<LoadedScene> loaded = loadScene(path, streams);
   if (!loaded) {
     print(loaded.problems(), streams.err);
     return exitOf(loaded.problems());

@@ -4,15 +4,19 @@
 #include <ostream>
 #include <utility>
 
-#include "core/scene/compile.h"
+#include "app/cli/progress.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 
 namespace underact::cli {
 
-Result<LoadedScene> loadScene(const std::string& path) {
+Result<LoadedScene> loadScene(const std::string& path, const Streams& streams) {
   Result<scene::Description> description = scene::readSceneFile(path);
   if (!description) return description.problems();
-  Result<tick::TickProgram> program = scene::compile(description.value());
+  Progress progress(streams);
+  mesh::Watch watch;
+  watch.progress = [&progress](const char*, double share) { progress.show(share); };
+  Result<tick::TickProgram> program = scene::loadAndCompile(description.value(), watch);
   if (!program) return program.problems();
   return LoadedScene{std::move(description).value(), std::move(program).value()};
 }

@@ -15,7 +15,8 @@ struct LoadedScene {
   tick::TickProgram program;
 };
 
-Result<LoadedScene> loadScene(const std::string& path);
+/// With its meshes; their progress on streams.err.
+Result<LoadedScene> loadScene(const std::string& path, const Streams& streams);
 
 /// One line a problem.
 void print(const Problems& problems, std::ostream& stream);

@@ -36,8 +36,8 @@ scene::Description defaultScene() {
   return scene;
 }
 
-Result<LoadedScene> sceneOf(const Options& options) {
-  if (!options.scene.empty()) return loadScene(options.scene);
+Result<LoadedScene> sceneOf(const Options& options, const Streams& streams) {
+  if (!options.scene.empty()) return loadScene(options.scene, streams);
   LoadedScene loaded{defaultScene(), {}};
   Result<tick::TickProgram> program = scene::compile(loaded.description);
   if (!program) return program.problems();
@@ -132,7 +132,7 @@ std::function<bool(double)> reporter(const Streams& streams, const Interrupt& in
 }
 
 Exit checkIt(const Options& options, const Streams& streams) {
-  Result<LoadedScene> scene = sceneOf(options);
+  Result<LoadedScene> scene = sceneOf(options, streams);
   if (!scene) {
     print(scene.problems(), streams.err);
     return exitOf(scene.problems());

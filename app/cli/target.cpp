@@ -73,7 +73,7 @@ JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
 }
 
 Exit answerPoses(const std::string& path, const Streams& streams) {
-  const Result<LoadedScene> loaded = loadScene(path);
+  const Result<LoadedScene> loaded = loadScene(path, streams);
   if (!loaded) {
     print(loaded.problems(), streams.err);
     return exitOf(loaded.problems());

@@ -12,6 +12,7 @@
 
 #include "core/json/json.h"
 #include "core/record/columns.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/write.h"
 #include "underact/version.h"
 
@@ -160,7 +161,7 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
   member(text, "scheduling",
          object(Members{{"name", json::quoted(report.scheduling.name)}, {"also", listText(report.scheduling.also)}}));
   member(text, "late_ticks", lateText(report.late));
-  member(text, "scene", scene::writeScene(report.scene));
+  member(text, "scene", scene::writeScene(scene::withWholePaths(report.scene)));
   while (text.back() == '\n') text.pop_back();  // of the scene's own file
   member(text, "columns", listText(columns));
   member(text, "rows", rowsText(report.last_second));

@@ -5,17 +5,17 @@
 #include <utility>
 
 #include "core/base/denormals.h"
-#include "core/scene/compile.h"
+#include "core/scene/load_meshes.h"
 #include "core/tick/step.h"
 
 namespace underact::record {
 namespace {
 
-Result<tick::TickProgram> programOf(const scene::Description& scene, const SessionHeader& header) {
+Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeader& header) {
   tick::TickProgram bare;  // of a servo that was given no scene yet
   bare.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   if (scene.constraints.empty()) return bare;
-  Result<tick::TickProgram> program = scene::compile(scene);
+  Result<tick::TickProgram> program = scene::loadAndCompile(scene);
   if (!program) return program;
   program.value().limits.frozen_s = header.frozen_s;
   program.value().limits.max_late = header.max_late;

@@ -7,6 +7,7 @@
 
 #include "core/arm/model.h"
 #include "core/record/state_bytes.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/write.h"
 
 namespace underact::record {
@@ -68,7 +69,8 @@ Words SessionWriter::addText(std::string_view text, Problems& problems) {
 Problems SessionWriter::addScene(std::int64_t tick, std::uint64_t revision, tick::Carry carry,
                                  const scene::Description& scene) {
   Problems problems;
-  const Words words = addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene), problems);
+  const Words words =
+      addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene::withWholePaths(scene)), problems);
   keep(problems, file_.append(kChanges, blockOf(ChangeRow{tick, revision, carry, words})));
   if (const arm::Preset* const preset = arm::findPreset(scene.arm)) geometry_ = preset->geometry;
   return problems;

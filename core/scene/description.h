@@ -85,6 +85,7 @@ struct Mesh {
   mesh::Search search = mesh::Search::Hybrid;
   std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
   std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
+  std::string loaded_checksum = {};                   // of what was found there
 };
 
 using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh>;

@@ -1,7 +1,6 @@
 #include "core/servo/guard.h"
 
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 
 #ifdef __linux__
@@ -14,22 +13,14 @@
 #include <array>
 #include <cerrno>
 #include <vector>
+
+#include "core/base/program.h"
 #endif
 
 namespace underact::servo {
 
 #ifdef __linux__
 namespace {
-
-/// Beside the running program, one folder up (the tests' place), or where an installed one has its helpers.
-std::string findProgram() {
-  std::error_code ignored;
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const char* place : {"underact-guard", "../underact-guard", "../libexec/underact/underact-guard"}) {
-    if (::access((here / place).c_str(), X_OK) == 0) return here / place;
-  }
-  return {};
-}
 
 std::string hexOf(const std::string& bytes) {
   constexpr const char* kDigits = "0123456789abcdef";
@@ -84,7 +75,7 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
     why = "this arm cannot be reached from outside the program";
     return nullptr;
   }
-  const std::string path = program.empty() ? findProgram() : program;
+  const std::string path = program.empty() ? helperProgram("underact-guard") : program;
   if (path.empty()) {
     why = "underact-guard was not found";
     return nullptr;

@@ -1,0 +1,174 @@
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/json_object.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_file.h"
+#include "core/json/json.h"
+#include "core/mesh_file/load.h"
+#include "core/mesh_file/report.h"
+
+namespace underact::cli {
+namespace {
+
+struct MeshOptions {
+  std::vector<std::string> files;
+  bool json = false;
+  double scale_mm_per_unit = 0.0;  // 0: not stated, so 1, and it is asked where that is implausible
+};
+
+struct Timed {
+  mesh_file::Loaded loaded;
+  double seconds = 0.0;
+};
+
+double scaleOf(const MeshOptions& options) {
+  return options.scale_mm_per_unit > 0.0 ? options.scale_mm_per_unit : 1.0;
+}
+
+std::optional<mesh_file::Proposal> proposalOf(const MeshOptions& options, const mesh_file::Facts& facts) {
+  if (options.scale_mm_per_unit > 0.0) return {};
+  return mesh_file::implausible(mesh_file::largestExtent(facts));
+}
+
+std::array<double, 3> sizeOf(const mesh_file::Facts& facts, double scale) {
+  std::array<double, 3> size{};
+  for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = (facts.high[axis] - facts.low[axis]) * scale;
+  return size;
+}
+
+std::vector<std::string> sidesOf(const mesh_file::Facts& facts) {
+  return mesh_file::allowsWalls(facts) ? std::vector<std::string>{"both", "outside", "inside"}
+                                       : std::vector<std::string>{"both"};
+}
+
+void printAsJson(const std::string& path, const Timed& timed, const MeshOptions& options, std::ostream& out) {
+  const mesh_file::Facts& facts = timed.loaded.facts;
+  const double scale = scaleOf(options);
+  JsonObject object;
+  object.addText("file", path);
+  object.addText("format", mesh_file::nameOf(timed.loaded.format));
+  object.addText("checksum", timed.loaded.checksum);
+  object.addNumber("scale_mm_per_unit", scale);
+  object.addList("size_mm", sizeOf(facts, scale));
+  object.addInteger("faces", facts.faces);
+  object.addInteger("corners", facts.corners);
+  object.addInteger("parts", facts.parts);
+  object.addBool("closed", mesh_file::isClosed(facts));
+  object.addNumber("area_mm2", facts.area * scale * scale);
+  object.addNumber("volume_mm3", facts.volume * scale * scale * scale);
+  for (const auto& [key, count] :
+       std::array<std::pair<const char*, std::int64_t>, 12>{{{"faces_in_file", facts.file_faces},
+                                                             {"dropped_not_finite", facts.not_finite},
+                                                             {"dropped_out_of_range", facts.out_of_range},
+                                                             {"dropped_without_extent", facts.without_extent},
+                                                             {"dropped_duplicates", facts.duplicates},
+                                                             {"welded_corners", facts.welded},
+                                                             {"turned_faces", facts.turned},
+                                                             {"borders", facts.borders},
+                                                             {"border_edges", facts.border_edges},
+                                                             {"crowded_edges", facts.crowded_edges},
+                                                             {"clashing_edges", facts.clashing_edges},
+                                                             {"flat_faces", facts.flat_faces}}}) {
+    object.addInteger(key, count);
+  }
+  object.addInteger("crossings", facts.crossings);
+  object.addBool("crossings_checked", facts.crossings_checked != 0);
+  object.addTexts("sides", sidesOf(facts));
+  object.addTexts("report", mesh_file::reportOf(facts, scale));
+  const std::optional<mesh_file::Proposal> proposal = proposalOf(options, facts);
+  proposal ? object.addText("unit_question", proposal->sentence) : object.addNull("unit_question");
+  std::vector<double> scales;
+  for (const mesh_file::Unit& unit : proposal ? proposal->units : std::vector<mesh_file::Unit>{}) {
+    scales.push_back(unit.mm_per_unit);
+  }
+  object.addList("unit_scales_mm", scales);
+  object.addBool("from_cache", timed.loaded.from_cache);
+  object.addNumber("seconds", timed.seconds);
+  out << object.text() << '\n';
+}
+
+void printAsTable(const std::string& path, const Timed& timed, const MeshOptions& options, std::ostream& out) {
+  const mesh_file::Facts& facts = timed.loaded.facts;
+  const auto row = [&out](const std::string& what) -> std::ostream& {
+    return out << std::left << std::setw(16) << what;
+  };
+  const std::array<double, 3> size_mm = sizeOf(facts, scaleOf(options));
+  row("file") << path << '\n';
+  row("format") << mesh_file::nameOf(timed.loaded.format) << '\n';
+  row("size") << json::numberText(std::round(size_mm[0] * 1e3) / 1e3) << " x "
+              << json::numberText(std::round(size_mm[1] * 1e3) / 1e3) << " x "
+              << json::numberText(std::round(size_mm[2] * 1e3) / 1e3) << " mm\n";
+  row("faces") << facts.faces << " (" << facts.file_faces << " in the file)\n";
+  row("corners") << facts.corners << '\n';
+  row("parts") << facts.parts << '\n';
+  row("sides") << (mesh_file::allowsWalls(facts) ? "both, outside, inside" : "both") << '\n';
+  row("loaded") << json::numberText(std::round(timed.seconds * 1e3) / 1e3) << " s"
+                << (timed.loaded.from_cache ? ", from the cache" : "") << '\n';
+  for (const std::string& sentence : mesh_file::reportOf(facts, scaleOf(options))) out << "  " << sentence << '\n';
+  if (const auto proposal = proposalOf(options, facts)) {
+    out << "  " << proposal->sentence << '\n';
+    for (const mesh_file::Unit& unit : proposal->units) {
+      out << "  For " << unit.name << ": \"scale_mm_per_unit\": " << json::numberText(unit.mm_per_unit) << '\n';
+    }
+  }
+}
+
+/// A file that cannot be opened is no input at all; one that is no mesh is bad input.
+Exit exitOfMesh(const std::string& path) {
+  return std::ifstream(path).good() ? Exit::BadInput : Exit::File;
+}
+
+Exit info(const MeshOptions& options, const Streams& streams) {
+  Exit exit = Exit::Well;
+  const Interrupt interrupt;
+  std::atomic<bool> cancelled = false;
+  for (const std::string& path : options.files) {
+    Progress progress(streams);
+    mesh::Watch watch;
+    watch.cancelled = &cancelled;
+    watch.progress = [&](const char* /*step*/, double share) {
+      progress.show(share);
+      cancelled = cancelled || interrupt.came();
+    };
+    const auto start = std::chrono::steady_clock::now();
+    Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
+    if (!loaded) {
+      print(loaded.problems(), streams.err);
+      const Exit now = exitOfMesh(path);
+      if (exit != Exit::File) exit = now;
+      if (interrupt.came()) break;
+      continue;
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Timed timed{std::move(loaded).value(), seconds};
+    options.json ? printAsJson(path, timed, options, streams.out) : printAsTable(path, timed, options, streams.out);
+  }
+  return exit;
+}
+
+}  // namespace
+
+void addMesh(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command =
+      program.add_subcommand("mesh", "Mesh files: what they hold, what is repaired, how they can be felt");
+  command->require_subcommand(1);
+  CLI::App* showing = command->add_subcommand(
+      "info", "Load meshes (STL, OBJ, PLY, OFF) as a scene would, and say what was found and what was repaired");
+  const auto options = std::make_shared<MeshOptions>();
+  showing->add_option("files", options->files, "Mesh files")->required();
+  showing->add_flag("--json", options->json, "One JSON object a file in place of a table");
+  showing->add_option("--scale_mm_per_unit", options->scale_mm_per_unit, "How long a unit of the file is, mm")
+      ->check(CLI::PositiveNumber);
+  showing->callback([options, &streams, &exit] { exit = info(*options, streams); });
+}
+
+}  // namespace underact::cli

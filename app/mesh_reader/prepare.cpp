@@ -1,0 +1,174 @@
+#include "app/mesh_reader/prepare.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "app/mesh_reader/numbers.h"
+#include "core/mesh_file/off_header.h"
+#include "core/mesh_file/stl_binary.h"
+
+namespace underact::mesh_reader {
+namespace {
+
+using mesh_file::Scan;
+
+// OpenMesh looks for equal corners in a face by comparing each with each.
+constexpr int kMostCornersOfAFace = 5000;
+
+Prepared damagedAt(int line, const std::string& what) {
+  Prepared none;
+  none.problem = "The file is damaged: line " + std::to_string(line) + " " + what + ".";
+  return none;
+}
+
+/// One facet of an STL text, from after its word "facet" on; the problem, or null.
+const char* addFacet(Scan& words, std::string& to) {
+  const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
+  to += "facet normal ";
+  if (!is("normal") || !addPoint(words, to)) return "is no normal of a face";
+  if (!is("outer") || !is("loop")) return "does not begin the corners of a face (outer loop)";
+  to += "outer loop\n";
+  for (int corner = 0; corner < 3; ++corner) {
+    to += "vertex ";
+    if (!is("vertex") || !addPoint(words, to)) return "is no corner of a face (vertex x y z)";
+  }
+  if (!is("endloop")) return "does not end the three corners of a face (endloop)";
+  if (!is("endfacet")) return "does not end a face (endfacet)";
+  to += "endloop\nendfacet\n";
+  return nullptr;
+}
+
+}  // namespace
+
+Prepared prepareStlBinary(std::string bytes) {
+  Prepared prepared;
+  prepared.faces = mesh_file::stlBinaryCount(bytes);
+  if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
+    prepared.problem = "The file is damaged: it is shorter than its faces.";
+    return prepared;
+  }
+  for (std::uint64_t face = 0; face < prepared.faces; ++face) {
+    char* at = bytes.data() + mesh_file::kStlHeadBytes + face * mesh_file::kStlFaceBytes + 12;
+    for (int number = 0; number < 9; ++number, at += 4) {
+      float value = 0.0F;
+      std::memcpy(&value, at, 4);
+      if (!(std::abs(value) < mesh_file::kBeyondAll)) std::memcpy(at, &kNoNumberValue, 4);
+    }
+  }
+  prepared.bytes = std::move(bytes);
+  return prepared;
+}
+
+Prepared prepareStlText(const std::string& bytes) {
+  Prepared prepared;
+  prepared.bytes.reserve(bytes.size() + 64);
+  prepared.bytes = "solid\n";
+  Scan words(bytes);
+  for (;;) {
+    const std::string word = mesh_file::lowered(words.word());
+    if (word.empty()) break;
+    if (word == "solid" || word == "endsolid") {
+      words.line();  // a name, which OpenMesh would take for anything
+    } else if (word == "facet") {
+      const char* problem = addFacet(words, prepared.bytes);
+      if (problem != nullptr) return damagedAt(words.lineNumber(), problem);
+      ++prepared.faces;
+    } else {
+      return damagedAt(words.lineNumber(), "does not begin a face (facet)");
+    }
+  }
+  prepared.bytes += "endsolid\n";
+  return prepared;
+}
+
+Prepared prepareObj(const std::string& bytes) {
+  Prepared prepared;
+  prepared.bytes.reserve(bytes.size() + 64);
+  std::string joined;
+  for (Scan lines(bytes); !lines.atEnd();) {
+    std::string_view line = lines.line();
+    // A line that ends in \ goes on in the next one.
+    for (joined.clear(); line.ends_with('\\') && !lines.atEnd(); line = joined) {
+      joined = std::string(line.substr(0, line.size() - 1)) + ' ' + std::string(lines.line());
+    }
+    Scan words(line);
+    const std::string_view key = words.word();
+    if (key == "v") {
+      prepared.bytes += "v ";
+      if (!addPoint(words, prepared.bytes)) return damagedAt(lines.lineNumber() - 1, "is no corner (v x y z)");
+      ++prepared.corners;
+    } else if (key == "f") {
+      prepared.bytes += "f ";
+      int count = 0;
+      for (std::string_view word = words.word(); !word.empty() && !word.starts_with('#'); word = words.word()) {
+        std::int32_t index = 0;  // of the corner; what follows a / is of its texture and normal
+        const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
+        if (!is_number || ++count > kMostCornersOfAFace) return damagedAt(lines.lineNumber() - 1, "is no face");
+        prepared.bytes += std::to_string(index) + ' ';
+      }
+      prepared.bytes.back() = '\n';
+      ++prepared.faces;
+    }
+  }
+  return prepared;
+}
+
+Prepared prepareOff(const std::string& bytes) {
+  const Result<mesh_file::OffHeader> header = mesh_file::readOffHeader(bytes);
+  Prepared prepared;
+  if (!header) {
+    prepared.problem = header.problems()[0].sentence;
+    return prepared;
+  }
+  prepared.corners = header.value().corners;
+  prepared.faces = header.value().faces;
+  prepared.bytes.reserve(bytes.size() + 64);
+  prepared.bytes = "OFF\n" + std::to_string(prepared.corners) + ' ' + std::to_string(prepared.faces) + " 0\n";
+  Scan lines(std::string_view(bytes).substr(header.value().bytes));
+  for (std::uint64_t row = 0; row < prepared.corners + prepared.faces;) {
+    const std::string_view line = lines.line();
+    const int number = header.value().lines + lines.lineNumber() - 2;
+    Scan words(line.substr(0, line.find('#')));
+    const std::string_view first = words.word();
+    if (first.empty()) {
+      if (lines.atEnd()) return damagedAt(number + 1, "is the last, and corners or faces are missing");
+      continue;
+    }
+    if (row++ < prepared.corners) {
+      Scan again(line);
+      if (!addPoint(again, prepared.bytes)) return damagedAt(number, "is no corner (x y z)");
+      continue;
+    }
+    int count = 0;
+    if (!mesh_file::readInteger(first, count) || count < 0 || count > kMostCornersOfAFace) {
+      return damagedAt(number, "is no face");
+    }
+    prepared.bytes += std::to_string(count) + ' ';
+    for (int corner = 0; corner < count; ++corner) {
+      std::int32_t index = 0;
+      if (!mesh_file::readInteger(words.word(), index)) return damagedAt(number, "is no face");
+      prepared.bytes += std::to_string(index < 0 ? INT32_MAX : index) + ' ';
+    }
+    prepared.bytes.back() = '\n';
+  }
+  return prepared;
+}
+
+Prepared prepare(mesh_file::Format format, std::string bytes) {
+  switch (format) {
+    case mesh_file::Format::StlBinary:
+      return prepareStlBinary(std::move(bytes));
+    case mesh_file::Format::StlText:
+      return prepareStlText(bytes);
+    case mesh_file::Format::Obj:
+      return prepareObj(bytes);
+    case mesh_file::Format::Ply:
+      return preparePly(bytes);
+    case mesh_file::Format::Off:
+      return prepareOff(bytes);
+  }
+  return {};
+}
+
+}  // namespace underact::mesh_reader

@@ -1,0 +1,117 @@
+#include "app/mesh_reader/seal.h"
+
+#include <cmath>
+#include <initializer_list>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+#ifdef __linux__
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <vector>
+#endif
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define UNDERACT_SANITIZED 1  // its shadow takes terabytes of addresses
+#endif
+
+namespace underact::mesh_reader {
+namespace {
+
+#if defined(__unix__) || defined(__APPLE__)
+bool limit(int resource, rlim_t most) {
+  const rlimit both{most, most};
+  return ::setrlimit(static_cast<decltype(RLIMIT_CORE)>(resource), &both) == 0;
+}
+
+bool setLimits(std::uint64_t most_bytes, double most_cpu_s) {
+  bool is_well = limit(RLIMIT_CORE, 0);
+  // In whole seconds, and the next one ends it for certain. The program that started this one looks more closely.
+  is_well = limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(most_cpu_s)) + 1) && is_well;
+  is_well = limit(RLIMIT_NOFILE, 0) && is_well;
+#ifdef UNDERACT_SANITIZED
+  static_cast<void>(most_bytes);
+#else
+  is_well = limit(RLIMIT_AS, most_bytes) && is_well;
+#endif
+  return is_well;
+}
+#endif
+
+#ifdef __linux__
+
+#if defined(__x86_64__)
+constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr std::uint32_t kMachine = AUDIT_ARCH_AARCH64;
+#else
+constexpr std::uint32_t kMachine = 0;
+#endif
+
+// What reading, writing, memory and the end take; by the C library of Debian 12 and its kin.
+constexpr std::initializer_list<long> kAllowed{
+    SYS_read, SYS_write, SYS_writev, SYS_lseek,      SYS_fstat,         SYS_brk,           SYS_mmap,
+    SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise, SYS_futex, SYS_getrandom, SYS_clock_gettime, SYS_exit,
+    SYS_exit_group, SYS_rt_sigreturn, SYS_rt_sigprocmask, SYS_sigaltstack,
+#ifdef UNDERACT_SANITIZED
+    // To tell what they found.
+    SYS_getpid, SYS_gettid, SYS_tgkill, SYS_rt_sigaction, SYS_sched_yield, SYS_prctl, SYS_getrlimit, SYS_prlimit64,
+#endif
+};
+// OpenMesh opens the materials that an OBJ file names, and goes on where there are none.
+constexpr std::initializer_list<long> kRefused{SYS_openat, SYS_newfstatat, SYS_close, SYS_ioctl};
+
+bool setFilter() {
+  if (kMachine == 0) return false;
+  const auto back = [](std::uint32_t what) { return sock_filter BPF_STMT(BPF_RET | BPF_K, what); };
+  const auto load = [](std::size_t offset) {
+    return sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
+  };
+  const auto unless = [](std::uint32_t value, std::uint8_t skip) {
+    return sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, skip);
+  };
+  std::vector<sock_filter> filter{load(offsetof(seccomp_data, arch)),
+                                  sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kMachine, 1, 0),
+                                  back(SECCOMP_RET_KILL_PROCESS), load(offsetof(seccomp_data, nr))};
+  const auto add = [&](std::initializer_list<long> calls, std::uint32_t what) {
+    for (const long call : calls) {
+      filter.push_back(unless(static_cast<std::uint32_t>(call), 1));
+      filter.push_back(back(what));
+    }
+  };
+  add(kAllowed, SECCOMP_RET_ALLOW);
+  add(kRefused, SECCOMP_RET_ERRNO | EACCES);
+  filter.push_back(back(SECCOMP_RET_KILL_PROCESS));
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+#endif
+
+}  // namespace
+
+bool seal(std::uint64_t most_bytes, double most_cpu_s) {
+  bool is_well = true;
+#if defined(__unix__) || defined(__APPLE__)
+  is_well = setLimits(most_bytes, most_cpu_s);
+#else
+  static_cast<void>(most_bytes);
+  static_cast<void>(most_cpu_s);
+#endif
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // who asked is gone: nobody waits
+  ::prctl(PR_SET_DUMPABLE, 0);
+  is_well = setFilter() && is_well;
+#endif
+  return is_well;
+}
+
+}  // namespace underact::mesh_reader

@@ -1,0 +1,100 @@
+#include "app/mesh_reader/serve.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <new>
+#include <optional>
+#include <span>
+
+#include "app/mesh_reader/open_mesh.h"
+#include "app/mesh_reader/seal.h"
+#include "core/mesh_file/limits.h"
+#include "core/mesh_file/message.h"
+
+namespace underact::mesh_reader {
+namespace {
+
+using mesh_file::Format;
+using mesh_file::Message;
+
+// A program that feels a surface meanwhile has more need of the processor.
+constexpr int kNice = 5;
+
+bool write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::optional<Format> formatOfWord(const std::string& word) {
+  for (int index = 0; index < mesh_file::kFormats; ++index) {
+    const auto format = static_cast<Format>(index);
+    if (word == mesh_file::wordOf(format)) return format;
+  }
+  return {};
+}
+
+/// All of the standard input, which may be shorter than it was; never longer than asked.
+std::string readAll(std::uint64_t bytes) {
+  std::string all(bytes, '\0');
+  std::size_t at = 0;
+  while (at < all.size()) {
+    const ssize_t count = ::read(STDIN_FILENO, all.data() + at, all.size() - at);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    at += static_cast<std::size_t>(count);
+  }
+  all.resize(at);
+  return all;
+}
+
+Message read(Format format, std::uint64_t file_bytes) {
+  Message message;
+  try {
+    const Prepared prepared = prepare(format, readAll(file_bytes));
+    if (!prepared.problem.empty()) {
+      message.problem = prepared.problem;
+      return message;
+    }
+    unsigned char told = 0;
+    OpenMeshResult result = readWithOpenMesh(format, prepared, [&told](double share) {
+      const auto percent = static_cast<unsigned char>(share * mesh_file::kMostProgress);
+      if (percent <= told) return;
+      told = percent;
+      write(std::as_bytes(std::span(&told, 1)));
+    });
+    message.problem = result.problem;
+    if (!message.problem.empty()) return message;
+    // Readers leave out faces without extent; that is known by their number alone.
+    const auto missing = static_cast<std::int64_t>(prepared.faces - result.polygons.ends.size());
+    message.raw = trianglesOf(std::move(result.polygons));
+    message.raw.polygons += missing;
+    message.raw.dropped.without_extent += missing;
+    message.raw.normals = result.normals;
+    message.raw.normals_against = result.normals_against;
+  } catch (const std::bad_alloc&) {
+    message = {};
+    message.problem = "The file is damaged, or takes more memory than a file of its size should.";
+  }
+  return message;
+}
+
+}  // namespace
+
+int serve(const std::string& word) {
+  const std::optional<Format> format = formatOfWord(word);
+  struct stat file {};
+  if (!format || ::fstat(STDIN_FILENO, &file) != 0 || file.st_size <= 0) return 2;
+  const auto bytes = static_cast<std::uint64_t>(file.st_size);
+  [[maybe_unused]] const int nice_now = ::nice(kNice);
+  seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes));
+  return mesh_file::writeMessage(read(*format, bytes), write) ? 0 : 1;
+}
+
+}  // namespace underact::mesh_reader

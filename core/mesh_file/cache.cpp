@@ -1,0 +1,179 @@
+#include "core/mesh_file/cache.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/mesh_file/digest.h"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
+namespace underact::mesh_file {
+namespace {
+
+namespace fs = std::filesystem;
+using FileClock = fs::file_time_type::clock;
+
+constexpr std::array<char, 8> kMagic{'\x89', 'U', 'A', 'M', 'C', '1', '\r', '\n'};
+constexpr const char* kExtension = ".mesh";
+constexpr const char* kAside = ".part";
+constexpr auto kAsideLives = std::chrono::hours(1);  // what a program left that was killed while it wrote
+constexpr std::size_t kBlock = std::size_t{4} << 20;
+
+struct Head {
+  std::array<char, 8> magic = kMagic;
+  std::uint64_t bytes = 0;
+  std::array<char, 32> digest{};  // of the key and what follows
+};
+
+fs::path defaultFolder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  if (!variable("UNDERACT_CACHE_DIR").empty()) return variable("UNDERACT_CACHE_DIR");
+  const std::string caches = variable("XDG_CACHE_HOME");
+  // A relative one is not to be used, says its specification.
+  if (caches.starts_with('/')) return fs::path(caches) / "underact/meshes";
+  const std::string home = variable("HOME");
+  return home.empty() ? fs::path() : fs::path(home) / ".cache/underact/meshes";
+}
+
+/// Keys become names of files.
+bool isName(const std::string& key) {
+  return !key.empty() && key.size() <= 128 && std::all_of(key.begin(), key.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+std::string asideOf(const std::string& key) {
+  static std::atomic<unsigned> count{0};
+  std::string name = key + "." + std::to_string(count++);
+#if defined(__unix__) || defined(__APPLE__)
+  name += "." + std::to_string(::getpid());
+#endif
+  return name + kAside;
+}
+
+class Writing {
+ public:
+  Writing(const fs::path& path, const mesh::Watch& watch) : file_(path, std::ios::binary), watch_(watch) {}
+  bool add(std::span<const std::byte> bytes) {
+    while (!bytes.empty() && file_ && !watch_.isCancelled()) {
+      const std::span<const std::byte> block = bytes.first(std::min(bytes.size(), kBlock));
+      file_.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(block.size()));
+      bytes = bytes.subspan(block.size());
+    }
+    return bytes.empty() && file_;
+  }
+  bool close() {
+    file_.close();
+    return !file_.fail();
+  }
+
+ private:
+  std::ofstream file_;
+  const mesh::Watch& watch_;
+};
+
+bool digestAll(Digest& digest, std::span<const std::byte> bytes, const mesh::Watch& watch) {
+  for (; !bytes.empty() && !watch.isCancelled(); bytes = bytes.subspan(std::min(bytes.size(), kBlock))) {
+    digest.add(bytes.first(std::min(bytes.size(), kBlock)));
+  }
+  return bytes.empty();
+}
+
+}  // namespace
+
+Cache::Cache(std::string folder, std::uint64_t most_bytes)
+    : folder_(folder.empty() ? defaultFolder().string() : std::move(folder)), most_bytes_(most_bytes) {}
+
+std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const mesh::Watch& watch) const {
+  if (folder_.empty() || !isName(key)) return {};
+  const fs::path path = fs::path(folder_) / (key + kExtension);
+  std::error_code error;
+  const std::uint64_t size = fs::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  Head head;
+  if (error || !file.read(reinterpret_cast<char*>(&head), sizeof head)) return {};
+  // The length is believed where the file has it.
+  if (head.magic != kMagic || size != sizeof head + head.bytes) return {};
+  std::vector<std::byte> bytes(head.bytes);
+  for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
+    if (watch.isCancelled()) return {};
+    const std::size_t count = std::min(kBlock, bytes.size() - at);
+    if (!file.read(reinterpret_cast<char*>(bytes.data() + at), static_cast<std::streamsize>(count))) return {};
+  }
+  Digest digest;
+  digest.add(std::as_bytes(std::span(key)));
+  if (!digestAll(digest, bytes, watch)) return {};
+  if (digest.text() != std::string_view(head.digest.data(), head.digest.size())) return {};
+  fs::last_write_time(path, FileClock::now(), error);  // used last, now
+  return bytes;
+}
+
+bool Cache::put(const std::string& key, std::span<const std::span<const std::byte>> parts,
+                const mesh::Watch& watch) const {
+  if (folder_.empty() || !isName(key)) return false;
+  Head head;
+  Digest digest;
+  digest.add(std::as_bytes(std::span(key)));
+  for (const std::span<const std::byte> part : parts) {
+    head.bytes += part.size();
+    if (!digestAll(digest, part, watch)) return false;
+  }
+  if (head.bytes + sizeof head > most_bytes_) return false;
+  const std::string text = digest.text();
+  std::copy(text.begin(), text.end(), head.digest.begin());
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  const fs::path aside = fs::path(folder_) / asideOf(key);
+  Writing writing(aside, watch);
+  bool is_well = writing.add(std::as_bytes(std::span(&head, 1)));
+  for (const std::span<const std::byte> part : parts) is_well = is_well && writing.add(part);
+  is_well = writing.close() && is_well;
+  if (is_well) fs::rename(aside, fs::path(folder_) / (key + kExtension), error);
+  if (!is_well || error) {
+    fs::remove(aside, error);
+    return false;
+  }
+  makeRoom();
+  return true;
+}
+
+void Cache::makeRoom() const {
+  struct Entry {
+    fs::path path;
+    fs::file_time_type used;
+    std::uint64_t bytes;
+  };
+  std::vector<Entry> entries;
+  std::uint64_t sum = 0;
+  std::error_code error;
+  for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
+    std::error_code gone;  // by another program, meanwhile
+    const Entry entry{at->path(), at->last_write_time(gone), gone ? 0 : at->file_size(gone)};
+    if (gone) continue;
+    if (entry.path.extension() == kAside && FileClock::now() - entry.used > kAsideLives) fs::remove(entry.path, gone);
+    if (entry.path.extension() != kExtension) continue;  // nothing of ours
+    sum += entry.bytes;
+    entries.push_back(entry);
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.used != b.used ? a.used < b.used : a.path < b.path;
+  });
+  for (const Entry& entry : entries) {
+    if (sum <= most_bytes_) break;
+    fs::remove(entry.path, error);
+    sum -= entry.bytes;
+  }
+}
+
+}  // namespace underact::mesh_file

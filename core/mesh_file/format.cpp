@@ -1,0 +1,117 @@
+#include "core/mesh_file/format.h"
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+
+#include "core/mesh_file/off_header.h"
+#include "core/mesh_file/ply_header.h"
+#include "core/mesh_file/scan.h"
+#include "core/mesh_file/stl_binary.h"
+
+namespace underact::mesh_file {
+namespace {
+
+struct Words {
+  const char* word;
+  const char* name;
+};
+constexpr std::array<Words, kFormats> kWords{{{"stl-binary", "binary STL"},
+                                              {"stl-text", "STL as text"},
+                                              {"obj", "OBJ"},
+                                              {"ply", "PLY"},
+                                              {"off", "OFF"}}};
+
+constexpr const char* kKinds = "Meshes are read from STL, OBJ, PLY and OFF files.";
+
+std::string extensionOf(const std::string& path) {
+  return lowered(std::filesystem::path(path).extension().string());
+}
+
+/// A line of an OBJ file that holds a corner, within the first of them.
+bool hasObjCorner(std::string_view head) {
+  Scan lines(head);
+  while (!lines.atEnd()) {
+    Scan words(lines.line());
+    if (words.word() == "v") {
+      double value = 0.0;
+      const std::string_view word = words.word();
+      return std::from_chars(word.data(), word.data() + word.size(), value).ec == std::errc();
+    }
+  }
+  return false;
+}
+
+Problem tooShort(const std::string& states, const std::string& path) {
+  return {"The file is cut short or damaged: it says that it holds " + states + ", and is too short for them.",
+          {path}};
+}
+
+std::string countText(std::uint64_t count, const char* what) {
+  return std::to_string(count) + " " + what;
+}
+
+}  // namespace
+
+const char* wordOf(Format format) {
+  return kWords[static_cast<std::size_t>(format)].word;
+}
+
+const char* nameOf(Format format) {
+  return kWords[static_cast<std::size_t>(format)].name;
+}
+
+Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const std::string& path) {
+  if (file_bytes == 0) return Problems{{"The file is empty.", {path}}};
+  const std::string extension = extensionOf(path);
+  const std::string first = lowered(Scan(head).word());
+  if (isWholeStlBinary(head, file_bytes)) return Format::StlBinary;
+  if (first == "ply") return Format::Ply;
+  if (isOffKeyword(Scan(head).word())) return Format::Off;
+  const std::string start = lowered(head.substr(0, 4096));
+  if (first.starts_with("solid") && head.find('\0') == std::string_view::npos &&
+      (start.find("facet") != std::string::npos || start.find("endsolid") != std::string::npos)) {
+    return Format::StlText;
+  }
+  if (extension == ".obj") return Format::Obj;
+  if (extension == ".stl" || extension == ".stlb") return Format::StlBinary;
+  if (extension == ".ply") return Problems{{"This is no PLY file: it does not begin with \"ply\".", {path}}};
+  if (extension == ".off") return Problems{{"This is no OFF file: it does not begin with \"OFF\".", {path}}};
+  if (head.find('\0') == std::string_view::npos && hasObjCorner(head)) return Format::Obj;
+  return Problems{{std::string("This is no mesh that can be read. ") + kKinds, {path}}};
+}
+
+Problems checkHead(Format format, std::string_view head, std::uint64_t file_bytes, const std::string& path) {
+  const auto size = static_cast<double>(file_bytes);
+  if (format == Format::StlBinary) {
+    const std::uint64_t count = stlBinaryCount(head);
+    if (file_bytes < kStlHeadBytes) return {tooShort("a binary STL mesh", path)};
+    if (kStlHeadBytes + count * kStlFaceBytes > file_bytes) return {tooShort(countText(count, "faces"), path)};
+    if (count == 0) return {{"The file holds no faces.", {path}}};
+  } else if (format == Format::Ply) {
+    const Result<PlyHeader> header = readPlyHeader(head);
+    if (!header) return {{header.problems()[0].sentence, {path}}};
+    const double least = static_cast<double>(header.value().bytes) + leastBytes(header.value());
+    if (least > size) {
+      std::string states;
+      for (const PlyElement& element : header.value().elements) {
+        if (element.name != "vertex" && element.name != "face") continue;
+        states += (states.empty() ? "" : " and ") +
+                  countText(element.count, element.name == "vertex" ? "corners" : "faces");
+      }
+      return {tooShort(states, path)};
+    }
+  } else if (format == Format::Off) {
+    const Result<OffHeader> header = readOffHeader(head);
+    if (!header) return {{header.problems()[0].sentence, {path}}};
+    const auto corners = static_cast<double>(header.value().corners), faces = static_cast<double>(header.value().faces);
+    // "0 0 0" and "0", each with the end of its line, but for the last.
+    if (static_cast<double>(header.value().bytes) + 6.0 * corners + 2.0 * faces - 1.0 > size) {
+      return {tooShort(countText(header.value().corners, "corners and ") + countText(header.value().faces, "faces"),
+                       path)};
+    }
+  }
+  return {};
+}
+
+}  // namespace underact::mesh_file

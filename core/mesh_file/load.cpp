@@ -1,0 +1,103 @@
+#include "core/mesh_file/load.h"
+
+#include <array>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "core/mesh/surface_bytes.h"
+#include "core/mesh_file/read_file.h"
+#include "core/mesh_file/repair.h"
+#include "core/mesh_file/report.h"
+#include "core/mesh_file/steps.h"
+
+namespace underact::mesh_file {
+namespace {
+
+// One more whenever reading, repairing, Facts or the bytes of a surface change: older entries are then not found.
+constexpr int kVersion = 1;
+
+// What each step takes of the whole, for 2 million faces as binary STL.
+constexpr double kHashed = 0.05, kRead = 0.40, kRepaired = 0.60, kBuilt = 0.95;
+
+static_assert(std::is_trivially_copyable_v<Facts>);
+
+std::string keyOf(const Input& input, const std::string& checksum) {
+  return checksum + "-" + wordOf(input.format()) + "-" + std::to_string(kVersion) + "-" + std::to_string(sizeof(Facts));
+}
+
+Problems problemAt(const Input& input, const std::string& sentence) {
+  return {{sentence, {input.path()}}};
+}
+
+std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, const mesh::Watch& watch) {
+  const std::optional<std::vector<std::byte>> bytes = cache.get(key, watch);
+  if (!bytes || bytes->size() < sizeof(Facts)) return {};
+  Loaded loaded;
+  std::memcpy(&loaded.facts, bytes->data(), sizeof(Facts));
+  loaded.surface = mesh::surfaceOfBytes(std::span(*bytes).subspan(sizeof(Facts)));
+  if (loaded.surface == nullptr) return {};
+  loaded.from_cache = true;
+  return loaded;
+}
+
+/// What the file gave besides triangles.
+void addRaw(const Raw& raw, Facts& facts) {
+  facts.file_faces = raw.polygons;
+  facts.normals = raw.normals;
+  facts.normals_against = raw.normals_against;
+  facts.not_finite += raw.dropped.not_finite;
+  facts.out_of_range += raw.dropped.out_of_range;
+  facts.without_extent += raw.dropped.without_extent;
+}
+
+std::string nothingLeft(const Facts& facts) {
+  std::string sentence = "There is nothing to feel in the file.";
+  for (const std::string& line : reportOf(facts, 1.0)) sentence += " " + line;
+  return sentence;
+}
+
+Result<Loaded> build(const Input& input, const mesh::Watch& watch) {
+  Result<Raw> raw = readFile(input, partOf(watch, kHashed, kRead));
+  if (!raw) return raw.problems();
+  std::optional<Repaired> repaired = repair(std::move(raw.value().triangles), partOf(watch, kRead, kRepaired));
+  if (!repaired) return problemAt(input, kCancelled);
+  addRaw(raw.value(), repaired->facts);
+  if (repaired->facts.faces == 0) return problemAt(input, nothingLeft(repaired->facts));
+  Result<std::shared_ptr<const mesh::Surface>> surface =
+      mesh::makeSurface(std::move(repaired->triangles), partOf(watch, kRepaired, kBuilt));
+  if (watch.isCancelled()) return problemAt(input, kCancelled);
+  if (!surface) return problemAt(input, surface.problems()[0].sentence);
+  Loaded loaded;
+  loaded.surface = std::move(surface).value();
+  loaded.facts = repaired->facts;
+  return loaded;
+}
+
+}  // namespace
+
+Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch, const Cache& cache) {
+  const Result<Input> input = Input::open(path);
+  if (!input) return input.problems();
+  const Result<std::string> checksum = input.value().checksum(partOf(watch, 0.0, kHashed));
+  if (!checksum) return checksum.problems();
+  const std::string key = keyOf(input.value(), checksum.value());
+  std::optional<Loaded> kept = fromCache(cache, key, watch);
+  if (watch.isCancelled()) return problemAt(input.value(), kCancelled);
+  Result<Loaded> loaded = kept ? Result<Loaded>(std::move(*kept)) : build(input.value(), watch);
+  if (!loaded) return loaded;
+  loaded.value().format = input.value().format();
+  loaded.value().checksum = checksum.value();
+  if (!loaded.value().from_cache && !input.value().hasChanged()) {
+    watch.tell("Keeping", kBuilt);
+    const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);
+    const std::array parts{std::as_bytes(std::span(&loaded.value().facts, 1)), std::span<const std::byte>(bytes)};
+    cache.put(key, parts, watch);
+  }
+  if (watch.isCancelled()) return problemAt(input.value(), kCancelled);
+  watch.tell("Ready", 1.0);
+  return loaded;
+}
+
+}  // namespace underact::mesh_file

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/mesh_file/raw.h"
+
+namespace underact::mesh_file {
+
+/// What the reading program writes to its standard output: bytes of progress, 1 to 100, then one message.
+inline constexpr unsigned char kMostProgress = 100;
+
+struct Message {
+  std::string problem;  // empty: the file was read
+  Raw raw;
+};
+
+/// Writes it part by part; false: what writes said so.
+bool writeMessage(const Message& message, const std::function<bool(std::span<const std::byte>)>& write);
+
+/// bytes: from the first that is no progress. Trusts nothing: counts against the length, indexes, coordinates, letters.
+/// None: it is no message.
+std::optional<Message> readMessage(std::span<const std::byte> bytes);
+
+}  // namespace underact::mesh_file

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace underact::mesh_file {
+
+enum class PlyEncoding : std::uint8_t { Text, LittleEndian, BigEndian };
+
+/// One property of an element: a number, or a list of them with its length before it.
+struct PlyProperty {
+  std::string name;
+  std::string type;         // of the number, or of a list's numbers, as OpenMesh knows them: "float", "uchar", ...
+  int bytes = 0;            // of one
+  bool is_list = false;
+  std::string length_type;  // of a list
+  int length_bytes = 0;
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::Text;
+  std::vector<PlyElement> elements;
+  std::size_t bytes = 0;  // where the body begins
+};
+
+/// Problems: one, without a file: it is no such header, or not one of a surface that can be read.
+Result<PlyHeader> readPlyHeader(std::string_view head);
+
+/// Bytes that the body takes at the least.
+double leastBytes(const PlyHeader& header);
+
+}  // namespace underact::mesh_file

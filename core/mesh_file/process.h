@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/watch.h"
+
+namespace underact::mesh_file {
+
+/// A program that is started for one answer.
+struct Errand {
+  std::string program;
+  std::string argument;
+  int input_fd = -1;  // becomes its standard input
+  double most_cpu_s = 1.0, most_time_s = 10.0;
+  std::uint64_t most_output = 0;
+  std::function<void(unsigned char percent)> progress = {};  // told by bytes up to kMostProgress before the answer
+};
+
+enum class Ending : std::uint8_t { Exited, Crashed, TookTooLong, WroteTooMuch, Cancelled, NotStarted };
+
+struct Answer {
+  Ending ending = Ending::NotStarted;
+  int code = 0;                   // exit status, or the signal that ended it, or errno
+  std::vector<std::byte> output;  // without the bytes of progress
+  double cpu_s = 0.0;
+  std::int64_t peak_bytes = 0;  // of memory that it had at once
+};
+
+/// Runs it to its end, whatever that is: it does not outlive the call, and a cancelled one ends within 50 ms. It inherits
+/// no file but its input. Where there are no processes of POSIX, NotStarted.
+Answer run(const Errand& errand, const mesh::Watch& watch);
+
+}  // namespace underact::mesh_file

@@ -1,0 +1,75 @@
+#include "core/mesh_file/read_file.h"
+
+#include <cstring>
+#include <system_error>
+
+#include "core/base/program.h"
+#include "core/mesh_file/limits.h"
+#include "core/mesh_file/message.h"
+#include "core/mesh_file/process.h"
+
+namespace underact::mesh_file {
+namespace {
+
+constexpr const char* kReader = "underact-mesh-reader";
+
+std::string seconds(double s) {
+  return s < 10.0 ? std::to_string(static_cast<int>(s * 10.0) / 10) + "." +
+                        std::to_string(static_cast<int>(s * 10.0) % 10) + " s"
+                  : std::to_string(static_cast<int>(s)) + " s";
+}
+
+/// Why there is no mesh; empty: there is an answer.
+std::string whyNone(const Answer& answer, const Errand& errand) {
+  switch (answer.ending) {
+    case Ending::Exited:
+      return answer.code == 0 ? "" : "The file cannot be read: its reader ended with " + std::to_string(answer.code) + ".";
+    case Ending::Crashed:
+      return "The file is damaged: its reader broke off (signal " + std::to_string(answer.code) + ").";
+    case Ending::TookTooLong:
+      return "The file is damaged, or has very large faces: reading it took longer than " + seconds(errand.most_cpu_s) +
+             ", which is enough for a file of its size.";
+    case Ending::WroteTooMuch:
+      return "The file is damaged: it gives more faces than a file of its size can hold.";
+    case Ending::Cancelled:
+      return kCancelled;
+    case Ending::NotStarted:
+      return std::string(kReader) + " cannot be started: " + std::generic_category().message(answer.code) + ".";
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
+  const auto problem = [&](const std::string& sentence) { return Problems{{sentence, {input.path()}}}; };
+  Errand errand;
+  errand.program = helperProgram(kReader, "UNDERACT_MESH_READER");
+  if (errand.program.empty()) {
+    return problem(std::string(kReader) + " was not found. It belongs beside this program: install Underact again.");
+  }
+  errand.argument = wordOf(input.format());
+  errand.input_fd = input.rewound();
+  errand.most_cpu_s = mostCpu_s(input.bytes());
+  errand.most_time_s = mostTime_s(input.bytes());
+  errand.most_output = mostMemory(input.bytes());
+  errand.progress = [&watch](unsigned char percent) { watch.tell("Reading the mesh", percent / 100.0); };
+  const Answer answer = run(errand, watch);
+  const std::string why = whyNone(answer, errand);
+  if (!why.empty()) return problem(why);
+  std::optional<Message> message = readMessage(answer.output);
+  if (!message) return problem("The file is damaged: what its reader made of it is no mesh.");
+  if (!message->problem.empty()) return problem(message->problem);
+  if (input.hasChanged()) return problem("The file was written while it was read. Open it again.");
+  message->raw.cpu_s = answer.cpu_s;
+  message->raw.peak_bytes = answer.peak_bytes;
+  return std::move(message->raw);
+}
+
+Result<Raw> readFile(const std::string& path, const mesh::Watch& watch) {
+  const Result<Input> input = Input::open(path);
+  if (!input) return input.problems();
+  return readFile(input.value(), watch);
+}
+
+}  // namespace underact::mesh_file

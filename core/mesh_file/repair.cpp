@@ -1,0 +1,248 @@
+#include "core/mesh_file/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "core/mesh_file/crossings.h"
+#include "core/mesh_file/edges.h"
+#include "core/mesh_file/limits.h"
+#include "core/mesh_file/parts.h"
+#include "core/mesh_file/steps.h"
+#include "core/mesh_file/weld.h"
+
+namespace underact::mesh_file {
+namespace {
+
+using mesh::Face;
+using mesh::Triangles;
+
+Vec3 at(const Triangles& triangles, std::int32_t corner) {
+  return triangles.p_MV[static_cast<std::size_t>(corner)].cast<double>();
+}
+
+bool isFinite(const Eigen::Vector3f& p) {
+  return std::abs(p.x()) < kBeyondAll && std::abs(p.y()) < kBeyondAll && std::abs(p.z()) < kBeyondAll;
+}
+
+/// Faces whose corners are all there and finite; corners that none of them uses are gone.
+void dropUnusable(Triangles& triangles, Facts& facts) {
+  const auto count = static_cast<std::int64_t>(triangles.p_MV.size());
+  std::erase_if(triangles.faces, [&](const Face& face) {
+    const bool is_there = std::all_of(face.begin(), face.end(), [count](auto k) { return k >= 0 && k < count; });
+    facts.out_of_range += is_there ? 0 : 1;
+    if (!is_there) return true;
+    const bool finite = std::all_of(face.begin(), face.end(),
+                                    [&](auto k) { return isFinite(triangles.p_MV[static_cast<std::size_t>(k)]); });
+    facts.not_finite += finite ? 0 : 1;
+    return !finite;
+  });
+}
+
+/// Corners in the order of their first use, and those alone.
+void compact(Triangles& triangles) {
+  std::vector<std::int32_t> now(triangles.p_MV.size(), -1);
+  std::vector<Eigen::Vector3f> p_MV;
+  for (Face& face : triangles.faces) {
+    for (std::int32_t& corner : face) {
+      std::int32_t& place = now[static_cast<std::size_t>(corner)];
+      if (place < 0) {
+        place = static_cast<std::int32_t>(p_MV.size());
+        p_MV.push_back(triangles.p_MV[static_cast<std::size_t>(corner)]);
+      }
+      corner = place;
+    }
+  }
+  triangles.p_MV = std::move(p_MV);
+}
+
+void setBounds(const Triangles& triangles, Facts& facts) {
+  if (triangles.p_MV.empty()) return;
+  Eigen::Vector3f low = triangles.p_MV[0], high = low;
+  for (const Eigen::Vector3f& p_MV : triangles.p_MV) {
+    low = low.cwiseMin(p_MV);
+    high = high.cwiseMax(p_MV);
+  }
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    facts.low[static_cast<std::size_t>(axis)] = low[axis];
+    facts.high[static_cast<std::size_t>(axis)] = high[axis];
+  }
+}
+
+bool weldAll(Triangles& triangles, Facts& facts, const mesh::Watch& watch) {
+  const Eigen::Map<const Vec3> low(facts.low.data()), high(facts.high.data());
+  facts.weld_tolerance = kWeldShare * (high - low).norm();
+  const auto firsts = weld(triangles.p_MV, facts.weld_tolerance, watch);
+  if (!firsts) return false;
+  for (std::size_t corner = 0; corner < firsts->size(); ++corner) {
+    facts.welded += (*firsts)[corner] == static_cast<std::int32_t>(corner) ? 0 : 1;
+  }
+  for (Face& face : triangles.faces) {
+    for (std::int32_t& corner : face) corner = (*firsts)[static_cast<std::size_t>(corner)];
+  }
+  return true;
+}
+
+/// Faces with fewer than three different corners. One whose corners are different and on a line stays: it may be what
+/// keeps two others together, and the nearest point on it is well defined.
+void dropEmpty(Triangles& triangles, Facts& facts) {
+  const auto before = triangles.faces.size();
+  std::erase_if(triangles.faces, [](const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; });
+  facts.without_extent += static_cast<std::int64_t>(before - triangles.faces.size());
+}
+
+/// Of faces with the same three corners, whichever way round, the first alone.
+bool dropDuplicates(Triangles& triangles, Facts& facts, const mesh::Watch& watch) {
+  struct Key {
+    std::uint64_t low_and_middle;
+    std::int32_t high, face;
+  };
+  std::vector<Key> keys(triangles.faces.size());
+  for (std::size_t face = 0; face < keys.size(); ++face) {
+    Face sorted = triangles.faces[face];
+    std::sort(sorted.begin(), sorted.end());
+    keys[face] = {static_cast<std::uint64_t>(sorted[0]) << 32U | static_cast<std::uint64_t>(sorted[1]), sorted[2],
+                  static_cast<std::int32_t>(face)};
+  }
+  if (watch.isCancelled()) return false;
+  const auto less = [](const Key& a, const Key& b) {
+    return std::tie(a.low_and_middle, a.high, a.face) < std::tie(b.low_and_middle, b.high, b.face);
+  };
+  // In blocks, so that cancelling need not wait for all of it.
+  constexpr std::size_t kBlock = std::size_t{1} << 18;
+  for (std::size_t from = 0; from < keys.size(); from += kBlock) {
+    if (watch.isCancelled()) return false;
+    std::sort(keys.begin() + static_cast<std::ptrdiff_t>(from),
+              keys.begin() + static_cast<std::ptrdiff_t>(std::min(from + kBlock, keys.size())), less);
+  }
+  for (std::size_t width = kBlock; width < keys.size(); width *= 2) {
+    for (std::size_t from = 0; from + width < keys.size(); from += 2 * width) {
+      if (watch.isCancelled()) return false;
+      const auto begin = keys.begin() + static_cast<std::ptrdiff_t>(from);
+      const auto end = keys.begin() + static_cast<std::ptrdiff_t>(std::min(from + 2 * width, keys.size()));
+      std::inplace_merge(begin, begin + static_cast<std::ptrdiff_t>(width), end, less);
+    }
+  }
+  std::vector<std::uint8_t> is_twice(keys.size(), 0);
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    if (keys[k].low_and_middle == keys[k - 1].low_and_middle && keys[k].high == keys[k - 1].high) {
+      is_twice[static_cast<std::size_t>(keys[k].face)] = 1;
+      ++facts.duplicates;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t face = 0; face < keys.size(); ++face) {
+    if (is_twice[face] == 0) triangles.faces[kept++] = triangles.faces[face];
+  }
+  triangles.faces.resize(kept);
+  return true;
+}
+
+void turnFaces(Triangles& triangles, const Parts& parts, Facts& facts) {
+  for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
+    const Part& part = parts.parts[static_cast<std::size_t>(parts.part_of[face])];
+    if ((parts.is_against[face] != 0) == part.is_turned_over) continue;
+    std::swap(triangles.faces[face][1], triangles.faces[face][2]);
+    ++facts.turned;
+  }
+}
+
+void describeParts(const Parts& parts, Facts& facts) {
+  facts.parts = static_cast<std::int64_t>(parts.parts.size());
+  facts.clashing_edges = parts.clashes;
+  for (const Part& part : parts.parts) {
+    facts.area += part.area;
+    if (!isClosed(part)) continue;
+    ++facts.closed_parts;
+    facts.nested_parts += part.is_nested ? 1 : 0;
+    facts.volume += part.is_turned_over ? -part.volume : part.volume;
+    const double thickness = part.area > 0.0 ? 2.0 * std::abs(part.volume) / part.area : 0.0;
+    if (facts.thinnest == 0.0 || thickness < facts.thinnest) facts.thinnest = thickness;
+  }
+}
+
+/// Borders that hang together by their corners, each a hole or the rim of an open surface, and the longest of them.
+void describeBorders(const Triangles& triangles, const Edges& edges, Facts& facts) {
+  std::vector<std::int32_t> leader(triangles.p_MV.size());
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto lead = [&leader](std::int32_t corner) {
+    auto k = static_cast<std::size_t>(corner);
+    while (leader[k] != static_cast<std::int32_t>(k)) {
+      leader[k] = leader[static_cast<std::size_t>(leader[k])];
+      k = static_cast<std::size_t>(leader[k]);
+    }
+    return static_cast<std::int32_t>(k);
+  };
+  const auto each = [&](const auto& visit) {
+    for (std::size_t side = 0; side < edges.across.size(); ++side) {
+      if (edges.across[side] == kBorder) visit(static_cast<Side>(side));
+    }
+  };
+  each([&](Side side) {
+    const std::int32_t a = lead(startOf(triangles, side)), b = lead(endOf(triangles, side));
+    leader[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  });
+  std::vector<double> length(triangles.p_MV.size(), -1.0);
+  each([&](Side side) {
+    double& sum = length[static_cast<std::size_t>(lead(startOf(triangles, side)))];
+    if (sum < 0.0) {
+      sum = 0.0;
+      ++facts.borders;
+    }
+    sum += (at(triangles, endOf(triangles, side)) - at(triangles, startOf(triangles, side))).norm();
+    facts.longest_border = std::max(facts.longest_border, sum);
+  });
+}
+
+void countFlat(const Triangles& triangles, Facts& facts) {
+  for (const Face& face : triangles.faces) {
+    const Vec3 ab = at(triangles, face[1]) - at(triangles, face[0]), ac = at(triangles, face[2]) - at(triangles, face[0]);
+    const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+    // Of floats the differences are exact in doubles, so 8 epsilon of the products is on a line, for all that is known.
+    if (ab.cross(ac).norm() <= 0x1p-49 * longest) ++facts.flat_faces;
+  }
+}
+
+}  // namespace
+
+std::optional<Repaired> repair(Triangles triangles, const mesh::Watch& watch) {
+  constexpr const char* kStep = "Repairing";
+  Facts facts;
+  facts.file_faces = static_cast<std::int64_t>(triangles.faces.size());
+  facts.file_corners = static_cast<std::int64_t>(triangles.p_MV.size());
+  watch.tell(kStep, 0.0);
+  dropUnusable(triangles, facts);
+  compact(triangles);
+  setBounds(triangles, facts);
+  if (watch.isCancelled() || !weldAll(triangles, facts, watch)) return {};
+  watch.tell(kStep, 0.3);
+  dropEmpty(triangles, facts);
+  if (!dropDuplicates(triangles, facts, watch)) return {};
+  compact(triangles);
+  setBounds(triangles, facts);
+  watch.tell(kStep, 0.5);
+  const std::optional<Edges> edges = edgesOf(triangles, watch);
+  if (!edges) return {};
+  watch.tell(kStep, 0.7);
+  const std::optional<Parts> parts = partsOf(triangles, *edges, watch);
+  if (!parts) return {};
+  describeBorders(triangles, *edges, facts);
+  turnFaces(triangles, *parts, facts);  // from here on the edges' sides are others
+  facts.faces = static_cast<std::int64_t>(triangles.faces.size());
+  facts.corners = static_cast<std::int64_t>(triangles.p_MV.size());
+  facts.border_edges = edges->borders;
+  facts.crowded_edges = edges->crowded;
+  describeParts(*parts, facts);
+  countFlat(triangles, facts);
+  watch.tell(kStep, 0.9);
+  const Crossings crossings = crossingsOf(triangles, watch);
+  facts.crossings = crossings.pairs;
+  facts.crossings_checked = crossings.is_whole ? 1 : 0;
+  if (watch.isCancelled()) return {};
+  watch.tell(kStep, 1.0);
+  return Repaired{std::move(triangles), facts};
+}
+
+}  // namespace underact::mesh_file

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+
+#include "core/mesh/triangles.h"
+#include "core/mesh/watch.h"
+#include "core/mesh_file/facts.h"
+
+namespace underact::mesh_file {
+
+struct Repaired {
+  mesh::Triangles triangles;  // finite; of each face three different corners; corners in order of first use
+  Facts facts;
+};
+
+/// Corners nearer to each other than this share of the mesh's diagonal become one.
+inline constexpr double kWeldShare = 1e-6;
+
+/// Welds corners; leaves out faces that are none or are there twice; turns faces so that neighbours agree and closed parts
+/// have their outside out; then looks at what it is. Any triangles, also none. The same for the same, to the bit. None:
+/// cancelled. Cost: about linear; measured: 2 s for 2 million faces.
+std::optional<Repaired> repair(mesh::Triangles triangles, const mesh::Watch& watch = {});
+
+}  // namespace underact::mesh_file
