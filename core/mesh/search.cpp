@@ -127,7 +127,8 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
       lookAtFace(surface, -1 - next.child, q_M, hit);
       continue;
     }
-    if (hit.visits++ >= kMostVisits) return;
+    if (hit.visits >= kMostVisits) return;
+    ++hit.visits;
     const Node& node = surface.nodes[static_cast<std::size_t>(next.child)];
     const BoxBounds bounds = boundsOf(node, q_M, hit.squared);
     const std::size_t bottom = waiting;
