@@ -1,0 +1,94 @@
+#include "core/mesh/surface_bytes.h"
+
+#include <cstring>
+
+#include "core/mesh/search.h"
+#include "core/mesh/touch.h"
+#include "scenes/meshes/make/meshes.h"
+#include "tests/support/mesh_points.h"
+#include "tests/support/property.h"
+
+namespace underact::mesh {
+namespace {
+
+TEST(SurfaceBytes, ComeBackToTheSameSurface) {
+  const Triangles triangles = mesh_maker::bracket(3000);
+  const std::shared_ptr<const Surface> surface = makeSurface(triangles).value();
+  const std::vector<std::byte> bytes = surfaceBytes(*surface);
+  const std::shared_ptr<const Surface> again = surfaceOfBytes(bytes);
+  ASSERT_NE(again, nullptr);
+  EXPECT_EQ(surfaceBytes(*again), bytes);
+  EXPECT_EQ(again->is_closed, surface->is_closed);
+  EXPECT_EQ(again->low_M, surface->low_M);
+  SearchState one, other;
+  for (const Vec3& q : test::pointsAbout(triangles, 300, test::Seed{3})) {
+    const Hit a = nearestPoint(*surface, Search::Hybrid, q, one), b = nearestPoint(*again, Search::Hybrid, q, other);
+    EXPECT_EQ(a.p_M, b.p_M);
+    EXPECT_EQ(a.face, b.face);
+  }
+}
+
+TEST(SurfaceBytes, EqualMeshesGiveEqualBytes) {
+  const Triangles triangles = mesh_maker::torusKnot(120'000);  // enough for the parts to be split in threads
+  EXPECT_EQ(surfaceBytes(*makeSurface(triangles).value()), surfaceBytes(*makeSurface(triangles).value()));
+}
+
+TEST(SurfaceBytes, WhateverIsDamagedNothingComesBackThatASearchCouldBeLostIn) {
+  const Triangles triangles = mesh_maker::cube(200);
+  const std::vector<std::byte> whole = surfaceBytes(*makeSurface(triangles).value());
+  test::Random random{test::Seed{11}};
+  const std::vector<Vec3> points = test::pointsAbout(triangles, 5, test::Seed{4});
+  int refused = 0, taken = 0;
+  for (int run = 0; run < 3000; ++run) {
+    std::vector<std::byte> bytes = whole;
+    const int changes = 1 + run % 4;
+    for (int change = 0; change < changes; ++change) {
+      const std::size_t place = random.below(bytes.size());
+      bytes[place] ^= static_cast<std::byte>(1 + random.below(255));
+    }
+    const std::shared_ptr<const Surface> surface = surfaceOfBytes(bytes);
+    refused += surface == nullptr ? 1 : 0;
+    if (surface == nullptr) continue;
+    ++taken;
+    SearchState state;
+    TouchState touching;
+    for (const Vec3& q : points) {
+      EXPECT_LE(nearestPoint(*surface, Search::Hybrid, q, state).visits, 2 * kMostVisits);
+      touch(*surface, Free::Outside, q, touching);
+    }
+  }
+  EXPECT_GT(refused, 100);  // indexes, counts
+  EXPECT_GT(taken, 100);    // coordinates, which the cache's own checksum guards
+  for (std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{40}, whole.size() - 1, whole.size() + 1}) {
+    std::vector<std::byte> cut = whole;
+    cut.resize(size);
+    EXPECT_EQ(surfaceOfBytes(cut), nullptr);
+  }
+}
+
+TEST(MakeSurface, RefusesWhatTheTickCouldNotBear) {
+  const auto sentence = [](Triangles triangles) { return makeSurface(std::move(triangles)).problems().at(0).sentence; };
+  Triangles triangles = mesh_maker::cube(12);
+  EXPECT_EQ(sentence({}), "The mesh has no triangles.");
+  Triangles lost = triangles;
+  lost.faces[3][1] = 1000;
+  EXPECT_EQ(sentence(lost), "A triangle names a corner that is not there.");
+  Triangles twice = triangles;
+  twice.faces[3][1] = twice.faces[3][0];
+  EXPECT_EQ(sentence(twice), "A triangle has the same corner twice.");
+  for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 2e15F}) {
+    Triangles nowhere = triangles;
+    nowhere.p_MV[2].y() = wrong;
+    EXPECT_EQ(sentence(nowhere), "The mesh has a corner that is not at a finite place.");
+  }
+}
+
+TEST(MakeSurface, EndsEarlyWhereItIsAskedTo) {
+  const std::atomic<bool> cancelled{true};
+  Watch watch;
+  watch.cancelled = &cancelled;
+  EXPECT_EQ(makeSurface(mesh_maker::cube(12), watch).problems().at(0).sentence, "Cancelled.");
+}
+
+}  // namespace
+}  // namespace underact::mesh
