@@ -118,7 +118,9 @@ mesh_file::Raw trianglesOf(Polygons polygons) {
       ++raw.dropped.out_of_range;
       continue;
     }
-    const auto is_finite = [&](std::int32_t corner) { return isFinite(polygons.p_MV[static_cast<std::size_t>(corner)]); };
+    const auto is_finite = [&](std::int32_t corner) {
+      return isFinite(polygons.p_MV[static_cast<std::size_t>(corner)]);
+    };
     if (!std::all_of(corners.begin(), corners.end(), is_finite)) {
       ++raw.dropped.not_finite;
       continue;

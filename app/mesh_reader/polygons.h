@@ -14,9 +14,9 @@ struct Polygons {
   std::vector<std::int32_t> ends;     // of each face in there, one past its last corner
 };
 
-/// Cuts a face into triangles: one with four corners along the diagonal that stays inside, one with more by cutting ears
-/// off (concave ones, too); where it crosses itself or has very many, as a fan. face: three or more different corners.
-/// Cost: the square of its corners, which are bounded.
+/// Cuts a face into triangles: one with four corners along the diagonal that stays inside, one with more by cutting
+/// ears off (concave ones, too); where it crosses itself or has very many, as a fan. face: three or more different
+/// corners. Cost: the square of its corners, which are bounded.
 void cutIntoTriangles(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int32_t> face,
                       std::vector<mesh::Face>& triangles);
 

@@ -6,8 +6,9 @@
 
 namespace underact::mesh_reader {
 
-/// A file as OpenMesh is given it: of the same format, with corners and faces alone, in the plainest of the ways in which
-/// they may be written. What its readers take for granted (lengths, counts, lines, numbers that are numbers) is so.
+/// A file as OpenMesh is given it: of the same format, with corners and faces alone, in the plainest of the ways in
+/// which they may be written. What its readers take for granted (lengths, counts, lines, numbers that are numbers) is
+/// so.
 struct Prepared {
   std::string bytes;
   std::uint64_t corners = 0, faces = 0;  // that it holds; corners: 0 where the format shares none

@@ -58,12 +58,35 @@ constexpr std::uint32_t kMachine = 0;
 
 // What reading, writing, memory and the end take; by the C library of Debian 12 and its kin.
 constexpr std::initializer_list<long> kAllowed{
-    SYS_read, SYS_write, SYS_writev, SYS_lseek,      SYS_fstat,         SYS_brk,           SYS_mmap,
-    SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise, SYS_futex, SYS_getrandom, SYS_clock_gettime, SYS_exit,
-    SYS_exit_group, SYS_rt_sigreturn, SYS_rt_sigprocmask, SYS_sigaltstack,
+    SYS_read,
+    SYS_write,
+    SYS_writev,
+    SYS_lseek,
+    SYS_fstat,
+    SYS_brk,
+    SYS_mmap,
+    SYS_munmap,
+    SYS_mremap,
+    SYS_mprotect,
+    SYS_madvise,
+    SYS_futex,
+    SYS_getrandom,
+    SYS_clock_gettime,
+    SYS_exit,
+    SYS_exit_group,
+    SYS_rt_sigreturn,
+    SYS_rt_sigprocmask,
+    SYS_sigaltstack,
 #ifdef UNDERACT_SANITIZED
     // To tell what they found.
-    SYS_getpid, SYS_gettid, SYS_tgkill, SYS_rt_sigaction, SYS_sched_yield, SYS_prctl, SYS_getrlimit, SYS_prlimit64,
+    SYS_getpid,
+    SYS_gettid,
+    SYS_tgkill,
+    SYS_rt_sigaction,
+    SYS_sched_yield,
+    SYS_prctl,
+    SYS_getrlimit,
+    SYS_prlimit64,
 #endif
 };
 // OpenMesh opens the materials that an OBJ file names, and goes on where there are none.

@@ -1,5 +1,6 @@
 #include "app/mesh_reader/serve.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include "app/mesh_reader/seal.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
+#include "core/mesh_file/scan.h"
 
 namespace underact::mesh_reader {
 namespace {
@@ -54,6 +56,18 @@ std::string readAll(std::uint64_t bytes) {
   return all;
 }
 
+/// The most memory that this process has had, from what the kernel tells of it; 0: unknown.
+std::int64_t peakBytes(int status_fd) {
+  std::string text(4096, '\0');
+  const ssize_t count = status_fd < 0 ? 0 : ::read(status_fd, text.data(), text.size());
+  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  const std::size_t at = text.find("VmHWM:");
+  if (at == std::string::npos) return 0;
+  std::int64_t kB = 0;
+  mesh_file::Scan words(std::string_view(text).substr(at + 6));
+  return mesh_file::readInteger(words.word(), kB) ? kB * 1024 : 0;
+}
+
 Message read(Format format, std::uint64_t file_bytes) {
   Message message;
   try {
@@ -93,8 +107,11 @@ int serve(const std::string& word) {
   if (!format || ::fstat(STDIN_FILENO, &file) != 0 || file.st_size <= 0) return 2;
   const auto bytes = static_cast<std::uint64_t>(file.st_size);
   [[maybe_unused]] const int nice_now = ::nice(kNice);
+  const int status_fd = ::open("/proc/self/status", O_RDONLY | O_CLOEXEC);
   seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes));
-  return mesh_file::writeMessage(read(*format, bytes), write) ? 0 : 1;
+  Message message = read(*format, bytes);
+  message.raw.peak_bytes = peakBytes(status_fd);
+  return mesh_file::writeMessage(message, write) ? 0 : 1;
 }
 
 }  // namespace underact::mesh_reader

@@ -166,9 +166,8 @@ void Cache::makeRoom() const {
     sum += entry.bytes;
     entries.push_back(entry);
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.used != b.used ? a.used < b.used : a.path < b.path;
-  });
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.used != b.used ? a.used < b.used : a.path < b.path; });
   for (const Entry& entry : entries) {
     if (sum <= most_bytes_) break;
     fs::remove(entry.path, error);

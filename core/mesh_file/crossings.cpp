@@ -24,7 +24,8 @@ bool shareACorner(const mesh::Face& a, const mesh::Face& b) {
 
 using Corners = std::array<Vec3, 3>;
 
-/// The segment PQ goes through the inside of the triangle, not along its plane.
+/// The segment PQ goes through the triangle, not along its plane. Through an edge as well: where a mesh meets its
+/// mirror image, edges meet edges alone.
 bool pierces(const Vec3& p, const Vec3& q, const Corners& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double from = normal.dot(p - t[0]), to = normal.dot(q - t[0]);
@@ -32,7 +33,7 @@ bool pierces(const Vec3& p, const Vec3& q, const Corners& t) {
   const Vec3 along = q - p;
   const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
   const double u = along.dot(a.cross(b)), v = along.dot(b.cross(c)), w = along.dot(c.cross(a));
-  return (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+  return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
 /// Twice the area of ABC as seen along an axis; its sign says which way round.

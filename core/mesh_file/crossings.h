@@ -14,7 +14,7 @@ struct Crossings {
 /// Above this many faces it is not looked for.
 inline constexpr std::size_t kMostFacesForCrossings = 200'000;
 
-/// Pairs of faces, without a corner in common, that go through each other: an edge of one through the inside of the
+/// Pairs of faces, without a corner in common, that go through each other: an edge of one through the
 /// other. In doubles, without exact arithmetic: a touch may count either way. Faces in one plane that overlap count
 /// where an edge of one crosses an edge of the other. Work bounded.
 Crossings crossingsOf(const mesh::Triangles& triangles, const mesh::Watch& watch);

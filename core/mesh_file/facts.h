@@ -13,20 +13,20 @@ struct Facts {
   // Left out, in faces
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0, duplicates = 0;
   // Repaired
-  std::int64_t welded = 0;       // corners that were equal to another, or nearly
-  double weld_tolerance = 0.0;   // how near
-  std::int64_t turned = 0;       // faces whose corners were put in the other order
+  std::int64_t welded = 0;      // corners that were equal to another, or nearly
+  double weld_tolerance = 0.0;  // how near
+  std::int64_t turned = 0;      // faces whose corners were put in the other order
   // As it is now
   std::int64_t faces = 0, corners = 0;
   std::int64_t parts = 0, closed_parts = 0, nested_parts = 0;  // nested: a closed one within another closed one
   std::int64_t borders = 0, border_edges = 0;                  // borders: connected ones
   double longest_border = 0.0;
-  std::int64_t crowded_edges = 0;   // with more than two faces
-  std::int64_t clashing_edges = 0;  // with two faces that cannot agree on an outside, as on a Moebius strip
-  std::int64_t flat_faces = 0;      // three different corners on one line
-  std::int64_t crossings = 0;       // pairs of faces, without a corner in common, that go through each other
+  std::int64_t crowded_edges = 0;      // with more than two faces
+  std::int64_t clashing_edges = 0;     // with two faces that cannot agree on an outside, as on a Moebius strip
+  std::int64_t flat_faces = 0;         // three different corners on one line
+  std::int64_t crossings = 0;          // pairs of faces, without a corner in common, that go through each other
   std::int64_t crossings_checked = 0;  // 1: all of them were looked for; 0: too many faces
-  double thinnest = 0.0;               // of closed parts: twice the volume by the area, the mean thickness; 0: no such part
+  double thinnest = 0.0;  // of closed parts: twice the volume by the area, the mean thickness; 0: no such part
   std::array<double, 3> low{}, high{};
   double area = 0.0, volume = 0.0;  // volume: of the closed parts
 };

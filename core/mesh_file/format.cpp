@@ -16,11 +16,8 @@ struct Words {
   const char* word;
   const char* name;
 };
-constexpr std::array<Words, kFormats> kWords{{{"stl-binary", "binary STL"},
-                                              {"stl-text", "STL as text"},
-                                              {"obj", "OBJ"},
-                                              {"ply", "PLY"},
-                                              {"off", "OFF"}}};
+constexpr std::array<Words, kFormats> kWords{
+    {{"stl-binary", "binary STL"}, {"stl-text", "STL as text"}, {"obj", "OBJ"}, {"ply", "PLY"}, {"off", "OFF"}}};
 
 constexpr const char* kKinds = "Meshes are read from STL, OBJ, PLY and OFF files.";
 
@@ -43,8 +40,7 @@ bool hasObjCorner(std::string_view head) {
 }
 
 Problem tooShort(const std::string& states, const std::string& path) {
-  return {"The file is cut short or damaged: it says that it holds " + states + ", and is too short for them.",
-          {path}};
+  return {"The file is cut short or damaged: it says that it holds " + states + ", and is too short for them.", {path}};
 }
 
 std::string countText(std::uint64_t count, const char* what) {
@@ -96,8 +92,8 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
       std::string states;
       for (const PlyElement& element : header.value().elements) {
         if (element.name != "vertex" && element.name != "face") continue;
-        states += (states.empty() ? "" : " and ") +
-                  countText(element.count, element.name == "vertex" ? "corners" : "faces");
+        states +=
+            (states.empty() ? "" : " and ") + countText(element.count, element.name == "vertex" ? "corners" : "faces");
       }
       return {tooShort(states, path)};
     }
@@ -107,8 +103,8 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
     const auto corners = static_cast<double>(header.value().corners), faces = static_cast<double>(header.value().faces);
     // "0 0 0" and "0", each with the end of its line, but for the last.
     if (static_cast<double>(header.value().bytes) + 6.0 * corners + 2.0 * faces - 1.0 > size) {
-      return {tooShort(countText(header.value().corners, "corners and ") + countText(header.value().faces, "faces"),
-                       path)};
+      return {
+          tooShort(countText(header.value().corners, "corners and ") + countText(header.value().faces, "faces"), path)};
     }
   }
   return {};

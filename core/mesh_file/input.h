@@ -15,7 +15,10 @@ class Input {
   /// Problems: it is not there, no file, too large, or none of the formats, by its first bytes.
   static Result<Input> open(const std::string& path);
   Input(Input&& other) noexcept
-      : path_(std::move(other.path_)), fd_(std::exchange(other.fd_, -1)), bytes_(other.bytes_), format_(other.format_),
+      : path_(std::move(other.path_)),
+        fd_(std::exchange(other.fd_, -1)),
+        bytes_(other.bytes_),
+        format_(other.format_),
         changed_ns_(other.changed_ns_) {}
   Input& operator=(Input&&) = delete;
   ~Input();
@@ -25,7 +28,8 @@ class Input {
   Format format() const { return format_; }
   /// At its beginning; the descriptor is this object's.
   int rewound() const;
-  /// XXH3 of 128 bits over all it holds, as 32 hexadecimal digits; share: 0 to 1 of it. Problems: unreadable, cancelled.
+  /// XXH3 of 128 bits over all it holds, as 32 hexadecimal digits; share: 0 to 1 of it. Problems: unreadable,
+  /// cancelled.
   Result<std::string> checksum(const mesh::Watch& watch) const;
   /// Somebody wrote into it since it was opened.
   bool hasChanged() const;

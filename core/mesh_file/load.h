@@ -20,8 +20,8 @@ struct Loaded {
   bool from_cache = false;
 };
 
-/// From a file, or from the cache where the same bytes were loaded before: reads, repairs, builds, keeps. Any thread but
-/// the servo's. Tells its steps with a share that only grows; a cancelled one ends within 0.2 s, with kCancelled.
+/// From a file, or from the cache where the same bytes were loaded before: reads, repairs, builds, keeps. Any thread
+/// but the servo's. Tells its steps with a share that only grows; a cancelled one ends within 0.2 s, with kCancelled.
 /// Problems: the file is none, is damaged, or has no face that can be felt.
 Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch = {}, const Cache& cache = Cache());
 

@@ -19,7 +19,7 @@ struct Head {
   std::array<char, 8> magic = kMagic;
   std::uint64_t problem_bytes = 0, corners = 0, faces = 0;
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0;
-  std::int64_t polygons = 0, normals = 0, normals_against = 0;
+  std::int64_t polygons = 0, normals = 0, normals_against = 0, peak_bytes = 0;
 };
 static_assert(std::is_trivially_copyable_v<Head>);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(mesh::Face) == 12);
@@ -40,8 +40,9 @@ bool isWhole(const Raw& raw) {
       if (corner < 0 || corner >= count) return false;
     }
   }
-  const std::array<std::int64_t, 6> counts{raw.dropped.not_finite, raw.dropped.out_of_range, raw.dropped.without_extent,
-                                           raw.polygons,           raw.normals,              raw.normals_against};
+  const std::array<std::int64_t, 6> counts{
+      raw.dropped.not_finite, raw.dropped.out_of_range, raw.dropped.without_extent, raw.polygons, raw.normals,
+      raw.normals_against};
   return std::all_of(counts.begin(), counts.end(), [](std::int64_t value) { return value >= 0; });
 }
 
@@ -61,6 +62,7 @@ bool writeMessage(const Message& message, const std::function<bool(std::span<con
   head.polygons = raw.polygons;
   head.normals = raw.normals;
   head.normals_against = raw.normals_against;
+  head.peak_bytes = raw.peak_bytes;
   return write(std::as_bytes(std::span(&head, 1))) && write(std::as_bytes(std::span(problem))) &&
          write(std::as_bytes(std::span(raw.triangles.p_MV))) && write(std::as_bytes(std::span(raw.triangles.faces)));
 }
@@ -89,6 +91,7 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   raw.polygons = head.polygons;
   raw.normals = head.normals;
   raw.normals_against = head.normals_against;
+  raw.peak_bytes = head.peak_bytes;
   if (!isWhole(raw)) return {};
   return message;
 }

@@ -30,8 +30,7 @@ class Finding {
     }
     findNested();
     for (Part& part : found_.parts) {
-      part.is_turned_over =
-          isClosed(part) && !part.is_nested ? part.volume < 0.0 : 2 * part.against > part.faces;
+      part.is_turned_over = isClosed(part) && !part.is_nested ? part.volume < 0.0 : 2 * part.against > part.faces;
       found_.clashes += part.clashes;
     }
     if (steps_.isCancelled()) return {};
@@ -101,7 +100,8 @@ class Finding {
       for (const std::size_t outer : closed) {
         const Part& in = found_.parts[inner];
         const Part& out = found_.parts[outer];
-        if (inner == outer || !((in.low - out.low).minCoeff() >= 0.0 && (out.high - in.high).minCoeff() >= 0.0)) continue;
+        if (inner == outer || !((in.low - out.low).minCoeff() >= 0.0 && (out.high - in.high).minCoeff() >= 0.0))
+          continue;
         tests += static_cast<double>(triangles_.faces.size());
         // Past the bound, it stands as the file has it.
         if (tests > kMostRayTests || isWithin(in.some_corner, static_cast<std::int32_t>(outer))) ++around;
@@ -111,7 +111,8 @@ class Finding {
     }
   }
 
-  /// The ray from a corner into a direction that no edge of ordinary meshes has crosses the part an odd number of times.
+  /// The ray from a corner into a direction that no edge of ordinary meshes has crosses the part an odd number of
+  /// times.
   bool isWithin(std::int32_t corner, std::int32_t part) {
     const Vec3 from = at(triangles_, corner), along(0.5773, 0.2113, 0.7887);
     bool is_within = false;

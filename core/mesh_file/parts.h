@@ -10,12 +10,12 @@ namespace underact::mesh_file {
 /// Faces that hang together by edges of two faces.
 struct Part {
   std::int64_t faces = 0;
-  std::int64_t against = 0;   // that stand the other way round than its first face, as it was
-  std::int64_t clashes = 0;   // edges whose faces cannot agree
-  bool is_open = false;       // a border, or an edge with more than two faces
+  std::int64_t against = 0;     // that stand the other way round than its first face, as it was
+  std::int64_t clashes = 0;     // edges whose faces cannot agree
+  bool is_open = false;         // a border, or an edge with more than two faces
   bool is_turned_over = false;  // what stands as its first face is turned; else what stands against it
-  bool is_nested = false;     // closed, and within another closed one
-  double volume = 0.0;        // as its first face stands
+  bool is_nested = false;       // closed, and within another closed one
+  double volume = 0.0;          // as its first face stands
   double area = 0.0;
   Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
   std::int32_t some_corner = 0;

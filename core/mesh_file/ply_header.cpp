@@ -38,8 +38,7 @@ constexpr std::array<Type, 16> kTypes{{{"char", "char", "uchar", 1},
                                        {"float64", "double", nullptr, 8}}};
 
 const Type* typeOf(std::string_view word) {
-  const auto found =
-      std::find_if(kTypes.begin(), kTypes.end(), [word](const Type& type) { return word == type.word; });
+  const auto found = std::find_if(kTypes.begin(), kTypes.end(), [word](const Type& type) { return word == type.word; });
   return found == kTypes.end() ? nullptr : &*found;
 }
 
@@ -95,9 +94,10 @@ Problems checkSurface(const PlyHeader& header) {
     return {{"The PLY file holds strips of triangles, which cannot be read. Save it with single faces.", {}}};
   }
   if (faces == nullptr || faces->count == 0) {
-    return {{"The PLY file holds points and no faces. A surface needs faces: make them in the program that made the "
-             "points.",
-             {}}};
+    return {
+        {"The PLY file holds points and no faces. A surface needs faces: make them in the program that made the "
+         "points.",
+         {}}};
   }
   if (isTwice(header, "vertex") || isTwice(header, "face")) return damaged("it names corners or faces twice.");
   for (const char* axis : {"x", "y", "z"}) {
@@ -141,9 +141,9 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
     if (key == "format") {
       const std::string_view encoding = words.word();
       has_format = encoding == "ascii" || encoding == "binary_little_endian" || encoding == "binary_big_endian";
-      header.encoding = encoding == "ascii"                 ? PlyEncoding::Text
+      header.encoding = encoding == "ascii"               ? PlyEncoding::Text
                         : encoding == "binary_big_endian" ? PlyEncoding::BigEndian
-                                                            : PlyEncoding::LittleEndian;
+                                                          : PlyEncoding::LittleEndian;
       is_well = has_format;
     } else if (key == "element") {
       is_well = readElement(words, header);

@@ -13,8 +13,8 @@ enum class PlyEncoding : std::uint8_t { Text, LittleEndian, BigEndian };
 /// One property of an element: a number, or a list of them with its length before it.
 struct PlyProperty {
   std::string name;
-  std::string type;         // of the number, or of a list's numbers, as OpenMesh knows them: "float", "uchar", ...
-  int bytes = 0;            // of one
+  std::string type;  // of the number, or of a list's numbers, as OpenMesh knows them: "float", "uchar", ...
+  int bytes = 0;     // of one
   bool is_list = false;
   std::string length_type;  // of a list
   int length_bytes = 0;

@@ -49,7 +49,7 @@ pid_t spawn(const Errand& errand, int output_fd) {
   sigset_t none{}, all{};
   sigemptyset(&none);
   sigfillset(&all);
-  posix_spawnattr_setsigmask(&attributes, &none);    // whatever this thread blocks or ignores
+  posix_spawnattr_setsigmask(&attributes, &none);  // whatever this thread blocks or ignores
   posix_spawnattr_setsigdefault(&attributes, &all);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   std::string name = errand.program, argument = errand.argument;
@@ -124,7 +124,6 @@ Answer run(const Errand& errand, const mesh::Watch& watch) {
   while (::wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {
   }
   answer.cpu_s = secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime);
-  answer.peak_bytes = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
   if (answer.ending == Ending::Exited && WIFSIGNALED(status)) answer.ending = Ending::Crashed;
   answer.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   return answer;

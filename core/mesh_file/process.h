@@ -26,11 +26,10 @@ struct Answer {
   int code = 0;                   // exit status, or the signal that ended it, or errno
   std::vector<std::byte> output;  // without the bytes of progress
   double cpu_s = 0.0;
-  std::int64_t peak_bytes = 0;  // of memory that it had at once
 };
 
-/// Runs it to its end, whatever that is: it does not outlive the call, and a cancelled one ends within 50 ms. It inherits
-/// no file but its input. Where there are no processes of POSIX, NotStarted.
+/// Runs it to its end, whatever that is: it does not outlive the call, and a cancelled one ends within 50 ms. It
+/// inherits no file but its input. Where there are no processes of POSIX, NotStarted.
 Answer run(const Errand& errand, const mesh::Watch& watch);
 
 }  // namespace underact::mesh_file

@@ -21,9 +21,8 @@ struct Raw {
   std::int64_t polygons = 0;         // faces as the file has them, those left out among them
   std::int64_t normals = 0;          // that the file gives for faces, and
   std::int64_t normals_against = 0;  // of these, how many point against the order of the corners
-  // Of the reading program.
-  double cpu_s = 0.0;
-  std::int64_t peak_bytes = 0;
+  double cpu_s = 0.0;                // that the reading program took
+  std::int64_t peak_bytes = 0;       // that it had in memory at once, as it says; 0: unknown
 };
 
 }  // namespace underact::mesh_file

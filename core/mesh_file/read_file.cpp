@@ -23,7 +23,8 @@ std::string seconds(double s) {
 std::string whyNone(const Answer& answer, const Errand& errand) {
   switch (answer.ending) {
     case Ending::Exited:
-      return answer.code == 0 ? "" : "The file cannot be read: its reader ended with " + std::to_string(answer.code) + ".";
+      return answer.code == 0 ? ""
+                              : "The file cannot be read: its reader ended with " + std::to_string(answer.code) + ".";
     case Ending::Crashed:
       return "The file is damaged: its reader broke off (signal " + std::to_string(answer.code) + ").";
     case Ending::TookTooLong:
@@ -62,7 +63,6 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   if (!message->problem.empty()) return problem(message->problem);
   if (input.hasChanged()) return problem("The file was written while it was read. Open it again.");
   message->raw.cpu_s = answer.cpu_s;
-  message->raw.peak_bytes = answer.peak_bytes;
   return std::move(message->raw);
 }
 

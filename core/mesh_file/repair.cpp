@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <vector>
 
 #include "core/mesh_file/crossings.h"
+#include "core/mesh_file/duplicates.h"
 #include "core/mesh_file/edges.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/parts.h"
-#include "core/mesh_file/steps.h"
 #include "core/mesh_file/weld.h"
 
 namespace underact::mesh_file {
@@ -93,53 +92,6 @@ void dropEmpty(Triangles& triangles, Facts& facts) {
   facts.without_extent += static_cast<std::int64_t>(before - triangles.faces.size());
 }
 
-/// Of faces with the same three corners, whichever way round, the first alone.
-bool dropDuplicates(Triangles& triangles, Facts& facts, const mesh::Watch& watch) {
-  struct Key {
-    std::uint64_t low_and_middle;
-    std::int32_t high, face;
-  };
-  std::vector<Key> keys(triangles.faces.size());
-  for (std::size_t face = 0; face < keys.size(); ++face) {
-    Face sorted = triangles.faces[face];
-    std::sort(sorted.begin(), sorted.end());
-    keys[face] = {static_cast<std::uint64_t>(sorted[0]) << 32U | static_cast<std::uint64_t>(sorted[1]), sorted[2],
-                  static_cast<std::int32_t>(face)};
-  }
-  if (watch.isCancelled()) return false;
-  const auto less = [](const Key& a, const Key& b) {
-    return std::tie(a.low_and_middle, a.high, a.face) < std::tie(b.low_and_middle, b.high, b.face);
-  };
-  // In blocks, so that cancelling need not wait for all of it.
-  constexpr std::size_t kBlock = std::size_t{1} << 18;
-  for (std::size_t from = 0; from < keys.size(); from += kBlock) {
-    if (watch.isCancelled()) return false;
-    std::sort(keys.begin() + static_cast<std::ptrdiff_t>(from),
-              keys.begin() + static_cast<std::ptrdiff_t>(std::min(from + kBlock, keys.size())), less);
-  }
-  for (std::size_t width = kBlock; width < keys.size(); width *= 2) {
-    for (std::size_t from = 0; from + width < keys.size(); from += 2 * width) {
-      if (watch.isCancelled()) return false;
-      const auto begin = keys.begin() + static_cast<std::ptrdiff_t>(from);
-      const auto end = keys.begin() + static_cast<std::ptrdiff_t>(std::min(from + 2 * width, keys.size()));
-      std::inplace_merge(begin, begin + static_cast<std::ptrdiff_t>(width), end, less);
-    }
-  }
-  std::vector<std::uint8_t> is_twice(keys.size(), 0);
-  for (std::size_t k = 1; k < keys.size(); ++k) {
-    if (keys[k].low_and_middle == keys[k - 1].low_and_middle && keys[k].high == keys[k - 1].high) {
-      is_twice[static_cast<std::size_t>(keys[k].face)] = 1;
-      ++facts.duplicates;
-    }
-  }
-  std::size_t kept = 0;
-  for (std::size_t face = 0; face < keys.size(); ++face) {
-    if (is_twice[face] == 0) triangles.faces[kept++] = triangles.faces[face];
-  }
-  triangles.faces.resize(kept);
-  return true;
-}
-
 void turnFaces(Triangles& triangles, const Parts& parts, Facts& facts) {
   for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
     const Part& part = parts.parts[static_cast<std::size_t>(parts.part_of[face])];
@@ -198,7 +150,8 @@ void describeBorders(const Triangles& triangles, const Edges& edges, Facts& fact
 
 void countFlat(const Triangles& triangles, Facts& facts) {
   for (const Face& face : triangles.faces) {
-    const Vec3 ab = at(triangles, face[1]) - at(triangles, face[0]), ac = at(triangles, face[2]) - at(triangles, face[0]);
+    const Vec3 ab = at(triangles, face[1]) - at(triangles, face[0]),
+               ac = at(triangles, face[2]) - at(triangles, face[0]);
     const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
     // Of floats the differences are exact in doubles, so 8 epsilon of the products is on a line, for all that is known.
     if (ab.cross(ac).norm() <= 0x1p-49 * longest) ++facts.flat_faces;
@@ -219,7 +172,9 @@ std::optional<Repaired> repair(Triangles triangles, const mesh::Watch& watch) {
   if (watch.isCancelled() || !weldAll(triangles, facts, watch)) return {};
   watch.tell(kStep, 0.3);
   dropEmpty(triangles, facts);
-  if (!dropDuplicates(triangles, facts, watch)) return {};
+  const std::optional<std::int64_t> duplicates = dropDuplicates(triangles, watch);
+  if (!duplicates) return {};
+  facts.duplicates = *duplicates;
   compact(triangles);
   setBounds(triangles, facts);
   watch.tell(kStep, 0.5);

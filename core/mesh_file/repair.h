@@ -15,9 +15,9 @@ struct Repaired {
 /// Corners nearer to each other than this share of the mesh's diagonal become one.
 inline constexpr double kWeldShare = 1e-6;
 
-/// Welds corners; leaves out faces that are none or are there twice; turns faces so that neighbours agree and closed parts
-/// have their outside out; then looks at what it is. Any triangles, also none. The same for the same, to the bit. None:
-/// cancelled. Cost: about linear; measured: 2 s for 2 million faces.
+/// Welds corners; leaves out faces that are none or are there twice; turns faces so that neighbours agree and closed
+/// parts have their outside out; then looks at what it is. Any triangles, also none. The same for the same, to the bit.
+/// None: cancelled. Cost: about linear; measured: 2 s for 2 million faces.
 std::optional<Repaired> repair(mesh::Triangles triangles, const mesh::Watch& watch = {});
 
 }  // namespace underact::mesh_file

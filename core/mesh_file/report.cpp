@@ -40,7 +40,8 @@ std::string wereOf(std::int64_t count) {
 void addLeftOut(const Facts& facts, std::vector<std::string>& report) {
   const auto leftOut = [&report](std::int64_t count, const std::string& why_one, const std::string& why_many) {
     if (count > 0) {
-      report.push_back(countOf(count, "face") + wereOf(count) + " left out: " + (count == 1 ? why_one : why_many) + ".");
+      report.push_back(countOf(count, "face") + wereOf(count) + " left out: " + (count == 1 ? why_one : why_many) +
+                       ".");
     }
   };
   leftOut(facts.not_finite, "a corner of it is not a finite point", "they have corners that are not finite points");
@@ -87,11 +88,13 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<std::stri
                      " its faces cannot agree, as on a strip that is twisted once.");
   }
   if (facts.crossings > 0) {
-    report.push_back("The surface goes through itself, at " + std::string(facts.crossings_checked != 0 ? "" : "least ") +
-                     countOf(facts.crossings, "pair") + " of faces. Near there, outside and inside may be wrong.");
+    report.push_back("The surface goes through itself, at " +
+                     std::string(facts.crossings_checked != 0 ? "" : "least ") + countOf(facts.crossings, "pair") +
+                     " of faces. Near there, outside and inside may be wrong.");
   } else if (facts.crossings_checked == 0 && facts.faces > 0) {
-    report.push_back("Whether the surface goes through itself was not looked for, or not to the end: it has too many "
-                     "faces, or too many near each other.");
+    report.push_back(
+        "Whether the surface goes through itself was not looked for, or not to the end: it has too many "
+        "faces, or too many near each other.");
   }
   if (facts.flat_faces > 0) {
     report.push_back(countOf(facts.flat_faces, "face") + (facts.flat_faces == 1 ? " is" : " are") +

@@ -19,9 +19,9 @@ std::string whyNoWalls(const Facts& facts);
 
 /// A unit that the file may have been written in.
 struct Unit {
-  const char* name;     // "metres"
-  double mm_per_unit;   // scale_mm_per_unit for it
-  double size_mm;       // how long the mesh would be
+  const char* name;    // "metres"
+  double mm_per_unit;  // scale_mm_per_unit for it
+  double size_mm;      // how long the mesh would be
 };
 
 struct Proposal {

@@ -5,8 +5,8 @@
 
 namespace underact::mesh_file {
 
-// 80 bytes of anything, the count of faces, and of each face its normal, three corners and two bytes of anything; all of
-// it with the low byte first.
+// 80 bytes of anything, the count of faces, and of each face its normal, three corners and two bytes of anything; all
+// of it with the low byte first.
 inline constexpr std::uint64_t kStlHeadBytes = 84;
 inline constexpr std::uint64_t kStlFaceBytes = 50;
 

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/cli/session.h"
+#include "tests/core/mesh_file/some_meshes.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+
+class MeshInfo : public testing::Test {
+ protected:
+  MeshInfo() {
+    ::setenv("UNDERACT_MESH_READER", (std::string(UNDERACT_BINARY) + "/underact-mesh-reader").c_str(), 1);
+    ::setenv("UNDERACT_CACHE_DIR", (folder_.path() + "/cache").c_str(), 1);
+  }
+  ~MeshInfo() override {
+    ::unsetenv("UNDERACT_MESH_READER");
+    ::unsetenv("UNDERACT_CACHE_DIR");
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(MeshInfo, SaysWhatTheMeshIsAndHowItCanBeFelt) {
+  const std::string path = folder_.write("cube.stl", stlBinary(turnedOver(cube(20.0F))));
+  for (const bool from_cache : {false, true}) {
+    const Outcome outcome = runCli({"mesh", "info", path, "--json"});
+    ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+    const json::Value object = lines(outcome.out).at(0);
+    EXPECT_EQ(textAt(object, "format"), "binary STL");
+    EXPECT_EQ(vectorAt(object, "size_mm"), Vec3(20, 20, 20));
+    EXPECT_EQ(numberAt(object, "faces"), 12);
+    EXPECT_EQ(numberAt(object, "corners"), 8);
+    EXPECT_EQ(numberAt(object, "turned_faces"), 12);
+    EXPECT_NEAR(numberAt(object, "volume_mm3"), 8000.0, 1e-9);
+    EXPECT_TRUE(isNullAt(object, "unit_question"));
+    EXPECT_NE(outcome.out.find(R"("sides": ["both", "outside", "inside"])"), std::string::npos);
+    EXPECT_NE(outcome.out.find(from_cache ? R"("from_cache": true)" : R"("from_cache": false)"), std::string::npos);
+  }
+}
+
+TEST_F(MeshInfo, AsksForTheUnitWhereTheSizeIsImplausibleAndNoneIsStated) {
+  const std::string path = folder_.write("metres.obj", obj(cube(0.12F)));
+  const Outcome asked = runCli({"mesh", "info", path});
+  EXPECT_NE(asked.out.find("The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm."),
+            std::string::npos);
+  EXPECT_NE(asked.out.find("\"scale_mm_per_unit\": 1000"), std::string::npos);
+  const Outcome stated = runCli({"mesh", "info", path, "--scale_mm_per_unit", "1000"});
+  EXPECT_EQ(stated.out.find("as millimetres"), std::string::npos);
+  EXPECT_NE(stated.out.find("120 x 120 x 120 mm"), std::string::npos) << stated.out;
+}
+
+TEST_F(MeshInfo, AnOpenMeshIsFeltFromBothSidesOnly) {
+  const Outcome outcome = runCli({"mesh", "info", folder_.write("sheet.off", off(sheet(10))), "--json"});
+  EXPECT_NE(outcome.out.find(R"("sides": ["both"])"), std::string::npos);
+  EXPECT_EQ(numberAt(lines(outcome.out).at(0), "borders"), 1);
+}
+
+TEST_F(MeshInfo, ADamagedFileIsBadInputAndOneThatIsNotThereAFile) {
+  const std::string good = folder_.write("good.ply", plyText(cube(10.0F)));
+  const std::string bad = folder_.write("bad.ply", plyText(cube(10.0F)).substr(0, 300));
+  const Outcome outcome = runCli({"mesh", "info", bad, good, "--json"});
+  EXPECT_EQ(outcome.exit, Exit::BadInput);
+  EXPECT_EQ(lines(outcome.out).size(), 1U);
+  EXPECT_NE(outcome.err.find("bad.ply: error: The file is damaged: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(runCli({"mesh", "info", folder_.path() + "/none.stl", bad}).exit, Exit::File);
+  EXPECT_EQ(runCli({"mesh", "info"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"mesh", "info", good, "--scale_mm_per_unit", "0"}).exit, Exit::Usage);
+}
+
+}  // namespace
+}  // namespace underact::test

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "core/mesh_file/message.h"
+#include "core/mesh_file/read_file.h"
+#include "tests/core/mesh_file/some_meshes.h"
+#include "tests/support/random.h"
+
+namespace underact::mesh_file {
+namespace {
+
+using namespace test;
+
+/// Another program in the reader's place, as long as it lives.
+class InPlaceOfTheReader {
+ public:
+  explicit InPlaceOfTheReader(const std::string& script) {
+    const std::string path = folder_.write("reader", "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    ::setenv("UNDERACT_MESH_READER", path.c_str(), 1);
+  }
+  ~InPlaceOfTheReader() { ::unsetenv("UNDERACT_MESH_READER"); }
+
+  std::string problem(const mesh::Watch& watch = {}) {
+    const Result<Raw> raw = readFile(folder_.write("m.obj", obj(cube(1.0F))), watch);
+    EXPECT_FALSE(raw);
+    return raw ? "" : raw.problems()[0].sentence;
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(ReaderProcess, ThatCrashesIsASentence) {
+  EXPECT_EQ(InPlaceOfTheReader("kill -SEGV $$").problem(), "The file is damaged: its reader broke off (signal 11).");
+}
+
+TEST(ReaderProcess, ThatHangsIsEndedWithinASecond) {
+  InPlaceOfTheReader reader("while :; do :; done");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(
+      reader.problem(),
+      "The file is damaged, or has very large faces: reading it took longer than 0.8 s, which is enough for a file "
+      "of its size.");
+  // 0.8 s of the processor; on a busy machine that takes longer to get.
+  EXPECT_LT(secondsSince(start), 5.0);
+}
+
+TEST(ReaderProcess, ThatFloodsIsEnded) {
+  EXPECT_EQ(InPlaceOfTheReader("exec cat /dev/zero").problem(),
+            "The file is damaged: it gives more faces than a file of its size can hold.");
+}
+
+TEST(ReaderProcess, ThatLiesIsNotBelieved) {
+  const std::string lie = "The file is damaged: what its reader made of it is no mesh.";
+  EXPECT_EQ(InPlaceOfTheReader("exit 0").problem(), lie);
+  EXPECT_EQ(InPlaceOfTheReader("echo hello").problem(), lie);
+  EXPECT_EQ(InPlaceOfTheReader("exit 3").problem(), "The file cannot be read: its reader ended with 3.");
+}
+
+TEST(ReaderProcess, ThatIsNotThereIsSaid) {
+  ::setenv("UNDERACT_MESH_READER", "/nowhere/reader", 1);
+  const ScratchFolder folder;
+  const Result<Raw> raw = readFile(folder.write("m.obj", obj(cube(1.0F))));
+  ::unsetenv("UNDERACT_MESH_READER");
+  ASSERT_FALSE(raw);
+  EXPECT_EQ(raw.problems()[0].sentence,
+            "underact-mesh-reader was not found. It belongs beside this program: install Underact again.");
+}
+
+TEST(ReaderProcess, IsEndedAtOnceWhereItIsCancelled) {
+  InPlaceOfTheReader reader("while :; do :; done");
+  std::atomic<bool> cancelled = false;
+  std::chrono::steady_clock::time_point since;
+  std::thread canceller([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    since = std::chrono::steady_clock::now();
+    cancelled = true;
+  });
+  mesh::Watch watch;
+  watch.cancelled = &cancelled;
+  EXPECT_EQ(reader.problem(watch), kCancelled);
+  canceller.join();
+  EXPECT_LT(secondsSince(since), 0.2);
+}
+
+TEST(ReaderProcess, TellsHowFarItIs) {
+  const ScratchFolder folder;
+  double last = 0.0;
+  int told = 0;
+  mesh::Watch watch;
+  watch.progress = [&](const char* /*step*/, double share) {
+    EXPECT_GT(share, last);
+    EXPECT_LE(share, 1.0);
+    last = share;
+    ++told;
+  };
+  ASSERT_TRUE(readFile(folder.write("m.obj", obj(ball(1.0F, 6))), watch));
+  EXPECT_GT(told, 50);
+}
+
+TEST(Message, ThatIsDamagedAnywhereIsNoMessageOrOneThatIsWhole) {
+  Message message;
+  message.raw.triangles = ball(1.0F, 1);
+  message.raw.polygons = 32;
+  std::vector<std::byte> bytes;
+  ASSERT_TRUE(writeMessage(message, [&bytes](std::span<const std::byte> part) {
+    bytes.insert(bytes.end(), part.begin(), part.end());
+    return true;
+  }));
+  ASSERT_TRUE(readMessage(bytes));
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    ASSERT_FALSE(readMessage(std::span(bytes).first(length))) << length;
+  }
+  Random random(Seed{20070601});
+  int whole = 0;
+  for (int draw = 0; draw < 20'000; ++draw) {
+    std::vector<std::byte> damaged = bytes;
+    for (std::size_t count = 1 + random.below(3); count > 0; --count) {
+      damaged[random.below(damaged.size())] ^= static_cast<std::byte>(1U << random.below(8));
+    }
+    const std::optional<Message> read = readMessage(damaged);
+    if (!read) continue;
+    ++whole;
+    for (const mesh::Face& face : read->raw.triangles.faces) {
+      for (const std::int32_t corner : face) {
+        ASSERT_GE(corner, 0);
+        ASSERT_LT(static_cast<std::size_t>(corner), read->raw.triangles.p_MV.size());
+      }
+    }
+    for (const Eigen::Vector3f& p_MV : read->raw.triangles.p_MV) ASSERT_TRUE(p_MV.allFinite());
+  }
+  EXPECT_GT(whole, 1000);
+}
+
+}  // namespace
+}  // namespace underact::mesh_file

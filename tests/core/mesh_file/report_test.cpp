@@ -1,0 +1,141 @@
+#include "core/mesh_file/report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace underact::mesh_file {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+Facts closedFacts() {
+  Facts facts;
+  facts.file_faces = facts.faces = 12;
+  facts.corners = 8;
+  facts.parts = facts.closed_parts = 1;
+  facts.thinnest = 10.0;
+  facts.crossings_checked = 1;
+  return facts;
+}
+
+const std::string kClosed = "The mesh is closed: it can be felt from both sides, or as a wall from outside or inside.";
+
+TEST(MeshReport, OfASoundMeshIsOneSentence) {
+  EXPECT_EQ(reportOf(closedFacts(), 1.0), Sentences{kClosed});
+  EXPECT_TRUE(allowsWalls(closedFacts()));
+}
+
+TEST(MeshReport, SaysWhatWasLeftOut) {
+  Facts facts = closedFacts();
+  facts.not_finite = 1;
+  facts.out_of_range = 2;
+  facts.without_extent = 1;
+  facts.duplicates = 3;
+  EXPECT_EQ(reportOf(facts, 1.0), (Sentences{"1 face was left out: a corner of it is not a finite point.",
+                                             "2 faces were left out: they name corners that the file does not hold.",
+                                             "1 face was left out: it has no extent.",
+                                             "3 faces were left out: they are there more than once.", kClosed}));
+}
+
+TEST(MeshReport, SaysWhatWasRepairedInMillimetres) {
+  Facts facts = closedFacts();
+  facts.welded = 28;
+  facts.weld_tolerance = 1.7320508e-5;
+  facts.turned = 1;
+  facts.normals = 12;
+  facts.normals_against = 7;
+  EXPECT_EQ(
+      reportOf(facts, 1000.0),
+      (Sentences{"28 corners were joined to others at the same place, or nearer than 0.0173 mm.",
+                 "1 face was turned over, so that neighbours agree on which side is outside.",
+                 "Most normals in the file point against the order of the corners. The order counts here, and the "
+                 "normals do not: if outside and inside feel exchanged, save the mesh with its faces turned over.",
+                 kClosed}));
+  facts.normals_against = 6;  // half is not most
+  EXPECT_EQ(reportOf(facts, 1000.0).size(), 3U);
+}
+
+TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
+  Facts facts = closedFacts();
+  facts.parts = 3;
+  facts.nested_parts = 1;
+  facts.borders = 1;
+  facts.border_edges = 4;
+  facts.longest_border = 40.0;
+  facts.crowded_edges = 1;
+  facts.clashing_edges = 2;
+  facts.crossings = 9;
+  facts.flat_faces = 2;
+  facts.thinnest = 0.25;
+  EXPECT_EQ(
+      reportOf(facts, 1.0),
+      (Sentences{"The mesh is in 3 parts that do not hang together, 1 of them within others: a hollow is felt from "
+                 "within.",
+                 "The surface is open: 1 border, the longest 40 mm around. The stylus can go through a hole.",
+                 "1 edge has more than two faces.",
+                 "The surface has no outside: at 2 edges its faces cannot agree, as on a strip that is twisted "
+                 "once.",
+                 "The surface goes through itself, at 9 pairs of faces. Near there, outside and inside may be "
+                 "wrong.",
+                 "2 faces are as narrow as a line. They stay, since they close seams.",
+                 "A part of it is thin, 0.25 mm in the mean: the stylus may be pushed through it.",
+                 "The mesh can be felt from both sides only: it is open, so that it has no inside."}));
+  EXPECT_FALSE(allowsWalls(facts));
+}
+
+TEST(MeshReport, SaysWhyThereIsNoWall) {
+  Facts facts = closedFacts();
+  facts.crowded_edges = 1;
+  EXPECT_EQ(whyNoWalls(facts), "edges with more than two faces leave open what is inside");
+  facts.clashing_edges = 1;
+  EXPECT_EQ(whyNoWalls(facts), "its faces cannot agree on an outside");
+  facts = {};
+  EXPECT_EQ(whyNoWalls(facts), "it has no faces");
+  EXPECT_EQ(reportOf(facts, 1.0), Sentences{"No face is left: there is nothing to feel."});
+}
+
+TEST(MeshReport, SaysWhereCrossingsWereNotLookedFor) {
+  Facts facts = closedFacts();
+  facts.crossings_checked = 0;
+  EXPECT_EQ(reportOf(facts, 1.0)[0],
+            "Whether the surface goes through itself was not looked for, or not to the end: it has too many faces, or "
+            "too many near each other.");
+  facts.crossings = 3;
+  EXPECT_TRUE(reportOf(facts, 1.0)[0].starts_with("The surface goes through itself, at least 3 pairs of faces."));
+}
+
+std::vector<double> scalesOf(double largest_mm) {
+  std::vector<double> scales;
+  const auto proposal = implausible(largest_mm);
+  if (proposal) std::ranges::transform(proposal->units, std::back_inserter(scales), &Unit::mm_per_unit);
+  return scales;
+}
+
+TEST(Units, AreAskedForWhereTheSizeIsImplausible) {
+  EXPECT_EQ(implausible(0.12)->sentence,
+            "The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm.");
+  EXPECT_EQ(scalesOf(0.12), (std::vector<double>{1000.0}));
+  EXPECT_EQ(scalesOf(1.0), (std::vector<double>{1000.0, 10.0, 25.4}));
+  EXPECT_EQ(
+      implausible(1.0)->sentence,
+      "The mesh would be 1 mm long as millimetres. In metres it would be 1000 mm. In centimetres it would be 10 mm. "
+      "In inches it would be 25.4 mm.");
+  EXPECT_EQ(implausible(120'000.0)->sentence,
+            "The mesh would be 120000 mm long as millimetres. In micrometres it would be 120 mm.");
+}
+
+TEST(Units, AreNotAskedForWhereItIsPlausible) {
+  for (const double size_mm : {5.0, 120.0, 2000.0, 0.0}) EXPECT_FALSE(implausible(size_mm)) << size_mm;
+  EXPECT_TRUE(implausible(4.999));
+  EXPECT_TRUE(implausible(2000.1));
+}
+
+TEST(Units, ThatNoneFitsIsSaid) {
+  EXPECT_EQ(implausible(1e-6)->sentence,
+            "The mesh would be 0.000001 mm long as millimetres. That is too small to be felt: state a larger scale.");
+  EXPECT_TRUE(implausible(1e12)->units.empty());
+}
+
+}  // namespace
+}  // namespace underact::mesh_file
