@@ -2,15 +2,13 @@
 #include <cstdint>
 
 #include "core/base/real_time.h"
+#include "core/base/search.h"
 #include "core/mesh/on_triangle.h"
 #include "core/mesh/surface.h"
 
 namespace underact::mesh {
 
-/// How the nearest point is sought. Global: in the tree, with no memory. Local: from the last face on, across edges and
-/// around corners, to the first minimum, which may be another than the least. Hybrid: what the local search finds is
-/// the limit for the tree, which proves it the least of all or finds what is less.
-enum class Search : std::uint8_t { Hybrid, Global, Local };
+using underact::Search;
 
 /// What a search remembers from tick to tick.
 struct SearchState {

@@ -1,0 +1,29 @@
+#pragma once
+#include <array>
+
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+
+namespace underact::curve {
+
+/// A cubic Bezier curve by its four controls; parameter u in [0, 1].
+using Cubic = std::array<Vec3, 4>;
+
+/// By de Casteljau's steps, which stay within the rounding of the controls.
+Vec3 pointOf(const Cubic& cubic, double u) noexcept UNDERACT_REAL_TIME;
+
+/// dp/du.
+Vec3 velocityOf(const Cubic& cubic, double u) noexcept UNDERACT_REAL_TIME;
+
+/// Its two halves, which meet in the same bits.
+struct Halves {
+  Cubic first;
+  Cubic second;
+};
+Halves halvesOf(const Cubic& cubic) noexcept UNDERACT_REAL_TIME;
+
+/// Its arc length from 0 to u, by eight points of Gauss and Legendre: exact for speeds that are polynomials of
+/// degree 15.
+double lengthUpTo(const Cubic& cubic, double u) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::curve

@@ -1,0 +1,61 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+
+namespace underact::curve {
+
+/// Nodes of the tree and parts of pieces that one search looks at, at most: what bounds its time where very many are
+/// all but equally near (the centre of a circle).
+inline constexpr int kMostVisits = 2000;
+
+/// Two points are far apart where the pulls towards them differ by more than this, rad.
+inline constexpr double kFarApart = 1e-3;
+
+struct Candidate {
+  double squared = kInfinity;  // of its distance
+  Vec3 p_W = Vec3::Zero();
+  std::int32_t piece = -1;
+  double u = 0.0;
+};
+
+/// What a search has found so far.
+struct Found {
+  double tie_m = 0.0;  // distances that differ by less are equal, for all that rounding tells
+  Candidate best;
+  Candidate rival;           // the nearest one that is far apart from the best
+  double limit = kInfinity;  // the square of a distance; what is farther matters no more
+  int visits = 0;
+  bool is_cut = false;  // something was left unseen that might be nearer
+};
+
+inline bool areFarApart(const Candidate& a, const Candidate& b) noexcept UNDERACT_REAL_TIME {
+  return (a.p_W - b.p_W).squaredNorm() > kFarApart * kFarApart * (a.squared < b.squared ? b.squared : a.squared);
+}
+
+/// Takes the candidate in: the first of equals stays.
+inline void offer(Candidate candidate, Found& found) noexcept UNDERACT_REAL_TIME {
+  if (candidate.squared < found.best.squared) {
+    std::swap(candidate, found.best);
+    const double distance_m = std::sqrt(found.best.squared) + found.tie_m;
+    found.limit = distance_m * distance_m;
+    if (found.rival.piece >= 0 && !areFarApart(found.rival, found.best)) found.rival = {};
+  }
+  if (candidate.piece < 0 || !(candidate.squared < found.rival.squared)) return;
+  if (areFarApart(candidate, found.best)) found.rival = candidate;
+}
+
+/// One visit more; false: there have been enough.
+inline bool visit(Found& found) noexcept UNDERACT_REAL_TIME {
+  if (found.visits >= kMostVisits) {
+    found.is_cut = true;
+    return false;
+  }
+  ++found.visits;
+  return true;
+}
+
+}  // namespace underact::curve

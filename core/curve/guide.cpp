@@ -1,0 +1,67 @@
+#include "core/curve/guide.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve/along.h"
+
+namespace underact::curve {
+namespace {
+
+/// How far ahead of the hand the guide is after this tick, m, in the direction of the hint.
+double aheadOf(const Curve& curve, const Guide& guide, double hand_s_m, double dt_s,
+               const GuideState& state) noexcept UNDERACT_REAL_TIME {
+  const double most_m = curve.is_closed ? std::min(guide.lead_m, kMostLeadShare * lengthOf(curve)) : guide.lead_m;
+  if (!state.begun) return 0.0;
+  const double way = guide.speed_m_per_s < 0.0 ? -1.0 : 1.0;
+  const double ahead_m = way * wayAlong(curve, hand_s_m, state.s_m) + std::abs(guide.speed_m_per_s) * dt_s;
+  return std::clamp(ahead_m, 0.0, most_m);
+}
+
+/// On from the last target to the new one, no farther than a tick allows.
+void slew(const Vec3& p_WT, double dt_s, const GuideState& state, Guided& guided) noexcept UNDERACT_REAL_TIME {
+  if (!state.begun || !(dt_s > 0.0)) return;
+  const double reach_m = kSlew_m_per_s * dt_s + (p_WT - state.p_WT).norm();
+  const Vec3 gap_W = guided.p_WP - state.p_WP;
+  const double gap_m = gap_W.norm();
+  if (!(gap_m > reach_m)) return;
+  guided.p_WP = state.p_WP + (reach_m / gap_m) * gap_W;
+  guided.is_slewing = true;
+}
+
+}  // namespace
+
+Result<Guide> makeGuide(const Guide& guide, const Place& place) {
+  Problems problems;
+  if (!(guide.t >= 0.0 && guide.t <= 1.0)) problems.push_back({"The guide's t must be between 0 and 1.", place});
+  if (!(std::abs(guide.speed_m_per_s) <= kFastestGuide_m_per_s)) {
+    problems.push_back({"The guide's speed must be between -2000 and 2000 mm/s.", place});
+  }
+  if (!(guide.lead_m > 0.0 && std::isfinite(guide.lead_m))) {
+    problems.push_back({"The guide's lead must be above 0.", place});
+  }
+  if (!problems.empty()) return problems;
+  return guide;
+}
+
+Guided guidedTarget(const Curve& curve, const Guide& guide, const Nearest& nearest, const Vec3& p_WT, double dt_s,
+                    GuideState& state) noexcept {
+  if (!p_WT.allFinite()) return {state.begun ? state.p_WP : nearest.p_WP, state.s_m, state.s_m, false};
+  const double time_s = dt_s > 0.0 && std::isfinite(dt_s) ? dt_s : 0.0;
+  Guided guided{nearest.p_WP, nearest.s_m, nearest.s_m, false};
+  if (guide.speed_m_per_s != 0.0) {
+    const double way = guide.speed_m_per_s < 0.0 ? -1.0 : 1.0;
+    const double ahead_m = aheadOf(curve, guide, nearest.s_m, time_s, state);
+    guided.guide_s_m = onCurve(curve, nearest.s_m + way * ahead_m);
+    const double share_m = (1.0 - guide.t) * wayAlong(curve, nearest.s_m, guided.guide_s_m);
+    if (share_m != 0.0) {  // else the nearest point itself, to the bit
+      guided.s_m = onCurve(curve, nearest.s_m + share_m);
+      guided.p_WP = pointAt(curve, guided.s_m);
+    }
+  }
+  slew(p_WT, time_s, state, guided);
+  state = {guided.guide_s_m, p_WT, guided.p_WP, true};
+  return guided;
+}
+
+}  // namespace underact::curve

@@ -1,0 +1,160 @@
+#include "core/curve/points.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "core/json/text.h"
+#include "core/json/text_file.h"
+
+namespace underact::curve {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{256} << 20;
+constexpr int kLinesBetweenLooks = 1 << 14;  // at the watch
+
+bool isBlank(char c) {
+  return c == ' ' || c == '\t';
+}
+bool isSeparator(char c) {
+  return c == ',' || c == ';';
+}
+
+/// The number that a field is, and infinite where no double is large enough; nothing where it is none.
+std::optional<double> numberOf(std::string_view field) {
+  if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);  // from_chars takes no plus
+  double number = 0.0;
+  const char* end = field.data() + field.size();
+  const std::from_chars_result read = std::from_chars(field.data(), end, number);
+  if (read.ec == std::errc::invalid_argument || read.ptr != end) return std::nullopt;
+  return read.ec == std::errc::result_out_of_range ? json::numberOf(field) : number;
+}
+
+/// One line, cut into fields; more than three are counted, not kept.
+struct Fields {
+  std::array<std::string_view, 3> text;
+  std::size_t count = 0;
+  bool has_gap = false;  // two separators with nothing between them
+};
+
+Fields fieldsOf(std::string_view line) {
+  Fields fields;
+  bool may_separate = false;
+  for (std::size_t at = 0; at < line.size();) {
+    if (isBlank(line[at])) {
+      ++at;
+    } else if (isSeparator(line[at])) {
+      if (!may_separate) fields.has_gap = true;
+      may_separate = false;
+      ++at;
+    } else {
+      const std::size_t end = std::min(line.find_first_of(" \t,;", at), line.size());
+      if (fields.count < fields.text.size()) fields.text[fields.count] = line.substr(at, end - at);
+      ++fields.count;
+      may_separate = true;
+      at = end;
+    }
+  }
+  return fields;
+}
+
+/// Names of columns: words, and not one number among them.
+bool isHeader(const Fields& fields) {
+  for (std::size_t i = 0; i < std::min(fields.count, fields.text.size()); ++i) {
+    if (numberOf(fields.text[i])) return false;
+  }
+  return true;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& file) : file_(file) {}
+
+  /// False: there is no use in reading on.
+  bool take(std::string_view line) {
+    ++line_;
+    line = line.substr(0, line.find('#'));
+    const Fields fields = fieldsOf(line);
+    if (fields.count == 0 && !fields.has_gap) return true;
+    const bool is_first = !begun_;
+    begun_ = true;
+    if (is_first && isHeader(fields)) return true;
+    const std::optional<Vec3> p = pointOf(fields);
+    if (!p) return problems_.size() < kMostProblems;
+    if (!points_.empty() && points_.back() == *p) return true;
+    if (points_.size() == kMostPoints) {
+      refuse("The file has more than 1000000 points; leave out every second one.");
+      return false;
+    }
+    points_.push_back(*p);
+    return true;
+  }
+
+  Result<std::vector<Vec3>> finished() && {
+    if (problems_.empty() && points_.empty()) problems_.push_back({"The file has no points.", {file_, 0, 0, ""}});
+    if (!problems_.empty()) return std::move(problems_);
+    return std::move(points_);
+  }
+
+ private:
+  void refuse(const std::string& sentence) { problems_.push_back({sentence, {file_, line_, 0, ""}}); }
+
+  std::optional<Vec3> pointOf(const Fields& fields) {
+    if (fields.has_gap) {
+      refuse("Nothing stands between two separators; a point is three numbers.");
+      return std::nullopt;
+    }
+    if (fields.count != 3) {
+      refuse("A point is three numbers, not " + std::to_string(fields.count) + "; decimals are written with a point.");
+      return std::nullopt;
+    }
+    Vec3 p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::optional<double> number = numberOf(fields.text[i]);
+      if (!number) {
+        refuse(json::shown(fields.text[i]) + " is not a number.");
+        return std::nullopt;
+      }
+      if (!std::isfinite(*number)) {
+        refuse(json::shown(fields.text[i]) + " is no finite number.");
+        return std::nullopt;
+      }
+      p[static_cast<Eigen::Index>(i)] = *number;
+    }
+    return p;
+  }
+
+  const std::string& file_;
+  int line_ = 0;
+  bool begun_ = false;  // a line that is neither empty nor a comment has come
+  std::vector<Vec3> points_;
+  Problems problems_;
+};
+
+}  // namespace
+
+Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const Watch& watch) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors begin UTF-8 so
+  Reader reader(file);
+  int until_look = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    if (--until_look < 0) {
+      if (watch.isCancelled()) return Problems{{"Reading was cancelled.", {file, 0, 0, ""}}};
+      watch.tell("reading points", static_cast<double>(at) / static_cast<double>(text.size()));
+      until_look = kLinesBetweenLooks;
+    }
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    if (!reader.take(text.substr(at, end - at))) break;
+    at = text.substr(end).starts_with("\r\n") ? end + 2 : end + 1;
+  }
+  return std::move(reader).finished();
+}
+
+Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch) {
+  const Result<std::string> text = json::readTextFile(path, "a file of points", kLargestFile);
+  if (!text) return text.problems();
+  return parsePoints(text.value(), path, watch);
+}
+
+}  // namespace underact::curve
