@@ -18,6 +18,7 @@ struct MoveBy {
     for (scene::Joint& joint : robot.joints) joint.point_mm += by_mm;
     robot.X_WV_home.topRightCorner<3, 1>() += by_mm;
   }
+  void operator()(scene::Curve& curve) const { curve.X_WM.topRightCorner<3, 1>() += by_mm; }
   void operator()(scene::Mesh& mesh) const { mesh.X_WM.topRightCorner<3, 1>() += by_mm; }
 };
 

@@ -22,6 +22,7 @@ void eachPart(State& state, Part&& part) {
   for (auto& influence : state.influences) part(influence);
   for (auto& robot : state.robots) part(robot);
   for (auto& mesh : state.meshes) part(mesh);
+  for (auto& curve : state.curves) part(curve);
   for (auto& grip : state.grips) part(grip);
   for (auto& energy : state.energies) part(energy);
   for (auto& follower : state.followers) part(follower);
@@ -47,7 +48,7 @@ std::string stateLayout() {
   std::string layout = "1";
   for (const std::size_t size : {sizeof(tick::TickState), sizeof(safety::GateState), sizeof(control::LawState),
                                  sizeof(target::InfluenceState), sizeof(manipulator::State), sizeof(target::MeshState),
-                                 sizeof(target::Grip), sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
+                                 sizeof(target::CurveState), sizeof(target::Grip), sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
     layout += ":" + std::to_string(size);
   }
   return layout;

@@ -113,7 +113,7 @@ void Checker::checkMetric(const std::string& key, const Control& control, const 
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (control.space == tick::Space::Joint) return;  // gains of joints make no metric of the workspace
   if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape) ||
-      std::holds_alternative<Mesh>(shape)) {
+      std::holds_alternative<Mesh>(shape) || std::holds_alternative<Curve>(shape)) {
     return;
   }
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
@@ -204,6 +204,10 @@ void Checker::checkConstraint(std::size_t index) {
   if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) {
     checkMesh(*mesh, constraint.side, controlOf(scene_, index),
               [this](const std::string& key, std::string sentence) { add(path_ + "." + key, std::move(sentence)); });
+  }
+  if (const auto* curve = std::get_if<Curve>(&constraint.shape)) {
+    checkCurve(*curve, controlOf(scene_, index),
+               [this](const std::string& key, std::string sentence) { add(path_ + "." + key, std::move(sentence)); });
   }
   if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
   if (constraint.friction) {

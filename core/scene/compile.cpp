@@ -100,6 +100,12 @@ Result<target::Constraint> heldTo(const Constraint& constraint, const Control& c
           held.mesh = std::move(placed).value();
           held.side = constraint.side;
           return held;
+        } else if constexpr (std::is_same_v<Chosen, Curve>) {
+          auto path = makeCurvePath(chosen, constraint.place);
+          if (!path) return path.problems();
+          target::Constraint held;
+          held.curve = std::move(path).value();
+          return held;
         } else if constexpr (std::is_same_v<Chosen, VirtualManipulator>) {
           auto made = makeManipulator(chosen, control, constraint.place);
           if (!made) return made.problems();

@@ -88,7 +88,27 @@ struct Mesh {
   std::string loaded_checksum = {};                   // of what was found there
 };
 
-using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh>;
+/// How a curve leads the hand along it.
+struct CurveGuide {
+  double t = 0.0;               // 0: to the guide alone, 1: to the nearest point alone
+  double speed_mm_per_s = 0.0;  // of the guide; below 0: backwards
+  double lead_mm = 10.0;        // how far ahead of the hand it goes at most
+  bool operator==(const CurveGuide&) const = default;
+};
+
+/// A path through the points of a file.
+struct Curve {
+  std::string file;  // as of a mesh
+  double scale_mm_per_unit = 1.0;
+  Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
+  curve::Kind kind = curve::Kind::Spline;
+  bool closed = false;
+  Search search = Search::Hybrid;
+  std::optional<CurveGuide> guide = {};                  // none: to the nearest point
+  std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
+};
+
+using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh, Curve>;
 
 /// The word of a scene file for the shape's type: "point", "sphere", ...
 const char* typeName(const Shape& shape);

@@ -28,6 +28,8 @@ Description withoutControls(Description scene) {
 bool goTogether(const Shape& a, const Shape& b) {
   if (const auto* mesh = std::get_if<Mesh>(&a), *next = std::get_if<Mesh>(&b); mesh != nullptr && next != nullptr)
     return mesh->surface == next->surface;
+  if (const auto* curve = std::get_if<Curve>(&a), *next = std::get_if<Curve>(&b); curve != nullptr && next != nullptr)
+    return curve->points == next->points && curve->kind == next->kind && curve->closed == next->closed;
   const auto *one = std::get_if<VirtualManipulator>(&a), *other = std::get_if<VirtualManipulator>(&b);
   if (one == nullptr || other == nullptr) return a.index() == b.index();
   const auto same_type = [](const Joint& left, const Joint& right) { return left.type == right.type; };

@@ -99,6 +99,14 @@ struct Fields<Mesh> {
   static constexpr std::tuple<> kAll{};
 };
 
+/// As of a mesh, and how it leads: curves.cpp.
+template <>
+struct Fields<Curve> {
+  static constexpr const char* kType = "curve";
+  static constexpr bool kHasSides = false;
+  static constexpr std::tuple<> kAll{};
+};
+
 /// Calls visit(field, number) for each field of the shape, in the order of the file.
 template <class Shape, class Visit>
 void eachField(Shape& shape, Visit&& visit) {
@@ -195,6 +203,8 @@ inline constexpr Word<SolverMethod> kSolverWords[] = {
 inline constexpr Word<manipulator::ForceLaw> kForceLawWords[] = {{"energy", manipulator::ForceLaw::Energy},
                                                                  {"thesis-5.2", manipulator::ForceLaw::Thesis52}};
 
+inline constexpr Word<curve::Kind> kCurveWords[] = {{"spline", curve::Kind::Spline},
+                                                    {"polyline", curve::Kind::Polyline}};
 inline constexpr Word<mesh::Search> kSearchWords[] = {
     {"hybrid", mesh::Search::Hybrid}, {"global", mesh::Search::Global}, {"local", mesh::Search::Local}};
 

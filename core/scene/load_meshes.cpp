@@ -1,9 +1,11 @@
 #include "core/scene/load_meshes.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <mutex>
 
+#include "core/curve/points.h"
 #include "core/json/text.h"
 #include "core/mesh_file/load.h"
 #include "core/scene/compile.h"
@@ -69,7 +71,7 @@ Problems checked(Mesh& mesh, const Place& place) {
 }
 
 Problems load(Mesh& mesh, const Description& scene, const Place& place, const mesh::Watch& watch) {
-  const std::string path = pathOf(mesh, scene);
+  const std::string path = pathOf(mesh.file, scene);
   if (surfacesInUse().find(path, mesh)) return checked(mesh, place);
   InUse stamp = SurfacesInUse::stampOf(path);  // before: a file that changes meanwhile is read again next time
   Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
@@ -86,34 +88,50 @@ Problems load(Mesh& mesh, const Description& scene, const Place& place, const me
   return checked(mesh, place);
 }
 
+Problems load(Curve& curve, const Description& scene, const mesh::Watch& watch) {
+  Result<std::vector<Vec3>> points = curve::readPoints(pathOf(curve.file, scene), watch);
+  if (!points) return points.problems();  // each with its line
+  curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
+  return {};
+}
+
+bool lacksFile(const Shape& shape) {
+  const auto* const mesh = std::get_if<Mesh>(&shape);
+  const auto* const curve = std::get_if<Curve>(&shape);
+  return (mesh != nullptr && mesh->surface == nullptr) || (curve != nullptr && curve->points == nullptr);
+}
+
+std::string wholePath(const std::string& file, const Description& scene) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(pathOf(file, scene), error);
+  return error ? file : whole.lexically_normal().string();
+}
+
 }  // namespace
 
-std::string pathOf(const Mesh& mesh, const Description& scene) {
-  const fs::path file(mesh.file);
-  return file.is_absolute() ? mesh.file : (fs::path(scene.file).parent_path() / file).string();
+std::string pathOf(const std::string& name, const Description& scene) {
+  const fs::path file(name);
+  return file.is_absolute() ? name : (fs::path(scene.file).parent_path() / file).string();
 }
 
 bool lacksMeshes(const Description& scene) {
-  for (const Constraint& constraint : scene.constraints) {
-    const auto* const mesh = std::get_if<Mesh>(&constraint.shape);
-    if (mesh != nullptr && mesh->surface == nullptr) return true;
-  }
-  return false;
+  return std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                     [](const Constraint& constraint) { return lacksFile(constraint.shape); });
 }
 
 Problems loadMeshes(Description& scene, const mesh::Watch& watch) {
   Problems problems;
   double count = 0.0, done = 0.0;
   for (const Constraint& constraint : scene.constraints) {
-    const auto* const mesh = std::get_if<Mesh>(&constraint.shape);
-    count += mesh != nullptr && mesh->surface == nullptr ? 1.0 : 0.0;
+    count += lacksFile(constraint.shape) ? 1.0 : 0.0;
   }
   for (Constraint& constraint : scene.constraints) {
+    if (!lacksFile(constraint.shape)) continue;
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
-    if (mesh == nullptr || mesh->surface != nullptr) continue;
+    auto* const curve = std::get_if<Curve>(&constraint.shape);
     mesh::Watch part = watch;
     part.progress = [&](const char* step, double share) { watch.tell(step, (done + share) / count); };
-    const Problems found = load(*mesh, scene, constraint.place, part);
+    const Problems found = mesh != nullptr ? load(*mesh, scene, constraint.place, part) : load(*curve, scene, part);
     problems.insert(problems.end(), found.begin(), found.end());
     if (watch.isCancelled()) break;
     done += 1.0;
@@ -130,11 +148,10 @@ Result<tick::TickProgram> loadAndCompile(Description& scene, const mesh::Watch& 
 Description withWholePaths(Description scene) {
   for (Constraint& constraint : scene.constraints) {
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
-    if (mesh == nullptr) continue;
-    std::error_code error;
-    const fs::path whole = fs::absolute(pathOf(*mesh, scene), error);
-    if (!error) mesh->file = whole.lexically_normal().string();
-    if (!mesh->loaded_checksum.empty()) mesh->checksum = mesh->loaded_checksum;
+    auto* const curve = std::get_if<Curve>(&constraint.shape);
+    if (mesh != nullptr) mesh->file = wholePath(mesh->file, scene);
+    if (curve != nullptr) curve->file = wholePath(curve->file, scene);
+    if (mesh != nullptr && !mesh->loaded_checksum.empty()) mesh->checksum = mesh->loaded_checksum;
   }
   return scene;
 }

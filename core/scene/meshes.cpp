@@ -16,44 +16,33 @@ constexpr double kSmallestScale = 1e-9, kLargestScale = 1e9;  // mm a unit
 }  // namespace
 
 void readMesh(ObjectReader& object, Mesh& into) {
-  Findings& findings = object.findings();
-  if (const json::Value* file = object.find("file", true)) {
-    readText(*file, object.pathOf("file"), into.file, findings);
-  } else {
-    into.file = "missing";  // said already
-  }
+  readPlacement(object, into);
   if (const json::Value* checksum = object.find("checksum")) {
-    readText(*checksum, object.pathOf("checksum"), into.checksum, findings);
-  }
-  if (const json::Value* scale = object.find("scale_mm_per_unit")) {
-    readNumber(*scale, object.pathOf("scale_mm_per_unit"), into.scale_mm_per_unit, findings);
-  }
-  if (const json::Value* pose = object.find("X_WM")) readPose(*pose, object.pathOf("X_WM"), into.X_WM, findings);
-  if (const json::Value* search = object.find("search")) {
-    readWord(*search, object.pathOf("search"), kSearchWords, into.search, findings);
+    readText(*checksum, object.pathOf("checksum"), into.checksum, object.findings());
   }
 }
 
-void checkMesh(const Mesh& mesh, target::Side side, const Control& control,
-               const std::function<void(const std::string&, std::string)>& add) {
-  const auto say = [&add](const std::string& key, std::string sentence) {
-    if (!sentence.empty()) add(key, std::move(sentence));
-  };
-  if (mesh.file.empty()) say("file", "A mesh needs the name of its file.");
-  if (!(mesh.scale_mm_per_unit >= kSmallestScale && mesh.scale_mm_per_unit <= kLargestScale)) {
+void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,
+                    const Eigen::Matrix4d& X_WM, const Control& control, const Say& say) {
+  if (file.empty()) say("file", "A " + what + " needs the name of its file.");
+  if (!(scale_mm_per_unit >= kSmallestScale && scale_mm_per_unit <= kLargestScale)) {
     say("scale_mm_per_unit",
         "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches); here it is " +
-            numberText(mesh.scale_mm_per_unit) + ".");
+            numberText(scale_mm_per_unit) + ".");
   }
-  say("X_WM", judgePose(mesh.X_WM));
+  if (const std::string sentence = judgePose(X_WM); !sentence.empty()) say("X_WM", sentence);
   const Vec3& kp = control.gains.kp_N_per_mm;
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !(kp.x() == kp.y() && kp.y() == kp.z())) {
-    say("file",
-        "The nearest point of a mesh is not sought in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in "
-        "the control, or give every axis the same kp.");
+    say("file", "The nearest point of a " + what +
+                    " is not sought in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in the control, or "
+                    "give every axis the same kp.");
   }
-  if (side == target::Side::Both || mesh.search == mesh::Search::Hybrid) return;
+}
+
+void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say) {
+  checkPlacement("mesh", mesh.file, mesh.scale_mm_per_unit, mesh.X_WM, control, say);
+  if (side == target::Side::Both || mesh.search == Search::Hybrid) return;
   say("search", "A wall's proxy follows the surface; it is not sought. Take \"search\" away.");
 }
 

@@ -10,7 +10,6 @@ namespace underact::scene {
 namespace {
 
 // In the contract, but not in this version.
-const std::vector<std::string> kLaterTypes{"curve"};
 const std::vector<std::string> kLaterKeys{"damping"};
 
 template <std::size_t... kIndex>
@@ -36,14 +35,10 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   std::optional<Shape> shape = shapeOf(value.text, kEach);
   if (shape) return shape;
   const std::string nearest = nearestWord(value.text, types);
-  if (std::find(kLaterTypes.begin(), kLaterTypes.end(), value.text) != kLaterTypes.end()) {
-    findings.add(value, path, notYet("The type \"" + value.text + "\""));
-  } else {
-    findings.add(value, path,
-                 "The type " + shown(value.text) + " is not known. " +
-                     (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "There are " +
-                     listed(types, "and") + ".");
-  }
+  findings.add(value, path,
+               "The type " + shown(value.text) + " is not known. " +
+                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "There are " + listed(types, "and") +
+                   ".");
   return std::nullopt;
 }
 
@@ -154,15 +149,18 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
       readManipulator(object, *robot);
     } else if (auto* mesh = std::get_if<Mesh>(&into.shape)) {
       readMesh(object, *mesh);
+    } else if (auto* curve = std::get_if<Curve>(&into.shape)) {
+      readCurve(object, *curve);
     } else {
       readFields(object, into.shape);
     }
     readSide(object, into);
     readInfluence(object, into);
     readFriction(object, into);
-    if (!std::holds_alternative<Mesh>(into.shape)) {
-      object.refuse("search", std::string("A ") + typeName(into.shape) +
-                                  " is found by a formula, not by a search; a mesh has one. Take it away.");
+    if (!std::holds_alternative<Mesh>(into.shape) && !std::holds_alternative<Curve>(into.shape)) {
+      object.refuse("search",
+                    std::string("A ") + typeName(into.shape) +
+                        " is found by a formula, not by a search; a mesh and a curve have one. Take it away.");
     }
   }
   if (const json::Value* control = object.find("control")) {

@@ -155,15 +155,32 @@ void addManipulator(Members& members, const VirtualManipulator& robot) {
   }
 }
 
-void addMesh(Members& members, const Mesh& mesh) {
-  const Mesh usual;
-  members.emplace_back("file", json::quoted(mesh.file));
-  if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quoted(mesh.checksum));
-  if (mesh.scale_mm_per_unit != usual.scale_mm_per_unit) {
-    members.emplace_back("scale_mm_per_unit", text(mesh.scale_mm_per_unit));
+template <class FromFile>
+void addPlacement(Members& members, const FromFile& shape) {
+  const FromFile usual;
+  members.emplace_back("file", json::quoted(shape.file));
+  if (shape.scale_mm_per_unit != usual.scale_mm_per_unit) {
+    members.emplace_back("scale_mm_per_unit", text(shape.scale_mm_per_unit));
   }
-  if (!sameBits(mesh.X_WM, usual.X_WM)) members.emplace_back("X_WM", poseText(mesh.X_WM));
-  if (mesh.search != usual.search) members.emplace_back("search", json::quoted(wordOf(kSearchWords, mesh.search)));
+  if (!sameBits(shape.X_WM, usual.X_WM)) members.emplace_back("X_WM", poseText(shape.X_WM));
+  if (shape.search != usual.search) members.emplace_back("search", json::quoted(wordOf(kSearchWords, shape.search)));
+}
+
+void addMesh(Members& members, const Mesh& mesh) {
+  addPlacement(members, mesh);
+  if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quoted(mesh.checksum));
+}
+
+void addCurve(Members& members, const Curve& curve) {
+  addPlacement(members, curve);
+  if (curve.kind != Curve{}.kind) members.emplace_back("kind", json::quoted(wordOf(kCurveWords, curve.kind)));
+  if (curve.closed) members.emplace_back("closed", "true");
+  if (!curve.guide) return;
+  const CurveGuide usual;
+  Members guide{{"speed_mm_per_s", text(curve.guide->speed_mm_per_s)}};
+  if (curve.guide->t != usual.t) guide.emplace_back("t", text(curve.guide->t));
+  if (curve.guide->lead_mm != usual.lead_mm) guide.emplace_back("lead_mm", text(curve.guide->lead_mm));
+  members.emplace_back("guide", objectText(guide, 6));
 }
 
 std::string frictionText(const Friction& friction) {
@@ -178,6 +195,7 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
   members.emplace_back("type", json::quoted(typeName(constraint.shape)));
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) addManipulator(members, *robot);
   if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) addMesh(members, *mesh);
+  if (const auto* curve = std::get_if<Curve>(&constraint.shape)) addCurve(members, *curve);
   std::visit(
       [&](const auto& shape) {
         const std::remove_cvref_t<decltype(shape)> usual;

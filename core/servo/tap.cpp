@@ -31,6 +31,7 @@ Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
   makeRoom(start_.influences);
   makeRoom(start_.robots);
   makeRoom(start_.meshes);
+  makeRoom(start_.curves);
   makeRoom(start_.grips);
   makeRoom(start_.energies);
   makeRoom(start_.followers);

@@ -5,6 +5,7 @@
 #include "core/base/real_time.h"
 #include "core/manipulator/manipulator.h"
 #include "core/shape/shape.h"
+#include "core/target/curve_target.h"
 #include "core/target/influence.h"
 #include "core/target/mesh_target.h"
 
@@ -23,7 +24,8 @@ struct Constraint {
   Influence influence = {};
   std::optional<manipulator::Manipulator> manipulator = {};  // its tip takes the place of the shape
   std::optional<MeshPlace> mesh = {};                        // takes the place of the shape (not weighted)
-  Friction friction = {};                                    // of a shape or a mesh
+  std::optional<CurvePath> curve = {};                       // the same
+  Friction friction = {};                                    // of a shape, a mesh or a curve
 };
 
 /// Free: an untouched wall. Degenerate: several points are equally near, so nothing says where to pull.
@@ -46,9 +48,14 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 /// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
 Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
-/// The target without friction -> the one with it: the point where the target holds on to the shape or the mesh. mesh:
-/// of a mesh, what meshTarget() left.
-Target rubbedTarget(const Constraint& constraint, const Vec3& p_WT, const Target& target, const MeshState& mesh,
+/// Where on the mesh or the curve the target without friction is.
+struct Whereabouts {
+  MeshState mesh = {};
+  CurveState curve = {};
+};
+
+/// The target without friction -> the one with it: the point where the target holds on to the shape.
+Target rubbedTarget(const Constraint& constraint, const Vec3& p_WT, const Target& target, const Whereabouts& where,
                     Grip& grip) noexcept UNDERACT_REAL_TIME;
 
 /// The same for an influenced constraint; stylus_W: z of frame 6, unit; dt_s: since the last one, 0: unknown.

@@ -32,6 +32,7 @@ constexpr double kStepsOfJoint_ns = 160.0;  // ... for each joint
 constexpr double kJoints_ns = 250.0;        // the joints that a target asks for, and the force of their torques
 
 constexpr double kFriction_ns = 12.0;
+constexpr double kCurve_ns = 450.0, kCurveOfDoubling_ns = 40.0;  // a spline of 100 points, and each doubling
 // Of a mesh: the search at 1000 triangles, and what each doubling adds; the local search and a wall's proxy.
 constexpr double kSearch_ns = 350.0, kSearchOfDoubling_ns = 75.0, kWalk_ns = 90.0;
 
@@ -67,6 +68,10 @@ double costOf(control::Passivity passivity) {
 }
 
 double costOf(const target::Constraint& constraint) {
+  if (constraint.curve) {
+    const double pieces = curve::pieceCount(*constraint.curve->curve);
+    return kCurve_ns + kCurveOfDoubling_ns * std::max(0.0, std::log2(pieces / 100.0));
+  }
   if (!constraint.mesh) return std::visit(ShapeCost{}, constraint.shape);
   if (constraint.side != target::Side::Both || constraint.mesh->search == mesh::Search::Local) return kWalk_ns;
   const auto faces = static_cast<double>(constraint.mesh->surface->triangles.faces.size());

@@ -25,6 +25,7 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     program.needs.orientation |= entry.constraint.influenced || turns;
     program.needs.robots |= robot.has_value();
     program.needs.meshes |= entry.constraint.mesh.has_value();
+    program.needs.curves |= entry.constraint.curve.has_value();
     program.needs.friction |= entry.constraint.friction.isThere();
     program.needs.metric |= entry.constraint.weighted;
     program.needs.energy |= entry.passivity != control::Passivity::Off;
@@ -41,6 +42,7 @@ TickState makeState(const TickProgram& program) {
   if (program.needs.orientation) state.influences.resize(program.entries.size());
   if (program.needs.robots) state.robots.resize(program.entries.size());
   if (program.needs.meshes) state.meshes.resize(program.entries.size());
+  if (program.needs.curves) state.curves.resize(program.entries.size());
   if (program.needs.friction) state.grips.resize(program.entries.size());
   if (program.needs.energy) state.energies.resize(program.entries.size());
   if (program.needs.joints) state.followers.resize(program.entries.size());
@@ -50,8 +52,9 @@ TickState makeState(const TickProgram& program) {
 std::size_t bytesOf(const TickState& state) {
   return sizeof(TickState) + state.laws.size() * sizeof(control::LawState) +
          state.influences.size() * sizeof(target::InfluenceState) + state.robots.size() * sizeof(manipulator::State) +
-         state.meshes.size() * sizeof(target::MeshState) + state.grips.size() * sizeof(target::Grip) +
-         state.energies.size() * sizeof(control::EnergyState) + state.followers.size() * sizeof(arm::FollowerState);
+         state.meshes.size() * sizeof(target::MeshState) + state.curves.size() * sizeof(target::CurveState) +
+         state.grips.size() * sizeof(target::Grip) + state.energies.size() * sizeof(control::EnergyState) +
+         state.followers.size() * sizeof(arm::FollowerState);
 }
 
 void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
@@ -75,6 +78,7 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   carryAll(last.followers, next.followers);
   carryAll(last.meshes, next.meshes);
   carryAll(last.grips, next.grips);
+  carryAll(last.curves, next.curves);
   // In the mesh's frame the tip was elsewhere, if the mesh was moved; a way from there would be none of the hand's.
   for (target::MeshState& mesh : next.meshes) mesh.touch.knows_last = false;
 }

@@ -26,6 +26,7 @@ struct Needs {
   bool choice = false;       // which constraint is nearest (combine: nearest)
   bool robots = false;       // virtual manipulators' joints
   bool meshes = false;       // the last face and the proxy of each mesh
+  bool curves = false;       // the last piece and the guide of each curve
   bool friction = false;     // where each target holds on
   bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
   bool energy = false;       // what each constraint was given and gave back (passivity)
@@ -72,6 +73,7 @@ struct TickState {
   std::vector<target::InfluenceState> influences;  // one for each entry; none where the stylus's turn does not count
   std::vector<manipulator::State> robots;          // one for each entry; none where there is no virtual manipulator
   std::vector<target::MeshState> meshes;           // one for each entry; none where there is no mesh
+  std::vector<target::CurveState> curves;          // one for each entry; none where there is no curve
   std::vector<target::Grip> grips;                 // one for each entry; none where there is no friction
   std::vector<control::EnergyState> energies;      // one for each entry; none where nobody looks at passivity
   std::vector<arm::FollowerState> followers;       // one for each entry; none where no law works on joints

@@ -24,6 +24,7 @@ void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (manipulator::State& robot : state.robots) robot.begun = false;
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
   for (target::MeshState& mesh : state.meshes) mesh = target::MeshState{};
+  for (target::CurveState& curve : state.curves) curve = target::CurveState{};
   for (target::Grip& grip : state.grips) grip.holds = false;
   state.bump_T_W.setZero();
   state.retuned = false;
@@ -106,6 +107,7 @@ target::Target targetOf(const target::Constraint& constraint, std::size_t index,
     return manipulatedTarget(constraint, X_WT, dt_s, state.robots[index], report.held[index].robot);
   }
   if (constraint.mesh) return meshTarget(*constraint.mesh, constraint.side, report.p_WT, state.meshes[index]);
+  if (constraint.curve) return curveTarget(*constraint.curve, report.p_WT, dt_s, state.curves[index]);
   if (!constraint.influenced) return nearestTarget(constraint, report.p_WT);
   return influencedTarget(constraint, report.p_WT, report.stylus_W, dt_s, state.influences[index]);
 }
@@ -119,8 +121,10 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
     if (!constraint.manipulator && held.robot.joints > 0) held.robot = target::Robot{};
     target::Target target = targetOf(constraint, index, dt_s, state, report);
     if (constraint.friction.isThere()) {
-      const target::MeshState mesh = constraint.mesh ? state.meshes[index] : target::MeshState{};
-      target = rubbedTarget(constraint, report.p_WT, target, mesh, state.grips[index]);
+      target::Whereabouts where;
+      if (constraint.mesh) where.mesh = state.meshes[index];
+      if (constraint.curve) where.curve = state.curves[index];
+      target = rubbedTarget(constraint, report.p_WT, target, where, state.grips[index]);
     }
     const bool acts = target.status != target::Status::Free;
     held.p_WP = target.p_WP;

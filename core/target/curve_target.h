@@ -1,0 +1,32 @@
+#pragma once
+#include <memory>
+
+#include "core/base/real_time.h"
+#include "core/curve/guide.h"
+#include "core/curve/nearest.h"
+
+namespace underact::target {
+
+struct Target;
+
+/// A curve that the stylus is held to, and led along where there is a guide.
+struct CurvePath {
+  std::shared_ptr<const curve::Curve> curve;  // in W; never null
+  Search search = Search::Hybrid;
+  curve::Guide guide = {};
+};
+
+/// What a curve remembers from tick to tick.
+struct CurveState {
+  curve::SearchState search;
+  curve::GuideState guide;
+};
+
+/// The point of the curve that the guide leads to; without a guide the nearest one. dt_s: since the last tick, 0:
+/// unknown. Where two far-apart points are as near it is the one of the last tick, so it is never degenerate.
+Target curveTarget(const CurvePath& path, const Vec3& p_WT, double dt_s, CurveState& state) noexcept UNDERACT_REAL_TIME;
+
+/// The point of the curve near p_W, found along it from where the target is.
+Vec3 ontoCurve(const CurvePath& path, const CurveState& state, const Vec3& p_W) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::target
