@@ -167,6 +167,7 @@ std::optional<Repaired> repair(Triangles triangles, const mesh::Watch& watch) {
   facts.file_corners = static_cast<std::int64_t>(triangles.p_MV.size());
   watch.tell(kStep, 0.0);
   dropUnusable(triangles, facts);
+  if (watch.isCancelled()) return {};
   compact(triangles);
   setBounds(triangles, facts);
   if (watch.isCancelled() || !weldAll(triangles, facts, watch)) return {};
@@ -178,6 +179,7 @@ std::optional<Repaired> repair(Triangles triangles, const mesh::Watch& watch) {
   compact(triangles);
   setBounds(triangles, facts);
   watch.tell(kStep, 0.5);
+  if (watch.isCancelled()) return {};
   const std::optional<Edges> edges = edgesOf(triangles, watch);
   if (!edges) return {};
   watch.tell(kStep, 0.7);
