@@ -5,8 +5,31 @@
 namespace underact::mesh {
 namespace {
 
-/// Square of the sine between two edges below which a triangle is a sliver: there shares lose a third of their digits.
-constexpr double kThin = 1e-10;
+/// Square of the sine between two edges below which a triangle is a sliver: the shares are off by some ulp over that
+/// sine, so from here on by less than 1e-12.
+constexpr double kThin = 1e-6;
+
+/// A product, and what rounding took from it, exactly. Source: Dekker 1971, A floating-point technique for extending
+/// the available precision.
+struct Product {
+  double rounded, rest;
+};
+Product product(double x, double y) noexcept UNDERACT_REAL_TIME {
+  constexpr double kSplit = 0x1p27 + 1.0;
+  const double x_high = kSplit * x - (kSplit * x - x), x_low = x - x_high;
+  const double y_high = kSplit * y - (kSplit * y - y), y_low = y - y_high;
+  const double rounded = x * y;
+  return {rounded, ((x_high * y_high - rounded) + x_high * y_low + x_low * y_high) + x_low * y_low};
+}
+
+/// u x v for vectors that are almost parallel, within 2 ulp of itself: what cancels is not what counts.
+Vec3 exactCross(const Vec3& u, const Vec3& v) noexcept UNDERACT_REAL_TIME {
+  const auto minor = [&](Eigen::Index i, Eigen::Index j) noexcept UNDERACT_REAL_TIME {
+    const Product left = product(u[i], v[j]), right = product(u[j], v[i]);
+    return (left.rounded - right.rounded) + (left.rest - right.rest);
+  };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
 
 double share(double part, double whole) noexcept UNDERACT_REAL_TIME {
   return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
@@ -26,18 +49,17 @@ void tryEdge(const Vec3& a, const Vec3& b, const Vec3& q, Part edge, Part at_a, 
 
 OnTriangle onTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& q) noexcept {
   const Vec3 ab = b - a, ac = c - a, aq = q - a;
-  const Vec3 normal = ab.cross(ac);
+  Vec3 normal = ab.cross(ac);
+  const bool is_thin = normal.squaredNorm() < kThin * ab.squaredNorm() * ac.squaredNorm();
+  if (is_thin) normal = exactCross(ab, ac);
   // Twice the areas of q's foot with each edge, times |normal|: all above 0 where the foot is inside.
   const double at_b = aq.cross(ac).dot(normal), at_c = ab.cross(aq).dot(normal);
   const double whole = normal.squaredNorm();
   const double at_a = whole - at_b - at_c;
   if (at_a > 0.0 && at_b > 0.0 && at_c > 0.0) {
-    Vec3 p = a + (at_b / whole) * ab + (at_c / whole) * ac;
-    if (whole < kThin * ab.squaredNorm() * ac.squaredNorm()) {
-      // The shares of a sliver are off by the rounding of its area; what is left of the way to the foot is not.
-      const Vec3 pq = q - p;
-      p += (pq.cross(ac).dot(normal) / whole) * ab + (ab.cross(pq).dot(normal) / whole) * ac;
-    }
+    // A sliver's shares are off by the rounding of its area, many times over; the way along a good normal is not.
+    const Vec3 p =
+        is_thin ? Vec3(q - (aq.dot(normal) / whole) * normal) : Vec3(a + (at_b / whole) * ab + (at_c / whole) * ac);
     return {p, (p - q).squaredNorm(), Part::Inside};
   }
   OnTriangle best{a, kInfinity, Part::CornerA};

@@ -11,25 +11,24 @@ namespace {
 
 using Wide = Eigen::Matrix<long double, 3, 1>;
 
-/// Of the foot of q on the line from a to b, where it is between them.
-std::optional<long double> squaredToEdge(const Wide& a, const Wide& b, const Wide& q_M) {
+/// The foot of q on the line from a to b, where it is between them.
+std::optional<Wide> footOnEdge(const Wide& a, const Wide& b, const Wide& q_M) {
   const Wide ab = b - a;
   const long double length2 = ab.squaredNorm(), along = ab.dot(q_M - a);
   if (!(along > 0.0L && along < length2)) return {};
-  return (a + along / length2 * ab - q_M).squaredNorm();
+  return a + along / length2 * ab;
 }
 
-/// Of the foot of q on the plane of abc, where it is inside.
-std::optional<long double> squaredToPlane(const Wide& a, const Wide& b, const Wide& c, const Wide& q_M) {
+/// The foot of q on the plane of abc, where it is inside.
+std::optional<Wide> footOnPlane(const Wide& a, const Wide& b, const Wide& c, const Wide& q_M) {
   const Wide normal = (b - a).cross(c - a);
   const long double length2 = normal.squaredNorm();
   if (!(length2 > 0.0L)) return {};
-  const long double height = normal.dot(q_M - a);
-  const Wide foot = q_M - height / length2 * normal;
+  const Wide foot = q_M - normal.dot(q_M - a) / length2 * normal;
   const bool inside = normal.dot((b - a).cross(foot - a)) >= 0.0L && normal.dot((c - b).cross(foot - b)) >= 0.0L &&
                       normal.dot((a - c).cross(foot - c)) >= 0.0L;
   if (!inside) return {};
-  return height * height / length2;
+  return foot;
 }
 
 /// Whether the ray from q meets abc; nothing: too near an edge, or q too near the plane, to say.
@@ -79,30 +78,36 @@ double MeshOracle::Capsule::distance(const Vec3& q_M) const {
   return (p_MA + share * ab - q_M).norm();
 }
 
-long double MeshOracle::squaredTo(const Corners& face, const Wide& q_M) {
+MeshOracle::Wide MeshOracle::nearestOf(const Corners& face, const Wide& q_M) {
   const auto& [a, b, c] = face;
-  long double least = std::min({(a - q_M).squaredNorm(), (b - q_M).squaredNorm(), (c - q_M).squaredNorm()});
-  for (const auto& one :
-       {squaredToEdge(a, b, q_M), squaredToEdge(b, c, q_M), squaredToEdge(c, a, q_M), squaredToPlane(a, b, c, q_M)}) {
-    if (one) least = std::min(least, *one);
+  Wide best = a;
+  for (const std::optional<Wide>& one : {std::optional<Wide>(b), std::optional<Wide>(c), footOnEdge(a, b, q_M),
+                                         footOnEdge(b, c, q_M), footOnEdge(c, a, q_M), footOnPlane(a, b, c, q_M)}) {
+    if (one && (*one - q_M).squaredNorm() < (best - q_M).squaredNorm()) best = *one;
   }
-  return least;
+  return best;
 }
 
-double MeshOracle::distance(const Vec3& q_M) const {
+MeshOracle::Nearest MeshOracle::nearest(const Vec3& q_M) const {
   std::vector<double> off(faces_.size());
   double within = kInfinity;  // some face is at least so near
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     off[i] = capsules_[i].distance(q_M);
     within = std::min(within, off[i] + capsules_[i].radius);
   }
+  const Wide asked = q_M.cast<long double>();
+  Wide best = Wide::Constant(INFINITY);
   long double least = INFINITY;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     if (off[i] > within * (1.0 + 1e-9) + capsules_[i].radius) continue;
-    least = std::min(least, squaredTo(faces_[i], q_M.cast<long double>()));
-    within = std::min(within, static_cast<double>(std::sqrt(least)));
+    const Wide p_M = nearestOf(faces_[i], asked);
+    const long double distance = (p_M - asked).norm();
+    if (!(distance < least)) continue;
+    least = distance;
+    best = p_M;
+    within = std::min(within, static_cast<double>(least));
   }
-  return static_cast<double>(std::sqrt(least));
+  return {static_cast<double>(least), best.cast<double>()};
 }
 
 bool MeshOracle::isInside(const Vec3& q_M) const {

@@ -12,8 +12,13 @@ class MeshOracle {
  public:
   explicit MeshOracle(const mesh::Triangles& triangles);
 
-  /// The least distance from q_M to any face.
-  double distance(const Vec3& q_M) const;
+  /// The least distance from q_M to any face, and the point that is so near (of several, any).
+  struct Nearest {
+    double distance;
+    Vec3 p_M;
+  };
+  Nearest nearest(const Vec3& q_M) const;
+  double distance(const Vec3& q_M) const { return nearest(q_M).distance; }
 
   /// Whether rays from q_M leave the mesh once more than they enter it; for closed meshes, and points off the surface.
   /// A ray that comes near an edge tells nothing, and another is sent.
@@ -32,7 +37,7 @@ class MeshOracle {
     double radius;
     double distance(const Vec3& q_M) const;  // from the edge
   };
-  static long double squaredTo(const Corners& face, const Wide& q_M);
+  static Wide nearestOf(const Corners& face, const Wide& q_M);
 
   std::vector<Corners> faces_;
   std::vector<Capsule> capsules_;

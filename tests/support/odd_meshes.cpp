@@ -52,6 +52,11 @@ Triangles slivers() {
   return all;
 }
 
+/// Off the axes, where no difference of coordinates is zero.
+Vec3 slanted(const Vec3& p) {
+  return Eigen::AngleAxisd(1.0, Vec3(0.6, 0.0, 0.8)) * p;
+}
+
 Triangles fan() {
   Triangles made;
   made.p_MV.emplace_back(0.0F, 0.0F, 5.0F);
@@ -135,6 +140,7 @@ std::vector<OddMesh> oddMeshes() {
       {"a face that is a line", one({-10, 0, 0}, {0, 5, 0}, {10, 10, 0}), false},
       {"a face that is a point", one({1, 2, 3}, {1, 2, 3}, {1, 2, 3}), false},
       {"slivers", slivers(), false},
+      {"slivers at a slant", moved(slivers(), slanted), false},
       {"needles", sheet(1, 200, [](int i, int j) { return Vec3(80.0 * i, 8e-5 * j, 4e-5 * (j % 2)); }), false},
       {"fan", fan(), false},
       {"every face three times", times(cube(300), 3), false},
