@@ -36,13 +36,13 @@ inline bool areFarApart(const Candidate& a, const Candidate& b) noexcept UNDERAC
   return (a.p_W - b.p_W).squaredNorm() > kFarApart * kFarApart * (a.squared < b.squared ? b.squared : a.squared);
 }
 
-/// Takes the candidate in: the first of equals stays.
+/// Takes the candidate in: the first of equals stays. The best before is nearer than any rival, so it takes the rival's
+/// place; unless it is beside the new best, and then the rival is as far apart as it was.
 inline void offer(Candidate candidate, Found& found) noexcept UNDERACT_REAL_TIME {
   if (candidate.squared < found.best.squared) {
     std::swap(candidate, found.best);
     const double distance_m = std::sqrt(found.best.squared) + found.tie_m;
     found.limit = distance_m * distance_m;
-    if (found.rival.piece >= 0 && !areFarApart(found.rival, found.best)) found.rival = {};
   }
   if (candidate.piece < 0 || !(candidate.squared < found.rival.squared)) return;
   if (areFarApart(candidate, found.best)) found.rival = candidate;

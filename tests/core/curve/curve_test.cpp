@@ -249,6 +249,13 @@ TEST(Curve, OfAMillionPointsIsMadeAndIsNoLargerThanItHasToBe) {
   EXPECT_LT(bytesOf(*spline), 60'000'000U);
 }
 
+TEST(Curve, AMillionLengthsAddUpToTheLastDigit) {
+  std::vector<Vec3> points_W;
+  for (std::size_t i = 0; i < kMostPoints; ++i) points_W.emplace_back(i % 2 == 0 ? 0.0 : 0.1, 0.0, 0.0);
+  // 0.1 is 5.6e-18 more as a double; added one by one without correction a million of it are off by 1e-6.
+  EXPECT_NEAR(lengthOf(*curveOf(points_W, Kind::Polyline)), 99999.9, 2e-11);
+}
+
 TEST(Curve, EqualPointsMakeEqualCurvesToTheBit) {
   Random random(Seed{20070608});
   const std::vector<Vec3> points_W = randomPath(random, 500, 0.003);

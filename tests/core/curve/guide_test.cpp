@@ -131,6 +131,15 @@ TEST(Guide, TheTargetNeverMovesFasterThanTheSlewBeyondTheHand) {
   }
 }
 
+TEST(Guide, TheTargetKeepsUpWithTheFastestHand) {  // the slew is beyond what the hand itself moves
+  Led led{curveOf(kLine, Kind::Polyline), {}};
+  for (double x_m = 0.0; x_m < 0.1; x_m += 0.01) {  // 10 m/s
+    const Guided guided = led.at({x_m, 0.001, 0});
+    ASSERT_EQ(guided.p_WP, led.nearest.p_WP);
+    ASSERT_FALSE(guided.is_slewing);
+  }
+}
+
 TEST(Guide, AChangeOfBranchTakesItsTimeAndArrives) {
   const std::vector<Vec3> hairpin{{0, 0.01, 0},     {0.02, 0.01, 0},  {0.04, 0.01, 0},
                                   {0.04, -0.01, 0}, {0.02, -0.01, 0}, {0, -0.01, 0}};
