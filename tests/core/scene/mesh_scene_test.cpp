@@ -1,4 +1,5 @@
 
+#include "core/curve/along.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/scene/read.h"
@@ -117,6 +118,50 @@ TEST(MeshScene, AnotherFileIsAnotherSceneAnotherPlaceIsNot) {
   std::get<Mesh>(other.constraints.at(0).shape).surface = tetrahedron(true);
   EXPECT_EQ(changeBetween(scene, moved), Change::Targets);
   EXPECT_EQ(changeBetween(scene, other), Change::Scene);
+}
+
+TEST(CurveScene, IsReadWholeAndWrittenBack) {
+  const Description scene = sceneOf(
+      R"({"type": "curve", "file": "a.txt", "scale_mm_per_unit": 2, "kind": "polyline", "closed": true, "search": "global",
+          "guide": {"speed_mm_per_s": -30, "t": 0.25, "lead_mm": 5}, "friction": {"static": 0.2}})");
+  const Curve& curve = std::get<Curve>(scene.constraints.at(0).shape);
+  EXPECT_EQ(curve.kind, curve::Kind::Polyline);
+  EXPECT_TRUE(curve.closed);
+  EXPECT_EQ(curve.search, Search::Global);
+  EXPECT_EQ(curve.guide->speed_mm_per_s, -30.0);
+  EXPECT_EQ(curve.guide->t, 0.25);
+  EXPECT_EQ(curve.guide->lead_mm, 5.0);
+  const Result<Description> again = readScene(writeScene(scene), "");
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(isSame(scene, again.value())) << writeScene(scene);
+}
+
+TEST(CurveScene, WhatCannotBeIsSaidWithItsPlace) {
+  const auto guide = [](const std::string& text) {
+    return problemOf(R"({"type": "curve", "file": "a", "guide": )" + text + "}");
+  };
+  EXPECT_NE(problemOf(R"({"type": "curve"})").find("The key \"file\" is missing; a curve needs it."),
+            std::string::npos);
+  EXPECT_NE(guide("{}").find("\"speed_mm_per_s\" is missing"), std::string::npos);
+  EXPECT_NE(guide(R"({"speed_mm_per_s": 2001})").find("from -2000 to 2000 mm/s"), std::string::npos);
+  EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "t": 2})").find("from 0 (to the guide alone)"), std::string::npos);
+  EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "lead_mm": 0})").find("above 0 and at most 1000 mm"), std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "curve", "file": "a", "closed": 1})").find("true or false"), std::string::npos);
+  EXPECT_NE(problemOf(R"({"type": "curve", "file": "a", "side": "outside"})").find("has no inside"), std::string::npos);
+}
+
+TEST(CurveScene, CompilesWhereItsPointsAre) {
+  Description scene = sceneOf(
+      R"({"type": "curve", "file": "a.txt", "kind": "polyline", "scale_mm_per_unit": 10,
+          "X_WM": [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]})");
+  EXPECT_EQ(compile(scene).problems().at(0).sentence, "The curve \"a.txt\" is not loaded.");
+  Curve& curve = std::get<Curve>(scene.constraints.at(0).shape);
+  curve.points = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}});
+  const Result<tick::TickProgram> program = compile(scene);
+  ASSERT_TRUE(program);
+  EXPECT_TRUE(program.value().needs.curves);
+  const curve::Curve& made = *program.value().entries.at(0).constraint.curve->curve;
+  EXPECT_NEAR((pointAt(made, 0.004) - Vec3(0.001, 0.006, 0.003)).norm(), 0.0, 1e-15);  // 4 mm along y
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 9:62: constraints[1].direction: A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.
 9:73: constraints[1].side: A line has no inside and no outside; take "side" away.
 10:5: constraints[2]: This must be an object, as in {"type": "point", "position_mm": [0, 0, 0]}; here it is a number.
-11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? There are "point", "sphere", "line", "plane", "circle", "cylinder", "box", "virtual_manipulator" and "mesh".
+11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? There are "point", "sphere", "line", "plane", "circle", "cylinder", "box", "virtual_manipulator", "mesh" and "curve".
 12:14: constraints[4].name: The name "x" is taken by constraints[3]; names must differ.
 12:52: constraints[4].position_mm[0]: This is no finite number; a double holds at most about 1.8e308.
 14:3: constraints: The key "constraints" stands here a second time; the first is on line 7. Take one away.
@@ -219,12 +219,10 @@ TEST(ReadScene, AKeyThatIsNoNameIsQuotedAndCutShort) {
 TEST(ReadScene, OfAnUnknownTypeTheOtherKeysAreNotJudged) {
   EXPECT_EQ(problemOf(R"({"type": "torus", "radius_mm": 1, "tube_mm": 2})"),
             "2:10: constraints[0].type: The type \"torus\" is not known. There are \"point\", \"sphere\", \"line\", "
-            "\"plane\", \"circle\", \"cylinder\", \"box\", \"virtual_manipulator\" and \"mesh\".\n");
+            "\"plane\", \"circle\", \"cylinder\", \"box\", \"virtual_manipulator\", \"mesh\" and \"curve\".\n");
 }
 
 TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
-  EXPECT_EQ(problemOf(R"({"type": "curve", "file": "a.csv", "joints": []})"),
-            "2:10: constraints[0].type: The type \"curve\" is not in this version of Underact.\n");
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "influence": {"t": 0.5}})"),
             "2:45: constraints[0].influence: A point has no influence; a circle, a cylinder and a sphere have. Take it "
             "away.\n");
@@ -323,7 +321,7 @@ TEST(ReadScene, WrongKindsSayWhatIsAllowed) {
   EXPECT_EQ(
       problemOf(R"({"type": 3})"),
       "2:10: constraints[0].type: This must be \"point\", \"sphere\", \"line\", \"plane\", \"circle\", \"cylinder\", "
-      "\"box\", \"virtual_manipulator\" or \"mesh\"; here it is a number.\n");
+      "\"box\", \"virtual_manipulator\", \"mesh\" or \"curve\"; here it is a number.\n");
 }
 
 TEST(ReadScene, MadeUpNamesNeverMeetOthers) {
