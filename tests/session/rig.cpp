@@ -7,6 +7,7 @@
 
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand_script.h"
@@ -35,7 +36,9 @@ std::vector<std::string> shippedScenes() {
 }
 
 scene::Description sceneAt(const std::string& path) {
-  return scene::readSceneFile(path).value();
+  scene::Description scene = scene::readSceneFile(path).value();
+  (void)scene::loadMeshes(scene);  // what is missing, the Host says
+  return scene;
 }
 
 scene::Description sphereScene() {

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
@@ -32,7 +33,8 @@ std::vector<std::filesystem::path> shippedScenes() {
 
 /// false: the scene, the hand or the run was not right, and that has been told.
 bool measure(const std::filesystem::path& path, int seconds, int rate_hz, const std::string& hand_name) {
-  const Result<scene::Description> scene = scene::readSceneFile(path.string());
+  Result<scene::Description> scene = scene::readSceneFile(path.string());
+  if (scene) (void)scene::loadMeshes(scene.value());
   Result<sim::HandScript> hand = sim::builtInHand(hand_name, 1);
   if (!scene || !hand) {
     std::printf("%s: not read\n", (scene ? hand_name : path.string()).c_str());

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/base/units.h"
-#include "core/scene/compile.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/tick/step.h"
 #include "tests/core/scene/scene_support.h"
@@ -56,8 +56,8 @@ class RandomHands : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RandomHands, NoNumberIsLostAndNoTargetJumps) {
   const std::string name = GetParam();
-  const Description scene = readSceneFile(std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json").value();
-  const tick::TickProgram program = compile(scene).value();
+  Description scene = readSceneFile(std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json").value();
+  const tick::TickProgram program = loadAndCompile(scene).value();
   const arm::Preset& arm = *arm::findPreset(scene.arm);
   test::Random random(test::Seed{20071201});
   Histogram steps{};

@@ -4,6 +4,7 @@
 #include "core/json/json.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
+#include "core/scene/load_meshes.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {
@@ -12,7 +13,10 @@ namespace {
 Description shipped(const std::string& name) {
   const Result<Description> read = readSceneFile(std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json");
   EXPECT_TRUE(read) << name << "\n" << test::joined(test::linesOf(read.problems()));
-  return read ? read.value() : Description{};
+  Description scene = read ? read.value() : Description{};
+  const Problems problems = loadMeshes(scene);
+  EXPECT_TRUE(problems.empty()) << name << "\n" << test::joined(test::linesOf(problems));
+  return scene;
 }
 
 TEST(ShippedScenes, EachReadsCompilesAndTellsPeopleWhatItIs) {
