@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/record/tick_table.h"
+#include "core/scene/load_meshes.h"
 
 namespace underact::device {
 namespace {
@@ -75,7 +76,16 @@ std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t f
   return marks;
 }
 
-void readScenes(record::Session& session, std::int64_t first_tick, Recorded& recorded) {
+/// A scene whose mesh is gone stays, and says so where it is run.
+void loadMeshes(scene::Description& scene, const std::atomic<bool>* cancelled, Problems& damage) {
+  mesh::Watch watch;
+  watch.cancelled = cancelled;
+  const Problems problems = scene::loadMeshes(scene, watch);
+  damage.insert(damage.end(), problems.begin(), problems.end());
+}
+
+void readScenes(record::Session& session, std::int64_t first_tick, const std::atomic<bool>* cancelled,
+                Recorded& recorded) {
   for (const record::ChangeRow& change : session.changes()) {
     Result<scene::Description> scene = session.scene(change);
     if (!scene) {
@@ -83,6 +93,7 @@ void readScenes(record::Session& session, std::int64_t first_tick, Recorded& rec
       continue;
     }
     if (scene.value().constraints.empty()) continue;
+    loadMeshes(scene.value(), cancelled, recorded.damage);
     recorded.scenes.push_back({std::max<std::int64_t>(change.tick - first_tick, 0), std::move(scene).value()});
   }
   std::stable_sort(recorded.scenes.begin(), recorded.scenes.end(),
@@ -138,7 +149,7 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
   if (is_cancelled) return Problems{{"Opening was ended before the whole session was read.", {path}}};
   if (recorded->rows.empty()) return Problems{{"There are no ticks in this session: nothing can be replayed.", {path}}};
   recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
-  readScenes(session, rows.firstTick(), *recorded);
+  readScenes(session, rows.firstTick(), watch.cancelled, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));
 }
 

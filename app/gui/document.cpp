@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/scene/edit.h"
-#include "core/scene/read.h"
+#include "core/scene/mesh_names.h"
 #include "core/scene/write.h"
 
 namespace underact::gui {
@@ -44,24 +44,24 @@ Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
 }
 
-Problems Document::open(const QString& path) {
-  const QString file = QFileInfo(path).absoluteFilePath();
-  Result<scene::Description> read = scene::readSceneFile(file.toStdString());
-  if (!read) return read.problems();
-  Problems problems = host_.load(read.value());
+Problems Document::open(scene::Description opened) {
+  Problems problems = host_.load(opened);
   if (!problems.empty()) return problems;
   kept_.reset();
-  original_ = std::move(read).value();
-  path_ = file;
+  original_ = std::move(opened);
+  path_ = QString::fromStdString(original_.file);
+  is_open_ = true;
   undo_.clear();
-  emit opened();
+  if (path_.isEmpty()) undo_.resetClean();  // nobody loses what was never saved
+  emit this->opened();
   return {};
 }
 
 Problems Document::saveAs(const QString& path) {
-  Problems problems = scene::writeSceneFile(scene(), path.toStdString());
+  const QString file = QFileInfo(path).absoluteFilePath();
+  Problems problems = scene::writeSceneFile(scene::namedFrom(scene(), file.toStdString()), file.toStdString());
   if (!problems.empty()) return problems;
-  path_ = QFileInfo(path).absoluteFilePath();
+  path_ = file;
   original_ = scene();
   undo_.setClean();
   emit edited();  // the marks of the scene's own values have moved
@@ -135,6 +135,7 @@ void Document::putBackOwn() {
   if (!scene::isSame(own.original, own.scene)) {
     undo_.push(new SceneEdit(*this, own.original, own.scene, tr("edits"), newGesture()));
   }
+  if (path_.isEmpty()) undo_.resetClean();
   emit opened();
 }
 
@@ -146,6 +147,11 @@ const scene::Control& Document::own(std::size_t index) const {
 const scene::VirtualManipulator* Document::ownRobot(std::size_t index) const {
   const scene::Constraint* one = original(index);
   return one == nullptr ? nullptr : std::get_if<scene::VirtualManipulator>(&one->shape);
+}
+
+std::optional<scene::Friction> Document::ownFriction(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  return one == nullptr ? std::nullopt : one->friction;
 }
 
 std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {

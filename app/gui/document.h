@@ -14,9 +14,11 @@ class Document : public QObject {
  public:
   explicit Document(servo::Host& host, QObject* parent = nullptr);
 
-  /// Opens a scene file in place of the one there is. Problems: all of the file's; then the old scene stays in effect.
-  Problems open(const QString& path);
-  /// Writes the scene as it is now; from then on that is its file, and its gains are the scene's own.
+  /// Opens a scene, with its meshes loaded, in place of the one there is. Its file: where it was read from; none: it is
+  /// new, and was never saved. Problems: what is wrong with it; then the old scene stays in effect.
+  Problems open(scene::Description opened);
+  /// Writes the scene as it is now; from then on that is its file, and its gains are the scene's own. Meshes are named
+  /// as seen from there.
   Problems saveAs(const QString& path);
 
   /// Puts after, an edit of scene(), in its place. what: "stiffness x", for the undo menu. gesture: edits in a row with
@@ -47,7 +49,9 @@ class Document : public QObject {
   std::optional<scene::Influence> ownInfluence(std::size_t index) const;
   /// The virtual manipulator at index as the file has it; null: there is none.
   const scene::VirtualManipulator* ownRobot(std::size_t index) const;
-  bool isOpen() const { return !path_.isEmpty() || own_; }
+  /// The friction at index as the file has it; none: it is smooth, or the file does not have it.
+  std::optional<scene::Friction> ownFriction(std::size_t index) const;
+  bool isOpen() const { return is_open_ || own_; }
   bool modified() const { return !undo_.isClean(); }
   QString path() const { return path_; }  // empty: it has no file
   QUndoStack& undoStack() { return undo_; }
@@ -72,6 +76,7 @@ class Document : public QObject {
   std::optional<scene::Description> kept_;  // while another scene is tried out in its place
   std::optional<Own> own_;                  // while a recording's is shown
   QString path_;
+  bool is_open_ = false;
   QUndoStack undo_;
   int gestures_ = 0;
 };

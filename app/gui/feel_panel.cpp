@@ -14,6 +14,7 @@
 #include "app/gui/influence_section.h"
 #include "app/gui/rate_section.h"
 #include "app/gui/stability.h"
+#include "app/gui/surface_section.h"
 #include "app/gui/words.h"
 #include "core/scene/edit.h"
 #include "core/scene/fields.h"
@@ -41,7 +42,7 @@ bool FeelPanel::hasScene() const {
 
 void FeelPanel::addActions() {
   parts_.actions.add({"gains.reset", tr("&Reset to scene"), QKeySequence("Ctrl+R"),
-                      tr("Puts gains and influence back to those of the scene's file."), "reset"},
+                      tr("Puts gains, influence and friction back to those of the scene's file."), "reset"},
                      [this](const QVariantList&) { return resetToScene(); });
   parts_.actions.addCommand("gains.set", [this](const QVariantList& values) {
     if (values.size() != 3) return false;
@@ -80,8 +81,26 @@ void FeelPanel::addInfluenceCommands() {
   });
 }
 
+void FeelPanel::addSurfaceCommands() {
+  parts_.actions.addCommand("friction.set", [this](const QVariantList& shares) {
+    if (shares.size() != 2) return false;
+    return setFriction(scene::Friction{shares[0].toDouble(), shares[1].toDouble()}, tr("friction"), true);
+  });
+  parts_.actions.addCommand("friction.on", [this](const QVariantList& values) {
+    const bool on = values.value(0).toBool();
+    if (!hasScene() || on == parts_.document.scene().constraints[index_].friction.has_value()) return hasScene();
+    return setFriction(surface_->switched(on), on ? tr("friction on") : tr("friction off"), true);
+  });
+  parts_.actions.addCommand("search.set", [this](const QVariantList& values) {
+    for (const auto& word : scene::kSearchWords) {
+      if (values.value(0).toString() == word.word) return setSearch(word.value);
+    }
+    return false;
+  });
+}
+
 void FeelPanel::present(const servo::Snapshot&) {
-  if (!stale_ || influence_->isHeld() || rate_->isHeld()) return;
+  if (!stale_ || influence_->isHeld() || surface_->isHeld() || rate_->isHeld()) return;
   for (const auto& axes : rows_) {
     for (const GainRow* row : axes) {
       if (row->isHeld()) return;  // the hand wins; what holds is shown when it lets go
@@ -134,12 +153,26 @@ bool FeelPanel::setPassivity(control::Passivity passivity) {
 bool FeelPanel::resetToScene() {
   if (!hasScene()) return false;
   const scene::Description gains = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
-  const scene::Description edited = scene::withInfluence(gains, index_, parts_.document.ownInfluence(index_));
+  const scene::Description turned = scene::withInfluence(gains, index_, parts_.document.ownInfluence(index_));
+  const scene::Description edited = scene::withFriction(turned, index_, parts_.document.ownFriction(index_));
   return sendScene(edited, tr("reset to scene"), true);
 }
 
 bool FeelPanel::setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh) {
   return hasScene() && sendScene(scene::withInfluence(parts_.document.scene(), index_, influence), what, fresh);
+}
+
+bool FeelPanel::setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh) {
+  return hasScene() && sendScene(scene::withFriction(parts_.document.scene(), index_, friction), what, fresh);
+}
+
+bool FeelPanel::setSearch(mesh::Search search) {
+  if (!hasScene()) return false;
+  scene::Shape shape = parts_.document.scene().constraints[index_].shape;
+  auto* const mesh = std::get_if<scene::Mesh>(&shape);
+  if (mesh == nullptr) return false;
+  mesh->search = search;
+  return sendScene(scene::withShape(parts_.document.scene(), index_, shape), tr("search"), true);
 }
 
 bool FeelPanel::send(const scene::Control& control, const QString& what, bool fresh) {
@@ -214,10 +247,12 @@ void FeelPanel::refresh() {
   link_->setAccessibleName(link_->text().remove('&'));
   sections_[1]->setVisible(control.law != scene::LawType::P);
   sections_[2]->setVisible(control.law == scene::LawType::PID);
-  const bool same_influence =
-      parts_.document.scene().constraints[index_].influence == parts_.document.ownInfluence(index_);
-  parts_.actions.find("gains.reset")->setEnabled(!(control == own && same_influence));
+  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
+  const bool same = constraint.influence == parts_.document.ownInfluence(index_) &&
+                    constraint.friction == parts_.document.ownFriction(index_);
+  parts_.actions.find("gains.reset")->setEnabled(!(control == own && same));
   refreshInfluence();
+  refreshSurface();
   rate_->present(control, own);
   refreshWarnings(control);
 }
@@ -226,12 +261,22 @@ void FeelPanel::beginInfluence() {
   if (!hasScene()) return;
   const bool has_axis = !std::holds_alternative<scene::Sphere>(parts_.document.scene().constraints[index_].shape);
   influence_->begin(parts_.document.ownInfluence(index_), has_axis);
+  surface_->begin(parts_.document.ownFriction(index_));
 }
 
 void FeelPanel::refreshInfluence() {
   const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   influence_->setVisible(scene::takesInfluence(constraint.shape));
   influence_->present(constraint.influence, parts_.document.ownInfluence(index_));
+}
+
+void FeelPanel::refreshSurface() {
+  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
+  const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
+  const bool is_sought = mesh != nullptr && constraint.side == target::Side::Both;
+  surface_->setVisible(scene::takesFriction(constraint.shape));
+  surface_->present(constraint.friction, parts_.document.ownFriction(index_),
+                    is_sought ? std::optional(mesh->search) : std::nullopt);
 }
 
 void FeelPanel::refreshWarnings(const scene::Control& control) {

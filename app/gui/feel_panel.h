@@ -15,6 +15,7 @@ namespace underact::gui {
 class GainRow;
 class InfluenceSection;
 class RateSection;
+class SurfaceSection;
 
 /// What the constraint feels like: law and gains, changed while the hand is on the stylus.
 class FeelPanel : public Panel {
@@ -32,7 +33,11 @@ class FeelPanel : public Panel {
   bool setPassivity(control::Passivity passivity);
   /// Of the constraint shown; none: position only. what: for the undo menu.
   bool setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh);
-  /// The whole control and the influence of the constraint shown, as the file has them.
+  /// Of the constraint shown; none: smooth.
+  bool setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh);
+  /// Of the mesh shown.
+  bool setSearch(mesh::Search search);
+  /// The whole control, the influence and the friction of the constraint shown, as the file has them.
   bool resetToScene();
 
  private:
@@ -47,6 +52,8 @@ class FeelPanel : public Panel {
   void refresh();
   void beginInfluence();
   void refreshInfluence();
+  void refreshSurface();
+  void addSurfaceCommands();
   void refreshWarnings(const scene::Control& control);
   bool send(const scene::Control& control, const QString& what, bool fresh);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
@@ -67,6 +74,7 @@ class FeelPanel : public Panel {
   std::array<std::array<GainRow*, 3>, 3> rows_{};
   InfluenceSection* influence_ = nullptr;
   RateSection* rate_ = nullptr;
+  SurfaceSection* surface_ = nullptr;
 };
 
 }  // namespace underact::gui

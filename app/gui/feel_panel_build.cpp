@@ -18,12 +18,14 @@
 #include "app/gui/influence_section.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/rate_section.h"
+#include "app/gui/surface_section.h"
 #include "app/gui/told_label.h"
 
 namespace underact::gui {
 FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   addActions();
   addInfluenceCommands();
+  addSurfaceCommands();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 8, 12, 8);
@@ -33,6 +35,10 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   influence_ = new InfluenceSection(this);
   column->addWidget(influence_);
   connect(influence_, &InfluenceSection::changed, this, &FeelPanel::setInfluence);
+  surface_ = new SurfaceSection(this);
+  column->addWidget(surface_);
+  connect(surface_, &SurfaceSection::frictionChanged, this, &FeelPanel::setFriction);
+  connect(surface_, &SurfaceSection::searchChanged, this, &FeelPanel::setSearch);
   rate_ = new RateSection(this);
   column->addWidget(rate_);
   connect(rate_, &RateSection::velocityChanged, this, &FeelPanel::setVelocity);

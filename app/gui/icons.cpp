@@ -220,6 +220,13 @@ void drawRobot(QPainter& painter, const Theme& theme) {
   painter.drawEllipse(QPointF(6.7, 17), 2.5, 2.5);
   painter.drawEllipse(QPointF(11.5, 7), 2.5, 2.5);
 }
+void drawMesh(QPainter& painter, const Theme& theme) {
+  painter.setPen(edge(theme));
+  painter.setBrush(fill(theme));
+  const QPointF middle(11, 11), around[] = {{12, 3}, {20, 8.5}, {18, 18}, {8, 20.5}, {3, 12}};
+  for (int corner = 0; corner < 5; ++corner)
+    painter.drawPolygon(QPolygonF{{middle, around[corner], around[(corner + 1) % 5]}});
+}
 void drawUnderact(QPainter& painter, const Theme& theme) {
   drawSphere(painter, theme);
   painter.setPen(QPen(theme.force, 2.4, Qt::SolidLine, Qt::RoundCap));
@@ -229,21 +236,15 @@ void drawUnderact(QPainter& painter, const Theme& theme) {
 }
 
 const QHash<QString, Draw>& drawings() {
-  static const QHash<QString, Draw> kAll{{"start", drawStart},      {"stop", drawStop},
-                                         {"record", drawRecord},    {"play", drawPlay},
-                                         {"pause", drawPause},      {"back", drawBack},
-                                         {"forward", drawForward},  {"fit", drawFit},
-                                         {"front", drawFront},      {"top", drawTop},
-                                         {"side", drawSide},        {"isometric", drawIsometric},
-                                         {"layers", drawLayers},    {"help", drawHelp},
-                                         {"open", drawOpen},        {"save", drawSave},
-                                         {"undo", drawUndo},        {"redo", drawRedo},
-                                         {"reset", drawReset},      {"file", drawFile},
-                                         {"point", drawPoint},      {"sphere", drawSphere},
-                                         {"line", drawLine},        {"plane", drawPlane},
-                                         {"circle", drawCircle},    {"cylinder", drawCylinder},
-                                         {"box", drawBox},          {"virtual_manipulator", drawRobot},
-                                         {"underact", drawUnderact}};
+  static const QHash<QString, Draw> kAll{
+      {"start", drawStart},   {"stop", drawStop},         {"record", drawRecord},   {"play", drawPlay},
+      {"pause", drawPause},   {"back", drawBack},         {"forward", drawForward}, {"fit", drawFit},
+      {"front", drawFront},   {"top", drawTop},           {"side", drawSide},       {"isometric", drawIsometric},
+      {"layers", drawLayers}, {"help", drawHelp},         {"open", drawOpen},       {"save", drawSave},
+      {"undo", drawUndo},     {"redo", drawRedo},         {"reset", drawReset},     {"file", drawFile},
+      {"point", drawPoint},   {"sphere", drawSphere},     {"line", drawLine},       {"plane", drawPlane},
+      {"circle", drawCircle}, {"cylinder", drawCylinder}, {"box", drawBox},         {"virtual_manipulator", drawRobot},
+      {"mesh", drawMesh},     {"underact", drawUnderact}};
   return kAll;
 }
 

@@ -5,10 +5,13 @@
 #include <QTimer>
 #include <clocale>
 #include <cstdio>
+#include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/application.h"
+#include "app/gui/document.h"
 #include "app/gui/main_window.h"
+#include "app/gui/mesh/mesh_files.h"
 #include "app/gui/options.h"
 #include "app/gui/picture.h"
 #include "app/gui/replay/replay_actions.h"
@@ -34,7 +37,7 @@ bool hasScreen() {
 // The scene asked for, else the last one, else the sphere.
 QString sceneToOpen(const Options& options) {
   const QString asked = QString::fromStdString(options.scene);
-  if (!asked.isEmpty() && !isSession(asked)) return asked;
+  if (!asked.isEmpty() && !isSession(asked) && !isMeshFile(asked)) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
@@ -55,9 +58,15 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
   const QString scene = sceneToOpen(options);
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
   // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
-  if (simulated.host->device().simulated) window.actions().perform("session.start");
-  const QString session = QString::fromStdString(options.scene);
-  if (isSession(session)) window.openSession(session);
+  if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
+    // Its meshes are being loaded.
+    QObject::connect(&window.document(), &Document::opened, &window, [&window, first = true]() mutable {
+      if (std::exchange(first, false)) window.actions().perform("session.start");
+    });
+  }
+  const QString asked = QString::fromStdString(options.scene);
+  if (isSession(asked)) window.openSession(asked);
+  if (isMeshFile(asked)) window.actions().perform("mesh.add", asked);
   return QApplication::exec();
 }
 

@@ -18,6 +18,8 @@ class FaultWatch;
 class FramePacer;
 class Hand;
 class LiveData;
+class LoadStrip;
+class MeshFiles;
 class Panel;
 class Player;
 class RecentFiles;
@@ -82,7 +84,9 @@ class MainWindow : public QMainWindow {
   Actions* actions_;
   Document* document_;
   RecentFiles* recent_;
+  LoadStrip* loads_;
   SceneFiles* files_;
+  MeshFiles* mesh_files_;
   SceneView* view_;
   Player* player_;
   ReplayBar* replay_bar_ = nullptr;

@@ -17,6 +17,8 @@
 #include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
+#include "app/gui/mesh/load_strip.h"
+#include "app/gui/mesh/mesh_files.h"
 #include "app/gui/panels.h"
 #include "app/gui/plots_panel.h"
 #include "app/gui/replay/player.h"
@@ -41,7 +43,9 @@ MainWindow::MainWindow(const WindowParts& parts)
       actions_(new Actions(this)),
       document_(new Document(parts.host, this)),
       recent_(new RecentFiles(this)),
-      files_(new SceneFiles(*document_, *recent_, this)),
+      loads_(new LoadStrip(this)),
+      files_(new SceneFiles(*document_, *recent_, *loads_, this)),
+      mesh_files_(new MeshFiles(*document_, *files_, *loads_, this)),
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
@@ -93,10 +97,13 @@ void MainWindow::addActions() {
                 [this](const QVariantList& path) {
                   if (!path.isEmpty() && isSession(path.first().toString()))
                     return actions_->perform("replay.open", path);
+                  if (!path.isEmpty() && isMeshFile(path.first().toString()))
+                    return actions_->perform("mesh.add", path);
                   if (!path.isEmpty()) return files_->open(path.first().toString());
                   files_->chooseAndOpen();
                   return true;
                 });
+  addMeshActions(*actions_, *mesh_files_);
   actions_
       ->add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
              tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
@@ -171,6 +178,7 @@ void MainWindow::buildView() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(view_, 1);
+  column->addWidget(loads_);
   column->addWidget(replay_bar_);
   setCentralWidget(middle);
   hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
@@ -226,7 +234,7 @@ void MainWindow::buildDocks() {
 
 // From left to right and top to bottom: tool bar, scenes, view, then the panels in their order.
 void MainWindow::orderTabs() {
-  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, replay_bar_};
+  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, loads_, replay_bar_};
   for (const PanelRow& row : panels()) {
     if (panels_[row.key] != groups[1]) groups << panels_[row.key];
   }

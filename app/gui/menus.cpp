@@ -71,6 +71,13 @@ QStringList layerNames() {
           "layer.motion_ellipsoid",
           "layer.force_ellipsoid",
           "-",
+          "layer.wires",
+          "layer.section",
+          "layer.section_follows",
+          "section.x",
+          "section.y",
+          "section.z",
+          "-",
           "view.kinematics"};
 }
 
@@ -81,7 +88,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   bar->setObjectName("menubar");
   bar->setAccessibleName(tr("Menu"));
   QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
-  fill(file, actions, {"scene.open"});
+  fill(file, actions, {"scene.open", "mesh.add", "mesh.report"});
   QMenu* recent_menu = named(file->addMenu(tr("Open &recent")), "menu.recent");
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,

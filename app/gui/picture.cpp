@@ -5,6 +5,7 @@
 
 #include "app/gui/simulated_host.h"
 #include "app/gui/view/scene_view.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 
 namespace underact::gui {
@@ -12,9 +13,10 @@ namespace underact::gui {
 constexpr QSize kSize(1280, 960);
 
 int drawPicture(const std::string& scene_file, const std::string& out) {
-  const Result<scene::Description> scene = scene::readSceneFile(scene_file);
+  Result<scene::Description> scene = scene::readSceneFile(scene_file);
   SimulatedHost simulated = makeSimulatedHost({.clock = servo::Clock::Manual});
-  const Problems problems = scene ? simulated.host->load(scene.value()) : scene.problems();
+  Problems problems = scene ? scene::loadMeshes(scene.value()) : scene.problems();
+  if (problems.empty()) problems = simulated.host->load(scene.value());
   for (const Problem& problem : problems) std::fprintf(stderr, "%s\n", describe(problem).c_str());
   if (!problems.empty()) return problems.front().place.line == 0 ? 4 : 1;
   simulated.host->run(1);  // the stylus is drawn where the arm says that it is

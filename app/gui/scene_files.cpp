@@ -6,11 +6,17 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <memory>
+#include <utility>
 
 #include "app/gui/document.h"
+#include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_dialog.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/view/drawn_mesh.h"
 #include "app/gui/words.h"
+#include "core/scene/load_meshes.h"
+#include "core/scene/read.h"
 
 namespace underact::gui {
 namespace {
@@ -22,7 +28,8 @@ QString filterText() {
 // Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program.
 QString placeToSave(const Document& document) {
   const bool has_file = !document.path().isEmpty();
-  const QFileInfo file(has_file ? document.path() : sceneFolder() + QObject::tr("/recorded.json"));
+  const QString unnamed = document.showsRecorded() ? QObject::tr("/recorded.json") : QObject::tr("/new.json");
+  const QFileInfo file(has_file ? document.path() : sceneFolder() + unnamed);
   const bool shipped = !has_file || file.absolutePath() == sceneFolder();
   const QString folder =
       shipped ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : file.absolutePath();
@@ -31,21 +38,67 @@ QString placeToSave(const Document& document) {
 
 }  // namespace
 
-SceneFiles::SceneFiles(Document& document, RecentFiles& recent, QWidget* window)
-    : QObject(window), document_(document), recent_(recent), window_(window), problems_(new ProblemsDialog(window)) {
+SceneFiles::SceneFiles(Document& document, RecentFiles& recent, LoadStrip& loads, QWidget* window)
+    : QObject(window),
+      document_(document),
+      recent_(recent),
+      loads_(loads),
+      window_(window),
+      problems_(new ProblemsDialog(window)) {
   connect(problems_, &ProblemsDialog::openAnother, this, &SceneFiles::chooseAndOpen);
 }
 
 bool SceneFiles::open(const QString& path) {
   if (!settleEdits()) return false;
-  const Problems problems = document_.open(path);
+  loads_.cancel();  // the last one that was asked for is meant
+  const QString file = QFileInfo(path).absoluteFilePath();
+  Result<scene::Description> read = scene::readSceneFile(file.toStdString());
+  if (!read) {
+    problems_->show(path, read.problems());
+    return false;
+  }
+  if (!scene::lacksMeshes(read.value())) return put(std::move(read).value());
+  loadAndPut(std::move(read).value());
+  return true;
+}
+
+void SceneFiles::loadAndPut(scene::Description scene) {
+  struct Loaded {
+    scene::Description scene;
+    Problems problems;
+  };
+  const auto loaded = std::make_shared<Loaded>();
+  loaded->scene = std::move(scene);
+  const QString path = QString::fromStdString(loaded->scene.file);
+  loads_.begin(
+      tr("Loading the meshes of %1").arg(QFileInfo(path).fileName()),
+      [loaded](const mesh::Watch& watch) {
+        loaded->problems = scene::loadMeshes(loaded->scene, watch);
+        if (loaded->problems.empty()) makeDrawnMeshes(loaded->scene, watch);
+      },
+      [this, loaded, path] {
+        if (!loaded->problems.empty()) {
+          problems_->show(path, loaded->problems);
+        } else if (settleEdits()) {  // those from while it was loaded
+          static_cast<void>(put(std::move(loaded->scene)));
+        }
+      });
+}
+
+bool SceneFiles::put(scene::Description scene) {
+  const QString path = QString::fromStdString(scene.file);
+  const Problems problems = document_.open(std::move(scene));
   if (!problems.empty()) {
     problems_->show(path, problems);
     return false;
   }
   problems_->hide();
-  if (QFileInfo(document_.path()).absolutePath() != sceneFolder()) recent_.add(document_.path());
+  if (!path.isEmpty() && QFileInfo(path).absolutePath() != sceneFolder()) recent_.add(path);
   return true;
+}
+
+bool SceneFiles::openNew(scene::Description scene) {
+  return settleEdits() && put(std::move(scene));
 }
 
 void SceneFiles::chooseAndOpen() {
@@ -84,11 +137,15 @@ void SceneFiles::chooseAndSave() {
 
 bool SceneFiles::settleEdits() {
   if (!document_.modified()) return true;
-  QMessageBox box(QMessageBox::Question, tr("Tuned gains"),
-                  tr("The gains of “%1” were changed.").arg(QString::fromStdString(document_.scene().title)),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  const QString title = QString::fromStdString(document_.scene().title);
+  const bool is_new = document_.path().isEmpty() && !document_.showsRecorded();
+  QMessageBox box(
+      QMessageBox::Question, is_new ? tr("New scene") : tr("Tuned gains"),
+      is_new ? tr("The scene “%1” was never saved.").arg(title) : tr("The gains of “%1” were changed.").arg(title),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   box.setObjectName("dialog.unsaved");
-  box.setInformativeText(tr("Save them as a scene file, or discard them?"));
+  box.setInformativeText(is_new ? tr("Save it as a scene file, or discard it?")
+                                : tr("Save them as a scene file, or discard them?"));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:

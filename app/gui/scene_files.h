@@ -1,13 +1,16 @@
 #pragma once
 #include <QObject>
+#include <QString>
 
 #include "core/base/result.h"
+#include "core/scene/description.h"
 
 class QWidget;
 
 namespace underact::gui {
 
 class Document;
+class LoadStrip;
 class ProblemsDialog;
 class RecentFiles;
 
@@ -15,10 +18,13 @@ class RecentFiles;
 class SceneFiles : public QObject {
   Q_OBJECT
  public:
-  SceneFiles(Document& document, RecentFiles& recent, QWidget* window);
+  SceneFiles(Document& document, RecentFiles& recent, LoadStrip& loads, QWidget* window);
 
-  /// Asks about edits first. false: there are problems (they are shown), or the user thought better of it.
+  /// Asks about edits first. A scene with meshes opens when they are loaded, in another thread; the one before it stays
+  /// until then. false: there are problems (they are shown), or the user thought better of it.
   bool open(const QString& path);
+  /// A scene that no file holds; the same questions.
+  bool openNew(scene::Description scene);
   void chooseAndOpen();
   bool saveAs(const QString& path);
   void chooseAndSave();
@@ -27,9 +33,12 @@ class SceneFiles : public QObject {
 
  private:
   bool saveBeforeLeaving();
+  bool put(scene::Description scene);
+  void loadAndPut(scene::Description scene);
 
   Document& document_;
   RecentFiles& recent_;
+  LoadStrip& loads_;
   QWidget* window_;
   ProblemsDialog* problems_;
 };

@@ -25,6 +25,11 @@ bool isHeading(const QListWidgetItem& item) {
   return item.data(kPath).isNull();
 }
 
+QString headingOf(const SceneEntry& entry) {
+  if (entry.type == "virtual_manipulator") return ScenesPanel::tr("Robots");
+  return entry.type == "mesh" ? ScenesPanel::tr("Meshes") : ScenesPanel::tr("Shapes");
+}
+
 }  // namespace
 
 ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
@@ -108,11 +113,11 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 
 void ScenesPanel::rebuild() {
   list_->clear();
-  for (const bool robots : {false, true}) {
+  for (const QString& heading : {tr("Shapes"), tr("Robots"), tr("Meshes")}) {
     bool headed = false;
     for (const SceneEntry& entry : shipped_) {
-      if ((entry.type == "virtual_manipulator") != robots) continue;
-      if (!std::exchange(headed, true)) addHeading(robots ? tr("Robots") : tr("Shapes"));
+      if (headingOf(entry) != heading) continue;
+      if (!std::exchange(headed, true)) addHeading(heading);
       addScene(entry);
     }
   }
@@ -149,6 +154,7 @@ void ScenesPanel::openItem(QListWidgetItem* item) {
 }
 
 void ScenesPanel::markOpen() {
+  list_->setCurrentItem(nullptr);  // a scene without a file is none of these
   for (int row = 0; row < list_->count(); ++row) {
     QListWidgetItem* item = list_->item(row);
     if (isHeading(*item)) continue;

@@ -22,7 +22,10 @@ constexpr LayerKey kLayerKeys[] = {{"layers/workspace", &Layers::workspace},
                                    {"layers/link_frames", &Layers::link_frames},
                                    {"layers/ghosts", &Layers::ghosts},
                                    {"layers/motion_ellipsoid", &Layers::motion_ellipsoid},
-                                   {"layers/force_ellipsoid", &Layers::force_ellipsoid}};
+                                   {"layers/force_ellipsoid", &Layers::force_ellipsoid},
+                                   {"layers/wires", &Layers::wires},
+                                   {"layers/section", &Layers::section},
+                                   {"layers/section_follows", &Layers::section_follows}};
 
 }  // namespace
 
@@ -37,6 +40,8 @@ Settings readSettings() {
   for (const LayerKey& row : kLayerKeys) {
     settings.layers.*row.layer = stored.value(row.key, fresh.layers.*row.layer).toBool();
   }
+  settings.layers.section_axis =
+      std::clamp(stored.value("layers/section_axis", fresh.layers.section_axis).toInt(), 0, 2);
   settings.recent = stored.value("files/recent").toStringList();
   settings.last_scene = stored.value("files/last").toString();
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
@@ -54,6 +59,7 @@ void writeSettings(const Settings& settings) {
                                   : settings.theme == ThemeChoice::Dark ? "dark"
                                                                         : "system");
   for (const LayerKey& row : kLayerKeys) stored.setValue(row.key, settings.layers.*row.layer);
+  stored.setValue("layers/section_axis", settings.layers.section_axis);
   stored.setValue("files/recent", settings.recent);
   stored.setValue("files/last", settings.last_scene);
   stored.setValue("plots/axis", settings.plot_axis);

@@ -1,5 +1,6 @@
 #include "app/gui/shape_panel.h"
 
+#include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -39,16 +40,20 @@ ShapePanel::ShapePanel(const PanelParts& parts, QWidget* parent)
   auto* inner = new QVBoxLayout(content);
   inner->setContentsMargins(0, 0, 0, 0);
   inner->addWidget(readout_);
-  edit_ = new QToolButton(this);
-  edit_->setObjectName("panel.shape.edit_robot");
-  edit_->setText(tr("Edit its joints"));
-  edit_->setAccessibleName(edit_->text());
-  edit_->setToolTip(tr("Opens the Robot panel: joints, springs, turning stiffness and solver."));
-  edit_->setFocusPolicy(Qt::StrongFocus);
+  edit_ = addButton("panel.shape.edit_robot", tr("Edit its joints"),
+                    tr("Opens the Robot panel: joints, springs, turning stiffness and solver."));
+  report_ = addButton("panel.shape.report", tr("Report…"),
+                      tr("What was found in the file of the mesh, what was repaired, and how it can be felt."));
+  report_->setPopupMode(QToolButton::InstantPopup);
+  reports_ = new QMenu(report_);
+  connect(report_, &QToolButton::clicked, this, [this] {
+    if (report_->menu() == nullptr) parts_.actions.perform("mesh.report");
+  });
   connect(edit_, &QToolButton::clicked, this, [this] { parts_.actions.perform("dock.robot", true); });
   auto* line = new QHBoxLayout;
   line->setContentsMargins(12, 0, 12, 4);
   line->addWidget(edit_);
+  line->addWidget(report_);
   line->addStretch(1);
   inner->addStretch(1);
   scroll_ = panelScroll(content, this);
@@ -57,6 +62,29 @@ ShapePanel::ShapePanel(const PanelParts& parts, QWidget* parent)
   connect(&parts_.document, &Document::opened, this, &ShapePanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &ShapePanel::sceneEdited);
   sceneOpened();
+}
+
+QToolButton* ShapePanel::addButton(const char* name, const QString& text, const QString& tip) {
+  auto* made = new QToolButton(this);
+  made->setObjectName(name);
+  made->setText(text);
+  made->setAccessibleName(text);
+  made->setToolTip(tip);
+  made->setFocusPolicy(Qt::StrongFocus);
+  return made;
+}
+
+void ShapePanel::offerReports() {
+  const std::vector<scene::Constraint>& constraints = shown_.constraints;
+  reports_->clear();
+  for (std::size_t index = 0; index < constraints.size(); ++index) {
+    if (!std::holds_alternative<scene::Mesh>(constraints[index].shape)) continue;
+    const auto ask = [this, index] { parts_.actions.perform("mesh.report", QVariant::fromValue(index)); };
+    connect(reports_->addAction(QString::fromStdString(constraints[index].name)), &QAction::triggered, this, ask);
+  }
+  const auto count = reports_->actions().size();
+  report_->setMenu(count > 1 ? reports_ : nullptr);  // of one mesh there is nothing to choose
+  report_->setVisible(count > 0);
 }
 
 void ShapePanel::sceneEdited() {
@@ -71,16 +99,18 @@ void ShapePanel::sceneOpened() {
   for (const scene::Constraint& constraint : constraints) {
     if (constraints.size() > 1) readout_->addHeading(QString::fromStdString(constraint.name));
     const std::vector<ShapeLine> lines = shapeText(constraint);
-    const bool is_robot = std::holds_alternative<scene::VirtualManipulator>(constraint.shape);
+    const bool has_many_lines = std::holds_alternative<scene::VirtualManipulator>(constraint.shape) ||
+                                std::holds_alternative<scene::Mesh>(constraint.shape);
     for (std::size_t index = 0; index < lines.size(); ++index) {
       readout_->set(readout_->addRow(lines[index].label), lines[index].value);
-      if (is_robot && index == 0) addDistance();  // a robot has many lines: nobody should scroll for the distance
+      if (has_many_lines && index == 0) addDistance();  // nobody should scroll for the distance
     }
-    if (!is_robot) addDistance();
+    if (!has_many_lines) addDistance();
   }
   edit_->setVisible(std::any_of(constraints.begin(), constraints.end(), [](const scene::Constraint& one) {
     return std::holds_alternative<scene::VirtualManipulator>(one.shape);
   }));
+  offerReports();
   showOneShapeWhole();
 }
 

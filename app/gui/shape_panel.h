@@ -2,6 +2,7 @@
 #include "app/gui/panel.h"
 #include "core/scene/description.h"
 
+class QMenu;
 class QScrollArea;
 class QToolButton;
 
@@ -21,11 +22,15 @@ class ShapePanel : public Panel {
   void sceneEdited();
   void addDistance();
   void showOneShapeWhole();
+  QToolButton* addButton(const char* name, const QString& text, const QString& tip);
+  void offerReports();
 
   PanelParts parts_;
   Readout* readout_;
   QScrollArea* scroll_ = nullptr;
-  QToolButton* edit_ = nullptr;  // opens the joints of a virtual manipulator
+  QToolButton* edit_ = nullptr;    // opens the joints of a virtual manipulator
+  QToolButton* report_ = nullptr;  // on the file of a mesh
+  QMenu* reports_ = nullptr;       // where there are several
   scene::Description shown_;
   std::vector<int> distance_rows_;  // of each constraint
 };

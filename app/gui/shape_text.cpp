@@ -1,5 +1,6 @@
 #include "app/gui/shape_text.h"
 
+#include <QFileInfo>
 #include <QObject>
 
 #include "app/gui/words.h"
@@ -82,6 +83,28 @@ Lines linesOf(const scene::VirtualManipulator& robot) {
   return lines;
 }
 
+QString searchText(mesh::Search search) {
+  switch (search) {
+    case mesh::Search::Hybrid:
+      return QObject::tr("nearest of all");
+    case mesh::Search::Global:
+      return QObject::tr("nearest of all, in the tree");
+    case mesh::Search::Local:
+      return QObject::tr("along the surface");
+  }
+  return {};
+}
+Lines linesOf(const scene::Mesh& mesh) {
+  Lines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(mesh.file)).fileName()}};
+  if (mesh.surface != nullptr) {
+    const Vec3 size = (mesh.surface->high_M - mesh.surface->low_M).cast<double>();
+    lines.push_back({QObject::tr("Size"), placeText(mesh.scale_mm_per_unit * size)});
+    lines.push_back({QObject::tr("Triangles"), QString::number(mesh.surface->triangles.faces.size())});
+  }
+  lines.push_back({QObject::tr("Placed at"), placeText(mesh.X_WM.topRightCorner<3, 1>())});
+  return lines;
+}
+
 QString sideText(target::Side side) {
   switch (side) {
     case target::Side::Both:
@@ -107,6 +130,13 @@ std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {
   Lines lines{{shapeName(constraint.shape), sideText(constraint.side)}};
   const Lines geometry = std::visit([](const auto& shape) { return linesOf(shape); }, constraint.shape);
   lines.insert(lines.end(), geometry.begin(), geometry.end());
+  if (const auto* mesh = std::get_if<scene::Mesh>(&constraint.shape); mesh && constraint.side == target::Side::Both)
+    lines.push_back({QObject::tr("Held to"), searchText(mesh->search)});
+  if (constraint.friction) {
+    lines.push_back({QObject::tr("Friction"), QObject::tr("%1 static, %2 dynamic")
+                                                  .arg(numberText(constraint.friction->static_share, 2),
+                                                       numberText(constraint.friction->dynamic_share, 2))});
+  }
   return lines;
 }
 

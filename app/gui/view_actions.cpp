@@ -77,7 +77,14 @@ void addLayers(Actions& actions, SceneView& view) {
        &Layers::motion_ellipsoid},
       {"layer.force_ellipsoid", "F&orce ellipsoid (f)", "Alt+9",
        "The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.",
-       &Layers::force_ellipsoid}};
+       &Layers::force_ellipsoid},
+      {"layer.wires", "&Mesh: triangles", "Alt+T", "The edges of all triangles of a mesh, as it is drawn.",
+       &Layers::wires},
+      {"layer.section", "Mesh: &cut open", "Alt+C",
+       "Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.",
+       &Layers::section},
+      {"layer.section_follows", "Cut &follows the stylus", "Alt+K",
+       "The cut goes through the stylus's tip; off, it stays where it is.", &Layers::section_follows}};
   for (const Row& row : rows) {
     QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
                                   [&view, layer = row.layer](const QVariantList& on) {
@@ -87,6 +94,29 @@ void addLayers(Actions& actions, SceneView& view) {
                                     return true;
                                   });
     action->setChecked(view.layers().*row.layer);
+  }
+}
+
+/// Which axis the cut through meshes is across.
+void addSectionAxes(Actions& actions, SceneView& view) {
+  struct Row {
+    const char *name, *text, *shortcut, *tip;
+  };
+  const Row rows[] = {{"section.x", "Cut across x", "Alt+X", "The cut stands across x: it is seen from the side."},
+                      {"section.y", "Cut across y", "Alt+Y", "The cut stands across y: it is seen from the top."},
+                      {"section.z", "Cut across z", "Alt+Z", "The cut stands across z: it is seen from the front."}};
+  auto* group = new QActionGroup(&actions);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Row& row = rows[axis];
+    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
+                                  [&view, axis](const QVariantList&) {
+                                    Layers layers = view.layers();
+                                    layers.section_axis = axis;
+                                    view.setLayers(layers);
+                                    return true;
+                                  });
+    group->addAction(action);
+    action->setChecked(view.layers().section_axis == axis);
   }
 }
 
@@ -116,6 +146,7 @@ void addThemes(Actions& actions, ThemeWatcher& theme) {
 void addViewActions(Actions& actions, SceneView& view, ThemeWatcher& theme) {
   addCameras(actions, view);
   addLayers(actions, view);
+  addSectionAxes(actions, view);
   addThemes(actions, theme);
 }
 

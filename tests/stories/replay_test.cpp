@@ -15,6 +15,7 @@
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/session_plot.h"
 #include "core/record/recorder.h"
+#include "core/scene/read.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -28,7 +29,7 @@ QString sessionFile() {
     const QString path = temporaryFile("push.h5");
     SimulatedHost simulated = makeSimulatedHost({.clock = servo::Clock::Manual});
     Document document(*simulated.host);
-    EXPECT_TRUE(document.open(shippedScene("02_sphere")).empty());
+    EXPECT_TRUE(document.open(scene::readSceneFile(shippedScene("02_sphere").toStdString()).value()).empty());
     simulated.host->start();
     simulated.host->run(1000);
     auto recorder = record::Recorder::start(*simulated.host, path.toStdString(), {.name = "Slow push"});

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/gui/view/drawn_mesh.h"
+
 namespace underact::gui {
 
 Result<LoadedSession> loadSession(const std::string& path, WorkState& state) {
@@ -15,6 +17,9 @@ Result<LoadedSession> loadSession(const std::string& path, WorkState& state) {
   watch.cancelled = &state.cancelled;
   Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(session.value(), watch);
   if (!recorded) return recorded.problems();
+  mesh::Watch pictures;
+  pictures.cancelled = &state.cancelled;
+  for (const device::RecordedScene& one : recorded.value()->scenes) makeDrawnMeshes(one.scene, pictures);
   data->finish(rate_hz);
   return LoadedSession{std::move(recorded).value(), std::move(data)};
 }

@@ -13,6 +13,8 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,6 +51,34 @@ class SeeThroughMapper : public vtkOpenGLPolyDataMapper {
 };
 vtkStandardNewMacro(SeeThroughMapper);
 
+/// First the depth alone, then the colour of what is nearest: so no layer is seen through another. A little further
+/// away than it is, so that lines on it are in front of it.
+class BodyMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static BodyMapper* New();
+  vtkTypeMacro(BodyMapper, vtkOpenGLPolyDataMapper);
+
+ protected:
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override {
+    vtkOpenGLState* state = static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
+    QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+    gl->glEnable(GL_POLYGON_OFFSET_FILL);
+    gl->glPolygonOffset(1.0F, 2.0F);
+    GLint compare = GL_LEQUAL;
+    gl->glGetIntegerv(GL_DEPTH_FUNC, &compare);
+    gl->glDepthFunc(GL_LEQUAL);  // Qt may have left it where equal depths do not pass
+    state->vtkglColorMask(kNo, kNo, kNo, kNo);
+    vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
+    state->vtkglColorMask(kYes, kYes, kYes, kYes);
+    vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
+    gl->glDepthFunc(static_cast<GLenum>(compare));
+    gl->glPolygonOffset(0.0F, 0.0F);
+    gl->glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+  static constexpr unsigned char kNo = 0, kYes = 1;
+};
+vtkStandardNewMacro(BodyMapper);
+
 Vec3 anyAcross(const Vec3& direction) {
   return direction.unitOrthogonal();
 }
@@ -75,6 +105,9 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
   vtkSmartPointer<vtkPolyDataMapper> mapper;
   if (kind == Kind::Solid) {
     mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  } else if (kind == Kind::Body) {
+    mapper = vtkSmartPointer<BodyMapper>::New();
+    mapper->ScalarVisibilityOff();
   } else {
     auto see_through = vtkSmartPointer<SeeThroughMapper>::New();
     see_through->is_mark = kind == Kind::Mark;
@@ -91,6 +124,9 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
     look.SetAmbient(0.55);
     look.SetDiffuse(0.5);
     look.BackfaceCullingOn();
+  } else if (kind == Kind::Body) {
+    look.SetAmbient(0.45);
+    look.SetDiffuse(0.65);
   } else if (kind == Kind::Tint) {
     look.SetAmbient(0.7);
     look.SetDiffuse(0.35);

@@ -17,9 +17,11 @@ namespace underact::gui {
 
 // What pictures are made of: solids, tints and lines; each an actor, a few of them in all, since each one costs.
 
-/// How an actor is drawn. Solid: hides what is behind it. Tint: colours what is behind it, its near side only. Line:
-/// smooth, and writes no depth, so that lines that meet leave no gaps. Mark: a line that nothing hides.
-enum class Kind { Solid, Tint, Line, Mark };
+/// How an actor is drawn. Solid: hides what is behind it. Tint: colours what is behind it, its near side only. Body:
+/// colours what is behind it, too, and hides what is drawn after it; of a surface of any form only what is nearest to
+/// the eye, from outside and from inside. Line: smooth, and writes no depth, so that lines that meet leave no gaps.
+/// Mark: a line that nothing hides.
+enum class Kind { Solid, Tint, Body, Line, Mark };
 
 /// An actor that draws data. Add solids first, then lines, then tints: see-through things come over what is behind
 /// them.

@@ -57,6 +57,7 @@ void SceneView::setScene(const scene::Description& scene) {
   impl_->hand.setConstraints(scene.constraints.size());
   impl_->constraint.setScene(scene);
   impl_->robots.setScene(scene);
+  impl_->meshes.setScene(scene);
   impl_->scene = scene;
   impl_->workspace.setBase(kMillimetrePerMetre * preset->geometry.p_WB);
   impl_->actors_changed = true;
@@ -93,6 +94,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->influence.setTheme(theme);
   impl_->robots.setTheme(theme);
   impl_->path.setTheme(theme);
+  impl_->meshes.setTheme(theme);
   impl_->actors_changed = true;
   impl_->surface->update();
 }
@@ -106,6 +108,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->influence.show(layers.influence);
   impl_->robots.show(layers.robot);
   impl_->path.show(layers.path);
+  impl_->meshes.show(layers);
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
 }
@@ -187,6 +190,14 @@ void SceneView::setRecordedPath(std::vector<PathPoint> path) {
 
 std::size_t SceneView::pathPartsDrawn() const {
   return impl_->path.parts();
+}
+
+std::size_t SceneView::trianglesDrawn() const {
+  return impl_->meshes.triangles();
+}
+
+std::size_t SceneView::patchDrawn() const {
+  return impl_->meshes.patchCorners();
 }
 
 void SceneView::setHint(const QString& text) {

@@ -25,6 +25,11 @@ struct Layers {
   bool influence = true;  // see InfluencePicture; where the scene has one
   bool robot = true;      // virtual manipulators
   bool path = true;       // of a recording that is replayed
+  // Of meshes, see MeshPicture.
+  bool wires = false;           // the edges of all triangles
+  bool section = false;         // cut open, across an axis of W
+  int section_axis = 2;         // 0 x, 1 y, 2 z
+  bool section_follows = true;  // the cut goes through the tip; else it stays where it is
   // For teaching, see KinematicsPicture.
   bool link_frames = false;
   bool ghosts = false;            // the inverse solutions
@@ -61,6 +66,9 @@ class SceneView : public QWidget {
   /// Where the tip of a recording went; empty: none.
   void setRecordedPath(std::vector<PathPoint> path);
   std::size_t pathPartsDrawn() const;
+  /// Triangles of all meshes, as drawn; corners of the patch where the stylus touches one.
+  std::size_t trianglesDrawn() const;
+  std::size_t patchDrawn() const;
   /// One line over the view; empty: none.
   void setHint(const QString& text);
   /// The largest force of the gauge and the arrow's scale, N.

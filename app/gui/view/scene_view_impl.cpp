@@ -65,6 +65,7 @@ void SceneView::Impl::before(QSize pixels) {
                               hand.lines(), kinematics.lines()}) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
+    for (vtkActor* actor : meshes.actors()) renderer.AddActor(actor);
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
     for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
     renderer.AddActor(influence.rings());
@@ -77,12 +78,14 @@ void SceneView::Impl::before(QSize pixels) {
   influence.setLineWidth(scale);
   robots.setLineWidth(scale);
   path.setLineWidth(scale);
+  meshes.setLineWidth(scale);
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
   kinematics.update(camera);
   influence.update(camera, size());
   robots.update(camera);
+  meshes.update(camera.eye_mm());
   vtkCamera* eye = surface->renderer().GetActiveCamera();
   const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
   eye->SetPosition(eye_mm.data());
@@ -98,6 +101,7 @@ void SceneView::Impl::showArm() {
   kinematics.present(shown->report.sample.q_rad);
   influence.present(shown->report);
   robots.present(*shown);
+  meshes.present(shown->report);
 }
 
 void SceneView::Impl::paintWords(QPainter& painter) {
@@ -130,6 +134,7 @@ std::vector<Vec3> SceneView::Impl::extent() const {
     points.push_back(
         half_mm.cwiseProduct(Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
   }
+  points.insert(points.end(), meshes.extent_mm().begin(), meshes.extent_mm().end());
   const std::vector<Vec3> of_robots = robots.extent_mm();
   points.insert(points.end(), of_robots.begin(), of_robots.end());
   if (hand.known()) {

@@ -10,6 +10,7 @@
 #include "app/gui/view/hand_picture.h"
 #include "app/gui/view/influence_picture.h"
 #include "app/gui/view/kinematics_picture.h"
+#include "app/gui/view/mesh_picture.h"
 #include "app/gui/view/robot_picture.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/view_words.h"
@@ -52,6 +53,7 @@ struct SceneView::Impl {
   InfluencePicture influence;
   RobotPicture robots;
   PathPicture path;
+  MeshPicture meshes;
   scene::Description scene;  // that is drawn
   ViewWords words;
   Theme theme = Theme::light();

@@ -1,0 +1,212 @@
+#include "app/gui/mesh/mesh_dialog.h"
+
+#include <QApplication>
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/panel_scroll.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kUsualStatic = 0.4, kUsualDynamic = 0.3;  // wood on wood, about
+constexpr double kMostFriction = 1.5;
+
+QString formatText(mesh_file::Format format) {
+  switch (format) {
+    case mesh_file::Format::StlBinary:
+      return QObject::tr("STL (binary)");
+    case mesh_file::Format::StlText:
+      return QObject::tr("STL (text)");
+    case mesh_file::Format::Obj:
+      return "OBJ";
+    case mesh_file::Format::Ply:
+      return "PLY";
+    case mesh_file::Format::Off:
+      return "OFF";
+  }
+  return {};
+}
+
+QDoubleSpinBox* shareField(const char* name, const QString& spoken, double value, QWidget* parent) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setObjectName(name);
+  field->setAccessibleName(spoken);
+  field->setRange(0.0, kMostFriction);
+  field->setDecimals(2);
+  field->setSingleStep(0.05);
+  field->setValue(value);
+  return field;
+}
+
+}  // namespace
+
+MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit,
+                       bool can_add, QWidget* parent)
+    : QDialog(parent),
+      loaded_(loaded),
+      name_(QFileInfo(path).fileName()),
+      mm_per_unit_(mm_per_unit.value_or(1.0)),
+      counts_(toldLabel("dialog.mesh.counts", tr("Size of the mesh"), "", this)),
+      report_(toldLabel("dialog.mesh.report", tr("Report on the mesh"), "", this)),
+      refusal_(toldLabel("dialog.mesh.refusal", tr("Why it was not added"), "alarm", this)) {
+  setObjectName("dialog.mesh");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setModal(false);  // nothing keeps anybody from the arm
+  setWindowTitle(tr("Mesh %1").arg(name_));
+  const bool is_to_add = !mm_per_unit;
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(counts_);
+  if (is_to_add) {
+    if (const auto proposal = mesh_file::implausible(mesh_file::largestExtent(loaded.facts)))
+      buildUnits(column, *proposal);
+  }
+  auto* found = new QLabel(tr("What was found"), this);
+  found->setProperty("role", "section");
+  found->setIndent(0);
+  column->addWidget(found);
+  column->addWidget(panelScroll(report_, this), 1);
+  if (is_to_add) buildChoices(column);
+  refusal_->hide();
+  column->addWidget(refusal_);
+  buildButtons(column, is_to_add, can_add);
+  refresh();
+  resize(QSize(78 * fontMetrics().averageCharWidth(), (is_to_add ? 30 : 18) * fontMetrics().lineSpacing()));
+}
+
+void MeshDialog::buildUnits(QVBoxLayout* column, const mesh_file::Proposal& proposal) {
+  QLabel* question = toldLabel("dialog.mesh.question", tr("Which unit"), "amber", this);
+  question->setText(tr("%1 Which unit is the file in?").arg(QString::fromStdString(proposal.sentence)));
+  column->addWidget(question);
+  unit_ = new QButtonGroup(this);
+  const auto button = [&](const QString& text, double mm_per_unit) {
+    auto* made = new QRadioButton(text, this);
+    made->setObjectName(QString("dialog.mesh.unit.%1").arg(units_.size()));
+    made->setAccessibleName(text);
+    unit_->addButton(made, static_cast<int>(units_.size()));
+    units_.push_back(mm_per_unit);
+    column->addWidget(made);
+  };
+  for (const mesh_file::Unit& unit : proposal.units)
+    button(tr("In %1: %2 long").arg(QString::fromLatin1(unit.name), millimetres(unit.size_mm)), unit.mm_per_unit);
+  button(tr("In millimetres, as it is"), 1.0);
+  unit_->button(0)->setChecked(true);  // the likeliest
+  connect(unit_, &QButtonGroup::idToggled, this, &MeshDialog::refresh);
+}
+
+void MeshDialog::buildChoices(QVBoxLayout* column) {
+  auto* rows = new QFormLayout;
+  rows->setHorizontalSpacing(12);
+  side_ = new QComboBox(this);
+  side_->setObjectName("dialog.mesh.side");
+  side_->setAccessibleName(tr("How it is felt"));
+  if (mesh_file::allowsWalls(loaded_.facts)) {
+    side_->addItem(tr("from outside, as a wall"), static_cast<int>(target::Side::Outside));
+    side_->addItem(tr("from inside, as a wall"), static_cast<int>(target::Side::Inside));
+  }
+  side_->addItem(tr("held to its surface, on both sides"), static_cast<int>(target::Side::Both));
+  rows->addRow(tr("&Felt"), side_);
+  friction_ = new QCheckBox(tr("F&riction"), this);
+  friction_->setObjectName("dialog.mesh.friction");
+  friction_->setAccessibleName(tr("Friction"));
+  static_ = shareField("dialog.mesh.static", tr("Static friction"), kUsualStatic, this);
+  dynamic_ = shareField("dialog.mesh.dynamic", tr("Dynamic friction"), kUsualDynamic, this);
+  auto* shares = new QHBoxLayout;
+  shares->setSpacing(8);
+  shares->addWidget(friction_);
+  shares->addWidget(new QLabel(tr("static"), this));
+  shares->addWidget(static_);
+  shares->addWidget(new QLabel(tr("dynamic"), this));
+  shares->addWidget(dynamic_);
+  shares->addStretch(1);
+  rows->addRow(tr("Surface"), shares);
+  column->addLayout(rows);
+  for (QDoubleSpinBox* field : {static_, dynamic_}) {
+    field->setEnabled(false);
+    connect(friction_, &QCheckBox::toggled, field, &QWidget::setEnabled);
+  }
+  // The dynamic share is never above the static one.
+  connect(static_, &QDoubleSpinBox::valueChanged, dynamic_, [this](double most) { dynamic_->setMaximum(most); });
+  dynamic_->setMaximum(static_->value());
+}
+
+void MeshDialog::buildButtons(QVBoxLayout* column, bool is_to_add, bool can_add) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  const auto button = [&](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(QString("dialog.mesh.") + name);
+    made->setAccessibleName(QString(text).remove('&'));
+    made->setToolTip(tip);
+    row->addWidget(made);
+    return made;
+  };
+  QPushButton* copy = button("copy", tr("C&opy"), tr("Copies the report."));
+  connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+  row->addStretch(1);
+  if (is_to_add) {
+    QPushButton* add = button("add", tr("&Add to the scene"), tr("Adds the mesh to the scene that is there."));
+    QPushButton* fresh = button("new", tr("&New scene of it"), tr("Opens a new scene that holds this mesh alone."));
+    add->setEnabled(can_add);
+    (can_add ? add : fresh)->setDefault(true);
+    connect(add, &QPushButton::clicked, this, &MeshDialog::addAsked);
+    connect(fresh, &QPushButton::clicked, this, &MeshDialog::newSceneAsked);
+  }
+  QPushButton* close = button("close", is_to_add ? tr("&Cancel") : tr("&Close"), tr("Closes this. The scene stays."));
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  column->addLayout(row);
+}
+
+double MeshDialog::mmPerUnit() const {
+  return unit_ == nullptr ? mm_per_unit_ : units_[static_cast<std::size_t>(unit_->checkedId())];
+}
+
+void MeshDialog::refresh() {
+  const mesh_file::Facts& facts = loaded_.facts;
+  const double scale = mmPerUnit();
+  Vec3 size_mm;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    size_mm[static_cast<Eigen::Index>(axis)] = scale * (facts.high[axis] - facts.low[axis]);
+  counts_->setText(tr("%1: %2 triangles, %3 corners, %4.")
+                       .arg(formatText(loaded_.format))
+                       .arg(facts.faces)
+                       .arg(facts.corners)
+                       .arg(placeText(size_mm).replace(", ", " × ")));
+  QStringList sentences;
+  for (const std::string& sentence : mesh_file::reportOf(facts, scale)) sentences << QString::fromStdString(sentence);
+  report_->setText(sentences.join("\n"));
+}
+
+QString MeshDialog::text() const {
+  return QStringList{name_, counts_->text(), report_->text()}.join('\n');
+}
+
+MeshWish MeshDialog::wish() const {
+  MeshWish wish;
+  wish.mm_per_unit = mmPerUnit();
+  if (side_ != nullptr) wish.side = static_cast<target::Side>(side_->currentData().toInt());
+  if (friction_ != nullptr && friction_->isChecked())
+    wish.friction = scene::Friction{static_->value(), dynamic_->value()};
+  return wish;
+}
+
+void MeshDialog::setRefusal(const QString& sentences) {
+  refusal_->setText(sentences);
+  refusal_->setVisible(!sentences.isEmpty());
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,64 @@
+#pragma once
+#include <QDialog>
+#include <optional>
+
+#include "core/mesh_file/load.h"
+#include "core/mesh_file/report.h"
+#include "core/scene/description.h"
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+/// How a mesh is to be felt.
+struct MeshWish {
+  double mm_per_unit = 1.0;
+  target::Side side = target::Side::Both;
+  std::optional<scene::Friction> friction;
+};
+
+/// What a mesh file holds, what was repaired and how it can be felt. To add: with the choice of its unit where its size
+/// is implausible, of side and friction, and whether it goes into the scene that is there. To read: the report alone.
+class MeshDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// mm_per_unit: of a mesh of a scene, whose report is only read; none: it is to be added. can_add: there is a scene.
+  MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit, bool can_add,
+             QWidget* parent);
+  MeshWish wish() const;
+  /// Why it was not added; the dialog stays.
+  void setRefusal(const QString& sentences);
+
+ signals:
+  void addAsked();
+  void newSceneAsked();
+
+ private:
+  void buildUnits(QVBoxLayout* column, const mesh_file::Proposal& proposal);
+  void buildChoices(QVBoxLayout* column);
+  void buildButtons(QVBoxLayout* column, bool is_to_add, bool can_add);
+  double mmPerUnit() const;
+  void refresh();
+  QString text() const;
+
+  mesh_file::Loaded loaded_;
+  QString name_;
+  double mm_per_unit_ = 1.0;
+  std::vector<double> units_;  // mm a unit, of each button
+  QButtonGroup* unit_ = nullptr;
+  QLabel* counts_;
+  QLabel* report_;
+  QLabel* refusal_;
+  QComboBox* side_ = nullptr;
+  QCheckBox* friction_ = nullptr;
+  QDoubleSpinBox* static_ = nullptr;
+  QDoubleSpinBox* dynamic_ = nullptr;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,132 @@
+#include "app/gui/view/drawn_mesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkQuadricClustering.h>
+
+#include <map>
+#include <mutex>
+
+namespace underact::gui {
+namespace {
+
+constexpr double kSharp_deg = 40.0;  // a surface that turns by more has an edge there
+constexpr int kFinest = 256;         // boxes along the longest side, of which each becomes a corner
+constexpr int kCoarsest = 16;
+
+vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
+  const std::vector<Eigen::Vector3f>& corners = surface.triangles.p_MV;
+  const std::vector<mesh::Face>& faces = surface.triangles.faces;
+  const vtkNew<vtkFloatArray> places;
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(static_cast<vtkIdType>(corners.size()));
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    places->SetTypedTuple(static_cast<vtkIdType>(corner), corners[corner].data());
+  }
+  const vtkNew<vtkPoints> points;
+  points->SetData(places);
+  const vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(static_cast<vtkIdType>(faces.size()), static_cast<vtkIdType>(3 * faces.size()));
+  for (const mesh::Face& face : faces) cells->InsertNextCell({face[0], face[1], face[2]});
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
+}
+
+/// Corners that are near each other become one, at the place that fits their faces best.
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch) {
+  vtkSmartPointer<vtkPolyData> data = fine;
+  for (int boxes = kFinest; boxes >= kCoarsest && !watch.isCancelled(); boxes = boxes * 3 / 4) {
+    const vtkNew<vtkQuadricClustering> clusters;
+    clusters->SetInputData(fine);
+    clusters->SetNumberOfDivisions(boxes, boxes, boxes);
+    clusters->CopyCellDataOff();
+    clusters->Update();
+    data = clusters->GetOutput();
+    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= kMostDrawn) break;
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* data) {
+  const vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(data);
+  normals->SetFeatureAngle(kSharp_deg);
+  normals->SplittingOn();
+  normals->ConsistencyOff();  // the file's own order was repaired where it was loaded
+  normals->Update();
+  return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
+  const auto find = [data](bool sharp) {
+    const vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputData(data);
+    edges->SetFeatureAngle(kSharp_deg);
+    edges->SetFeatureEdges(sharp);
+    edges->BoundaryEdgesOn();
+    edges->NonManifoldEdgesOn();
+    edges->ManifoldEdgesOff();
+    edges->ColoringOff();
+    edges->Update();
+    return vtkSmartPointer<vtkPolyData>(edges->GetOutput());
+  };
+  vtkSmartPointer<vtkPolyData> edges = find(true);
+  // A rough surface is sharp everywhere: lines all over it would hide it.
+  if (4 * edges->GetNumberOfLines() > data->GetNumberOfPolys() && data->GetNumberOfPolys() > 1000) edges = find(false);
+  return edges;
+}
+
+std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::Watch& watch) {
+  DrawnMesh drawn;
+  vtkSmartPointer<vtkPolyData> data = copyOf(surface);
+  drawn.is_coarser = surface.triangles.faces.size() > kMostDrawn;
+  if (drawn.is_coarser) data = coarser(data, watch);
+  if (watch.isCancelled()) return nullptr;
+  drawn.body = withNormals(data);
+  if (watch.isCancelled()) return nullptr;
+  drawn.edges = edgesOf(data);
+  drawn.triangles = static_cast<std::size_t>(drawn.body->GetNumberOfPolys());
+  drawn.body->ComputeBounds();
+  return std::make_shared<const DrawnMesh>(std::move(drawn));
+}
+
+struct Kept {
+  std::weak_ptr<const mesh::Surface> surface;
+  std::shared_ptr<const DrawnMesh> drawn;
+};
+
+}  // namespace
+
+std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
+                                           const mesh::Watch& watch) {
+  static std::mutex mutex;
+  static std::map<const mesh::Surface*, Kept> kept;
+  {
+    const std::scoped_lock lock(mutex);
+    std::erase_if(kept, [](const auto& one) { return one.second.surface.expired(); });
+    const auto found = kept.find(surface.get());
+    if (found != kept.end()) return found->second.drawn;
+  }
+  std::shared_ptr<const DrawnMesh> drawn = make(*surface, watch);  // not under the lock: the window may ask for another
+  if (drawn == nullptr) return nullptr;
+  const std::scoped_lock lock(mutex);
+  return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;
+}
+
+void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch) {
+  for (const scene::Constraint& constraint : scene.constraints) {
+    const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
+    if (mesh == nullptr || mesh->surface == nullptr || watch.isCancelled()) continue;
+    watch.tell("Preparing the picture", 1.0);
+    static_cast<void>(drawnMesh(mesh->surface, watch));
+  }
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,33 @@
+#pragma once
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <memory>
+
+#include "core/mesh/surface.h"
+#include "core/mesh/watch.h"
+#include "core/scene/description.h"
+
+namespace underact::gui {
+
+/// More triangles than these are drawn coarser; what is felt has all of them.
+inline constexpr std::size_t kMostDrawn = 100'000;
+
+/// A mesh as it is drawn, in its own frame and unit.
+struct DrawnMesh {
+  vtkSmartPointer<vtkPolyData> body;   // triangles with normals: smooth, but broken where the surface is
+  vtkSmartPointer<vtkPolyData> edges;  // the sharp ones, and the borders
+  std::size_t triangles = 0;
+  bool is_coarser = false;
+};
+
+/// Made once for each surface, and kept as long as that is there. Takes a second for millions of triangles. Any thread.
+/// null: it was cancelled.
+std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
+                                           const mesh::Watch& watch = {});
+
+/// Of all meshes of a scene that are loaded, so that the view finds them made.
+void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch);
+
+}  // namespace underact::gui

@@ -1,0 +1,182 @@
+#include "app/gui/view/mesh_picture.h"
+
+#include <vtkMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+#include "app/gui/view/pieces.h"
+#include "app/gui/view/scene_view.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kBody = 0.62;  // opacity: a body, and yet the stylus is seen in it
+constexpr double kInner = 0.6;  // brightness of the side that only a hole or a cut shows
+
+/// What scene::compile() makes of it.
+target::MeshPlace placeOf(const scene::Mesh& mesh) {
+  target::MeshPlace place;
+  place.surface = mesh.surface;
+  place.R_WM = Eigen::Quaterniond(Mat3(mesh.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
+  place.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
+  place.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
+  return place;
+}
+
+}  // namespace
+
+MeshPicture::MeshPicture()
+    : patch_actor_(makeActor(patch_.data(), Kind::Tint)), section_(vtkSmartPointer<vtkPlane>::New()) {
+  patch_actor_->GetProperty()->LightingOff();
+  patch_actor_->GetProperty()->SetOpacity(0.7);
+}
+
+void MeshPicture::setScene(const scene::Description& scene) {
+  std::vector<Shown> before = std::move(meshes_);
+  meshes_.clear();
+  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
+    const auto* const mesh = std::get_if<scene::Mesh>(&scene.constraints[index].shape);
+    if (mesh == nullptr || mesh->surface == nullptr) continue;
+    const auto same = std::find_if(before.begin(), before.end(),
+                                   [&](const Shown& one) { return one.place.surface == mesh->surface; });
+    if (same != before.end()) {
+      meshes_.push_back(std::move(*same));
+      before.erase(same);
+    } else {
+      meshes_.push_back(makeShown(mesh->surface));
+    }
+    meshes_.back().constraint = index;
+  }
+  placeAll(scene);
+  touched_.clear();
+  drawPatch();
+}
+
+void MeshPicture::placeAll(const scene::Description& scene) {
+  extent_mm_.clear();
+  for (Shown& shown : meshes_) {
+    const auto& mesh = std::get<scene::Mesh>(scene.constraints[shown.constraint].shape);
+    shown.place = placeOf(mesh);
+    Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+    X.block<3, 3>(0, 0) = mesh.scale_mm_per_unit * shown.place.R_WM;
+    X.block<3, 1>(0, 3) = mesh.X_WM.topRightCorner<3, 1>();
+    for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) place(*actor, X);
+    const Vec3 low = mesh.surface->low_M.cast<double>(), high = mesh.surface->high_M.cast<double>();
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p_M((corner & 1) != 0 ? low.x() : high.x(), (corner & 2) != 0 ? low.y() : high.y(),
+                     (corner & 4) != 0 ? low.z() : high.z());
+      extent_mm_.push_back(kMillimetrePerMetre * target::toWorkspace(shown.place, p_M));
+    }
+  }
+}
+
+MeshPicture::Shown MeshPicture::makeShown(const std::shared_ptr<const mesh::Surface>& surface) const {
+  Shown shown;
+  shown.place.surface = surface;
+  shown.drawn = drawnMesh(surface);
+  shown.body = makeActor(shown.drawn->body, Kind::Body);
+  shown.body->GetProperty()->SetOpacity(kBody);
+  shown.edges = makeActor(shown.drawn->edges, Kind::Line);
+  shown.wires = makeActor(shown.drawn->body, Kind::Line);
+  shown.wires->GetProperty()->SetRepresentationToWireframe();
+  shown.wires->GetProperty()->SetOpacity(0.5);
+  shown.wires->SetVisibility(show_wires_);
+  colour(shown);
+  for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) {
+    if (show_section_) actor->GetMapper()->AddClippingPlane(section_);
+  }
+  return shown;
+}
+
+void MeshPicture::colour(const Shown& shown) const {
+  for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) setColour(*actor, theme_.constraint);
+  const vtkSmartPointer<vtkProperty> inner = vtkSmartPointer<vtkProperty>::New();
+  inner->DeepCopy(shown.body->GetProperty());
+  inner->SetColor(kInner * theme_.constraint.redF(), kInner * theme_.constraint.greenF(),
+                  kInner * theme_.constraint.blueF());
+  shown.body->SetBackfaceProperty(inner);
+}
+
+void MeshPicture::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (const Shown& shown : meshes_) colour(shown);
+  setColour(*patch_actor_, theme.target);
+}
+
+void MeshPicture::show(const Layers& layers) {
+  show_wires_ = layers.wires;
+  if (layers.section && !show_section_) section_mm_ = tip_mm_;
+  for (const Shown& shown : meshes_) {
+    shown.wires->SetVisibility(show_wires_);
+    for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) {
+      actor->GetMapper()->RemoveAllClippingPlanes();
+      if (layers.section) actor->GetMapper()->AddClippingPlane(section_);
+    }
+  }
+  show_section_ = layers.section;
+  section_axis_ = std::clamp(layers.section_axis, 0, 2);
+  section_follows_ = layers.section_follows;
+  show_patch_ = layers.target;
+  drawPatch();
+}
+
+void MeshPicture::present(const tick::TickReport& report) {
+  if (!report.p_WT.allFinite()) return;
+  tip_mm_ = kMillimetrePerMetre * report.p_WT;
+  if (section_follows_) section_mm_ = tip_mm_;
+  std::vector<std::pair<std::size_t, Vec3>> touched;
+  for (std::size_t index = 0; index < meshes_.size(); ++index) {
+    if (meshes_[index].constraint >= report.held.size()) continue;
+    const tick::Held& held = report.held[meshes_[index].constraint];
+    if (held.acts && held.status == target::Status::Unique && held.p_WP.allFinite())
+      touched.emplace_back(index, held.p_WP);
+  }
+  if (touched == touched_) return;
+  touched_ = std::move(touched);
+  drawPatch();
+}
+
+void MeshPicture::drawPatch() {
+  patch_.clear();
+  if (show_patch_) {
+    for (const auto& [index, p_WP] : touched_) patch_.add(meshes_[index].place, p_WP);
+  }
+  patch_.done();
+  patch_actor_->SetVisibility(patch_.corners() > 0);
+}
+
+void MeshPicture::update(const Vec3& eye_mm) {
+  if (!show_section_) return;
+  const Vec3 axis = Vec3::Unit(section_axis_);
+  const double away = axis.dot(eye_mm - section_mm_) > 0.0 ? -1.0 : 1.0;
+  section_->SetOrigin(section_mm_.x(), section_mm_.y(), section_mm_.z());
+  section_->SetNormal(away * axis.x(), away * axis.y(), away * axis.z());
+}
+
+void MeshPicture::setLineWidth(double scale) {
+  for (const Shown& shown : meshes_) {
+    shown.edges->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));
+    shown.wires->GetProperty()->SetLineWidth(static_cast<float>(1.0 * scale));
+  }
+}
+
+std::vector<vtkActor*> MeshPicture::actors() const {
+  std::vector<vtkActor*> all;
+  for (const Shown& shown : meshes_) all.push_back(shown.body);
+  for (const Shown& shown : meshes_) {
+    all.push_back(shown.edges);
+    all.push_back(shown.wires);
+  }
+  all.push_back(patch_actor_);
+  return all;
+}
+
+std::size_t MeshPicture::triangles() const {
+  std::size_t count = 0;
+  for (const Shown& shown : meshes_) count += shown.drawn->triangles;
+  return count;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,63 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkPlane.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/contact_patch.h"
+#include "app/gui/view/drawn_mesh.h"
+#include "core/scene/description.h"
+#include "core/tick/report.h"
+
+namespace underact::gui {
+
+struct Layers;
+
+/// The meshes of a scene: bodies that one can just see through, so that a stylus inside is seen, with their sharp
+/// edges; on demand the edges of all triangles, and a cut across an axis, whose side nearer to the eye is hidden; and
+/// where the stylus touches, a patch on the surface. mm, in W. A mesh that moves is only placed anew.
+class MeshPicture {
+ public:
+  MeshPicture();
+  void setScene(const scene::Description& scene);
+  void setTheme(const Theme& theme);
+  void show(const Layers& layers);
+  void present(const tick::TickReport& report);
+  /// The cut as the eye sees it.
+  void update(const Vec3& eye_mm);
+  void setLineWidth(double device_pixels_per_pixel);
+
+  const std::vector<Vec3>& extent_mm() const { return extent_mm_; }
+  /// After solids and lines, in this order. New with each scene that has other meshes.
+  std::vector<vtkActor*> actors() const;
+  std::size_t triangles() const;
+  std::size_t patchCorners() const { return patch_.corners(); }
+
+ private:
+  struct Shown {
+    target::MeshPlace place;
+    std::size_t constraint = 0;  // its index
+    std::shared_ptr<const DrawnMesh> drawn;
+    vtkSmartPointer<vtkActor> body, edges, wires;
+  };
+  Shown makeShown(const std::shared_ptr<const mesh::Surface>& surface) const;
+  void colour(const Shown& shown) const;
+  void placeAll(const scene::Description& scene);
+  void drawPatch();
+
+  Theme theme_ = Theme::light();
+  std::vector<Shown> meshes_;
+  std::vector<Vec3> extent_mm_;
+  ContactPatch patch_;
+  vtkSmartPointer<vtkActor> patch_actor_;
+  std::vector<std::pair<std::size_t, Vec3>> touched_;  // index of meshes_, target in m: that the patch shows
+  bool show_wires_ = false, show_section_ = false, show_patch_ = true, section_follows_ = true;
+  int section_axis_ = 2;
+  Vec3 tip_mm_ = Vec3::Zero(), section_mm_ = Vec3::Zero();
+  vtkSmartPointer<vtkPlane> section_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,35 @@
+#include "core/scene/mesh_names.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/scene/load_meshes.h"
+
+namespace underact::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Steps up that a name may take. More of them say nothing but where on this disk the mesh happens to be.
+constexpr std::ptrdiff_t kMostStepsUp = 2;
+
+}  // namespace
+
+Description namedFrom(Description scene, const std::string& file) {
+  const Description before = scene;  // pathOf() asks where it was read from
+  for (Constraint& constraint : scene.constraints) {
+    auto* const mesh = std::get_if<Mesh>(&constraint.shape);
+    if (mesh == nullptr) continue;
+    std::error_code error;
+    const fs::path whole = fs::absolute(pathOf(*mesh, before), error).lexically_normal();
+    if (error) continue;
+    const fs::path relative = whole.lexically_relative(fs::path(file).parent_path().lexically_normal());
+    const std::ptrdiff_t steps_up = std::count(relative.begin(), relative.end(), fs::path(".."));
+    const bool is_near = !relative.empty() && steps_up <= kMostStepsUp;
+    mesh->file = is_near ? relative.generic_string() : whole.string();
+  }
+  scene.file = file;
+  return scene;
+}
+
+}  // namespace underact::scene

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPushButton>
+#include <QSlider>
+
+#include "tests/stories/mesh_desk.h"
+#include "tests/stories/picture_difference.h"
+
+namespace underact::gui::test {
+namespace {
+
+QString boxFile() {
+  static const QString kPath = temporaryFile("box.stl", boxStl({30, 20, 15}, false));
+  return kPath;
+}
+QString ballFile() {
+  static const QString kPath = temporaryFile("seen_ball.stl", ballStl(30.0, Vec3::Zero(), 48, 24));
+  return kPath;
+}
+
+QImage viewOf(Story& story) {
+  story.settle(300);  // a camera on its way arrives in 0.2 s
+  return story.view().picture();
+}
+
+}  // namespace
+
+TEST(MeshViewStory, TrianglesAndCutAreShownOnDemand) {
+  Story story("");
+  openMesh(story, ballFile());
+  handTo(story, {0.0, 0.0, 0.032});
+  const QImage plain = viewOf(story);
+  ASSERT_TRUE(story.perform("layer.wires", true));
+  const QImage wires = viewOf(story);
+  EXPECT_GT(worstBlockDifference(plain, wires), kTolerance);
+  ASSERT_TRUE(story.perform("layer.wires", false));
+  EXPECT_LT(worstBlockDifference(plain, viewOf(story)), kTolerance);
+
+  ASSERT_TRUE(story.perform("section.x", true));
+  ASSERT_TRUE(story.perform("layer.section", true));
+  const QImage across_x = viewOf(story);
+  EXPECT_GT(worstBlockDifference(plain, across_x), kTolerance);
+  ASSERT_TRUE(story.perform("section.y", true));
+  EXPECT_GT(worstBlockDifference(across_x, viewOf(story)), kTolerance);
+  story.savePicture("mesh_section");
+}
+
+TEST(MeshViewStory, TheCutFollowsTheStylusUntilItIsHeld) {
+  Story story("");
+  openMesh(story, ballFile());
+  handTo(story, {0.0, 0.0, 0.032});
+  Layers layers = story.view().layers();
+  layers.arm = layers.target = layers.force = false;
+  layers.section = true;
+  layers.section_axis = 0;
+  story.view().setLayers(layers);
+  ASSERT_TRUE(story.perform("layer.section_follows", false));
+  const QImage held = viewOf(story);
+  handTo(story, {0.020, 0.0, 0.050});
+  const QImage still = viewOf(story);
+  ASSERT_TRUE(story.perform("layer.section_follows", true));
+  story.run(100);
+  handTo(story, {0.0205, 0.0, 0.050});
+  const QImage moved = viewOf(story);
+  // The stylus moves in both pictures; the cut through the ball only in the second one.
+  const auto changed = [&](const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+      for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_GT(changed(still, moved), 2000);
+  EXPECT_FALSE(held.isNull());
+}
+
+TEST(MeshViewStory, CutAxisAndTrianglesAreRemembered) {
+  {
+    Story story("02_sphere");
+    story.perform("layer.wires", true);
+    story.perform("section.x", true);
+  }
+  Story story("02_sphere", {.first_start = false});
+  EXPECT_TRUE(story.view().layers().wires);
+  EXPECT_EQ(story.view().layers().section_axis, 0);
+}
+
+TEST(MeshViewStory, ABoxLooksAsItDidInLightAndDark) {
+  Story story("");
+  openMesh(story, boxFile());
+  story.perform("view.theme.light");
+  handTo(story, {0.012, 0.005, 0.030});
+  story.perform("session.start");
+  handTo(story, {0.012, 0.005, 0.0135});
+  EXPECT_GT(story.view().patchDrawn(), 6U);
+  EXPECT_LT(story.imageDifference("mesh_box"), kTolerance);
+  story.perform("view.theme.dark");
+  EXPECT_LT(story.imageDifference("mesh_box_dark"), kTolerance);
+}
+
+TEST(MeshViewStory, ALargeWindowShowsItToo) {
+  Story story("", {.size = {1920, 1080}});
+  openMesh(story, ballFile());
+  story.perform("view.theme.dark");
+  handTo(story, {0.0, 0.010, 0.045});
+  story.perform("session.start");
+  handTo(story, {0.0, 0.010, 0.0265});
+  EXPECT_GT(story.view().patchDrawn(), 6U);
+  EXPECT_FALSE(story.picture().isNull());
+  EXPECT_EQ(story.view().glErrors(), 0);
+}
+
+TEST(SurfaceStory, FrictionIsSwitchedTunedAndTakenBackStepByStep) {
+  Story story("04_plane");
+  const auto friction = [&story] { return story.host().scene().constraints[0].friction; };
+  auto* on = story.find<QCheckBox>("panel.surface.friction");
+  ASSERT_TRUE(on->isVisibleTo(story.find("panel.feel")));
+  EXPECT_FALSE(story.find("panel.surface.static.slider")->isVisibleTo(story.find("panel.feel")));
+  on->click();
+  ASSERT_TRUE(friction().has_value());
+  const scene::Friction first = *friction();
+  auto* slider = story.find<QSlider>("panel.surface.static.slider");
+  slider->setFocus();
+  story.key(Qt::Key_PageUp);
+  EXPECT_GT(friction()->static_share, first.static_share);
+  EXPECT_EQ(friction()->dynamic_share, first.dynamic_share);
+  const scene::Friction second = *friction();
+  story.settle(1100);  // keys within a second are one step
+  slider->setFocus();
+  story.key(Qt::Key_Home);  // the dynamic share goes down with it
+  EXPECT_EQ(friction(), (scene::Friction{0.0, 0.0}));
+  story.perform("edit.undo");
+  EXPECT_EQ(friction(), second);
+  story.perform("edit.undo");
+  EXPECT_EQ(friction(), first);
+  story.perform("edit.undo");
+  EXPECT_FALSE(friction().has_value());
+  EXPECT_TRUE(story.perform("friction.set", 0.2, 0.1));
+  EXPECT_EQ(friction(), (scene::Friction{0.2, 0.1}));
+  EXPECT_FALSE(story.perform("friction.set", 0.1, 0.2));  // the dynamic share is the larger one
+}
+
+TEST(SurfaceStory, APointHasNoSurfaceAndOnlyAMeshIsSought) {
+  Story story("01_point");
+  EXPECT_FALSE(story.find("panel.surface")->isVisibleTo(story.find("panel.feel")));
+  EXPECT_FALSE(story.perform("search.set", "local"));
+  drop(story, ballFile());
+  ASSERT_TRUE(waitForMeshes(story));
+  story.find<QComboBox>("dialog.mesh.side")->setCurrentIndex(2);
+  story.find<QPushButton>("dialog.mesh.new")->click();
+  story.settle();
+  auto* search = story.find<QComboBox>("panel.surface.search");
+  ASSERT_TRUE(search->isVisibleTo(story.find("panel.feel")));
+  search->setCurrentIndex(2);
+  EXPECT_EQ(meshOf(story).search, mesh::Search::Local);
+  EXPECT_NE(meshOf(story).surface, nullptr);
+  story.perform("edit.undo");
+  EXPECT_EQ(meshOf(story).search, mesh::Search::Hybrid);
+}
+
+}  // namespace underact::gui::test
