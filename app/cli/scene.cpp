@@ -26,7 +26,7 @@ Exit check(const std::vector<std::string>& paths, const Streams& streams) {
 }
 
 /// The quantities that a tick may need, in the words of scene show.
-std::array<std::pair<const char*, bool>, 9> needsOf(const tick::Needs& needs) {
+std::array<std::pair<const char*, bool>, 12> needsOf(const tick::Needs& needs) {
   return {{{"position", true},
            {"orientation", needs.orientation},
            {"error_rate", needs.rate},
@@ -35,6 +35,9 @@ std::array<std::pair<const char*, bool>, 9> needsOf(const tick::Needs& needs) {
            {"nearest_choice", needs.choice},
            {"joint_targets", needs.joints},
            {"virtual_robots", needs.robots},
+           {"meshes", needs.meshes},
+           {"curves", needs.curves},
+           {"friction", needs.friction},
            {"energy", needs.energy}}};
 }
 

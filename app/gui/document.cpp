@@ -154,6 +154,12 @@ std::optional<scene::Friction> Document::ownFriction(std::size_t index) const {
   return one == nullptr ? std::nullopt : one->friction;
 }
 
+std::optional<scene::CurveGuide> Document::ownGuide(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  const auto* const curve = one == nullptr ? nullptr : std::get_if<scene::Curve>(&one->shape);
+  return curve == nullptr ? std::nullopt : curve->guide;
+}
+
 std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {
   const scene::Constraint* one = original(index);
   return one == nullptr ? std::nullopt : one->influence;

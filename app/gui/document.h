@@ -51,6 +51,8 @@ class Document : public QObject {
   const scene::VirtualManipulator* ownRobot(std::size_t index) const;
   /// The friction at index as the file has it; none: it is smooth, or the file does not have it.
   std::optional<scene::Friction> ownFriction(std::size_t index) const;
+  /// The guide of the curve at index as the file has it; none: there is none.
+  std::optional<scene::CurveGuide> ownGuide(std::size_t index) const;
   bool isOpen() const { return is_open_ || own_; }
   bool modified() const { return !undo_.isClean(); }
   QString path() const { return path_; }  // empty: it has no file

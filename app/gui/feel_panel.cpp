@@ -11,6 +11,7 @@
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/gain_row.h"
+#include "app/gui/guide_section.h"
 #include "app/gui/influence_section.h"
 #include "app/gui/rate_section.h"
 #include "app/gui/stability.h"
@@ -21,6 +22,11 @@
 
 namespace underact::gui {
 namespace {
+
+std::optional<scene::CurveGuide> guideOf(const scene::Constraint& constraint) {
+  const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
+  return curve == nullptr ? std::nullopt : curve->guide;
+}
 
 Vec3& gainOf(scene::Gains& gains, int gain) {
   return gain == 0 ? gains.kp_N_per_mm : gain == 1 ? gains.kd_N_s_per_mm : gains.ki_N_per_mm_s;
@@ -99,8 +105,21 @@ void FeelPanel::addSurfaceCommands() {
   });
 }
 
+void FeelPanel::addGuideCommands() {
+  parts_.actions.addCommand("guide.on", [this](const QVariantList& values) {
+    const bool on = values.value(0).toBool();
+    if (!hasScene() || on == guideOf(parts_.document.scene().constraints[index_]).has_value()) return hasScene();
+    return setGuide(guide_->switched(on), on ? tr("guide on") : tr("guide off"), true);
+  });
+  parts_.actions.addCommand("guide.set", [this](const QVariantList& numbers) {  // t, mm/s, mm
+    if (numbers.size() != 3) return false;
+    return setGuide(scene::CurveGuide{numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble()}, tr("guide"),
+                    true);
+  });
+}
+
 void FeelPanel::present(const servo::Snapshot&) {
-  if (!stale_ || influence_->isHeld() || surface_->isHeld() || rate_->isHeld()) return;
+  if (!stale_ || influence_->isHeld() || surface_->isHeld() || guide_->isHeld() || rate_->isHeld()) return;
   for (const auto& axes : rows_) {
     for (const GainRow* row : axes) {
       if (row->isHeld()) return;  // the hand wins; what holds is shown when it lets go
@@ -154,7 +173,8 @@ bool FeelPanel::resetToScene() {
   if (!hasScene()) return false;
   const scene::Description gains = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
   const scene::Description turned = scene::withInfluence(gains, index_, parts_.document.ownInfluence(index_));
-  const scene::Description edited = scene::withFriction(turned, index_, parts_.document.ownFriction(index_));
+  const scene::Description rubbed = scene::withFriction(turned, index_, parts_.document.ownFriction(index_));
+  const scene::Description edited = scene::withGuide(rubbed, index_, parts_.document.ownGuide(index_));
   return sendScene(edited, tr("reset to scene"), true);
 }
 
@@ -166,12 +186,17 @@ bool FeelPanel::setFriction(const std::optional<scene::Friction>& friction, cons
   return hasScene() && sendScene(scene::withFriction(parts_.document.scene(), index_, friction), what, fresh);
 }
 
-bool FeelPanel::setSearch(mesh::Search search) {
+bool FeelPanel::setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh) {
+  return hasScene() && sendScene(scene::withGuide(parts_.document.scene(), index_, guide), what, fresh);
+}
+
+bool FeelPanel::setSearch(Search search) {
   if (!hasScene()) return false;
   scene::Shape shape = parts_.document.scene().constraints[index_].shape;
   auto* const mesh = std::get_if<scene::Mesh>(&shape);
-  if (mesh == nullptr) return false;
-  mesh->search = search;
+  auto* const curve = std::get_if<scene::Curve>(&shape);
+  if (mesh == nullptr && curve == nullptr) return false;
+  (mesh != nullptr ? mesh->search : curve->search) = search;
   return sendScene(scene::withShape(parts_.document.scene(), index_, shape), tr("search"), true);
 }
 
@@ -249,7 +274,8 @@ void FeelPanel::refresh() {
   sections_[2]->setVisible(control.law == scene::LawType::PID);
   const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   const bool same = constraint.influence == parts_.document.ownInfluence(index_) &&
-                    constraint.friction == parts_.document.ownFriction(index_);
+                    constraint.friction == parts_.document.ownFriction(index_) &&
+                    guideOf(constraint) == parts_.document.ownGuide(index_);
   parts_.actions.find("gains.reset")->setEnabled(!(control == own && same));
   refreshInfluence();
   refreshSurface();
@@ -262,6 +288,7 @@ void FeelPanel::beginInfluence() {
   const bool has_axis = !std::holds_alternative<scene::Sphere>(parts_.document.scene().constraints[index_].shape);
   influence_->begin(parts_.document.ownInfluence(index_), has_axis);
   surface_->begin(parts_.document.ownFriction(index_));
+  guide_->begin(parts_.document.ownGuide(index_));
 }
 
 void FeelPanel::refreshInfluence() {
@@ -273,10 +300,14 @@ void FeelPanel::refreshInfluence() {
 void FeelPanel::refreshSurface() {
   const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
-  const bool is_sought = mesh != nullptr && constraint.side == target::Side::Both;
+  const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
+  std::optional<Search> search;
+  if (mesh != nullptr && constraint.side == target::Side::Both) search = mesh->search;
+  if (curve != nullptr) search = curve->search;
+  guide_->setVisible(curve != nullptr);
+  guide_->present(curve != nullptr ? curve->guide : std::nullopt, parts_.document.ownGuide(index_));
   surface_->setVisible(scene::takesFriction(constraint.shape));
-  surface_->present(constraint.friction, parts_.document.ownFriction(index_),
-                    is_sought ? std::optional(mesh->search) : std::nullopt);
+  surface_->present(constraint.friction, parts_.document.ownFriction(index_), search);
 }
 
 void FeelPanel::refreshWarnings(const scene::Control& control) {

@@ -15,6 +15,7 @@ namespace underact::gui {
 class GainRow;
 class InfluenceSection;
 class RateSection;
+class GuideSection;
 class SurfaceSection;
 
 /// What the constraint feels like: law and gains, changed while the hand is on the stylus.
@@ -35,9 +36,11 @@ class FeelPanel : public Panel {
   bool setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh);
   /// Of the constraint shown; none: smooth.
   bool setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh);
-  /// Of the mesh shown.
-  bool setSearch(mesh::Search search);
-  /// The whole control, the influence and the friction of the constraint shown, as the file has them.
+  /// Of the mesh or the curve shown.
+  bool setSearch(Search search);
+  /// Of the curve shown; none: nobody leads.
+  bool setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh);
+  /// The whole control, the influence, the friction and the guide of the constraint shown, as the file has them.
   bool resetToScene();
 
  private:
@@ -54,6 +57,7 @@ class FeelPanel : public Panel {
   void refreshInfluence();
   void refreshSurface();
   void addSurfaceCommands();
+  void addGuideCommands();
   void refreshWarnings(const scene::Control& control);
   bool send(const scene::Control& control, const QString& what, bool fresh);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
@@ -75,6 +79,7 @@ class FeelPanel : public Panel {
   InfluenceSection* influence_ = nullptr;
   RateSection* rate_ = nullptr;
   SurfaceSection* surface_ = nullptr;
+  GuideSection* guide_ = nullptr;
 };
 
 }  // namespace underact::gui

@@ -15,6 +15,7 @@
 #include "app/gui/document.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/gain_row.h"
+#include "app/gui/guide_section.h"
 #include "app/gui/influence_section.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/rate_section.h"
@@ -26,6 +27,7 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   addActions();
   addInfluenceCommands();
   addSurfaceCommands();
+  addGuideCommands();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 8, 12, 8);
@@ -39,6 +41,9 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   column->addWidget(surface_);
   connect(surface_, &SurfaceSection::frictionChanged, this, &FeelPanel::setFriction);
   connect(surface_, &SurfaceSection::searchChanged, this, &FeelPanel::setSearch);
+  guide_ = new GuideSection(this);
+  column->addWidget(guide_);
+  connect(guide_, &GuideSection::changed, this, &FeelPanel::setGuide);
   rate_ = new RateSection(this);
   column->addWidget(rate_);
   connect(rate_, &RateSection::velocityChanged, this, &FeelPanel::setVelocity);

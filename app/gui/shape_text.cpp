@@ -105,6 +105,16 @@ Lines linesOf(const scene::Mesh& mesh) {
   return lines;
 }
 
+Lines linesOf(const scene::Curve& curve) {
+  Lines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(curve.file)).fileName()}};
+  if (curve.points != nullptr) lines.push_back({QObject::tr("Points"), QString::number(curve.points->size())});
+  lines.push_back({QObject::tr("Joined"),
+                   curve.kind == curve::Kind::Spline ? QObject::tr("smoothly") : QObject::tr("by straight lines")});
+  lines.push_back({QObject::tr("Ends"), curve.closed ? QObject::tr("none, it is closed") : QObject::tr("two")});
+  lines.push_back({QObject::tr("Placed at"), placeText(curve.X_WM.topRightCorner<3, 1>())});
+  return lines;
+}
+
 QString sideText(target::Side side) {
   switch (side) {
     case target::Side::Both:

@@ -10,4 +10,7 @@ namespace underact::scene {
 /// Problems: those of check(); none for what readScene() gave. The arm must be a known preset.
 Result<tick::TickProgram> compile(const Description& scene);
 
+/// A curve as the tick has it: in W, m. Problems: its file was not loaded; too few points.
+Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place = {});
+
 }  // namespace underact::scene

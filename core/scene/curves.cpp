@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/scene/compile.h"
 #include "core/scene/meshes.h"
 #include "core/scene/rules.h"
 

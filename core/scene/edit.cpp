@@ -54,6 +54,11 @@ Description withFriction(Description scene, std::size_t index, const std::option
   return scene;
 }
 
+Description withGuide(Description scene, std::size_t index, const std::optional<CurveGuide>& guide) {
+  if (auto* const curve = std::get_if<Curve>(&scene.constraints[index].shape)) curve->guide = guide;
+  return scene;
+}
+
 Description withShape(Description scene, std::size_t index, const Shape& shape) {
   scene.constraints[index].shape = shape;
   return scene;

@@ -18,6 +18,9 @@ Description withInfluence(Description scene, std::size_t index, const std::optio
 /// The same with its friction; none: smooth.
 Description withFriction(Description scene, std::size_t index, const std::optional<Friction>& friction);
 
+/// The same with the guide of the curve at index; none: nobody leads. As it is where that is no curve.
+Description withGuide(Description scene, std::size_t index, const std::optional<CurveGuide>& guide);
+
 /// The scene with another shape in place of the one at index.
 Description withShape(Description scene, std::size_t index, const Shape& shape);
 /// With one more constraint at the end; a number goes behind its name where that is taken.

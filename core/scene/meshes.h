@@ -41,8 +41,6 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
 /// Those of a curve.
 void readCurve(ObjectReader& object, Curve& into);
 void checkCurve(const Curve& curve, const Control& control, const Say& say);
-/// In SI and in W. Problems: its file was not loaded; too few points.
-Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place);
 
 /// add(key within the constraint, sentence) for each number that no rule allows.
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say);

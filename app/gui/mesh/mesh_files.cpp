@@ -78,7 +78,7 @@ bool MeshFiles::showReport(std::optional<std::size_t> index) {
   for (std::size_t one = index.value_or(0); one < scene.constraints.size(); ++one) {
     const auto* const mesh = std::get_if<scene::Mesh>(&scene.constraints[one].shape);
     if (mesh != nullptr) {
-      load(QString::fromStdString(scene::pathOf(*mesh, scene)), mesh->scale_mm_per_unit);
+      load(QString::fromStdString(scene::pathOf(mesh->file, scene)), mesh->scale_mm_per_unit);
       return true;
     }
     if (index) return false;

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/curve/along.h"
+#include "core/scene/compile.h"
 
 namespace underact::gui {
 namespace {
@@ -292,6 +294,24 @@ void ConstraintPicture::add(const scene::Box& box) {
     const Vec3 share((corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5, (corner & 4) != 0 ? 0.5 : -0.5);
     const Vec3 corner_mm = box.center_mm + box.R_WB * share.cwiseProduct(box.size_mm);
     extent_mm_.push_back(corner_mm);
+  }
+}
+
+/// As fine as the eye sees it: a million points are drawn by some thousand.
+void ConstraintPicture::add(const scene::Curve& curve) {
+  const Result<target::CurvePath> path = scene::makeCurvePath(curve);
+  if (!path) return;
+  constexpr double kStep_mm = 0.5, kMostSteps = 4000.0;
+  const curve::Curve& drawn = *path.value().curve;
+  const double length_m = lengthOf(drawn);
+  const double steps = std::clamp(std::ceil(kMillimetrePerMetre * length_m / kStep_mm), 1.0, kMostSteps);
+  Vec3 last_mm = kMillimetrePerMetre * pointAt(drawn, 0.0);
+  extent_mm_.push_back(last_mm);
+  for (double step = 1.0; step <= steps; step += 1.0) {
+    const Vec3 p_mm = kMillimetrePerMetre * pointAt(drawn, length_m * step / steps);
+    bold_.segment(last_mm, p_mm, theme_.constraint);
+    last_mm = p_mm;
+    extent_mm_.push_back(p_mm);
   }
 }
 

@@ -47,6 +47,7 @@ class ConstraintPicture {
   void add(const scene::Box& box);
   void add(const scene::VirtualManipulator& robot);
   void add(const scene::Mesh&) {}  // see MeshPicture
+  void add(const scene::Curve& curve);
   vtkActor& addTint(vtkPolyData* data);
   /// At a place of a wall's surface, given its outer normal; nothing where the shape is no wall.
   void addHair(const Vec3& p_mm, const Vec3& outwards);
