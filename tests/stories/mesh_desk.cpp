@@ -104,6 +104,11 @@ void openMesh(Story& story, const QString& path) {
   story.settle();
 }
 
+void keepPicture(Story& story, const QString& widget, const QString& name) {
+  story.settle();
+  EXPECT_TRUE(story.find(widget)->grab().save(QString(UNDERACT_BINARY) + "/pictures/" + name + ".png"));
+}
+
 void handTo(Story& story, const Vec3& p_WT) {
   sim::HandWish wish;
   wish.p_WT = p_WT;

@@ -21,6 +21,8 @@ void drop(Story& story, const QString& path);
 bool waitForMeshes(Story& story);
 /// Drops the file, and makes a new scene of it as the dialog offers it.
 void openMesh(Story& story, const QString& path);
+/// What the dialog, or another widget, looks like, into the build's pictures.
+void keepPicture(Story& story, const QString& widget, const QString& name);
 /// The hand goes there, with time to arrive.
 void handTo(Story& story, const Vec3& p_WT);
 const scene::Mesh& meshOf(Story& story, std::size_t index = 0);

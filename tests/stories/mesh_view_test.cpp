@@ -57,14 +57,13 @@ TEST(MeshViewStory, TheCutFollowsTheStylusUntilItIsHeld) {
   layers.section_axis = 0;
   story.view().setLayers(layers);
   ASSERT_TRUE(story.perform("layer.section_follows", false));
-  const QImage held = viewOf(story);
   handTo(story, {0.020, 0.0, 0.050});
   const QImage still = viewOf(story);
   ASSERT_TRUE(story.perform("layer.section_follows", true));
   story.run(100);
   handTo(story, {0.0205, 0.0, 0.050});
   const QImage moved = viewOf(story);
-  // The stylus moves in both pictures; the cut through the ball only in the second one.
+  // Half a millimetre further on: only a cut that was still in the middle goes far.
   const auto changed = [&](const QImage& a, const QImage& b) {
     int count = 0;
     for (int y = 0; y < a.height(); ++y) {
@@ -73,7 +72,6 @@ TEST(MeshViewStory, TheCutFollowsTheStylusUntilItIsHeld) {
     return count;
   };
   EXPECT_GT(changed(still, moved), 2000);
-  EXPECT_FALSE(held.isNull());
 }
 
 TEST(MeshViewStory, CutAxisAndTrianglesAreRemembered) {
