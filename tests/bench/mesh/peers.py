@@ -1,7 +1,8 @@
 """Usage: peers.py CASE ANSWERS. Nearest points by FCPW and libigl, through Python, one query a call.
 
-What a call costs by itself is in the note, measured by a query that has nothing to look for, and is not taken off. Prints
-the lines that tests/bench/mesh/case.h describes; a package that is not installed has none.
+What a call costs by itself is in the note, measured by a query that has nothing to look for, and is
+not taken off. Prints the lines that tests/bench/mesh/case.h describes; a package that is not
+installed has none.
 """
 
 import struct
@@ -50,7 +51,14 @@ def timed(ask: Ask, points: np.ndarray, turns: int = TURNS) -> tuple[np.ndarray,
 
 
 def tell(
-    name: str, build_ms: float, grown_mb: float, ask: Ask, nothing: Ask, lists: list[np.ndarray], note: str, path: str
+    name: str,
+    build_ms: float,
+    grown_mb: float,
+    ask: Ask,
+    nothing: Ask,
+    lists: list[np.ndarray],
+    note: str,
+    path: str,
 ) -> None:
     answers, shares = [], []
     for points in lists:
