@@ -14,6 +14,8 @@ namespace {
 /// A walk's steps from face to face. A hand goes some tenths of a millimetre in a tick: one or two faces of a fine
 /// mesh.
 constexpr int kMostSteps = 256;
+/// Of a walk that the tree follows anyway: who is farther off is found from the root sooner.
+constexpr int kHybridSteps = 12;
 /// Further off than this many times its size a surface is looked at from nearer: floats hold the squares.
 constexpr double kFar = 1e6;
 
@@ -30,16 +32,17 @@ bool lookAtFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit&
   return true;
 }
 
-/// From face to face, across edges and around corners, while it gets nearer.
-void walk(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
-  for (int step = 0; step < kMostSteps; ++step) {
+/// From face to face, across edges and around corners, while it gets nearer. Whether it came to the end of that.
+bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Hit& hit) noexcept UNDERACT_REAL_TIME {
+  for (int step = 0; step < most_steps; ++step) {
     const std::int32_t face = hit.face;
-    if (face < 0) return;
+    if (face < 0) return false;
     forNeighbours(surface, face, hit.part, [&](std::int32_t other) noexcept UNDERACT_REAL_TIME {
       return !lookAtFace(surface, other, q_M, hit);
     });
-    if (hit.face == face) return;
+    if (hit.face == face) return true;
   }
+  return false;
 }
 
 /// Nodes or faces in a row.
@@ -76,7 +79,7 @@ class List {
   }
 
  private:
-  static constexpr std::size_t kRoom = 512;
+  static constexpr std::size_t kRoom = 128;  // along a hand's way some twenty are enough
   std::size_t size_ = 0;
   std::array<Entry, kRoom + 2 * kWays> entries_;  // not set beforehand
 };
@@ -152,12 +155,12 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
   const Vec3 at = q_M.cwiseMax(low - far).cwiseMin(high + far);
   const bool knows = state.face >= 0 && state.face < static_cast<std::int32_t>(surface.triangles.faces.size());
   Hit hit;
+  bool is_near = false;
   if (knows && search != Search::Global) {
     lookAtFace(surface, state.face, at, hit);
-    walk(surface, at, hit);
+    is_near = walk(surface, at, search == Search::Local ? kMostSteps : kHybridSteps, hit);
   }
-  const bool has_limit = hit.face >= 0;
-  const bool is_done = has_limit && (search == Search::Local || sweep(surface, at, hit));
+  const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, at, hit);
   if (!is_done) searchBestFirst(surface, at, hit);
   if (at != q_M) {
     hit.squared = (q_M - hit.p_M).squaredNorm();
