@@ -8,6 +8,7 @@ void addLab(CLI::App& program, const Streams& streams, Exit& exit) {
   CLI::App* command = program.add_subcommand("lab", "Measurements on models and on the simulated arm");
   command->require_subcommand(1);
   addLabStep(*command, streams, exit);
+  addLabSearch(*command, streams, exit);
 }
 
 }  // namespace underact::cli

@@ -10,6 +10,7 @@
 
 #include "app/cli/arm_models.h"
 #include "app/cli/command.h"
+#include "app/cli/hands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
@@ -55,25 +56,6 @@ std::string listOf(const char* title, std::span<const Named> named, const char* 
   std::string list = title;
   for (const Named& one : named) list += std::string("\n  ") + one.name + ": " + one.*what;
   return list;
-}
-
-bool isBuiltIn(const std::string& hand) {
-  const std::span<const sim::BuiltInHand> hands = sim::builtInHands();
-  return std::any_of(hands.begin(), hands.end(), [&](const sim::BuiltInHand& one) { return hand == one.name; });
-}
-
-/// What looks like no file is meant as a name, so that the answer to a typo lists the names.
-bool looksLikeFile(const std::string& hand) {
-  return hand.find_first_of("./\\") != std::string::npos || std::filesystem::exists(hand);
-}
-
-Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed) {
-  if (isBuiltIn(hand) || !looksLikeFile(hand)) return sim::builtInHand(hand, seed);
-  return sim::readHandFile(hand);
-}
-
-Exit exitOfHand(const std::string& hand, const Problems& problems) {
-  return looksLikeFile(hand) ? exitOf(problems) : Exit::Usage;
 }
 
 /// A run in progress: takes the ticks as they come, up to the number asked for.

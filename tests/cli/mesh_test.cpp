@@ -16,10 +16,7 @@ class MeshInfo : public testing::Test {
     ::setenv("UNDERACT_MESH_READER", (std::string(UNDERACT_BINARY) + "/underact-mesh-reader").c_str(), 1);
     ::setenv("UNDERACT_CACHE_DIR", (folder_.path() + "/cache").c_str(), 1);
   }
-  ~MeshInfo() override {
-    ::unsetenv("UNDERACT_MESH_READER");
-    ::unsetenv("UNDERACT_CACHE_DIR");
-  }
+  ~MeshInfo() override { ::setenv("UNDERACT_CACHE_DIR", (std::string(UNDERACT_BINARY) + "/mesh_cache").c_str(), 1); }
   ScratchFolder folder_;
 };
 

@@ -1,0 +1,33 @@
+#include "app/cli/hands.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "app/cli/scene_file.h"
+
+namespace underact::cli {
+namespace {
+
+bool isBuiltIn(const std::string& hand) {
+  const std::span<const sim::BuiltInHand> hands = sim::builtInHands();
+  return std::any_of(hands.begin(), hands.end(), [&](const sim::BuiltInHand& one) { return hand == one.name; });
+}
+
+/// What looks like no file is meant as a name, so that the answer to a typo lists the names.
+bool looksLikeFile(const std::string& hand) {
+  return hand.find_first_of("./\\") != std::string::npos || std::filesystem::exists(hand);
+}
+
+}  // namespace
+
+Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed) {
+  if (isBuiltIn(hand) || !looksLikeFile(hand)) return sim::builtInHand(hand, seed);
+  return sim::readHandFile(hand);
+}
+
+Exit exitOfHand(const std::string& hand, const Problems& problems) {
+  return looksLikeFile(hand) ? exitOf(problems) : Exit::Usage;
+}
+
+}  // namespace underact::cli

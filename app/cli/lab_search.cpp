@@ -1,0 +1,107 @@
+#include <iomanip>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/hands.h"
+#include "app/cli/json_object.h"
+#include "app/cli/lab.h"
+#include "app/cli/scene_file.h"
+#include "core/base/units.h"
+#include "core/lab/search_trade.h"
+#include "core/scene/fields.h"
+
+namespace underact::cli {
+namespace {
+
+constexpr double kLongest_s = 600.0;
+
+struct SearchOptions {
+  std::string scene, hand = "sweep";
+  double seconds = 10.0;
+  int rate_hz = 1000;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+JsonObject objectOf(const lab::SearchFigures& figures) {
+  JsonObject object;
+  object.addText("search", wordOf(scene::kSearchWords, figures.search));
+  object.addNumber("p50_us", figures.p50_us);
+  object.addNumber("p99_us", figures.p99_us);
+  object.addNumber("max_us", figures.max_us);
+  object.addNumber("worst_error_mm", kMillimetrePerMetre * figures.worst_m);
+  object.addNumber("share_beside", figures.share_beside);
+  object.addNumber("share_unproved", figures.share_unproved);
+  return object;
+}
+
+void printTable(const std::string& name, const lab::SearchTrade& trade, std::ostream& out) {
+  out << name << ", " << trade.pieces << (trade.is_mesh ? " triangles\n" : " pieces\n");
+  out << "search     p50 us   p99 us   max us   worst error mm   beside   not proved\n";
+  for (const lab::SearchFigures& figures : trade.searches) {
+    out << std::left << std::setw(8) << wordOf(scene::kSearchWords, figures.search) << std::right << std::fixed
+        << std::setprecision(2) << std::setw(9) << figures.p50_us << std::setw(9) << figures.p99_us << std::setw(9)
+        << figures.max_us << std::setprecision(6) << std::setw(17) << kMillimetrePerMetre * figures.worst_m
+        << std::setprecision(1) << std::setw(8) << 100.0 * figures.share_beside << " %" << std::setw(10)
+        << 100.0 * figures.share_unproved << " %\n";
+  }
+}
+
+Exit searches(const SearchOptions& options, const Streams& streams) {
+  const Result<LoadedScene> loaded = loadScene(options.scene, streams);
+  if (!loaded) {
+    print(loaded.problems(), streams.err);
+    return exitOf(loaded.problems());
+  }
+  const Result<sim::HandScript> hand = findHand(options.hand, options.seed);
+  if (!hand) {
+    print(hand.problems(), streams.err);
+    return exitOfHand(options.hand, hand.problems());
+  }
+  const auto ticks = static_cast<int>(options.seconds * options.rate_hz);
+  const std::vector<lab::SearchTrade> trades =
+      lab::searchTrade(loaded.value().program, hand.value(), options.rate_hz, ticks);
+  if (trades.empty()) {
+    streams.err << options.scene << ": This scene has no mesh and no curve, so nothing is sought in it.\n";
+    return Exit::BadInput;
+  }
+  for (const lab::SearchTrade& trade : trades) {
+    const std::string& name = loaded.value().description.constraints[trade.constraint].name;
+    if (!options.json) {
+      printTable(name, trade, streams.out);
+      continue;
+    }
+    JsonObject object;
+    object.addText("constraint", name);
+    object.addText("of", trade.is_mesh ? "triangles" : "pieces");
+    object.addInteger("count", static_cast<std::int64_t>(trade.pieces));
+    std::vector<JsonObject> rows;
+    for (const lab::SearchFigures& figures : trade.searches) rows.push_back(objectOf(figures));
+    object.addList("searches", rows);
+    streams.out << object.text() << '\n';
+  }
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addLabSearch(CLI::App& lab, const Streams& streams, Exit& exit) {
+  auto options = std::make_shared<SearchOptions>();
+  CLI::App* command = lab.add_subcommand(
+      "search",
+      "Time and error of each way to seek the nearest point of a scene's meshes and curves, along a hand's way");
+  command->add_option("SCENE", options->scene, "A scene with a mesh or a curve")->required();
+  command->add_option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a file with a path")
+      ->capture_default_str();
+  command->add_option("--seconds", options->seconds, "How long the hand moves")
+      ->check(CLI::Range(0.001, kLongest_s))
+      ->capture_default_str();
+  command->add_option("--rate", options->rate_hz, "Ticks a second")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the hand")->capture_default_str();
+  command->add_flag("--json", options->json, "A JSON object a constraint in place of a table");
+  command->callback([options, &streams, &exit] { exit = searches(*options, streams); });
+}
+
+}  // namespace underact::cli
