@@ -46,9 +46,10 @@ std::vector<std::byte> bytesOfState(const tick::TickState& state) {
 
 std::string stateLayout() {
   std::string layout = "1";
-  for (const std::size_t size : {sizeof(tick::TickState), sizeof(safety::GateState), sizeof(control::LawState),
-                                 sizeof(target::InfluenceState), sizeof(manipulator::State), sizeof(target::MeshState),
-                                 sizeof(target::CurveState), sizeof(target::Grip), sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
+  for (const std::size_t size :
+       {sizeof(tick::TickState), sizeof(safety::GateState), sizeof(control::LawState), sizeof(target::InfluenceState),
+        sizeof(manipulator::State), sizeof(target::MeshState), sizeof(target::CurveState), sizeof(target::Grip),
+        sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
     layout += ":" + std::to_string(size);
   }
   return layout;

@@ -50,8 +50,31 @@ std::string judgeTick(const tick::TickProgram& program) {
   return {};
 }
 
-std::string judgeAccepted(const scene::Description& scene) {
+/// Files that no mutation wrote: a tetrahedron in the place of each mesh, three points in that of each curve. False: a
+/// scale or a pose takes them where no curve may be, which only compile() can say.
+bool fill(scene::Description& scene) {
+  static const std::shared_ptr<const mesh::Surface> tetrahedron = [] {
+    mesh::Triangles triangles;
+    triangles.p_MV = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
+    triangles.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    return mesh::makeSurface(std::move(triangles)).value();
+  }();
+  static const auto points =
+      std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}});
+  bool all = true;
+  for (scene::Constraint& constraint : scene.constraints) {
+    if (auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape)) mesh->surface = tetrahedron;
+    if (auto* const curve = std::get_if<scene::Curve>(&constraint.shape)) {
+      curve->points = points;
+      all = all && static_cast<bool>(scene::makeCurvePath(*curve));
+    }
+  }
+  return all;
+}
+
+std::string judgeAccepted(scene::Description scene) {
   if (!scene::check(scene).empty()) return "Read, but check() objects.";
+  if (!fill(scene)) return {};
   const Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return "Read, but does not compile: " + joined(linesOf(program.problems()));
   if (program.value().entries.size() != scene.constraints.size()) return "Half loaded.";

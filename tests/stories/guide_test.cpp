@@ -30,6 +30,7 @@ void openPath(Story& story) {
   sim::HandWish wish;
   wish.p_WT = Vec3(-0.02, 0.001, 0.0);
   story.arm().wish(wish);
+  story.run(1500);  // it is there
   story.perform("session.start");
 }
 
@@ -45,6 +46,7 @@ TEST(GuideStory, ItLeadsTheHandAndWaitsForIt) {
   Story story("02_sphere");
   openPath(story);
   const double began_m = story.snapshot().report.p_WT.x();
+  EXPECT_NEAR(began_m, -0.02, 1e-3);
   story.run(3000);  // two seconds past the ramp: 40 mm/s would be far past the lead
   EXPECT_NEAR(ahead_mm(story), 8.0, 1e-6);
   EXPECT_GT(story.snapshot().report.p_WT.x(), began_m + 1e-3);  // the hand gave way

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 
+#include "tests/stories/mesh_desk.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -39,6 +40,7 @@ TEST(ScenesStory, AClickInTheListOpensEachShippedScene) {
     const bool was_open = story.window().document().path() == path;
     const std::uint64_t before = story.host().revision();
     clickItem(story, list, item);
+    ASSERT_TRUE(waitForMeshes(story)) << file.toStdString();
     EXPECT_EQ(QString::fromStdString(story.host().scene().title), title);
     EXPECT_EQ(story.host().revision(), before + (was_open ? 0 : 1)) << file.toStdString();
     story.run(1000);

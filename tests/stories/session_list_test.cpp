@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTimer>
 #include <filesystem>
 
@@ -164,7 +165,7 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
       kLong_ms))
       << desk.text("panel.sessions.told").toStdString();
   ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("slow.pdf")));
-  desk.story->click(desk.story->find("panel.sessions.cancel"));
+  desk.story->find<QPushButton>("panel.sessions.cancel")->click();
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return desk.text("panel.sessions.told") == "Cancelled: the plots are not all drawn."; }, kLong_ms))
       << desk.text("panel.sessions.told").toStdString();

@@ -28,13 +28,13 @@ struct Case {
 }  // namespace
 
 TEST(MeshNames, FromAnotherFolderTheSameFileIsFound) {
-  for (const Case& one : {Case{"/a/b/s.json", "m.stl", "/a/b/t.json", "m.stl"},
-                          Case{"/a/b/s.json", "m.stl", "/a/c/t.json", "../b/m.stl"},
-                          Case{"/a/b/s.json", "../m.stl", "/a/t.json", "m.stl"},
-                          Case{"/a/b/s.json", "/a/b/deep/m.stl", "/a/b/t.json", "deep/m.stl"},
-                          Case{"", "/a/b/m.stl", "/a/b/c/d/t.json", "../../m.stl"},
-                          // Three steps up say only where on this disk it is.
-                          Case{"/a/b/s.json", "m.stl", "/x/y/z/t.json", "/a/b/m.stl"}}) {
+  for (const Case& one :
+       {Case{"/a/b/s.json", "m.stl", "/a/b/t.json", "m.stl"}, Case{"/a/b/s.json", "m.stl", "/a/c/t.json", "../b/m.stl"},
+        Case{"/a/b/s.json", "../m.stl", "/a/t.json", "m.stl"},
+        Case{"/a/b/s.json", "/a/b/deep/m.stl", "/a/b/t.json", "deep/m.stl"},
+        Case{"", "/a/b/m.stl", "/a/b/c/d/t.json", "../../m.stl"},
+        // Three steps up say only where on this disk it is.
+        Case{"/a/b/s.json", "m.stl", "/x/y/z/t.json", "/a/b/m.stl"}}) {
     const Description named = namedFrom(sceneAt(one.from, one.mesh), one.to);
     EXPECT_EQ(nameIn(named), one.named) << one.from << " " << one.mesh << " -> " << one.to;
     EXPECT_EQ(named.file, one.to);

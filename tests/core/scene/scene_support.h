@@ -101,6 +101,16 @@ inline bool same(const scene::VirtualManipulator& a, const scene::VirtualManipul
   for (std::size_t i = 0; all && i < a.joints.size(); ++i) all = same(a.joints[i], b.joints[i]);
   return all;
 }
+/// As the file says them; what was loaded does not count.
+inline bool same(const scene::Mesh& a, const scene::Mesh& b) {
+  return a.file == b.file && a.checksum == b.checksum && same(a.scale_mm_per_unit, b.scale_mm_per_unit) &&
+         a.search == b.search && std::memcmp(a.X_WM.data(), b.X_WM.data(), 16 * sizeof(double)) == 0;
+}
+inline bool same(const scene::Curve& a, const scene::Curve& b) {
+  return a.file == b.file && same(a.scale_mm_per_unit, b.scale_mm_per_unit) && a.kind == b.kind &&
+         a.closed == b.closed && a.search == b.search && a.guide == b.guide &&
+         std::memcmp(a.X_WM.data(), b.X_WM.data(), 16 * sizeof(double)) == 0;
+}
 inline bool same(const scene::Shape& a, const scene::Shape& b) {
   return a.index() == b.index() &&
          std::visit([&](const auto& shape) { return same(shape, std::get<std::decay_t<decltype(shape)>>(b)); }, a);
@@ -110,7 +120,7 @@ inline bool same(const scene::Control& a, const scene::Control& b) {
          same(a.gains.kd_N_s_per_mm, b.gains.kd_N_s_per_mm) && same(a.gains.ki_N_per_mm_s, b.gains.ki_N_per_mm_s);
 }
 inline bool same(const scene::Constraint& a, const scene::Constraint& b) {
-  return a.name == b.name && same(a.shape, b.shape) && a.side == b.side &&
+  return a.name == b.name && same(a.shape, b.shape) && a.side == b.side && a.friction == b.friction &&
          a.control.has_value() == b.control.has_value() && (!a.control || same(*a.control, *b.control));
 }
 /// All but where it was read from.
