@@ -49,7 +49,7 @@ void Hand::showHint() {
   if (replaying_) return view_->setHint(faulted_ ? QString() : tr("Replaying: forces go to no arm."));
   if (arm_ == nullptr) return view_->setHint({});
   // One line at a time: what went wrong goes before what could be done.
-  const bool has_inside = !QStringList{"point", "line", "circle", "virtual_manipulator"}.contains(shape_);
+  const bool has_inside = !QStringList{"point", "line", "circle", "curve", "virtual_manipulator"}.contains(shape_);
   const QString what = has_inside ? tr("Push into the %1.") : tr("Pull it away from the %1.");
   const QString shape = shape_ == "virtual_manipulator" ? tr("robot's tip") : shape_;
   view_->setHint(has_pushed_ || faulted_ ? QString() : tr("Drag the stylus with the mouse. ") + what.arg(shape));

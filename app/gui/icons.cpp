@@ -227,6 +227,12 @@ void drawMesh(QPainter& painter, const Theme& theme) {
   for (int corner = 0; corner < 5; ++corner)
     painter.drawPolygon(QPolygonF{{middle, around[corner], around[(corner + 1) % 5]}});
 }
+void drawCurve(QPainter& painter, const Theme& theme) {
+  painter.setPen(QPen(edge(theme).color(), 2.2, Qt::SolidLine, Qt::RoundCap));
+  QPainterPath path(QPointF(3, 17));
+  path.cubicTo(QPointF(9, -4), QPointF(12, 26), QPointF(21, 6));
+  painter.drawPath(path);
+}
 void drawUnderact(QPainter& painter, const Theme& theme) {
   drawSphere(painter, theme);
   painter.setPen(QPen(theme.force, 2.4, Qt::SolidLine, Qt::RoundCap));
@@ -237,14 +243,14 @@ void drawUnderact(QPainter& painter, const Theme& theme) {
 
 const QHash<QString, Draw>& drawings() {
   static const QHash<QString, Draw> kAll{
-      {"start", drawStart},   {"stop", drawStop},         {"record", drawRecord},   {"play", drawPlay},
-      {"pause", drawPause},   {"back", drawBack},         {"forward", drawForward}, {"fit", drawFit},
-      {"front", drawFront},   {"top", drawTop},           {"side", drawSide},       {"isometric", drawIsometric},
-      {"layers", drawLayers}, {"help", drawHelp},         {"open", drawOpen},       {"save", drawSave},
-      {"undo", drawUndo},     {"redo", drawRedo},         {"reset", drawReset},     {"file", drawFile},
-      {"point", drawPoint},   {"sphere", drawSphere},     {"line", drawLine},       {"plane", drawPlane},
-      {"circle", drawCircle}, {"cylinder", drawCylinder}, {"box", drawBox},         {"virtual_manipulator", drawRobot},
-      {"mesh", drawMesh},     {"underact", drawUnderact}};
+      {"start", drawStart},   {"stop", drawStop},         {"record", drawRecord},    {"play", drawPlay},
+      {"pause", drawPause},   {"back", drawBack},         {"forward", drawForward},  {"fit", drawFit},
+      {"front", drawFront},   {"top", drawTop},           {"side", drawSide},        {"isometric", drawIsometric},
+      {"layers", drawLayers}, {"help", drawHelp},         {"open", drawOpen},        {"save", drawSave},
+      {"undo", drawUndo},     {"redo", drawRedo},         {"reset", drawReset},      {"file", drawFile},
+      {"point", drawPoint},   {"sphere", drawSphere},     {"line", drawLine},        {"plane", drawPlane},
+      {"circle", drawCircle}, {"cylinder", drawCylinder}, {"box", drawBox},          {"virtual_manipulator", drawRobot},
+      {"mesh", drawMesh},     {"curve", drawCurve},       {"underact", drawUnderact}};
   return kAll;
 }
 

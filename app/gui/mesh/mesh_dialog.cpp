@@ -79,6 +79,7 @@ MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std
   found->setProperty("role", "section");
   found->setIndent(0);
   column->addWidget(found);
+  report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(panelScroll(report_, this), 1);
   if (is_to_add) buildChoices(column);
   refusal_->hide();
