@@ -69,9 +69,6 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   next.bump_T_W = last.bump_T_W;
   next.retuned = true;
   carryAll(last.laws, next.laws);
-  if (what == Carry::ArmAndMovedLaws) {
-    for (control::LawState& law : next.laws) law.velocity.has_last = false;
-  }
   carryAll(last.energies, next.energies);
   carryAll(last.influences, next.influences);
   carryAll(last.robots, next.robots);
@@ -79,8 +76,12 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   carryAll(last.meshes, next.meshes);
   carryAll(last.grips, next.grips);
   carryAll(last.curves, next.curves);
-  // In the mesh's frame the tip was elsewhere, if the mesh was moved; a way from there would be none of the hand's.
+  if (what != Carry::ArmAndMovedLaws) return;
+  // The way that a target went is none of the hand's: neither a rate, nor a way through a wall that was elsewhere. And
+  // where a target held on, its surface may be no longer.
+  for (control::LawState& law : next.laws) law.velocity.has_last = false;
   for (target::MeshState& mesh : next.meshes) mesh.touch.knows_last = false;
+  for (target::Grip& grip : next.grips) grip.holds = false;
 }
 
 }  // namespace underact::tick

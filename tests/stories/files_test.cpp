@@ -2,17 +2,16 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDropEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTimer>
 
 #include "core/scene/read.h"
 #include "core/scene/write.h"
+#include "tests/stories/mesh_desk.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -26,17 +25,6 @@ constexpr const char* kBroken = R"({
     {"type": "plain", "point_mm": [0, 0, 0]}
   ]
 })";
-
-void drop(Story& story, const QString& path) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(path)});
-  const QPoint middle = story.window().rect().center();
-  QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(&story.window(), &enter);
-  ASSERT_TRUE(enter.isAccepted());
-  QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(&story.window(), &event);
-}
 
 void answer(QMessageBox::StandardButton button) {
   QTimer::singleShot(200, [button] {

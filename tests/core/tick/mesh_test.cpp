@@ -120,6 +120,23 @@ TEST(MeshTick, TheLocalSearchStaysOnItsSheet) {
   }
 }
 
+TEST(MeshTick, ATargetThatWasMovedHoldsOnNoMoreOneOfOtherGainsDoes) {
+  const auto programOf = [](double y_m) {
+    Entry floor = test::hold(shape::makePlane({0, y_m, 0}, Vec3::UnitY(), {}).value(),
+                             control::P{Vec3::Constant(500.0)}, target::Side::Outside);
+    floor.constraint.friction = {1.0, 1.0};
+    return makeProgram(test::thesisGeometry(), {floor}, Combine::Sum, test::kTestLimits);
+  };
+  Hand hand(programOf(0.0));
+  hand.at({0, -0.004, 0});
+  const TickProgram moved = programOf(-0.002);
+  TickState kept = makeState(moved), anew = kept;
+  carryOver(hand.state(), kept, Carry::ArmAndLaws);
+  carryOver(hand.state(), anew, Carry::ArmAndMovedLaws);
+  EXPECT_TRUE(kept.grips[0].holds);
+  EXPECT_FALSE(anew.grips[0].holds);  // else the target would stay 2 mm above its floor
+}
+
 TEST(MeshTick, MovingTheMeshKeepsTheProxyAndForgetsTheWay) {
   const mesh::Triangles triangles = mesh_maker::plate(1.0, 2000);
   const target::MeshPlace place = placed(triangles);
