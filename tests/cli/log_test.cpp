@@ -104,7 +104,7 @@ TEST(Log, RecoverLeavesAClosedSessionAsItIs) {
   const Outcome outcome = runCli({"log", "recover", session.path()});
   EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
   EXPECT_EQ(textAtPath(session.path()), before);
-  EXPECT_EQ(runCli({"log", "recover", "/nowhere/s.h5"}).exit, Exit::File);
+  EXPECT_EQ(runCli({"log", "recover", "/dev/null/nowhere/s.h5"}).exit, Exit::File);
 }
 
 TEST(Log, OfWhatIsNoSessionSaysSo) {

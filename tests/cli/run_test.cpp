@@ -106,9 +106,9 @@ TEST(Run, WithoutAFaultThereIsNoFaultFile) {
 TEST(Run, AFaultFileThatCannotBeWrittenIsTold) {
   const ScratchFile hand(kLeap, "leap.json");
   const Outcome outcome = run({"--hand", hand.path(), "--seconds", "1", "--fast", "--arm-model", "ideal",
-                               "--fault-file", "/nowhere/at/all.json"});
+                               "--fault-file", "/dev/null/nowhere/all.json"});
   EXPECT_EQ(outcome.exit, Exit::Fault);
-  EXPECT_NE(outcome.err.find("/nowhere/at/all.json"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("/dev/null/nowhere/all.json"), std::string::npos) << outcome.err;
 }
 
 TEST(Run, GivesEveryFigureOfTheContract) {
@@ -229,9 +229,11 @@ TEST(Run, AMisspeltHandIsAnsweredWithTheNamesThereAre) {
 
 TEST(Run, FilesThatCannotBeReadOrWrittenGiveStatus4) {
   EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast"}, "no_such_scene.json").exit, Exit::File);
-  EXPECT_EQ(run({"--hand", "/nowhere/hand.json", "--seconds", "1", "--fast"}).exit, Exit::File);
-  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/nowhere/a.csv"}).exit, Exit::File);
-  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/nowhere/a.h5"}).exit, Exit::File);
+  EXPECT_EQ(run({"--hand", "/dev/null/nowhere/hand.json", "--seconds", "1", "--fast"}).exit, Exit::File);
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/dev/null/nowhere/a.csv"}).exit,
+            Exit::File);
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--record", "/dev/null/nowhere/a.h5"}).exit,
+            Exit::File);
 }
 
 TEST(Run, AFullDiskIsToldAtOnceAndTheRunGoesOnToItsEnd) {

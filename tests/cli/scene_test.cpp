@@ -51,10 +51,10 @@ TEST(SceneCheck, GoesOnAfterABadFile) {
 }
 
 TEST(SceneCheck, AFileThatCannotBeReadGivesItsOwnStatus) {
-  const Outcome outcome = runCli({"scene", "check", "/nowhere/scene.json", shipped("02_sphere.json")});
+  const Outcome outcome = runCli({"scene", "check", "/dev/null/nowhere/scene.json", shipped("02_sphere.json")});
   EXPECT_EQ(outcome.exit, Exit::File);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_NE(outcome.err.find("/nowhere/scene.json"), std::string::npos);
+  EXPECT_NE(outcome.err.find("/dev/null/nowhere/scene.json"), std::string::npos);
 }
 
 TEST(SceneShow, TellsWhatTheTickNeedsAndNothingItDoesNot) {

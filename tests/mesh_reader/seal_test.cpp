@@ -54,7 +54,7 @@ TEST(Seal, NoSocketNoProcessNoProgram) {
   expectKilledBy(SIGSYS, sealed([] { return ::socket(AF_INET, SOCK_STREAM, 0); }));
   expectKilledBy(SIGSYS, sealed([] { return static_cast<int>(::fork()); }));
   expectKilledBy(SIGSYS, sealed([] { return ::execl("/bin/true", "true", nullptr); }));
-  expectKilledBy(SIGSYS, sealed([] { return ::unlink("/nowhere"); }));
+  expectKilledBy(SIGSYS, sealed([] { return ::unlink("/dev/null/nowhere"); }));
   expectKilledBy(SIGSYS, sealed([] { return ::kill(1, 0); }));
 }
 

@@ -152,9 +152,9 @@ TEST(Disk, ThatLostTheFileEndsTheRecordingWithASentence) {
 TEST(Disk, ThatLetsNothingBeMadeThereSaysSoAtOnce) {
   const auto host = test::makeHost(servo::Clock::Manual, "probe");
   ASSERT_TRUE(host->load(test::sphereScene()).empty());
-  const auto recorder = Recorder::start(*host, "/nowhere/at/all/s.h5", {});
+  const auto recorder = Recorder::start(*host, "/dev/null/nowhere/all/s.h5", {});
   ASSERT_FALSE(recorder);
-  EXPECT_EQ(recorder.problems().front().sentence, "The recording cannot be made: No such file or directory.");
+  EXPECT_EQ(recorder.problems().front().sentence, "The recording cannot be made: Not a directory.");
 }
 
 }  // namespace underact::record

@@ -148,7 +148,7 @@ TEST(FiguresStory, AFigureThatShowsSomethingElseIsSaidInWords) {
 }
 
 TEST(FiguresStory, AMissingPythonIsToldWithTheWayOutAndTheOldFiguresStay) {
-  const Surroundings python("UNDERACT_PYTHON", "/nowhere");
+  const Surroundings python("UNDERACT_PYTHON", "/dev/null/nowhere");
   Gallery gallery("B.1", kOneThatFails);
   ASSERT_TRUE(gallery.make());
   EXPECT_TRUE(gallery.dialog->message().contains("Python could not be started"))
@@ -162,9 +162,9 @@ TEST(FiguresStory, AMissingPythonIsToldWithTheWayOutAndTheOldFiguresStay) {
 
 TEST(FiguresStory, AMissingProgramIsTold) {
   Gallery gallery("B.1");
-  const Surroundings cli("UNDERACT_CLI", "/nowhere/underact-cli");
+  const Surroundings cli("UNDERACT_CLI", "/dev/null/nowhere/underact-cli");
   ASSERT_TRUE(gallery.make());
-  EXPECT_TRUE(gallery.dialog->message().contains("The program /nowhere/underact-cli could not be started."));
+  EXPECT_TRUE(gallery.dialog->message().contains("The program /dev/null/nowhere/underact-cli could not be started."));
 }
 
 TEST(FiguresStory, CancelEndsItAndTheOldFiguresStay) {

@@ -109,7 +109,7 @@ TEST(ArmFile, NamesWhatIsWrongAndWhere) {
                       kIdentity + "}"),
             "");
   EXPECT_FALSE(readArm("[", "a.json"));
-  EXPECT_FALSE(readArmFile("/nowhere/arm.json"));
+  EXPECT_FALSE(readArmFile("/dev/null/nowhere/arm.json"));
 }
 
 }  // namespace underact::arm

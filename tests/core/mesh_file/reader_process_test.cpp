@@ -68,7 +68,7 @@ TEST(ReaderProcess, ThatLiesIsNotBelieved) {
 }
 
 TEST(ReaderProcess, ThatIsNotThereIsSaid) {
-  ::setenv("UNDERACT_MESH_READER", "/nowhere/reader", 1);
+  ::setenv("UNDERACT_MESH_READER", "/dev/null/nowhere/reader", 1);
   const ScratchFolder folder;
   const Result<Raw> raw = readFile(folder.write("m.obj", obj(cube(1.0F))));
   ::unsetenv("UNDERACT_MESH_READER");
