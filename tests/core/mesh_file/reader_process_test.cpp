@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <thread>
 
 #include "core/mesh_file/message.h"
 #include "core/mesh_file/read_file.h"
+#include "tests/core/mesh_file/cancelled_after.h"
 #include "tests/core/mesh_file/some_meshes.h"
 #include "tests/support/random.h"
 
@@ -79,18 +78,9 @@ TEST(ReaderProcess, ThatIsNotThereIsSaid) {
 
 TEST(ReaderProcess, IsEndedAtOnceWhereItIsCancelled) {
   InPlaceOfTheReader reader("while :; do :; done");
-  std::atomic<bool> cancelled = false;
-  std::chrono::steady_clock::time_point since;
-  std::thread canceller([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    since = std::chrono::steady_clock::now();
-    cancelled = true;
-  });
-  mesh::Watch watch;
-  watch.cancelled = &cancelled;
-  EXPECT_EQ(reader.problem(watch), kCancelled);
-  canceller.join();
-  EXPECT_LT(secondsSince(since), 0.2);
+  CancelledAfter cancelled(std::chrono::milliseconds(100));
+  EXPECT_EQ(reader.problem(cancelled.watch()), kCancelled);
+  EXPECT_LT(cancelled.secondsSince(), 0.2);
 }
 
 TEST(ReaderProcess, TellsHowFarItIs) {
