@@ -160,6 +160,12 @@ std::optional<scene::CurveGuide> Document::ownGuide(std::size_t index) const {
   return curve == nullptr ? std::nullopt : curve->guide;
 }
 
+std::optional<double> Document::ownSmoothing(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  const auto* const mesh = one == nullptr ? nullptr : std::get_if<scene::Mesh>(&one->shape);
+  return mesh == nullptr ? std::nullopt : std::optional(mesh->smooth_deg);
+}
+
 std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {
   const scene::Constraint* one = original(index);
   return one == nullptr ? std::nullopt : one->influence;

@@ -53,6 +53,8 @@ class Document : public QObject {
   std::optional<scene::Friction> ownFriction(std::size_t index) const;
   /// The guide of the curve at index as the file has it; none: there is none.
   std::optional<scene::CurveGuide> ownGuide(std::size_t index) const;
+  /// How far the force of the mesh at index may lean, degrees, as the file has it; none: there is no mesh.
+  std::optional<double> ownSmoothing(std::size_t index) const;
   bool isOpen() const { return is_open_ || own_; }
   bool modified() const { return !undo_.isClean(); }
   QString path() const { return path_; }  // empty: it has no file

@@ -28,6 +28,11 @@ std::optional<scene::CurveGuide> guideOf(const scene::Constraint& constraint) {
   return curve == nullptr ? std::nullopt : curve->guide;
 }
 
+std::optional<double> smoothingOf(const scene::Constraint& constraint) {
+  const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
+  return mesh == nullptr ? std::nullopt : std::optional(mesh->smooth_deg);
+}
+
 Vec3& gainOf(scene::Gains& gains, int gain) {
   return gain == 0 ? gains.kp_N_per_mm : gain == 1 ? gains.kd_N_s_per_mm : gains.ki_N_per_mm_s;
 }
@@ -96,6 +101,9 @@ void FeelPanel::addSurfaceCommands() {
     const bool on = values.value(0).toBool();
     if (!hasScene() || on == parts_.document.scene().constraints[index_].friction.has_value()) return hasScene();
     return setFriction(surface_->switched(on), on ? tr("friction on") : tr("friction off"), true);
+  });
+  parts_.actions.addCommand("smooth.set", [this](const QVariantList& degrees) {
+    return degrees.size() == 1 && setSmoothing(degrees[0].toDouble(), true);
   });
   parts_.actions.addCommand("search.set", [this](const QVariantList& values) {
     for (const auto& word : scene::kSearchWords) {
@@ -174,7 +182,9 @@ bool FeelPanel::resetToScene() {
   const scene::Description gains = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
   const scene::Description turned = scene::withInfluence(gains, index_, parts_.document.ownInfluence(index_));
   const scene::Description rubbed = scene::withFriction(turned, index_, parts_.document.ownFriction(index_));
-  const scene::Description edited = scene::withGuide(rubbed, index_, parts_.document.ownGuide(index_));
+  const scene::Description led = scene::withGuide(rubbed, index_, parts_.document.ownGuide(index_));
+  const scene::Description edited =
+      scene::withSmoothing(led, index_, parts_.document.ownSmoothing(index_).value_or(0.0));
   return sendScene(edited, tr("reset to scene"), true);
 }
 
@@ -188,6 +198,11 @@ bool FeelPanel::setFriction(const std::optional<scene::Friction>& friction, cons
 
 bool FeelPanel::setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh) {
   return hasScene() && sendScene(scene::withGuide(parts_.document.scene(), index_, guide), what, fresh);
+}
+
+bool FeelPanel::setSmoothing(double smooth_deg, bool fresh) {
+  if (!hasScene() || !smoothingOf(parts_.document.scene().constraints[index_])) return false;
+  return sendScene(scene::withSmoothing(parts_.document.scene(), index_, smooth_deg), tr("smoothing"), fresh);
 }
 
 bool FeelPanel::setSearch(Search search) {
@@ -275,7 +290,8 @@ void FeelPanel::refresh() {
   const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   const bool same = constraint.influence == parts_.document.ownInfluence(index_) &&
                     constraint.friction == parts_.document.ownFriction(index_) &&
-                    guideOf(constraint) == parts_.document.ownGuide(index_);
+                    guideOf(constraint) == parts_.document.ownGuide(index_) &&
+                    smoothingOf(constraint) == parts_.document.ownSmoothing(index_);
   parts_.actions.find("gains.reset")->setEnabled(!(control == own && same));
   refreshInfluence();
   refreshSurface();
@@ -307,7 +323,8 @@ void FeelPanel::refreshSurface() {
   guide_->setVisible(curve != nullptr);
   guide_->present(curve != nullptr ? curve->guide : std::nullopt, parts_.document.ownGuide(index_));
   surface_->setVisible(scene::takesFriction(constraint.shape));
-  surface_->present(constraint.friction, parts_.document.ownFriction(index_), search);
+  surface_->present({constraint.friction, smoothingOf(constraint), search},
+                    {parts_.document.ownFriction(index_), parts_.document.ownSmoothing(index_), {}});
 }
 
 void FeelPanel::refreshWarnings(const scene::Control& control) {

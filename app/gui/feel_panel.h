@@ -37,6 +37,7 @@ class FeelPanel : public Panel {
   /// Of the constraint shown; none: smooth.
   bool setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh);
   /// Of the mesh or the curve shown.
+  bool setSmoothing(double smooth_deg, bool fresh);
   bool setSearch(Search search);
   /// Of the curve shown; none: nobody leads.
   bool setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh);

@@ -40,6 +40,7 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   surface_ = new SurfaceSection(this);
   column->addWidget(surface_);
   connect(surface_, &SurfaceSection::frictionChanged, this, &FeelPanel::setFriction);
+  connect(surface_, &SurfaceSection::smoothingChanged, this, &FeelPanel::setSmoothing);
   connect(surface_, &SurfaceSection::searchChanged, this, &FeelPanel::setSearch);
   guide_ = new GuideSection(this);
   column->addWidget(guide_);

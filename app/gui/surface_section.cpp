@@ -17,6 +17,7 @@ namespace {
 constexpr scene::Friction kWood{0.4, 0.3};  // on wood, about
 constexpr double kMost = 5.0;               // as a scene may have it
 constexpr int kStepsPerUnit = 100, kSliderSteps = 150;
+constexpr int kSmoothSteps_deg = 45;
 
 }  // namespace
 
@@ -24,6 +25,11 @@ SurfaceSection::SurfaceSection(QWidget* parent)
     : QWidget(parent),
       on_(new QCheckBox(tr("The surface has f&riction"), this)),
       details_(new QWidget(this)),
+      smooth_(
+          new ValueRow({tr("Bends between faces feel round: the force leans by up to this angle from the face's own "
+                           "normal. Edges that turn by more stay sharp. 0: faces as they are."),
+                        tr("°"), 1, kSmoothSteps_deg, 1, scene::kMostSmooth_deg},
+                       "panel.surface.smooth", this)),
       search_line_(new QWidget(this)) {
   setObjectName("panel.surface");
   auto* rows = new QVBoxLayout(this);
@@ -41,6 +47,9 @@ SurfaceSection::SurfaceSection(QWidget* parent)
   rows->addWidget(on_);
   rows->addWidget(details_);
   buildRows();
+  smooth_->setLabel(tr("Smooth"), tr("Smooth bends"), tr("Dynamic"));
+  rows->addWidget(smooth_);
+  connect(smooth_, &ValueRow::changed, this, &SurfaceSection::smoothingChanged);
   search_ = chooser("panel.surface.search", tr("How the nearest point of the mesh is sought"),
                     tr("Nearest of all: the target may change over to another part of the mesh. Along the surface: it "
                        "stays on the sheet it is on."),
@@ -94,19 +103,20 @@ void SurfaceSection::begin(const std::optional<scene::Friction>& own) {
 }
 
 bool SurfaceSection::isHeld() const {
-  return static_->isHeld() || dynamic_->isHeld();
+  return static_->isHeld() || dynamic_->isHeld() || smooth_->isHeld();
 }
 
-void SurfaceSection::present(const std::optional<scene::Friction>& now, const std::optional<scene::Friction>& own,
-                             const std::optional<mesh::Search>& search) {
-  if (now) shown_ = *now;
+void SurfaceSection::present(const SurfaceValues& now, const SurfaceValues& own) {
+  if (now.friction) shown_ = *now.friction;
   const QSignalBlocker silent_on(on_), silent_search(search_);  // to show a value is not to ask for it
-  on_->setChecked(now.has_value());
-  details_->setVisible(now.has_value());
-  static_->present(shown_.static_share, own ? std::optional(own->static_share) : std::nullopt);
-  dynamic_->present(shown_.dynamic_share, own ? std::optional(own->dynamic_share) : std::nullopt);
-  search_line_->setVisible(search.has_value());
-  if (search) search_->setCurrentIndex(static_cast<int>(*search));
+  on_->setChecked(now.friction.has_value());
+  details_->setVisible(now.friction.has_value());
+  static_->present(shown_.static_share, own.friction ? std::optional(own.friction->static_share) : std::nullopt);
+  dynamic_->present(shown_.dynamic_share, own.friction ? std::optional(own.friction->dynamic_share) : std::nullopt);
+  smooth_->setVisible(now.smooth_deg.has_value());
+  if (now.smooth_deg) smooth_->present(*now.smooth_deg, own.smooth_deg);
+  search_line_->setVisible(now.search.has_value());
+  if (now.search) search_->setCurrentIndex(static_cast<int>(*now.search));
 }
 
 }  // namespace underact::gui

@@ -77,12 +77,15 @@ struct VirtualManipulator {
   manipulator::ForceLaw force_law = manipulator::ForceLaw::Energy;
 };
 
+inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are edges that one wants to feel
+
 /// A mesh from a file, that stands in the workspace.
 struct Mesh {
   std::string file;  // as the scene says it: relative to the scene's own folder, or absolute
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
   mesh::Search search = mesh::Search::Hybrid;
+  double smooth_deg = 0.0;    // how far the force may lean from the faces' own normals, so that bends feel round
   std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
   std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
   std::string loaded_checksum = {};                   // of what was found there

@@ -59,6 +59,11 @@ Description withGuide(Description scene, std::size_t index, const std::optional<
   return scene;
 }
 
+Description withSmoothing(Description scene, std::size_t index, double smooth_deg) {
+  if (auto* const mesh = std::get_if<Mesh>(&scene.constraints[index].shape)) mesh->smooth_deg = smooth_deg;
+  return scene;
+}
+
 Description withShape(Description scene, std::size_t index, const Shape& shape) {
   scene.constraints[index].shape = shape;
   return scene;

@@ -21,6 +21,9 @@ Description withFriction(Description scene, std::size_t index, const std::option
 /// The same with the guide of the curve at index; none: nobody leads. As it is where that is no curve.
 Description withGuide(Description scene, std::size_t index, const std::optional<CurveGuide>& guide);
 
+/// The same with how far the force of the mesh at index may lean, degrees. As it is where that is no mesh.
+Description withSmoothing(Description scene, std::size_t index, double smooth_deg);
+
 /// The scene with another shape in place of the one at index.
 Description withShape(Description scene, std::size_t index, const Shape& shape);
 /// With one more constraint at the end; a number goes behind its name where that is taken.

@@ -17,6 +17,9 @@ constexpr double kSmallestScale = 1e-9, kLargestScale = 1e9;  // mm a unit
 
 void readMesh(ObjectReader& object, Mesh& into) {
   readPlacement(object, into);
+  if (const json::Value* smooth = object.find("smooth_deg")) {
+    readNumber(*smooth, object.pathOf("smooth_deg"), into.smooth_deg, object.findings());
+  }
   if (const json::Value* checksum = object.find("checksum")) {
     readText(*checksum, object.pathOf("checksum"), into.checksum, object.findings());
   }
@@ -42,6 +45,11 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
 
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say) {
   checkPlacement("mesh", mesh.file, mesh.scale_mm_per_unit, mesh.X_WM, control, say);
+  if (!(mesh.smooth_deg >= 0.0 && mesh.smooth_deg <= kMostSmooth_deg)) {
+    say("smooth_deg", "This must be from 0 (faces as they are) to " + numberText(kMostSmooth_deg) +
+                          " degrees that the force may lean, so that bends feel round; here it is " +
+                          numberText(mesh.smooth_deg) + ".");
+  }
   if (side == target::Side::Both || mesh.search == Search::Hybrid) return;
   say("search", "A wall's proxy follows the surface; it is not sought. Take \"search\" away.");
 }
@@ -60,6 +68,7 @@ Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, con
   placed.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
   placed.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
   placed.search = mesh.search;
+  placed.lean = mesh::leanOf(kRadPerDegree * mesh.smooth_deg);
   return placed;
 }
 

@@ -11,7 +11,7 @@ namespace underact::scene {
 
 inline constexpr double kMostFriction = 5.0;  // rubber on rubber is about 1.2
 
-/// file, checksum, scale_mm_per_unit, X_WM and search of an object of the file.
+/// file, checksum, scale_mm_per_unit, X_WM, search and smooth_deg of an object of the file.
 void readMesh(ObjectReader& object, Mesh& into);
 
 /// file, scale_mm_per_unit and X_WM: where what a file holds is in the workspace.

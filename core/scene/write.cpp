@@ -168,6 +168,7 @@ void addPlacement(Members& members, const FromFile& shape) {
 
 void addMesh(Members& members, const Mesh& mesh) {
   addPlacement(members, mesh);
+  if (mesh.smooth_deg != Mesh{}.smooth_deg) members.emplace_back("smooth_deg", text(mesh.smooth_deg));
   if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quoted(mesh.checksum));
 }
 

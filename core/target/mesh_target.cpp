@@ -5,6 +5,15 @@
 #include "core/target/target.h"
 
 namespace underact::target {
+namespace {
+
+/// The point near p_W, from the face that the target is on.
+mesh::Hit alongSurface(const MeshPlace& place, const MeshState& state, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
+  mesh::SearchState search{state.touch.face >= 0 ? state.touch.face : state.search.face};
+  return nearestPoint(*place.surface, mesh::Search::Local, toMesh(place, p_W), search);
+}
+
+}  // namespace
 
 Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState& state) noexcept {
   const Vec3 q_M = toMesh(place, p_WT);
@@ -20,9 +29,17 @@ Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState
 }
 
 Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) noexcept {
-  mesh::SearchState search{state.touch.face >= 0 ? state.touch.face : state.search.face};
-  const mesh::Hit hit = nearestPoint(*place.surface, mesh::Search::Local, toMesh(place, p_W), search);
+  const mesh::Hit hit = alongSurface(place, state, p_W);
   return hit.face < 0 ? p_W : toWorkspace(place, hit.p_M);
+}
+
+Vec3 leanOfMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_WT, const Vec3& p_WP) noexcept {
+  const Vec3 way_W = p_WT - p_WP;
+  const double length_m = way_W.norm();
+  if (!place.lean.isThere() || !(length_m > 0.0)) return Vec3::Zero();
+  const Vec3 u_M = place.R_WM.transpose() * (way_W / length_m);
+  const Vec3 leaning_M = leaning(*place.surface, alongSurface(place, state, p_WT), u_M, place.lean);
+  return length_m * (place.R_WM * (u_M - leaning_M));
 }
 
 }  // namespace underact::target

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "core/base/real_time.h"
+#include "core/mesh/lean.h"
 #include "core/mesh/touch.h"
 #include "core/target/friction.h"
 
@@ -17,6 +18,7 @@ struct MeshPlace {
   Vec3 p_WM = Vec3::Zero();
   double scale_m = 1.0;  // of a unit of the mesh, > 0
   mesh::Search search = mesh::Search::Hybrid;
+  mesh::Lean lean = {};  // how far the force may lean, so that bends feel round
 };
 
 /// What a mesh remembers from tick to tick.
@@ -38,5 +40,10 @@ Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState
 
 /// The point of the mesh near p_W, found along the surface from where the target is.
 Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) noexcept UNDERACT_REAL_TIME;
+
+/// By how much the target p_WP moves across the surface, so that the force leans to the smooth normal. Zero where the
+/// place has no lean, or the tip is on the surface.
+Vec3 leanOfMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_WT,
+                const Vec3& p_WP) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::target

@@ -42,9 +42,9 @@ Target rubbedTarget(const Constraint& constraint, const Vec3& p_WT, const Target
   }
   if (slides(constraint.friction, p_WT, target.p_WP, grip)) {
     if (constraint.mesh) {
-      grip.p_WG = ontoMesh(*constraint.mesh, where.mesh, grip.p_WG);
+      grip.p_WG = ontoMesh(*constraint.mesh, *where.mesh, grip.p_WG);
     } else if (constraint.curve) {
-      grip.p_WG = ontoCurve(*constraint.curve, where.curve, grip.p_WG);
+      grip.p_WG = ontoCurve(*constraint.curve, *where.curve, grip.p_WG);
     } else {
       const shape::Nearest nearest = nearestOf(constraint, grip.p_WG);
       grip.p_WG = nearest.status == shape::Status::Unique ? nearest.p_WP : target.p_WP;

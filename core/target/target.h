@@ -48,10 +48,10 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 /// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
 Target nearestTarget(const Constraint& constraint, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
-/// Where on the mesh or the curve the target without friction is.
+/// Where on the mesh or the curve the target without friction is; null: it is no mesh, no curve.
 struct Whereabouts {
-  MeshState mesh = {};
-  CurveState curve = {};
+  const MeshState* mesh = nullptr;
+  const CurveState* curve = nullptr;
 };
 
 /// The target without friction -> the one with it: the point where the target holds on to the shape.

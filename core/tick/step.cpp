@@ -120,12 +120,15 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
     // A robot is told anew in full; of another constraint, one of an earlier program may still stand here.
     if (!constraint.manipulator && held.robot.joints > 0) held.robot = target::Robot{};
     target::Target target = targetOf(constraint, index, dt_s, state, report);
+    const bool leans = constraint.mesh && target.status == target::Status::Unique;
+    const Vec3 lean_W =
+        leans ? leanOfMesh(*constraint.mesh, state.meshes[index], report.p_WT, target.p_WP) : Vec3(Vec3::Zero());
     if (constraint.friction.isThere()) {
-      target::Whereabouts where;
-      if (constraint.mesh) where.mesh = state.meshes[index];
-      if (constraint.curve) where.curve = state.curves[index];
+      const target::Whereabouts where{constraint.mesh ? &state.meshes[index] : nullptr,
+                                      constraint.curve ? &state.curves[index] : nullptr};
       target = rubbedTarget(constraint, report.p_WT, target, where, state.grips[index]);
     }
+    target.p_WP += lean_W;
     const bool acts = target.status != target::Status::Free;
     held.p_WP = target.p_WP;
     held.f_T_W.setZero();

@@ -11,6 +11,7 @@ std::vector<Entry> meshesAndCurve() {
   target::MeshPlace ball;
   ball.surface = mesh::makeSurface(mesh_maker::bumpySphere(20000)).value();
   ball.scale_m = 1e-3;
+  ball.lean = mesh::leanOf(0.3);
   std::vector<Entry> entries(3, Entry{{}, control::P{Vec3::Constant(500.0)}});
   for (Entry& entry : entries) entry.constraint.friction = {0.4, 0.3};
   entries[0].constraint.mesh = entries[1].constraint.mesh = ball;

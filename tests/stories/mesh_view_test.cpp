@@ -158,4 +158,26 @@ TEST(SurfaceStory, APointHasNoSurfaceAndOnlyAMeshIsSought) {
   EXPECT_EQ(meshOf(story).search, mesh::Search::Hybrid);
 }
 
+TEST(SurfaceStory, ABallOfFacesIsSmoothedAndPutBack) {
+  Story story("04_plane");
+  EXPECT_FALSE(story.find("panel.surface.smooth")->isVisibleTo(story.find("panel.feel")));
+  EXPECT_FALSE(story.perform("smooth.set", 10.0));  // no mesh
+  openMesh(story, ballFile());
+  auto* slider = story.find<QSlider>("panel.surface.smooth.slider");
+  ASSERT_TRUE(slider->isVisibleTo(story.find("panel.feel")));
+  story.bringToFront(slider->window());
+  slider->setFocus();
+  for (int key = 0; key < 3; ++key) story.key(Qt::Key_PageUp);
+  const double smooth_deg = meshOf(story).smooth_deg;
+  EXPECT_GT(smooth_deg, 2.0);
+  EXPECT_TRUE(story.perform("smooth.set", 20.0));
+  EXPECT_EQ(meshOf(story).smooth_deg, 20.0);
+  story.perform("edit.undo");
+  EXPECT_EQ(meshOf(story).smooth_deg, smooth_deg);
+  EXPECT_FALSE(story.perform("smooth.set", 50.0));  // refused, and the old one holds
+  EXPECT_EQ(meshOf(story).smooth_deg, smooth_deg);
+  EXPECT_TRUE(story.perform("gains.reset"));
+  EXPECT_EQ(meshOf(story).smooth_deg, 0.0);
+}
+
 }  // namespace underact::gui::test

@@ -1,5 +1,6 @@
 // underact-mesh-load-bench [SECONDS] [FACES]: whether the servo in the same process is late while a large mesh is read,
-// repaired, and its tree is built; beside the same time with nothing to do. Times are this machine's, now.
+// repaired, and its tree is built; beside the same time with nothing to do, and with as many threads as there are
+// processors that only count: what those do to the servo is the machine's. Times are this machine's, now.
 #include "core/mesh_file/load.h"
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "core/scene/description.h"
 #include "core/servo/host.h"
@@ -40,6 +42,19 @@ std::unique_ptr<servo::Host> runningHost() {
   host->start();
   host->begin();
   return host;
+}
+
+/// Keeps every processor busy for so long, without memory, files or locks.
+void onlyCount(double seconds) {
+  std::atomic<bool> ended{false};
+  std::vector<std::jthread> threads;
+  for (unsigned k = 0; k < std::thread::hardware_concurrency(); ++k) {
+    threads.emplace_back([&ended] {
+      for (volatile std::uint64_t sum = 0; !ended;) sum = sum + 1;
+    });
+  }
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  ended = true;
 }
 
 /// A servo of its own for each, so that the figures are of this time alone. work: in a thread beside it, until it ends.
@@ -76,10 +91,14 @@ int main(int count, char** words) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "underact_large_mesh.ply";
   std::ofstream(file, std::ios::binary) << mesh_maker::asPly(mesh_maker::bumpySphere(faces));
   measure("nothing else", [&] { std::this_thread::sleep_for(std::chrono::seconds(seconds)); });
+  double load_s = 0.0;
   measure("loads a mesh, not in the cache", [&] {
+    const auto begin = std::chrono::steady_clock::now();
     const auto loaded = mesh_file::loadMesh(file.string(), {}, mesh_file::Cache("/dev/null/nowhere"));
     std::printf("%s\n", loaded ? "loaded" : loaded.problems().at(0).sentence.c_str());
+    load_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   });
+  measure("threads that only count, as long", [&] { onlyCount(load_s); });
   std::filesystem::remove(file);
   return 0;
 }

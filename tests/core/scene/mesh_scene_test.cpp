@@ -32,7 +32,7 @@ std::shared_ptr<const mesh::Surface> tetrahedron(bool is_closed) {
 
 constexpr const char* kMesh =
     R"({"type": "mesh", "file": "a.stl", "scale_mm_per_unit": 25.4, "X_WM": [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3],
-        [0, 0, 0, 1]], "search": "local", "friction": {"static": 0.4, "dynamic": 0.25}})";
+        [0, 0, 0, 1]], "search": "local", "smooth_deg": 25.5, "friction": {"static": 0.4, "dynamic": 0.25}})";
 
 TEST(MeshScene, IsReadWholeAndWrittenBack) {
   const Description scene = sceneOf(kMesh);
@@ -43,6 +43,7 @@ TEST(MeshScene, IsReadWholeAndWrittenBack) {
   EXPECT_EQ(mesh.X_WM(0, 1), -1.0);
   EXPECT_EQ(mesh.X_WM(2, 3), 3.0);
   EXPECT_EQ(mesh.search, mesh::Search::Local);
+  EXPECT_EQ(mesh.smooth_deg, 25.5);
   EXPECT_EQ(constraint.friction->static_share, 0.4);
   EXPECT_EQ(constraint.friction->dynamic_share, 0.25);
   const Result<Description> again = readScene(writeScene(scene), "");
@@ -57,6 +58,7 @@ TEST(MeshScene, WhatIsLeftOutIsUsual) {
   EXPECT_EQ(mesh.scale_mm_per_unit, 1.0);
   EXPECT_TRUE(mesh.X_WM.isIdentity(0.0));
   EXPECT_EQ(mesh.search, mesh::Search::Hybrid);
+  EXPECT_EQ(mesh.smooth_deg, 0.0);
   EXPECT_EQ(constraint.friction->dynamic_share, 0.4);
 }
 
@@ -73,6 +75,11 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
   EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "side": "outside", "search": "local"})")
                 .find("A wall's proxy follows the surface"),
             std::string::npos);
+  for (const char* wrong : {"-1", "45.5"}) {
+    EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "smooth_deg": )" + std::string(wrong) + "}")
+                  .find("This must be from 0 (faces as they are) to 45 degrees that the force may lean, so that bends"),
+              std::string::npos);
+  }
   EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1]}})").find("\"euclidean\""),
             std::string::npos);
   EXPECT_EQ(
@@ -95,7 +102,8 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
 }
 
 TEST(MeshScene, CompilesOnlyWithItsSurfaceAndAWallOnlyWithAClosedOne) {
-  Description scene = sceneOf(R"({"type": "mesh", "file": "a.stl", "scale_mm_per_unit": 2, "side": "outside"})");
+  Description scene = sceneOf(R"({"type": "mesh", "file": "a.stl", "scale_mm_per_unit": 2, "side": "outside",
+      "smooth_deg": 30})");
   const auto problem = [&] { return compile(scene).problems().at(0).sentence; };
   Mesh& mesh = std::get<Mesh>(scene.constraints.at(0).shape);
   ASSERT_FALSE(compile(scene));
@@ -108,6 +116,7 @@ TEST(MeshScene, CompilesOnlyWithItsSurfaceAndAWallOnlyWithAClosedOne) {
   ASSERT_TRUE(program);
   EXPECT_TRUE(program.value().needs.meshes);
   EXPECT_EQ(program.value().entries.at(0).constraint.mesh->scale_m, 0.002);
+  EXPECT_NEAR(program.value().entries.at(0).constraint.mesh->lean.sin, 0.5, 1e-15);
 }
 
 TEST(MeshScene, AnotherFileIsAnotherSceneAnotherPlaceIsNot) {

@@ -104,7 +104,8 @@ inline bool same(const scene::VirtualManipulator& a, const scene::VirtualManipul
 /// As the file says them; what was loaded does not count.
 inline bool same(const scene::Mesh& a, const scene::Mesh& b) {
   return a.file == b.file && a.checksum == b.checksum && same(a.scale_mm_per_unit, b.scale_mm_per_unit) &&
-         a.search == b.search && std::memcmp(a.X_WM.data(), b.X_WM.data(), 16 * sizeof(double)) == 0;
+         a.search == b.search && same(a.smooth_deg, b.smooth_deg) &&
+         std::memcmp(a.X_WM.data(), b.X_WM.data(), 16 * sizeof(double)) == 0;
 }
 inline bool same(const scene::Curve& a, const scene::Curve& b) {
   return a.file == b.file && same(a.scale_mm_per_unit, b.scale_mm_per_unit) && a.kind == b.kind &&

@@ -110,7 +110,8 @@ TEST(Friction, OnAMeshItIsThatOfTheShapeThatTheMeshIs) {
   for (int tick = 0; tick < 3000; ++tick) {  // over the top, 1 mm deep, from one side to the other
     const Vec3 q_M(-25.0 + 49.3717 * tick / 3000.0, 4.0, tick < 10 ? 31.0 : 29.0);
     const Vec3 p_WT = toWorkspace(place, q_M);
-    const Target target = rubbedTarget(mesh, p_WT, meshTarget(place, Side::Outside, p_WT, state), {state, {}}, on_mesh);
+    const Target target =
+        rubbedTarget(mesh, p_WT, meshTarget(place, Side::Outside, p_WT, state), {.mesh = &state}, on_mesh);
     const Target same = rub(box, p_WT, on_box);
     ASSERT_EQ(target.status, same.status);
     ASSERT_NEAR((target.p_WP - same.p_WP).norm(), 0.0, 1e-12) << tick;

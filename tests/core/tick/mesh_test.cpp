@@ -101,6 +101,38 @@ TEST(MeshTick, ForceStepsAreNoLargerThanTheSurfaceBends) {
   }
 }
 
+/// The same hand on the same ball, as it is and smoothed: as strong, leaning by no more than was asked, and with
+/// smaller steps where it goes over edges.
+TEST(MeshTick, ASmoothedForceLeansAndStepsLess) {
+  const mesh::Triangles triangles = mesh_maker::bumpySphere(20000);
+  target::MeshPlace round = placed(triangles);
+  round.lean = mesh::leanOf(kRadPerDegree * 15.0);
+  Hand flat = handOn(entryOf(placed(triangles), target::Side::Outside));
+  Hand smooth = handOn(entryOf(round, target::Side::Outside));
+  double flat_N = 0.0, smooth_N = 0.0, most_deg = 0.0;
+  Vec3 last_flat = Vec3::Zero(), last_smooth = Vec3::Zero();
+  bool touched = false;
+  for (const Vec3& q_mm : test::handPath(triangles, 1.0, 6000, test::Seed{8})) {
+    const Vec3 f_flat = flat.at(1e-3 * q_mm).held[0].f_T_W, f_smooth = smooth.at(1e-3 * q_mm).held[0].f_T_W;
+    ASSERT_NEAR(f_smooth.norm(), f_flat.norm(), 1e-12);
+    const bool touches = f_flat.norm() > 0.2;
+    if (touches)
+      most_deg = std::max(most_deg, std::acos(f_flat.normalized().dot(f_smooth.normalized())) / kRadPerDegree);
+    if (touches && touched) {
+      flat_N = std::max(flat_N, (f_flat - last_flat).norm());
+      smooth_N = std::max(smooth_N, (f_smooth - last_smooth).norm());
+    }
+    touched = touches;
+    last_flat = f_flat;
+    last_smooth = f_smooth;
+  }
+  EXPECT_GT(most_deg, 3.0);
+  EXPECT_LT(most_deg, 15.0 + 1e-6);
+  RecordProperty("flat_mN", static_cast<int>(1000 * flat_N));
+  RecordProperty("smooth_mN", static_cast<int>(1000 * smooth_N));
+  EXPECT_LT(smooth_N, 0.8 * flat_N);
+}
+
 TEST(MeshTick, HeldToTheSurfaceFromBothSidesItPullsBack) {
   const Vec3 c(0.01, 0.02, 0.03);
   Hand hand = handOn(entryOf(placed(mesh_maker::cube(3000), c), target::Side::Both));

@@ -1,0 +1,136 @@
+#include "core/mesh/lean.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/trig.h"
+#include "core/mesh/around_part.h"
+#include "core/mesh/normals.h"
+
+namespace underact::mesh {
+namespace {
+
+/// Unit, or otherwise where it has no length.
+Vec3 unitOr(const Vec3& v, const Vec3& otherwise) noexcept UNDERACT_REAL_TIME {
+  const double length = v.norm();
+  return length > 0.0 ? Vec3(v / length) : otherwise;
+}
+
+Vec3 normalOf(const Surface& surface, std::int32_t face) noexcept UNDERACT_REAL_TIME {
+  const auto [a, b, c] = cornersOf(surface, face);
+  return unitOr(areaNormal(a, b, c), Vec3::Zero());
+}
+
+/// What a face's normal counts for at its corner at `place`: the sine of the angle there over the sides' lengths, which
+/// needs no arc. Source: Max 1999, Weights for computing vertex normals from facet normals.
+double weightOf(const Surface& surface, std::int32_t face, std::size_t place) noexcept UNDERACT_REAL_TIME {
+  const auto [a, b, c] = cornersOf(surface, face);
+  const std::array<Vec3, 3> p{a, b, c};
+  const Vec3 to_next = p[(place + 1) % 3] - p[place], to_last = p[(place + 2) % 3] - p[place];
+  const double lengths = to_next.squaredNorm() * to_last.squaredNorm();
+  return lengths > 0.0 ? to_next.cross(to_last).norm() / lengths : 0.0;
+}
+
+/// The faces around a corner that no sharp edge parts from the one that is asked of.
+struct Round {
+  Vec3 normal_M = Vec3::Zero();  // unit, or zero
+  bool has_sharp = false;        // an edge that ends there
+};
+
+/// Bounded: of a fan, a hundred faces either way.
+Round aroundCorner(const Surface& surface, std::int32_t face, std::size_t place,
+                   const Lean& most) noexcept UNDERACT_REAL_TIME {
+  constexpr int kMostOfFan = 100;
+  const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][place];
+  const Vec3 own_M = normalOf(surface, face);
+  Round round;
+  Vec3 sum = weightOf(surface, face, place) * own_M;
+  bool is_whole = false;
+  for (std::size_t turn = 0; turn < 2 && !is_whole; ++turn) {
+    std::int32_t at = face;
+    Vec3 last_M = own_M;
+    for (int count = 0; count < kMostOfFan; ++count) {
+      // Of a face whose corner this is at place k, side k leaves it and side k - 1 comes to it.
+      const std::size_t here = placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner);
+      at = surface.neighbours[static_cast<std::size_t>(at)][turn == 0 ? here : (here + 2) % 3];
+      is_whole = at == face;
+      if (at < 0 || is_whole) break;
+      const Vec3 normal_M = normalOf(surface, at);
+      round.has_sharp = round.has_sharp || normal_M.dot(last_M) < most.cos;
+      if (normal_M.dot(last_M) < most.cos) break;
+      sum += weightOf(surface, at, placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner)) * normal_M;
+      last_M = normal_M;
+    }
+  }
+  round.normal_M = unitOr(sum, own_M);
+  return round;
+}
+
+struct Shading {
+  Vec3 true_M = Vec3::Zero(), smooth_M = Vec3::Zero();  // unit; zero: a face without an area
+};
+
+/// Of a face at its point p.
+Shading shadingOf(const Surface& surface, std::int32_t face, const Vec3& p_M,
+                  const Lean& most) noexcept UNDERACT_REAL_TIME {
+  const auto [a, b, c] = cornersOf(surface, face);
+  const Vec3 true_M = unitOr(areaNormal(a, b, c), Vec3::Zero());
+  // Twice the areas that p parts the face into, each across from its corner.
+  const std::array<double, 3> areas{areaNormal(p_M, b, c).dot(true_M), areaNormal(a, p_M, c).dot(true_M),
+                                    areaNormal(a, b, p_M).dot(true_M)};
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) sum += std::max(areas[k], 0.0) * aroundCorner(surface, face, k, most).normal_M;
+  return {true_M, unitOr(sum, true_M)};
+}
+
+/// Over an edge the true direction goes from one face's normal to the other's: a sum of both with the weights alpha and
+/// beta; the smooth normals take their places in it. Across a border only the one face counts.
+Vec3 overEdge(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
+  const std::size_t side = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::EdgeAB);
+  const std::int32_t other = surface.neighbours[static_cast<std::size_t>(hit.face)][side];
+  const Shading here = shadingOf(surface, hit.face, hit.p_M, most);
+  const double a = u_M.dot(here.true_M);
+  if (other < 0) return u_M + a * (here.smooth_M - here.true_M);
+  const Shading there = shadingOf(surface, other, hit.p_M, most);
+  constexpr double kFlat = 1e-12;  // of a sine squared: the two faces are one
+  const double b = u_M.dot(there.true_M), c = here.true_M.dot(there.true_M), sine_squared = 1.0 - c * c;
+  const double alpha = sine_squared > kFlat ? (a - b * c) / sine_squared : 0.5 * a;
+  const double beta = sine_squared > kFlat ? (b - a * c) / sine_squared : 0.5 * b;
+  return u_M + alpha * (here.smooth_M - here.true_M) + beta * (there.smooth_M - there.true_M);
+}
+
+/// At a corner where no sharp edge ends: its normal, but for a direction more than half a right angle off from it,
+/// which fades to itself: beside a border's corner the tip is on no side of the surface.
+Vec3 atCorner(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
+  constexpr double kHalfRight = 0.7071;
+  const std::size_t place = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::CornerA);
+  const Round round = aroundCorner(surface, hit.face, place, most);
+  if (round.has_sharp) return u_M;
+  const double height = u_M.dot(round.normal_M), share = std::min(1.0, std::abs(height) / kHalfRight);
+  return (1.0 - share) * u_M + std::copysign(share, height) * round.normal_M;
+}
+
+}  // namespace
+
+Lean leanOf(double most_rad) {
+  const SinCos most = sinCos(most_rad);
+  return {most.cos, most.sin};
+}
+
+Vec3 leaning(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept {
+  if (hit.face < 0 || !most.isThere()) return u_M;
+  Vec3 wanted_M = u_M;
+  if (hit.part == Part::Inside) {
+    wanted_M = shadingOf(surface, hit.face, hit.p_M, most).smooth_M;
+    if (wanted_M.dot(u_M) < 0.0) wanted_M = -wanted_M;
+  } else {
+    wanted_M = hit.part < Part::CornerA ? overEdge(surface, hit, u_M, most) : atCorner(surface, hit, u_M, most);
+  }
+  wanted_M = unitOr(wanted_M, u_M);
+  const double cosine = wanted_M.dot(u_M);
+  if (cosine >= most.cos) return wanted_M;
+  const Vec3 across_M = unitOr(wanted_M - cosine * u_M, Vec3::Zero());
+  return unitOr(most.cos * u_M + most.sin * across_M, u_M);
+}
+
+}  // namespace underact::mesh
