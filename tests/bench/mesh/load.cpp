@@ -1,15 +1,18 @@
 // underact-mesh-load-bench [SECONDS] [FACES]: whether the servo in the same process is late while a large mesh is read,
-// repaired, and its tree is built; beside the same time with nothing to do, and with as many threads as there are
-// processors that only count: what those do to the servo is the machine's. Times are this machine's, now.
+// repaired, and its tree is built; beside the same time with nothing to do, with as many threads as there are
+// processors that only count, and with another process that only takes memory and gives it back: what those do to the
+// servo is the machine's. Times are this machine's, now.
 #include "core/mesh_file/load.h"
 
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -57,6 +60,15 @@ void onlyCount(double seconds) {
   ended = true;
 }
 
+/// Takes 300 MB, touches them and gives them back, over and over for so long.
+void takeMemory(double seconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (std::chrono::steady_clock::now() < end) {
+    std::vector<char> memory(300'000'000);
+    for (std::size_t at = 0; at < memory.size(); at += 4096) static_cast<volatile char&>(memory[at]) = 1;
+  }
+}
+
 /// A servo of its own for each, so that the figures are of this time alone. work: in a thread beside it, until it ends.
 template <class Work>
 void measure(const char* name, const Work& work) {
@@ -86,6 +98,7 @@ void measure(const char* name, const Work& work) {
 
 int main(int count, char** words) {
   using namespace underact;
+  if (count > 2 && std::strcmp(words[1], "--take") == 0) return takeMemory(std::atof(words[2])), 0;
   const int seconds = count > 1 ? std::max(1, std::atoi(words[1])) : 10;
   const int faces = count > 2 ? std::max(1000, std::atoi(words[2])) : 2'000'000;
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "underact_large_mesh.ply";
@@ -99,6 +112,10 @@ int main(int count, char** words) {
     load_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   });
   measure("threads that only count, as long", [&] { onlyCount(load_s); });
+  const std::string other = "'" + std::string(words[0]) + "' --take " + std::to_string(load_s);
+  measure("another process takes memory", [&] {
+    if (std::system(other.c_str()) != 0) std::printf("it could not be started\n");
+  });
   std::filesystem::remove(file);
   return 0;
 }
