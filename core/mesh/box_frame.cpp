@@ -44,10 +44,10 @@ void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std:
     const auto r = static_cast<Eigen::Index>(row);
     node.p_MN[row] = static_cast<float>(mean[r]);
     for (std::size_t column = 0; column < 3; ++column)
-      node.R_NM[3 * row + column] = static_cast<float>(axes(r, static_cast<Eigen::Index>(column)));
+      node.R_MN[3 * column + row] = static_cast<float>(axes(r, static_cast<Eigen::Index>(column)));
   }
   // As the node has them, after rounding.
-  const Mat3 R_NM = Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(node.R_NM.data()).cast<double>();
+  const Mat3 R_NM = Eigen::Map<const Eigen::Matrix3f>(node.R_MN.data()).cast<double>();  // a row there is a column here
   const Vec3 p_MN = Eigen::Map<const Eigen::Vector3f>(node.p_MN.data()).cast<double>();
   for (std::size_t child = 0; child < kWays; ++child) {
     Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);

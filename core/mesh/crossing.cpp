@@ -75,7 +75,7 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept 
     double from = 0.0, to = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto column = static_cast<Eigen::Index>(k);
-      const auto r = static_cast<double>(node.R_NM[3 * axis + k]), p = static_cast<double>(node.p_MN[k]);
+      const auto r = static_cast<double>(node.R_MN[3 * k + axis]), p = static_cast<double>(node.p_MN[k]);
       from += r * (from_M[column] - p);
       to += r * (to_M[column] - p);
     }

@@ -13,7 +13,7 @@ inline constexpr std::int32_t kNoChild = INT32_MIN;
 /// that touches the surface meets few of them. Floats, widened so that each box holds what it must after every
 /// rounding.
 struct alignas(32) Node {
-  std::array<float, 9> R_NM;                      // row by row; a rotation within 1e-6
+  std::array<float, 9> R_MN;                      // row by row; a rotation within 1e-6
   std::array<float, 3> p_MN;                      // the frame's origin
   std::array<std::array<float, kWays>, 3> low_N;  // axis by axis, of the children
   std::array<std::array<float, kWays>, 3> high_N;

@@ -36,8 +36,8 @@ double share(double part, double whole) noexcept UNDERACT_REAL_TIME {
 }
 
 /// The point of AB nearest to q, where it is nearer than what was found so far.
-void tryEdge(const Vec3& a, const Vec3& b, const Vec3& q, Part edge, Part at_a, Part at_b,
-             OnTriangle& best) noexcept UNDERACT_REAL_TIME {
+[[gnu::always_inline]] inline void tryEdge(const Vec3& a, const Vec3& b, const Vec3& q, Part edge, Part at_a, Part at_b,
+                                           OnTriangle& best) noexcept UNDERACT_REAL_TIME {
   const Vec3 ab = b - a;
   const double t = share((q - a).dot(ab), ab.squaredNorm());
   const Vec3 p = t == 1.0 ? b : Vec3(a + t * ab);
@@ -47,26 +47,28 @@ void tryEdge(const Vec3& a, const Vec3& b, const Vec3& q, Part edge, Part at_a, 
 
 }  // namespace
 
-OnTriangle onTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& q) noexcept {
+OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, const Eigen::Vector3f& p_MC,
+                      const Vec3& q) noexcept {
+  const Vec3 a = p_MA.cast<double>(), b = p_MB.cast<double>(), c = p_MC.cast<double>();
   const Vec3 ab = b - a, ac = c - a, aq = q - a;
   Vec3 normal = ab.cross(ac);
   const bool is_thin = normal.squaredNorm() < kThin * ab.squaredNorm() * ac.squaredNorm();
   if (is_thin) normal = exactCross(ab, ac);
   // Twice the areas of q's foot with each edge, times |normal|: all above 0 where the foot is inside.
-  const double at_b = aq.cross(ac).dot(normal), at_c = ab.cross(aq).dot(normal);
+  const double share_b = aq.cross(ac).dot(normal), share_c = ab.cross(aq).dot(normal);
   const double whole = normal.squaredNorm();
-  const double at_a = whole - at_b - at_c;
-  if (at_a > 0.0 && at_b > 0.0 && at_c > 0.0) {
+  const double share_a = whole - share_b - share_c;
+  if (share_a > 0.0 && share_b > 0.0 && share_c > 0.0) {
     // A sliver's shares are off by the rounding of its area, many times over; the way along a good normal is not.
-    const Vec3 p =
-        is_thin ? Vec3(q - (aq.dot(normal) / whole) * normal) : Vec3(a + (at_b / whole) * ab + (at_c / whole) * ac);
+    const Vec3 p = is_thin ? Vec3(q - (aq.dot(normal) / whole) * normal)
+                           : Vec3(a + (share_b / whole) * ab + (share_c / whole) * ac);
     return {p, (p - q).squaredNorm(), Part::Inside};
   }
   OnTriangle best{a, kInfinity, Part::CornerA};
   // The foot lies beyond an edge where its share is not above 0; the nearest point is on such an edge.
-  if (!(at_c > 0.0)) tryEdge(a, b, q, Part::EdgeAB, Part::CornerA, Part::CornerB, best);
-  if (!(at_a > 0.0)) tryEdge(b, c, q, Part::EdgeBC, Part::CornerB, Part::CornerC, best);
-  if (!(at_b > 0.0)) tryEdge(c, a, q, Part::EdgeCA, Part::CornerC, Part::CornerA, best);
+  if (!(share_c > 0.0)) tryEdge(a, b, q, Part::EdgeAB, Part::CornerA, Part::CornerB, best);
+  if (!(share_a > 0.0)) tryEdge(b, c, q, Part::EdgeBC, Part::CornerB, Part::CornerC, best);
+  if (!(share_b > 0.0)) tryEdge(c, a, q, Part::EdgeCA, Part::CornerC, Part::CornerA, best);
   return best;
 }
 

@@ -15,8 +15,10 @@ struct OnTriangle {
   Part part = Part::Inside;  // the smallest part it is on
 };
 
-/// The point of the triangle ABC nearest to q; a, b, c, q: finite, any unit. Holds for triangles without area, too:
-/// then it is on an edge or a corner. Source: Ericson 2005, Real-Time Collision Detection, section 5.1.5.
-OnTriangle onTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& q) noexcept UNDERACT_REAL_TIME;
+/// The point of the triangle ABC nearest to q; p_MA, p_MB, p_MC: its corners; all finite, any unit. Holds for triangles
+/// without area, too: then it is on an edge or a corner. Source: Ericson 2005, Real-Time Collision Detection,
+/// section 5.1.5.
+OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, const Eigen::Vector3f& p_MC,
+                      const Vec3& q) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::mesh

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "core/mesh/around_part.h"
 #include "core/mesh/box_bounds.h"
+#include "core/mesh/face_bounds.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/tree.h"
 
@@ -21,9 +23,11 @@ constexpr double kFar = 1e6;
 
 /// Whether it is nearer than what was found so far.
 bool lookAtFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
-  const auto [a, b, c] = cornersOf(surface, face);
-
-  const OnTriangle found = onTriangle(a, b, c, q_M);
+  const Face& corners = surface.triangles.faces[static_cast<std::size_t>(face)];
+  const auto at = [&](std::size_t k) noexcept UNDERACT_REAL_TIME -> const Eigen::Vector3f& {
+    return surface.triangles.p_MV[static_cast<std::size_t>(corners[k])];
+  };
+  const OnTriangle found = onTriangle(at(0), at(1), at(2), q_M);
   if (!(found.squared < hit.squared)) return false;
   hit.p_M = found.p_M;
   hit.squared = found.squared;
@@ -32,12 +36,29 @@ bool lookAtFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit&
   return true;
 }
 
+/// The last few faces that a walk looked at: no search looks at them twice.
+class Recent {
+ public:
+  void add(std::int32_t face) noexcept UNDERACT_REAL_TIME { faces_[count_++ % faces_.size()] = face; }
+  bool has(std::int32_t face) const noexcept UNDERACT_REAL_TIME {
+    bool is_in = false;
+    for (const std::int32_t one : faces_) is_in |= one == face;
+    return is_in;
+  }
+
+ private:
+  std::array<std::int32_t, 4> faces_{-1, -1, -1, -1};  // along a hand's way a walk looks at three
+  std::size_t count_ = 0;
+};
+
 /// From face to face, across edges and around corners, while it gets nearer. Whether it came to the end of that.
-bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Hit& hit) noexcept UNDERACT_REAL_TIME {
+bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Recent& recent,
+          Hit& hit) noexcept UNDERACT_REAL_TIME {
   for (int step = 0; step < most_steps; ++step) {
     const std::int32_t face = hit.face;
     if (face < 0) return false;
     forNeighbours(surface, face, hit.part, [&](std::int32_t other) noexcept UNDERACT_REAL_TIME {
+      recent.add(other);
       return !lookAtFace(surface, other, q_M, hit);
     });
     if (hit.face == face) return true;
@@ -45,71 +66,32 @@ bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Hit& hit) noe
   return false;
 }
 
-/// Nodes or faces in a row.
-class List {
- public:
-  /// Those children of the node that bounds leave; without a branch a child, since nobody can tell beforehand which.
-  void add(const Node& node, const BoxBounds& bounds) noexcept UNDERACT_REAL_TIME {
-    std::size_t size = size_;
-#pragma GCC unroll 8
-    for (std::size_t child = 0; child < kWays; ++child) {
-      entries_[size] = {bounds.squared[child], node.children[child]};
-      size += bounds.nearer >> child & 1U;
+/// Room for what a sweep looks at, nodes or faces: along a hand's way some twenty are enough.
+constexpr std::size_t kRoom = 256;
+using List = std::array<std::int32_t, kRoom + kWays>;
+/// How many nodes before its turn the memory of one is asked for; without, a path over a fine mesh takes 6 % longer.
+constexpr std::size_t kAhead = 3;
+
+/// Four at a time; exactly only where a face may be nearer than what was found so far.
+void lookAtFaces(const Surface& surface, const List& faces, std::size_t count, const Recent& recent, const Vec3& q_M,
+                 Hit& hit) noexcept UNDERACT_REAL_TIME {
+  std::array<std::int32_t, kAtOnce> four{};
+  std::size_t size = 0;
+  const auto lookAtFour = [&]() noexcept UNDERACT_REAL_TIME {
+    for (std::size_t k = size; k < kAtOnce; ++k) four[k] = four[0];
+    const std::array<float, kAtOnce> bounds = faceBounds(surface, four, q_M);
+    for (std::size_t k = 0; k < size; ++k) {
+      if (static_cast<double>(bounds[k]) < hit.squared) lookAtFace(surface, four[k], q_M, hit);
     }
-    size_ = size;
-  }
-  void add(std::int32_t child) noexcept UNDERACT_REAL_TIME {
-    entries_[size_++] = {0.0F, child};
-  }
-  void clear() noexcept UNDERACT_REAL_TIME {
-    size_ = 0;
-  }
-  bool hasRoom() const noexcept UNDERACT_REAL_TIME {
-    return size_ <= kRoom;
-  }
-  struct Entry {
-    float squared;  // of the distance, at least
-    std::int32_t child;
+    size = 0;
   };
-  const Entry* begin() const noexcept UNDERACT_REAL_TIME {
-    return entries_.data();
+  for (std::size_t place = 0; place < count; ++place) {
+    four[size] = -1 - faces[place];
+    size += recent.has(four[size]) ? 0 : 1;
+    if (size == kAtOnce) lookAtFour();
   }
-  const Entry* end() const noexcept UNDERACT_REAL_TIME {
-    return entries_.data() + size_;
-  }
-
- private:
-  static constexpr std::size_t kRoom = 128;  // along a hand's way some twenty are enough
-  std::size_t size_ = 0;
-  std::array<Entry, kRoom + 2 * kWays> entries_;  // not set beforehand
-};
-
-/// Level by level, with what was found so far as the limit. No node waits for what another one gives, so that the
-/// processor does many at a time, which is faster than the nearest first where the limit is good. False: there is
-/// too much within the limit; then nothing is said.
-bool sweep(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
-  std::array<List, 2> levels;
-  List faces;
-  levels[0].add(0);
-  for (std::size_t level = 0; levels[level % 2].begin() != levels[level % 2].end(); ++level) {
-    List& below = levels[(level + 1) % 2];
-    below.clear();
-    for (const List::Entry& entry : levels[level % 2]) {
-      const Node& node = surface.nodes[static_cast<std::size_t>(entry.child)];
-      (node.children[0] < 0 ? faces : below).add(node, boundsOf(node, q_M, hit.squared));
-      ++hit.visits;
-      if (!faces.hasRoom() || !below.hasRoom()) return false;
-    }
-  }
-  for (const List::Entry& entry : faces) {
-    if (static_cast<double>(entry.squared) < hit.squared) lookAtFace(surface, -1 - entry.child, q_M, hit);
-  }
-  hit.is_proved = true;
-  return true;
+  if (size > 0) lookAtFour();
 }
-
-/// What is still to be looked at, the nearest last.
-using Stack = std::array<List::Entry, (kWays - 1) * kMostDepth + kWays>;
 
 /// Asks for the memory of a node before it is looked at.
 void fetch(const Node& node) noexcept UNDERACT_REAL_TIME {
@@ -118,13 +100,52 @@ void fetch(const Node& node) noexcept UNDERACT_REAL_TIME {
     __builtin_prefetch(reinterpret_cast<const char*>(&node) + byte);
 }
 
+/// From the cut, level by level, with what was found so far as the limit. No node of a level waits for what another one
+/// gives, so that the processor does many at a time, which is faster than the nearest first where the limit is good.
+/// False: there is too much within the limit; then nothing is said.
+bool sweep(const Surface& surface, const Recent& recent, const Vec3& q_M, Cut& cut,
+           Hit& hit) noexcept UNDERACT_REAL_TIME {
+  const double distance = std::sqrt(hit.squared);
+  if (!holds(cut, surface, q_M, distance)) cut = nextCut(cut, surface, q_M, distance, hit.visits);
+  ++cut.served;
+  List nodes, faces;  // not set beforehand
+  std::copy(cut.nodes.begin(), cut.nodes.end(), nodes.begin());
+  std::size_t waiting = cut.size, found = 0, place = 0;
+  const auto nodeAt = [&](std::size_t at) noexcept UNDERACT_REAL_TIME -> const Node& {
+    return surface.nodes[static_cast<std::size_t>(nodes[at])];
+  };
+  for (; place < waiting; ++place) {
+    if (waiting > kRoom || found > kRoom) break;
+    const Node& node = nodeAt(place);
+    fetch(nodeAt(std::min(place + kAhead, waiting - 1)));
+    const unsigned nearer = boundsOf(node, q_M, hit.squared).nearer;
+    if (node.children[0] < 0) {
+      found += addChildren(node, nearer, &faces[found]);
+    } else {
+      waiting += addChildren(node, nearer, &nodes[waiting]);
+    }
+  }
+  hit.visits += static_cast<int>(place);
+  if (place < waiting) return false;
+  lookAtFaces(surface, faces, found, recent, q_M, hit);
+  hit.is_proved = true;
+  return true;
+}
+
+/// What is still to be looked at, the nearest last.
+struct Waiting {
+  float squared;  // of the distance, at least
+  std::int32_t child;
+};
+using Stack = std::array<Waiting, (kWays - 1) * kMostDepth + kWays>;
+
 /// From the root, the nearest box first: where there is no limit yet, or too much within it.
 void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
   Stack stack;
   std::size_t waiting = 0;
   stack[waiting++] = {0.0F, 0};
   while (waiting > 0) {
-    const List::Entry next = stack[--waiting];
+    const Waiting next = stack[--waiting];
     if (!(static_cast<double>(next.squared) < hit.squared)) continue;
     if (next.child < 0) {
       lookAtFace(surface, -1 - next.child, q_M, hit);
@@ -156,11 +177,13 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
   const bool knows = state.face >= 0 && state.face < static_cast<std::int32_t>(surface.triangles.faces.size());
   Hit hit;
   bool is_near = false;
+  Recent recent;
   if (knows && search != Search::Global) {
+    recent.add(state.face);
     lookAtFace(surface, state.face, at, hit);
-    is_near = walk(surface, at, search == Search::Local ? kMostSteps : kHybridSteps, hit);
+    is_near = walk(surface, at, search == Search::Local ? kMostSteps : kHybridSteps, recent, hit);
   }
-  const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, at, hit);
+  const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, recent, at, state.cut, hit);
   if (!is_done) searchBestFirst(surface, at, hit);
   if (at != q_M) {
     hit.squared = (q_M - hit.p_M).squaredNorm();

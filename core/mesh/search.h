@@ -3,6 +3,7 @@
 
 #include "core/base/real_time.h"
 #include "core/base/search.h"
+#include "core/mesh/cut.h"
 #include "core/mesh/on_triangle.h"
 #include "core/mesh/surface.h"
 
@@ -13,6 +14,7 @@ using underact::Search;
 /// What a search remembers from tick to tick.
 struct SearchState {
   std::int32_t face = -1;  // the nearest one then; -1: none yet
+  Cut cut = {};            // where the last hybrid searches began
 };
 
 /// The point of the surface nearest to a point q.

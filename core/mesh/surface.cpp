@@ -1,5 +1,6 @@
 #include "core/mesh/surface.h"
 
+#include <bit>
 #include <string>
 
 #include "core/mesh/normals.h"
@@ -53,9 +54,26 @@ Triangles inOrder(const Triangles& given, const std::vector<std::int32_t>& order
   return triangles;
 }
 
+/// Another number for another list, almost surely. Source of the constants: Vigna 2015, splitmix64.
+std::uint64_t markOf(const Triangles& triangles) {
+  std::uint64_t mark = triangles.p_MV.size();
+  const auto add = [&mark](std::uint32_t word) {
+    mark = (mark ^ word) * 0xbf58'476d'1ce4'e5b9U;
+    mark ^= mark >> 31U;
+  };
+  for (const Eigen::Vector3f& corner : triangles.p_MV) {
+    for (const float x : corner) add(std::bit_cast<std::uint32_t>(x));
+  }
+  for (const Face& face : triangles.faces) {
+    for (const std::int32_t corner : face) add(static_cast<std::uint32_t>(corner));
+  }
+  return mark;
+}
+
 }  // namespace
 
-void setBounds(Surface& surface) {
+void complete(Surface& surface) {
+  surface.mark = markOf(surface.triangles);
   surface.low_M = surface.high_M = surface.triangles.p_MV.front();
   for (const Eigen::Vector3f& corner : surface.triangles.p_MV) {
     surface.low_M = surface.low_M.cwiseMin(corner);
@@ -78,7 +96,7 @@ Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Wa
   surface->neighbours = std::move(topology.neighbours);
   surface->is_closed = topology.is_closed;
   surface->normals_M = cornerNormals(surface->triangles);
-  setBounds(*surface);
+  complete(*surface);
   return std::shared_ptr<const Surface>(std::move(surface));
 }
 

@@ -18,6 +18,7 @@ struct Surface {
   std::vector<Node> nodes;                 // the root first
   bool is_closed = false;                  // parts the space: every edge has two faces that go along it oppositely
   Eigen::Vector3f low_M, high_M;           // its bounds
+  std::uint64_t mark = 0;                  // of its corners and faces: tells it from others
 };
 
 /// triangles: 1 to 2^27 faces of three different corners that are there, finite. Allocates; seconds for millions of
@@ -25,8 +26,8 @@ struct Surface {
 /// these, cancelled.
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {});
 
-/// low_M and high_M, from its corners (one at least).
-void setBounds(Surface& surface);
+/// Bounds and mark, from its corners (one at least) and faces.
+void complete(Surface& surface);
 
 /// Of memory.
 std::size_t bytesOf(const Surface& surface);

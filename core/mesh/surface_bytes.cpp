@@ -9,7 +9,7 @@
 namespace underact::mesh {
 namespace {
 
-constexpr std::uint64_t kLayout = 0x554d'4553'0000'0001U ^ (sizeof(Node) << 8U);
+constexpr std::uint64_t kLayout = 0x554d'4553'0000'0002U ^ (sizeof(Node) << 8U);
 
 struct Header {
   std::uint64_t layout = kLayout, corners = 0, faces = 0, nodes = 0, is_closed = 0;
@@ -118,7 +118,7 @@ std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes) 
   const bool is_well = areFinite(surface->triangles.p_MV) && areFinite(surface->normals_M) && areFacesWell(*surface) &&
                        areNodesWell(*surface);
   if (!is_well || surface->triangles.p_MV.empty()) return nullptr;
-  setBounds(*surface);
+  complete(*surface);
   return surface;
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+#include "core/mesh/surface.h"
+
+namespace underact::mesh {
+
+/// Nodes of a surface's tree such that every face below none of them is at least as far from q as reach. About q a
+/// search may begin there and not at the root, level after level above them: what it finds is the least of all.
+struct Cut {
+  static constexpr std::size_t kMost = 12;
+  Vec3 q_M = Vec3::Zero();
+  double reach = 0.0;         // 0: it says nothing
+  std::uint64_t surface = 0;  // its mark
+  std::uint32_t served = 0;   // searches since it was made
+  std::uint32_t size = 0;     // of the nodes
+  std::array<std::int32_t, kMost> nodes{};
+};
+
+/// Whether every face below none of the cut's nodes is at least as far from q_M as distance. False for any cut that
+/// was not made here for this surface.
+bool holds(const Cut& cut, const Surface& surface, const Vec3& q_M, double distance) noexcept UNDERACT_REAL_TIME;
+
+/// The lowest level of which few enough nodes are within reach of q_M, or the root. visits: goes up by the nodes looked
+/// at. Cost: kMost nodes a level at most.
+Cut makeCut(const Surface& surface, const Vec3& q_M, double reach, int& visits) noexcept UNDERACT_REAL_TIME;
+
+/// The cut that follows when one no longer holds: for some more searches as far apart as those that it served.
+/// distance: of something on the surface.
+Cut nextCut(const Cut& cut, const Surface& surface, const Vec3& q_M, double distance,
+            int& visits) noexcept UNDERACT_REAL_TIME;
+
+}  // namespace underact::mesh
