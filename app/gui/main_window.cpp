@@ -28,6 +28,7 @@
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/style.h"
+#include "app/gui/view/section_strip.h"
 #include "app/gui/words.h"
 #include "core/arm/preset.h"
 
@@ -49,6 +50,7 @@ void MainWindow::frame() {
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
   status_->present(snapshot);
+  section_->present();
   replay_bar_->present(snapshot);
   status_->setLive(live_->where(), live_->details());
   for (Panel* panel : panels_) panel->present(snapshot);

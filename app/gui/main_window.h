@@ -26,6 +26,7 @@ class RecentFiles;
 class ReplayBar;
 class SceneFiles;
 class SceneView;
+class SectionStrip;
 class StatusLine;
 
 /// What a window works with; made by main(), and by the stories.
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
   MeshFiles* mesh_files_;
   SceneView* view_;
   Player* player_;
+  SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;
   StatusLine* status_ = nullptr;

@@ -30,6 +30,7 @@
 #include "app/gui/status_line.h"
 #include "app/gui/stop_key.h"
 #include "app/gui/stylus_key.h"
+#include "app/gui/view/section_strip.h"
 #include "app/gui/view_actions.h"
 #include "core/arm/preset.h"
 
@@ -174,10 +175,12 @@ void MainWindow::buildView() {
   view_->setMinimumSize(320, 240);
   auto* middle = new QWidget(this);
   replay_bar_ = new ReplayBar(*player_, *actions_, middle);
+  section_ = new SectionStrip(*view_, *actions_, middle);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(view_, 1);
+  column->addWidget(section_);
   column->addWidget(loads_);
   column->addWidget(replay_bar_);
   setCentralWidget(middle);
@@ -234,7 +237,7 @@ void MainWindow::buildDocks() {
 
 // From left to right and top to bottom: tool bar, scenes, view, then the panels in their order.
 void MainWindow::orderTabs() {
-  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, loads_, replay_bar_};
+  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, section_, loads_, replay_bar_};
   for (const PanelRow& row : panels()) {
     if (panels_[row.key] != groups[1]) groups << panels_[row.key];
   }

@@ -77,6 +77,7 @@ QStringList layerNames() {
           "section.x",
           "section.y",
           "section.z",
+          "section.move",
           "-",
           "view.kinematics"};
 }

@@ -47,11 +47,29 @@ vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch
     clusters->SetInputData(fine);
     clusters->SetNumberOfDivisions(boxes, boxes, boxes);
     clusters->CopyCellDataOff();
+    // What was closed stays so: a wall that is flat now has both its sides.
+    clusters->PreventDuplicateCellsOff();
     clusters->Update();
     data = clusters->GetOutput();
     if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= kMostDrawn) break;
   }
   return data;
+}
+
+mesh::Triangles trianglesOf(vtkPolyData* data) {
+  mesh::Triangles triangles;
+  triangles.p_MV.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (vtkIdType corner = 0; corner < data->GetNumberOfPoints(); ++corner)
+    triangles.p_MV.push_back(Eigen::Map<const Vec3>(data->GetPoint(corner)).cast<float>());
+  triangles.faces.reserve(static_cast<std::size_t>(data->GetNumberOfPolys()));
+  vtkCellArray* const cells = data->GetPolys();
+  for (cells->InitTraversal();;) {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    if (cells->GetNextCell(count, corners) == 0) return triangles;
+    const auto at = [corners](int k) { return static_cast<std::int32_t>(corners[k]); };
+    triangles.faces.push_back({at(0), at(1), at(2)});
+  }
 }
 
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* data) {
@@ -87,7 +105,10 @@ std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::
   DrawnMesh drawn;
   vtkSmartPointer<vtkPolyData> data = copyOf(surface);
   drawn.is_coarser = surface.triangles.faces.size() > kMostDrawn;
-  if (drawn.is_coarser) data = coarser(data, watch);
+  if (drawn.is_coarser) {
+    data = coarser(data, watch);
+    drawn.coarser = trianglesOf(data);
+  }
   if (watch.isCancelled()) return nullptr;
   drawn.body = withNormals(data);
   if (watch.isCancelled()) return nullptr;

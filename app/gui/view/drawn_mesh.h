@@ -18,6 +18,7 @@ inline constexpr std::size_t kMostDrawn = 100'000;
 struct DrawnMesh {
   vtkSmartPointer<vtkPolyData> body;   // triangles with normals: smooth, but broken where the surface is
   vtkSmartPointer<vtkPolyData> edges;  // the sharp ones, and the borders
+  mesh::Triangles coarser;             // its triangles, where it is coarser; as closed as the surface is
   std::size_t triangles = 0;
   bool is_coarser = false;
 };
