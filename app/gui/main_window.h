@@ -13,6 +13,7 @@ class SimulatedArm;
 namespace underact::gui {
 
 class Actions;
+class CurveFiles;
 class Document;
 class FaultWatch;
 class FramePacer;
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   LoadStrip* loads_;
   SceneFiles* files_;
   MeshFiles* mesh_files_;
+  CurveFiles* curve_files_;
   SceneView* view_;
   Player* player_;
   SectionStrip* section_ = nullptr;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
@@ -47,6 +48,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       loads_(new LoadStrip(this)),
       files_(new SceneFiles(*document_, *recent_, *loads_, this)),
       mesh_files_(new MeshFiles(*document_, *files_, *loads_, this)),
+      curve_files_(new CurveFiles(*document_, *files_, *loads_, this)),
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
@@ -100,11 +102,14 @@ void MainWindow::addActions() {
                     return actions_->perform("replay.open", path);
                   if (!path.isEmpty() && isMeshFile(path.first().toString()))
                     return actions_->perform("mesh.add", path);
+                  if (!path.isEmpty() && isCurveFile(path.first().toString()))
+                    return actions_->perform("curve.add", path);
                   if (!path.isEmpty()) return files_->open(path.first().toString());
                   files_->chooseAndOpen();
                   return true;
                 });
   addMeshActions(*actions_, *mesh_files_);
+  addCurveActions(*actions_, *curve_files_);
   actions_
       ->add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
              tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
