@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
 }
 
 /// Corners that are near each other become one, at the place that fits their faces best.
-vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch) {
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch, std::size_t most) {
   vtkSmartPointer<vtkPolyData> data = fine;
   for (int boxes = kFinest; boxes >= kCoarsest && !watch.isCancelled(); boxes = boxes * 3 / 4) {
     const vtkNew<vtkQuadricClustering> clusters;
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch
     clusters->PreventDuplicateCellsOff();
     clusters->Update();
     data = clusters->GetOutput();
-    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= kMostDrawn) break;
+    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= most) break;
   }
   return data;
 }
@@ -101,12 +101,12 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
   return edges;
 }
 
-std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::Watch& watch) {
+std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::Watch& watch, std::size_t most) {
   DrawnMesh drawn;
   vtkSmartPointer<vtkPolyData> data = copyOf(surface);
-  drawn.is_coarser = surface.triangles.faces.size() > kMostDrawn;
+  drawn.is_coarser = surface.triangles.faces.size() > most;
   if (drawn.is_coarser) {
-    data = coarser(data, watch);
+    data = coarser(data, watch, most);
     drawn.coarser = trianglesOf(data);
   }
   if (watch.isCancelled()) return nullptr;
@@ -126,7 +126,7 @@ struct Kept {
 }  // namespace
 
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const mesh::Watch& watch) {
+                                           const mesh::Watch& watch, std::size_t most) {
   static std::mutex mutex;
   static std::map<const mesh::Surface*, Kept> kept;
   {
@@ -135,7 +135,8 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
     const auto found = kept.find(surface.get());
     if (found != kept.end()) return found->second.drawn;
   }
-  std::shared_ptr<const DrawnMesh> drawn = make(*surface, watch);  // not under the lock: the window may ask for another
+  std::shared_ptr<const DrawnMesh> drawn =
+      make(*surface, watch, most);  // not under the lock: the window may ask for another
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;

@@ -24,9 +24,9 @@ struct DrawnMesh {
 };
 
 /// Made once for each surface, and kept as long as that is there. Takes a second for millions of triangles. Any thread.
-/// null: it was cancelled.
+/// null: it was cancelled. most: triangles, of what is not made coarser; where it is made already, as it was then.
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const mesh::Watch& watch = {});
+                                           const mesh::Watch& watch = {}, std::size_t most = kMostDrawn);
 
 /// Of all meshes of a scene that are loaded, so that the view finds them made.
 void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch);
