@@ -9,6 +9,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/application.h"
+#include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
 #include "app/gui/main_window.h"
 #include "app/gui/mesh/mesh_files.h"
@@ -37,7 +38,7 @@ bool hasScreen() {
 // The scene asked for, else the last one, else the sphere.
 QString sceneToOpen(const Options& options) {
   const QString asked = QString::fromStdString(options.scene);
-  if (!asked.isEmpty() && !isSession(asked) && !isMeshFile(asked)) return asked;
+  if (!asked.isEmpty() && !isSession(asked) && !isMeshFile(asked) && !isCurveFile(asked)) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
@@ -67,6 +68,7 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
   const QString asked = QString::fromStdString(options.scene);
   if (isSession(asked)) window.openSession(asked);
   if (isMeshFile(asked)) window.actions().perform("mesh.add", asked);
+  if (isCurveFile(asked)) window.actions().perform("curve.add", asked);
   return QApplication::exec();
 }
 

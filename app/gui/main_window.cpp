@@ -6,7 +6,6 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QStatusTipEvent>
@@ -20,6 +19,7 @@
 #include "app/gui/icons.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
+#include "app/gui/problems_box.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
@@ -28,7 +28,7 @@
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/style.h"
-#include "app/gui/words.h"
+#include "app/gui/view/section_strip.h"
 #include "core/arm/preset.h"
 
 namespace underact::gui {
@@ -49,6 +49,7 @@ void MainWindow::frame() {
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
   status_->present(snapshot);
+  section_->present();
   replay_bar_->present(snapshot);
   status_->setLive(live_->where(), live_->details());
   for (Panel* panel : panels_) panel->present(snapshot);
@@ -101,12 +102,7 @@ void MainWindow::connectPlayer() {
 }
 
 void MainWindow::tellOfSession(const QString& what, const Problems& problems) {
-  auto* box = new QMessageBox(QMessageBox::Warning, tr("Recorded session"), what, QMessageBox::Ok, this);
-  box->setObjectName("dialog.session_problems");
-  box->setInformativeText(sentencesOf(problems));
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setModal(false);  // nothing keeps anybody from the arm
-  box->show();
+  showProblemsBox("dialog.session_problems", tr("Recorded session"), what, problems, this);
 }
 
 void MainWindow::replayBegins() {

@@ -13,6 +13,7 @@ class SimulatedArm;
 namespace underact::gui {
 
 class Actions;
+class CurveFiles;
 class Document;
 class FaultWatch;
 class FramePacer;
@@ -26,6 +27,7 @@ class RecentFiles;
 class ReplayBar;
 class SceneFiles;
 class SceneView;
+class SectionStrip;
 class StatusLine;
 
 /// What a window works with; made by main(), and by the stories.
@@ -87,8 +89,10 @@ class MainWindow : public QMainWindow {
   LoadStrip* loads_;
   SceneFiles* files_;
   MeshFiles* mesh_files_;
+  CurveFiles* curve_files_;
   SceneView* view_;
   Player* player_;
+  SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;
   StatusLine* status_ = nullptr;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
@@ -30,6 +31,7 @@
 #include "app/gui/status_line.h"
 #include "app/gui/stop_key.h"
 #include "app/gui/stylus_key.h"
+#include "app/gui/view/section_strip.h"
 #include "app/gui/view_actions.h"
 #include "core/arm/preset.h"
 
@@ -46,6 +48,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       loads_(new LoadStrip(this)),
       files_(new SceneFiles(*document_, *recent_, *loads_, this)),
       mesh_files_(new MeshFiles(*document_, *files_, *loads_, this)),
+      curve_files_(new CurveFiles(*document_, *files_, *loads_, this)),
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
@@ -99,11 +102,14 @@ void MainWindow::addActions() {
                     return actions_->perform("replay.open", path);
                   if (!path.isEmpty() && isMeshFile(path.first().toString()))
                     return actions_->perform("mesh.add", path);
+                  if (!path.isEmpty() && isCurveFile(path.first().toString()))
+                    return actions_->perform("curve.add", path);
                   if (!path.isEmpty()) return files_->open(path.first().toString());
                   files_->chooseAndOpen();
                   return true;
                 });
   addMeshActions(*actions_, *mesh_files_);
+  addCurveActions(*actions_, *curve_files_);
   actions_
       ->add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
              tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
@@ -174,10 +180,12 @@ void MainWindow::buildView() {
   view_->setMinimumSize(320, 240);
   auto* middle = new QWidget(this);
   replay_bar_ = new ReplayBar(*player_, *actions_, middle);
+  section_ = new SectionStrip(*view_, *actions_, middle);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(view_, 1);
+  column->addWidget(section_);
   column->addWidget(loads_);
   column->addWidget(replay_bar_);
   setCentralWidget(middle);
@@ -234,7 +242,7 @@ void MainWindow::buildDocks() {
 
 // From left to right and top to bottom: tool bar, scenes, view, then the panels in their order.
 void MainWindow::orderTabs() {
-  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, loads_, replay_bar_};
+  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, section_, loads_, replay_bar_};
   for (const PanelRow& row : panels()) {
     if (panels_[row.key] != groups[1]) groups << panels_[row.key];
   }

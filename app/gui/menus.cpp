@@ -77,6 +77,7 @@ QStringList layerNames() {
           "section.x",
           "section.y",
           "section.z",
+          "section.move",
           "-",
           "view.kinematics"};
 }
@@ -88,7 +89,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   bar->setObjectName("menubar");
   bar->setAccessibleName(tr("Menu"));
   QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
-  fill(file, actions, {"scene.open", "mesh.add", "mesh.report"});
+  fill(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
   QMenu* recent_menu = named(file->addMenu(tr("Open &recent")), "menu.recent");
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,

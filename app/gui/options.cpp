@@ -88,6 +88,7 @@ std::string usage() {
 
   underact [SCENE]                          opens the window, with a scene file or the last one
   underact MESH.stl                         opens the window and loads a mesh (also .obj, .ply, .off)
+  underact POINTS.txt                       opens the window and loads a curve (also .csv, .xyz, ...)
   underact SESSION.h5                       opens the window and replays a recorded session
   underact --picture SCENE --out FILE.png   draws the 3D view of a scene and quits
   --rate HZ          ticks a second, 100 to 10000 (1000)

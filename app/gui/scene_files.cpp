@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_dialog.h"
@@ -66,15 +67,18 @@ void SceneFiles::loadAndPut(scene::Description scene) {
   struct Loaded {
     scene::Description scene;
     Problems problems;
+    std::vector<target::CurvePath> curves;
   };
   const auto loaded = std::make_shared<Loaded>();
   loaded->scene = std::move(scene);
   const QString path = QString::fromStdString(loaded->scene.file);
   loads_.begin(
-      tr("Loading the meshes of %1").arg(QFileInfo(path).fileName()),
+      tr("Loading the files of %1").arg(QFileInfo(path).fileName()),
       [loaded](const mesh::Watch& watch) {
         loaded->problems = scene::loadMeshes(loaded->scene, watch);
-        if (loaded->problems.empty()) makeDrawnMeshes(loaded->scene, watch);
+        if (!loaded->problems.empty()) return;
+        loaded->curves = madeCurves(loaded->scene, watch);
+        makeDrawnMeshes(loaded->scene, watch);
       },
       [this, loaded, path] {
         if (!loaded->problems.empty()) {

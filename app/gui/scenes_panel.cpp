@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <utility>
@@ -89,6 +90,7 @@ ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
   connect(list_, &QListWidget::itemClicked, this, &ScenesPanel::openItem);
   connect(list_, &QListWidget::itemActivated, this, &ScenesPanel::openItem);
   connect(list_, &QListWidget::currentItemChanged, this, &ScenesPanel::describe);
+  connect(list_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { follows_ = false; });
   connect(&parts_.document, &Document::opened, this, &ScenesPanel::markOpen);
   connect(&parts_.recent, &RecentFiles::changed, this, &ScenesPanel::rebuild);
   rebuild();
@@ -164,6 +166,20 @@ void ScenesPanel::markOpen() {
     item->setFont(font);
     if (open) list_->setCurrentItem(item);
   }
+  follows_ = true;
+  keepInSight();
+}
+
+void ScenesPanel::keepInSight() {
+  if (!follows_ || list_->currentItem() == nullptr) return;
+  layout()->activate();  // what is said of it may have taken room from the list
+  list_->scrollToItem(list_->currentItem());
+}
+
+// A scene may be opened before the list has its size, as from the command line.
+void ScenesPanel::resizeEvent(QResizeEvent* event) {
+  Panel::resizeEvent(event);
+  keepInSight();
 }
 
 void ScenesPanel::describe() {

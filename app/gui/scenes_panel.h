@@ -18,6 +18,9 @@ class ScenesPanel : public Panel {
   ScenesPanel(const PanelParts& parts, QWidget* parent);
   void setTheme(const Theme& theme) override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void rebuild();
   void filter(const QString& text);
@@ -25,6 +28,7 @@ class ScenesPanel : public Panel {
   void addScene(const SceneEntry& entry);
   void openItem(QListWidgetItem* item);
   void markOpen();
+  void keepInSight();
   void describe();
 
   PanelParts parts_;
@@ -33,6 +37,7 @@ class ScenesPanel : public Panel {
   QLineEdit* filter_;
   QListWidget* list_;
   QLabel* about_;
+  bool follows_ = true;  // the selected scene is kept in sight, until somebody scrolls
 };
 
 }  // namespace underact::gui

@@ -2,6 +2,7 @@
 
 #include <QSettings>
 #include <algorithm>
+#include <cmath>
 
 namespace underact::gui {
 namespace {
@@ -27,6 +28,8 @@ constexpr LayerKey kLayerKeys[] = {{"layers/workspace", &Layers::workspace},
                                    {"layers/section", &Layers::section},
                                    {"layers/section_follows", &Layers::section_follows}};
 
+constexpr const char* kSectionKeys[] = {"layers/section_x_mm", "layers/section_y_mm", "layers/section_z_mm"};
+
 }  // namespace
 
 Settings readSettings() {
@@ -42,6 +45,10 @@ Settings readSettings() {
   }
   settings.layers.section_axis =
       std::clamp(stored.value("layers/section_axis", fresh.layers.section_axis).toInt(), 0, 2);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at_mm = stored.value(kSectionKeys[axis]).toDouble();
+    settings.layers.section_mm[axis] = std::isfinite(at_mm) ? at_mm : 0.0;
+  }
   settings.recent = stored.value("files/recent").toStringList();
   settings.last_scene = stored.value("files/last").toString();
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
@@ -60,6 +67,7 @@ void writeSettings(const Settings& settings) {
                                                                         : "system");
   for (const LayerKey& row : kLayerKeys) stored.setValue(row.key, settings.layers.*row.layer);
   stored.setValue("layers/section_axis", settings.layers.section_axis);
+  for (int axis = 0; axis < 3; ++axis) stored.setValue(kSectionKeys[axis], settings.layers.section_mm[axis]);
   stored.setValue("files/recent", settings.recent);
   stored.setValue("files/last", settings.last_scene);
   stored.setValue("plots/axis", settings.plot_axis);

@@ -100,7 +100,8 @@ void ShapePanel::sceneOpened() {
     if (constraints.size() > 1) readout_->addHeading(QString::fromStdString(constraint.name));
     const std::vector<ShapeLine> lines = shapeText(constraint);
     const bool has_many_lines = std::holds_alternative<scene::VirtualManipulator>(constraint.shape) ||
-                                std::holds_alternative<scene::Mesh>(constraint.shape);
+                                std::holds_alternative<scene::Mesh>(constraint.shape) ||
+                                std::holds_alternative<scene::Curve>(constraint.shape);
     for (std::size_t index = 0; index < lines.size(); ++index) {
       readout_->set(readout_->addRow(lines[index].label), lines[index].value);
       if (has_many_lines && index == 0) addDistance();  // nobody should scroll for the distance

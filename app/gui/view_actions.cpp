@@ -49,6 +49,7 @@ void addLayers(Actions& actions, SceneView& view) {
   struct Row {
     const char *name, *text, *shortcut, *tip;
     bool Layers::*layer;
+    const char* button = "";
   };
   const Row rows[] = {
       {"layer.workspace", "&Workspace box", "Alt+1", "The box the arm can reach, with ticks every 20 mm.",
@@ -84,9 +85,16 @@ void addLayers(Actions& actions, SceneView& view) {
        "Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.",
        &Layers::section},
       {"layer.section_follows", "Cut &follows the stylus", "Alt+K",
-       "The cut goes through the stylus's tip; off, it stays where it is.", &Layers::section_follows}};
+       "The cut goes through the stylus's tip; off, it stays where it is.", &Layers::section_follows,
+       "Follows the stylus"}};
   for (const Row& row : rows) {
-    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
+    QAction* action = actions.add({row.name,
+                                   tr(row.text),
+                                   QKeySequence(row.shortcut),
+                                   tr(row.tip),
+                                   {},
+                                   row.button[0] == '\0' ? QString() : tr(row.button),
+                                   true},
                                   [&view, layer = row.layer](const QVariantList& on) {
                                     Layers layers = view.layers();
                                     layers.*layer = on.value(0).toBool();
@@ -100,21 +108,23 @@ void addLayers(Actions& actions, SceneView& view) {
 /// Which axis the cut through meshes is across.
 void addSectionAxes(Actions& actions, SceneView& view) {
   struct Row {
-    const char *name, *text, *shortcut, *tip;
+    const char *name, *text, *shortcut, *tip, *button;
   };
-  const Row rows[] = {{"section.x", "Cut across x", "Alt+X", "The cut stands across x: it is seen from the side."},
-                      {"section.y", "Cut across y", "Alt+Y", "The cut stands across y: it is seen from the top."},
-                      {"section.z", "Cut across z", "Alt+Z", "The cut stands across z: it is seen from the front."}};
+  const Row rows[] = {
+      {"section.x", "Cut across x", "Alt+X", "The cut stands across x: it is seen from the side.", "x"},
+      {"section.y", "Cut across y", "Alt+Y", "The cut stands across y: it is seen from the top.", "y"},
+      {"section.z", "Cut across z", "Alt+Z", "The cut stands across z: it is seen from the front.", "z"}};
   auto* group = new QActionGroup(&actions);
   for (int axis = 0; axis < 3; ++axis) {
     const Row& row = rows[axis];
-    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
-                                  [&view, axis](const QVariantList&) {
-                                    Layers layers = view.layers();
-                                    layers.section_axis = axis;
-                                    view.setLayers(layers);
-                                    return true;
-                                  });
+    QAction* action =
+        actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, row.button, true},
+                    [&view, axis](const QVariantList&) {
+                      Layers layers = view.layers();
+                      layers.section_axis = axis;
+                      view.setLayers(layers);
+                      return true;
+                    });
     group->addAction(action);
     action->setChecked(view.layers().section_axis == axis);
   }

@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/scene/compile.h"
+#include "core/scene/kept_curves.h"
 #include "core/scene/meshes.h"
 #include "core/scene/rules.h"
 
@@ -61,13 +62,7 @@ void checkCurve(const Curve& curve, const Control& control, const Say& say) {
 
 Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place) {
   if (curve.points == nullptr) return Problems{{"The curve " + json::shown(curve.file) + " is not loaded.", place}};
-  const Mat3 R_WM = Eigen::Quaterniond(Mat3(curve.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
-  const Vec3 p_WM = kMetrePerMillimetre * curve.X_WM.topRightCorner<3, 1>();
-  const double scale_m = kMetrePerMillimetre * curve.scale_mm_per_unit;
-  std::vector<Vec3> points_W;
-  points_W.reserve(curve.points->size());
-  for (const Vec3& p_M : *curve.points) points_W.push_back(p_WM + scale_m * (R_WM * p_M));
-  auto made = curve::makeCurve(std::move(points_W), curve.kind, curve.closed, place);
+  auto made = keptCurve(curve, place);
   if (!made) return made.problems();
   target::CurvePath path{std::move(made).value(), curve.search, {}};
   if (curve.guide) {

@@ -2,8 +2,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolButton>
 
 #include "tests/stories/mesh_desk.h"
 #include "tests/stories/picture_difference.h"
@@ -74,15 +76,89 @@ TEST(MeshViewStory, TheCutFollowsTheStylusUntilItIsHeld) {
   EXPECT_GT(changed(still, moved), 2000);
 }
 
-TEST(MeshViewStory, CutAxisAndTrianglesAreRemembered) {
+TEST(MeshViewStory, CutAxisPlaceAndTrianglesAreRemembered) {
   {
-    Story story("02_sphere");
+    Story story("");
+    openMesh(story, ballFile());
     story.perform("layer.wires", true);
     story.perform("section.x", true);
+    story.perform("layer.section", true);
+    ASSERT_TRUE(story.perform("section.place", 12.5));
   }
   Story story("02_sphere", {.first_start = false});
   EXPECT_TRUE(story.view().layers().wires);
+  EXPECT_TRUE(story.view().layers().section);
+  EXPECT_FALSE(story.view().layers().section_follows);
   EXPECT_EQ(story.view().layers().section_axis, 0);
+  story.run(10);
+  EXPECT_EQ(story.view().layers().section_mm.x(), 12.5);
+  EXPECT_FALSE(story.find("section")->isVisible());  // a sphere cannot be cut
+}
+
+TEST(MeshViewStory, TheCutIsFilledAndGoesWhereTheSliderIs) {
+  Story story("");
+  openMesh(story, ballFile());
+  EXPECT_FALSE(story.find("section")->isVisible());
+  handTo(story, {0.0, 0.0, 0.010});
+  story.bringToFront(&story.window());  // the mesh dialog had the keyboard
+  story.key(Qt::Key_M, Qt::AltModifier);
+  story.settle();
+  auto* slider = story.find<QSlider>("section.slider");
+  auto* number = story.find<QDoubleSpinBox>("section.number");
+  ASSERT_TRUE(slider->isVisible());
+  EXPECT_TRUE(slider->hasFocus());
+  const double kShown_mm = 0.05 + 1e-9;                                             // half of the last digit
+  EXPECT_NEAR(number->value(), 1e3 * story.snapshot().report.p_WT.z(), kShown_mm);  // it follows the stylus
+  EXPECT_GT(story.view().cutPartsDrawn(), 10U);
+  story.find<QToolButton>("section.button.section.x")->click();
+  EXPECT_EQ(story.view().layers().section_axis, 0);
+  EXPECT_TRUE(story.window().actions().find("section.x")->isChecked());
+  story.settle();
+
+  const double before_mm = number->value();
+  story.key(Qt::Key_Right);
+  story.settle();
+  EXPECT_FALSE(story.view().layers().section_follows);
+  EXPECT_NEAR(number->value(), before_mm + 1.0, 0.11);
+  story.key(Qt::Key_PageUp);
+  story.settle();
+  EXPECT_NEAR(number->value(), before_mm + 11.0, 0.11);
+  handTo(story, {0.020, 0.0, 0.0});
+  EXPECT_NEAR(number->value(), before_mm + 11.0, 0.11);  // and does so no more
+  story.type(number, "-20");
+  story.settle();
+  EXPECT_EQ(story.view().layers().section_mm.x(), -20.0);
+  EXPECT_EQ(slider->value(), -200);
+  EXPECT_GT(story.view().cutPartsDrawn(), 10U);
+  EXPECT_FALSE(story.perform("section.place", 500.0));  // there is nothing
+  ASSERT_TRUE(story.perform("section.place", -40.0));   // past the ball
+  story.settle();
+  EXPECT_EQ(story.view().cutPartsDrawn(), 0U);
+
+  QTest::mouseDClick(slider, Qt::LeftButton);
+  story.run(250);
+  EXPECT_TRUE(story.view().layers().section_follows);
+  EXPECT_NEAR(number->value(), 1e3 * story.snapshot().report.p_WT.x(), kShown_mm);
+  ASSERT_TRUE(story.perform("layer.section", false));
+  story.settle();
+  EXPECT_FALSE(story.find("section")->isVisible());
+}
+
+TEST(MeshViewStory, TheFaceOfACutLooksAsItDidInLightAndDark) {
+  Story story("");
+  openMesh(story, ballFile());
+  handTo(story, {0.0, 0.0, 0.010});
+  story.perform("session.start");
+  handTo(story, {0.005, 0.0, 0.012});
+  ASSERT_TRUE(story.perform("section.x", true));
+  ASSERT_TRUE(story.perform("layer.section", true));
+  ASSERT_TRUE(story.perform("section.place", -5.0));
+  story.perform("view.theme.light");
+  story.savePicture("mesh_cut");
+  EXPECT_LT(story.imageDifference("mesh_section_face"), kTolerance);
+  story.perform("view.theme.dark");
+  story.savePicture("mesh_cut_dark");
+  EXPECT_LT(story.imageDifference("mesh_section_face_dark"), kTolerance);
 }
 
 TEST(MeshViewStory, ABoxLooksAsItDidInLightAndDark) {

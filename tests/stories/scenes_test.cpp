@@ -76,6 +76,22 @@ TEST(ScenesStory, TheFilterLeavesWhatFits) {
   EXPECT_TRUE(itemOf(list, shippedScene("01_point"))->isHidden());
 }
 
+TEST(ScenesStory, ASceneNamedAtTheStartIsSeenInTheList) {
+  for (const char* name : {"21_puma_560", "27_bracket", "01_point"}) {
+    Story story("", {.shown = false});
+    story.window().show();
+    ASSERT_TRUE(story.perform("scene.open", shippedScene(name)));  // as main() does, before anything is laid out
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&story.window()));
+    ASSERT_TRUE(waitForMeshes(story));
+    story.settle();
+    const auto* list = story.find<QListWidget>("panel.scenes.list");
+    ASSERT_NE(list->currentItem(), nullptr) << name;
+    const QRect item = list->visualItemRect(list->currentItem());
+    EXPECT_GE(item.top(), 0) << name;
+    EXPECT_LE(item.bottom(), list->viewport()->height()) << name;
+  }
+}
+
 TEST(ScenesStory, TheSelectedSceneIsDescribed) {
   Story story("05_circle");
   EXPECT_EQ(story.find<QLabel>("panel.scenes.about")->text().toStdString(), story.host().scene().about);

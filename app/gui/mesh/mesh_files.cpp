@@ -3,13 +3,13 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <memory>
 #include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/mesh/load_strip.h"
+#include "app/gui/problems_box.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "app/gui/view/workspace_picture.h"
@@ -126,14 +126,8 @@ void MeshFiles::ask(const QString& path, const mesh_file::Loaded& loaded, std::o
 }
 
 void MeshFiles::tell(const QString& path, const Problems& problems) {
-  auto* box = new QMessageBox(QMessageBox::Warning, tr("Mesh not loaded"),
-                              tr("“%1” was not loaded. The scene stays as it is.").arg(QFileInfo(path).fileName()),
-                              QMessageBox::Ok, window_);
-  box->setObjectName("dialog.mesh_problems");
-  box->setInformativeText(sentencesOf(problems));
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setModal(false);  // nothing keeps anybody from the arm
-  box->show();
+  const QString what = tr("“%1” was not loaded. The scene stays as it is.").arg(QFileInfo(path).fileName());
+  showProblemsBox("dialog.mesh_problems", tr("Mesh not loaded"), what, problems, window_);
 }
 
 void addMeshActions(Actions& actions, MeshFiles& files) {

@@ -40,18 +40,36 @@ vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
 }
 
 /// Corners that are near each other become one, at the place that fits their faces best.
-vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch) {
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch, std::size_t most) {
   vtkSmartPointer<vtkPolyData> data = fine;
   for (int boxes = kFinest; boxes >= kCoarsest && !watch.isCancelled(); boxes = boxes * 3 / 4) {
     const vtkNew<vtkQuadricClustering> clusters;
     clusters->SetInputData(fine);
     clusters->SetNumberOfDivisions(boxes, boxes, boxes);
     clusters->CopyCellDataOff();
+    // What was closed stays so: a wall that is flat now has both its sides.
+    clusters->PreventDuplicateCellsOff();
     clusters->Update();
     data = clusters->GetOutput();
-    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= kMostDrawn) break;
+    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= most) break;
   }
   return data;
+}
+
+mesh::Triangles trianglesOf(vtkPolyData* data) {
+  mesh::Triangles triangles;
+  triangles.p_MV.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (vtkIdType corner = 0; corner < data->GetNumberOfPoints(); ++corner)
+    triangles.p_MV.push_back(Eigen::Map<const Vec3>(data->GetPoint(corner)).cast<float>());
+  triangles.faces.reserve(static_cast<std::size_t>(data->GetNumberOfPolys()));
+  vtkCellArray* const cells = data->GetPolys();
+  for (cells->InitTraversal();;) {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    if (cells->GetNextCell(count, corners) == 0) return triangles;
+    const auto at = [corners](int k) { return static_cast<std::int32_t>(corners[k]); };
+    triangles.faces.push_back({at(0), at(1), at(2)});
+  }
 }
 
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* data) {
@@ -83,11 +101,14 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
   return edges;
 }
 
-std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::Watch& watch) {
+std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::Watch& watch, std::size_t most) {
   DrawnMesh drawn;
   vtkSmartPointer<vtkPolyData> data = copyOf(surface);
-  drawn.is_coarser = surface.triangles.faces.size() > kMostDrawn;
-  if (drawn.is_coarser) data = coarser(data, watch);
+  drawn.is_coarser = surface.triangles.faces.size() > most;
+  if (drawn.is_coarser) {
+    data = coarser(data, watch, most);
+    drawn.coarser = trianglesOf(data);
+  }
   if (watch.isCancelled()) return nullptr;
   drawn.body = withNormals(data);
   if (watch.isCancelled()) return nullptr;
@@ -105,7 +126,7 @@ struct Kept {
 }  // namespace
 
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const mesh::Watch& watch) {
+                                           const mesh::Watch& watch, std::size_t most) {
   static std::mutex mutex;
   static std::map<const mesh::Surface*, Kept> kept;
   {
@@ -114,7 +135,8 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
     const auto found = kept.find(surface.get());
     if (found != kept.end()) return found->second.drawn;
   }
-  std::shared_ptr<const DrawnMesh> drawn = make(*surface, watch);  // not under the lock: the window may ask for another
+  std::shared_ptr<const DrawnMesh> drawn =
+      make(*surface, watch, most);  // not under the lock: the window may ask for another
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;

@@ -18,14 +18,15 @@ inline constexpr std::size_t kMostDrawn = 100'000;
 struct DrawnMesh {
   vtkSmartPointer<vtkPolyData> body;   // triangles with normals: smooth, but broken where the surface is
   vtkSmartPointer<vtkPolyData> edges;  // the sharp ones, and the borders
+  mesh::Triangles coarser;             // its triangles, where it is coarser; as closed as the surface is
   std::size_t triangles = 0;
   bool is_coarser = false;
 };
 
 /// Made once for each surface, and kept as long as that is there. Takes a second for millions of triangles. Any thread.
-/// null: it was cancelled.
+/// null: it was cancelled. most: triangles, of what is not made coarser; where it is made already, as it was then.
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const mesh::Watch& watch = {});
+                                           const mesh::Watch& watch = {}, std::size_t most = kMostDrawn);
 
 /// Of all meshes of a scene that are loaded, so that the view finds them made.
 void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch);

@@ -13,6 +13,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kBody = 0.62;  // opacity: a body, and yet the stylus is seen in it
+constexpr double kFace = 0.35;  // of the constraint's colour in the cut's face: apart from the body, and flat
 constexpr double kInner = 0.6;  // brightness of the side that only a hole or a cut shows
 
 /// What scene::compile() makes of it.
@@ -28,9 +29,14 @@ target::MeshPlace placeOf(const scene::Mesh& mesh) {
 }  // namespace
 
 MeshPicture::MeshPicture()
-    : patch_actor_(makeActor(patch_.data(), Kind::Tint)), section_(vtkSmartPointer<vtkPlane>::New()) {
+    : patch_actor_(makeActor(patch_.data(), Kind::Tint)),
+      section_(vtkSmartPointer<vtkPlane>::New()),
+      face_actor_(makeActor(cap_.face(), Kind::Solid)),
+      outline_actor_(makeActor(cap_.outline(), Kind::Line)) {
   patch_actor_->GetProperty()->LightingOff();
   patch_actor_->GetProperty()->SetOpacity(0.7);
+  face_actor_->GetProperty()->LightingOff();
+  face_actor_->GetProperty()->BackfaceCullingOff();
 }
 
 void MeshPicture::setScene(const scene::Description& scene) {
@@ -50,6 +56,7 @@ void MeshPicture::setScene(const scene::Description& scene) {
     meshes_.back().constraint = index;
   }
   placeAll(scene);
+  cut_is_old_ = true;
   touched_.clear();
   drawPatch();
 }
@@ -59,10 +66,9 @@ void MeshPicture::placeAll(const scene::Description& scene) {
   for (Shown& shown : meshes_) {
     const auto& mesh = std::get<scene::Mesh>(scene.constraints[shown.constraint].shape);
     shown.place = placeOf(mesh);
-    Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
-    X.block<3, 3>(0, 0) = mesh.scale_mm_per_unit * shown.place.R_WM;
-    X.block<3, 1>(0, 3) = mesh.X_WM.topRightCorner<3, 1>();
-    for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) place(*actor, X);
+    shown.X.block<3, 3>(0, 0) = mesh.scale_mm_per_unit * shown.place.R_WM;
+    shown.X.block<3, 1>(0, 3) = mesh.X_WM.topRightCorner<3, 1>();
+    for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) place(*actor, shown.X);
     const Vec3 low = mesh.surface->low_M.cast<double>(), high = mesh.surface->high_M.cast<double>();
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 p_M((corner & 1) != 0 ? low.x() : high.x(), (corner & 2) != 0 ? low.y() : high.y(),
@@ -103,11 +109,12 @@ void MeshPicture::setTheme(const Theme& theme) {
   theme_ = theme;
   for (const Shown& shown : meshes_) colour(shown);
   setColour(*patch_actor_, theme.target);
+  setColour(*face_actor_, mixed(theme.background, theme.constraint, kFace));
+  setColour(*outline_actor_, theme.constraint);
 }
 
 void MeshPicture::show(const Layers& layers) {
   show_wires_ = layers.wires;
-  if (layers.section && !show_section_) section_mm_ = tip_mm_;
   for (const Shown& shown : meshes_) {
     shown.wires->SetVisibility(show_wires_);
     for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) {
@@ -118,6 +125,7 @@ void MeshPicture::show(const Layers& layers) {
   show_section_ = layers.section;
   section_axis_ = std::clamp(layers.section_axis, 0, 2);
   section_follows_ = layers.section_follows;
+  section_mm_ = section_follows_ ? tip_mm_ : layers.section_mm;
   show_patch_ = layers.target;
   drawPatch();
 }
@@ -148,11 +156,28 @@ void MeshPicture::drawPatch() {
 }
 
 void MeshPicture::update(const Vec3& eye_mm) {
+  face_actor_->SetVisibility(show_section_);
+  outline_actor_->SetVisibility(show_section_);
   if (!show_section_) return;
   const Vec3 axis = Vec3::Unit(section_axis_);
   const double away = axis.dot(eye_mm - section_mm_) > 0.0 ? -1.0 : 1.0;
   section_->SetOrigin(section_mm_.x(), section_mm_.y(), section_mm_.z());
   section_->SetNormal(away * axis.x(), away * axis.y(), away * axis.z());
+  if (cut_is_old_ || cut_axis_ != section_axis_ || cut_at_mm_ != section_mm_[section_axis_]) drawCut();
+}
+
+void MeshPicture::drawCut() {
+  cut_is_old_ = false;
+  cut_axis_ = section_axis_;
+  cut_at_mm_ = section_mm_[section_axis_];
+  ++cuts_;
+  cap_.clear();
+  for (const Shown& shown : meshes_) {
+    const mesh::Surface& surface = *shown.place.surface;
+    const mesh::Triangles& triangles = shown.drawn->is_coarser ? shown.drawn->coarser : surface.triangles;
+    cap_.add(triangles, shown.X, cut_axis_, cut_at_mm_, surface.is_closed);
+  }
+  cap_.done();
 }
 
 void MeshPicture::setLineWidth(double scale) {
@@ -160,6 +185,7 @@ void MeshPicture::setLineWidth(double scale) {
     shown.edges->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));
     shown.wires->GetProperty()->SetLineWidth(static_cast<float>(1.0 * scale));
   }
+  outline_actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));
 }
 
 std::vector<vtkActor*> MeshPicture::actors() const {
@@ -169,6 +195,7 @@ std::vector<vtkActor*> MeshPicture::actors() const {
     all.push_back(shown.edges);
     all.push_back(shown.wires);
   }
+  all.push_back(outline_actor_);
   all.push_back(patch_actor_);
   return all;
 }

@@ -9,6 +9,7 @@
 #include "app/gui/theme.h"
 #include "app/gui/view/contact_patch.h"
 #include "app/gui/view/drawn_mesh.h"
+#include "app/gui/view/section_cap.h"
 #include "core/scene/description.h"
 #include "core/tick/report.h"
 
@@ -17,8 +18,9 @@ namespace underact::gui {
 struct Layers;
 
 /// The meshes of a scene: bodies that one can just see through, so that a stylus inside is seen, with their sharp
-/// edges; on demand the edges of all triangles, and a cut across an axis, whose side nearer to the eye is hidden; and
-/// where the stylus touches, a patch on the surface. mm, in W. A mesh that moves is only placed anew.
+/// edges; on demand the edges of all triangles, and a cut across an axis, whose side nearer to the eye is hidden, and
+/// whose face is filled where a mesh is closed; and where the stylus touches, a patch on the surface. mm, in W. A mesh
+/// that moves is only placed anew.
 class MeshPicture {
  public:
   MeshPicture();
@@ -26,20 +28,28 @@ class MeshPicture {
   void setTheme(const Theme& theme);
   void show(const Layers& layers);
   void present(const tick::TickReport& report);
-  /// The cut as the eye sees it.
+  /// The cut as the eye sees it. Each frame: what has not moved is not cut again.
   void update(const Vec3& eye_mm);
   void setLineWidth(double device_pixels_per_pixel);
 
   const std::vector<Vec3>& extent_mm() const { return extent_mm_; }
+  /// The cut's face, among the solids.
+  vtkActor* face() const { return face_actor_; }
   /// After solids and lines, in this order. New with each scene that has other meshes.
   std::vector<vtkActor*> actors() const;
   std::size_t triangles() const;
   std::size_t patchCorners() const { return patch_.corners(); }
+  /// Where the cut is, across each axis.
+  const Vec3& section_mm() const { return section_mm_; }
+  /// How often the meshes were cut since the picture was made.
+  std::size_t cuts() const { return cuts_; }
+  const SectionCap& cap() const { return cap_; }
 
  private:
   struct Shown {
     target::MeshPlace place;
-    std::size_t constraint = 0;  // its index
+    Eigen::Matrix4d X = Eigen::Matrix4d::Identity();  // from its frame and unit to W in mm
+    std::size_t constraint = 0;                       // its index
     std::shared_ptr<const DrawnMesh> drawn;
     vtkSmartPointer<vtkActor> body, edges, wires;
   };
@@ -47,6 +57,7 @@ class MeshPicture {
   void colour(const Shown& shown) const;
   void placeAll(const scene::Description& scene);
   void drawPatch();
+  void drawCut();
 
   Theme theme_ = Theme::light();
   std::vector<Shown> meshes_;
@@ -58,6 +69,12 @@ class MeshPicture {
   int section_axis_ = 2;
   Vec3 tip_mm_ = Vec3::Zero(), section_mm_ = Vec3::Zero();
   vtkSmartPointer<vtkPlane> section_;
+  SectionCap cap_;
+  vtkSmartPointer<vtkActor> face_actor_, outline_actor_;
+  bool cut_is_old_ = true;  // other meshes, or elsewhere
+  int cut_axis_ = 2;        // of the last one
+  double cut_at_mm_ = 0.0;
+  std::size_t cuts_ = 0;
 };
 
 }  // namespace underact::gui

@@ -109,6 +109,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->robots.show(layers.robot);
   impl_->path.show(layers.path);
   impl_->meshes.show(layers);
+  impl_->layers.section_mm = impl_->meshes.section_mm();
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
 }
@@ -198,6 +199,19 @@ std::size_t SceneView::trianglesDrawn() const {
 
 std::size_t SceneView::patchDrawn() const {
   return impl_->meshes.patchCorners();
+}
+
+std::pair<double, double> SceneView::sectionRange_mm(int axis) const {
+  double most = workspaceHalf_mm()[axis], least = -most;
+  for (const Vec3& p_mm : impl_->meshes.extent_mm()) {
+    least = std::min(least, p_mm[axis]);
+    most = std::max(most, p_mm[axis]);
+  }
+  return {least, most};
+}
+
+std::size_t SceneView::cutPartsDrawn() const {
+  return impl_->layers.section ? static_cast<std::size_t>(impl_->meshes.cap().face()->GetNumberOfPolys()) : 0;
 }
 
 void SceneView::setHint(const QString& text) {

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/gui/theme.h"
 #include "app/gui/view/path_picture.h"
@@ -26,10 +27,11 @@ struct Layers {
   bool robot = true;      // virtual manipulators
   bool path = true;       // of a recording that is replayed
   // Of meshes, see MeshPicture.
-  bool wires = false;           // the edges of all triangles
-  bool section = false;         // cut open, across an axis of W
-  int section_axis = 2;         // 0 x, 1 y, 2 z
-  bool section_follows = true;  // the cut goes through the tip; else it stays where it is
+  bool wires = false;              // the edges of all triangles
+  bool section = false;            // cut open, across an axis of W
+  int section_axis = 2;            // 0 x, 1 y, 2 z
+  bool section_follows = true;     // the cut goes through the tip; else it stays where it is
+  Vec3 section_mm = Vec3::Zero();  // across each axis where the cut is; follows the tip with it
   // For teaching, see KinematicsPicture.
   bool link_frames = false;
   bool ghosts = false;            // the inverse solutions
@@ -69,6 +71,9 @@ class SceneView : public QWidget {
   /// Triangles of all meshes, as drawn; corners of the patch where the stylus touches one.
   std::size_t trianglesDrawn() const;
   std::size_t patchDrawn() const;
+  /// From where to where along an axis of W a cut can meet something: the workspace, and the meshes that go beyond it.
+  std::pair<double, double> sectionRange_mm(int axis) const;
+  std::size_t cutPartsDrawn() const;  // of the face of the cut
   /// One line over the view; empty: none.
   void setHint(const QString& text);
   /// The largest force of the gauge and the arrow's scale, N.

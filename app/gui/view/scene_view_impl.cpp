@@ -60,6 +60,7 @@ void SceneView::Impl::before(QSize pixels) {
     vtkRenderer& renderer = surface->renderer();
     renderer.RemoveAllViewProps();
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
+    renderer.AddActor(meshes.face());
     for (const auto& target : hand.targets()) renderer.AddActor(target);
     for (const auto& lines : {workspace.lines(), constraint.lines(), influence.lines(), robots.lines(), path.lines(),
                               hand.lines(), kinematics.lines()}) {
@@ -102,6 +103,7 @@ void SceneView::Impl::showArm() {
   influence.present(shown->report);
   robots.present(*shown);
   meshes.present(shown->report);
+  layers.section_mm = meshes.section_mm();
 }
 
 void SceneView::Impl::paintWords(QPainter& painter) {

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -17,10 +18,12 @@
 #include "app/gui/view/scene_view.h"
 #include "core/record/recorder.h"
 #include "core/scene/read.h"
+#include "tests/bench/window/mesh_frames.h"
 
 // In one run, in turn: the servo alone, and the servo beside a window that draws a moving stylus at 1280 x 800, that is
 // dragged to other sizes, and that is given another scene every 200 ms; then a servo of 4 kHz beside the window,
-// recorded and not (alone with the argument "recorded"). Each 10 s; the figures are of that time alone.
+// recorded and not (alone with the argument "recorded"). Each 10 s; the figures are of that time alone. With the
+// argument "meshes" only how long pictures of large meshes take.
 namespace underact::gui {
 namespace {
 
@@ -43,8 +46,9 @@ void pass(const std::function<void(double)>& each) {
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, &timer, [&] { each(static_cast<double>(clock.nsecsElapsed()) * 1e-6); });
   timer.start(8);
-  QTimer::singleShot(kPhase_ms, qApp, &QApplication::quit);
-  QApplication::exec();
+  QEventLoop loop;  // quit() of the program would close the window
+  QTimer::singleShot(kPhase_ms, &loop, &QEventLoop::quit);
+  loop.exec();
 }
 
 /// The hand on a circle of 45 mm, in and out of the sphere, once in 2 s.
@@ -148,13 +152,16 @@ void measure() {
 
 int main(int argc, char** argv) {
   QTemporaryDir settings;
+  qputenv("UNDERACT_MESH_READER", UNDERACT_MESH_READER);
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   QSurfaceFormat::setDefaultFormat(underact::gui::surfaceFormat());
   QApplication application(argc, argv);
   QApplication::setStyle("Fusion");
   QApplication::setQuitOnLastWindowClosed(false);
   std::setlocale(LC_NUMERIC, "C");
-  if (argc > 1 && std::string_view(argv[1]) == "recorded") {
+  if (argc > 1 && std::string_view(argv[1]) == "meshes") {
+    underact::gui::measureMeshFrames(UNDERACT_SOURCE);
+  } else if (argc > 1 && std::string_view(argv[1]) == "recorded") {
     underact::gui::measureRecorded();
   } else {
     underact::gui::measure();

@@ -173,5 +173,36 @@ TEST(CurveScene, CompilesWhereItsPointsAre) {
   EXPECT_NEAR((pointAt(made, 0.004) - Vec3(0.001, 0.006, 0.003)).norm(), 0.0, 1e-15);  // 4 mm along y
 }
 
+TEST(CurveScene, AnEditThatMovesNothingKeepsTheCurve) {
+  Description scene = sceneOf(R"({"type": "curve", "file": "a.txt", "guide": {"speed_mm_per_s": 30}})");
+  Curve& curve = std::get<Curve>(scene.constraints.at(0).shape);
+  curve.points = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}});
+  const auto made = [&scene] { return compile(scene).value().entries.at(0).constraint.curve->curve; };
+  const std::shared_ptr<const curve::Curve> first = made();
+  scene.control.gains.kp_N_per_mm = Vec3::Constant(0.125);
+  curve.guide->speed_mm_per_s = -50.0;
+  curve.search = Search::Local;
+  EXPECT_EQ(made(), first);
+  const Curve before = curve;
+  const auto changed = [&](auto change) {
+    curve = before;
+    change();
+    return made() != first;
+  };
+  EXPECT_TRUE(changed([&] { curve.kind = curve::Kind::Polyline; }));
+  EXPECT_TRUE(changed([&] { curve.closed = true; }));
+  EXPECT_TRUE(changed([&] { curve.scale_mm_per_unit = 2.0; }));
+  EXPECT_TRUE(changed([&] { curve.X_WM(2, 3) = 1e-9; }));
+  EXPECT_TRUE(changed([&] { curve.points = std::make_shared<const std::vector<Vec3>>(*curve.points); }));
+  EXPECT_FALSE(changed([] {}));
+}
+
+TEST(CurveScene, ACurveThatNobodyHoldsIsLetGo) {
+  Curve curve;
+  curve.points = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}});
+  const std::weak_ptr<const curve::Curve> first = makeCurvePath(curve).value().curve;
+  EXPECT_TRUE(first.expired());
+}
+
 }  // namespace
 }  // namespace underact::scene

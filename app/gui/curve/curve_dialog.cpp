@@ -1,0 +1,148 @@
+#include "app/gui/curve/curve_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+#include "core/mesh_file/report.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm a unit; a scene's file may have more
+constexpr int kScaleDecimals = 6;
+
+/// "25.4 mm", without the noughts that many decimals bring.
+class ScaleField : public QDoubleSpinBox {
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+  QString textFromValue(double value) const override { return QString::number(value, 'g', 12); }
+};
+
+}  // namespace
+
+CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<Vec3>> points, bool can_add,
+                         QWidget* parent)
+    : QDialog(parent),
+      points_(std::move(points)),
+      counts_(toldLabel("dialog.curve.counts", tr("Size of the curve"), "", this)),
+      refusal_(toldLabel("dialog.curve.refusal", tr("Why it was not added"), "alarm", this)) {
+  setObjectName("dialog.curve");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setModal(false);  // nothing keeps anybody from the arm
+  setWindowTitle(tr("Curve %1").arg(QFileInfo(path).fileName()));
+  Vec3 low = points_->front(), high = low, last = low;
+  for (const Vec3& p : *points_) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    way_ += (p - last).norm();
+    last = p;
+  }
+  size_ = high - low;
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(counts_);
+  buildChoices(column);
+  proposeUnit(column);
+  refusal_->hide();
+  column->addWidget(refusal_);
+  column->addStretch(1);
+  buildButtons(column, can_add);
+  refresh();
+  resize(QSize(64 * fontMetrics().averageCharWidth(), sizeHint().height()));
+}
+
+void CurveDialog::buildChoices(QVBoxLayout* column) {
+  kind_ = new QComboBox(this);
+  kind_->setObjectName("dialog.curve.kind");
+  kind_->setAccessibleName(tr("How the points are joined"));
+  kind_->addItem(tr("smoothly (spline)"), static_cast<int>(curve::Kind::Spline));
+  kind_->addItem(tr("by straight lines (polyline)"), static_cast<int>(curve::Kind::Polyline));
+  closed_ = new QCheckBox(tr("C&losed: from the last point back to the first"), this);
+  closed_->setObjectName("dialog.curve.closed");
+  closed_->setAccessibleName(tr("Closed"));
+  scale_ = new ScaleField(this);
+  scale_->setObjectName("dialog.curve.scale");
+  scale_->setAccessibleName(tr("Millimetres a unit of the file"));
+  scale_->setToolTip(tr("How long a unit of the file is: 1 for mm, 1000 for m, 25.4 for inches."));
+  scale_->setDecimals(kScaleDecimals);
+  scale_->setRange(kLeastScale, kMostScale);
+  scale_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  scale_->setValue(1.0);
+  scale_->setSuffix(tr(" mm"));
+  auto* rows = new QFormLayout;
+  rows->setSpacing(8);
+  rows->addRow(tr("&Joined"), kind_);
+  rows->addRow(tr("Ends"), closed_);
+  rows->addRow(tr("A &unit is"), scale_);
+  column->addLayout(rows);
+  connect(scale_, &QDoubleSpinBox::valueChanged, this, &CurveDialog::refresh);
+  connect(closed_, &QCheckBox::toggled, this, &CurveDialog::refresh);
+}
+
+// A file says nothing of its unit: where millimetres make no size for a hand, the likeliest other one is set.
+void CurveDialog::proposeUnit(QVBoxLayout* column) {
+  const auto proposal = mesh_file::implausible(size_.maxCoeff());
+  if (!proposal || !(size_.maxCoeff() > 0.0)) return;
+  QLabel* told = toldLabel("dialog.curve.question", tr("Which unit"), "amber", this);
+  const QString as_mm = tr("As millimetres it would be %1 long.").arg(millimetres(size_.maxCoeff()));
+  told->setText(tr("%1 Which unit is the file in?").arg(as_mm));
+  if (!proposal->units.empty()) {
+    const mesh_file::Unit& likeliest = proposal->units.front();
+    scale_->setValue(likeliest.mm_per_unit);
+    told->setText(tr("%1 It is taken to be in %2.").arg(as_mm, QString::fromLatin1(likeliest.name)));
+  }
+  column->addWidget(told);
+}
+
+void CurveDialog::buildButtons(QVBoxLayout* column, bool can_add) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addStretch(1);
+  const auto button = [&](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(QString("dialog.curve.") + name);
+    made->setAccessibleName(QString(text).remove('&'));
+    made->setToolTip(tip);
+    row->addWidget(made);
+    return made;
+  };
+  QPushButton* add = button("add", tr("&Add to the scene"), tr("Adds the curve to the scene that is there."));
+  QPushButton* fresh = button("new", tr("&New scene of it"), tr("Opens a new scene that holds this curve alone."));
+  QPushButton* close = button("close", tr("&Cancel"), tr("Closes this. The scene stays."));
+  add->setEnabled(can_add);
+  (can_add ? add : fresh)->setDefault(true);
+  connect(add, &QPushButton::clicked, this, &CurveDialog::addAsked);
+  connect(fresh, &QPushButton::clicked, this, &CurveDialog::newSceneAsked);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  column->addLayout(row);
+}
+
+void CurveDialog::refresh() {
+  const CurveWish now = wish();
+  const double way = way_ + (now.closed ? (points_->front() - points_->back()).norm() : 0.0);
+  counts_->setText(
+      tr("%1 points, %2; %3 from point to point.")
+          .arg(points_->size())
+          .arg(placeText(now.mm_per_unit * size_).replace(", ", " × "), millimetres(now.mm_per_unit * way)));
+}
+
+CurveWish CurveDialog::wish() const {
+  return {scale_->value(), static_cast<curve::Kind>(kind_->currentData().toInt()), closed_->isChecked()};
+}
+
+void CurveDialog::setRefusal(const QString& sentences) {
+  refusal_->setText(sentences);
+  refusal_->setVisible(!sentences.isEmpty());
+}
+
+}  // namespace underact::gui

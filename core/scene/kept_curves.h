@@ -1,0 +1,16 @@
+#pragma once
+#include <memory>
+
+#include "core/curve/curve.h"
+#include "core/scene/description.h"
+
+namespace underact::scene {
+
+// Inside the room: a curve of a million points takes a second to make, and an edit of gains does not change it.
+
+/// curve as the tick has it, in W, m: the one made before of the same points, kind, scale and place, as long as
+/// somebody holds it; else made anew. Its points must be loaded. Any thread but the servo's. Problems: those of
+/// curve::makeCurve().
+Result<std::shared_ptr<const curve::Curve>> keptCurve(const Curve& curve, const Place& place);
+
+}  // namespace underact::scene
