@@ -85,8 +85,7 @@ void addLayers(Actions& actions, SceneView& view) {
        "Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.",
        &Layers::section},
       {"layer.section_follows", "Cut &follows the stylus", "Alt+K",
-       "The cut goes through the stylus's tip; off, it stays where it is.", &Layers::section_follows,
-       "Follows the stylus"}};
+       "The cut goes through the stylus's tip; off, it stays where it is.", &Layers::section_follows, "Follow"}};
   for (const Row& row : rows) {
     QAction* action = actions.add({row.name,
                                    tr(row.text),

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -142,6 +143,32 @@ TEST(MeshViewStory, TheCutIsFilledAndGoesWhereTheSliderIs) {
   ASSERT_TRUE(story.perform("layer.section", false));
   story.settle();
   EXPECT_FALSE(story.find("section")->isVisible());
+}
+
+TEST(MeshViewStory, NothingOfTheStripIsCutInASmallWindowNorAtTwiceTheText) {
+  const QFont usual = QApplication::font();
+  for (const double share : {1.0, 2.0}) {
+    QFont font = usual;
+    font.setPointSizeF(share * usual.pointSizeF());
+    QApplication::setFont(font);
+    {
+      Story story("", {.size = share > 1.0 ? QSize(1920, 1080) : QSize(1024, 700)});
+      openMesh(story, ballFile());
+      ASSERT_TRUE(story.perform("layer.section", true));
+      story.savePicture(QString("mesh_cut_text_%1").arg(share));
+      EXPECT_EQ(story.find<QDoubleSpinBox>("section.number")->value(), 50.0);  // the tip, above the workspace
+      EXPECT_GE(story.find("section.slider")->width(), 80);
+      for (const auto* button : story.find("section")->findChildren<QToolButton*>())
+        EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()) + 8);
+      for (const QWidget* part : story.find("section")->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        const QRect there(part->mapTo(&story.window(), QPoint()), part->size());
+        EXPECT_TRUE(story.window().rect().contains(there)) << part->objectName().toStdString();
+        EXPECT_GE(part->width(), part->minimumSizeHint().width()) << part->objectName().toStdString();
+        EXPECT_EQ(part->visibleRegion().boundingRect(), part->rect()) << part->objectName().toStdString();
+      }
+    }
+  }
+  QApplication::setFont(usual);
 }
 
 TEST(MeshViewStory, TheFaceOfACutLooksAsItDidInLightAndDark) {

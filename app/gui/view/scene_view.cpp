@@ -202,7 +202,8 @@ std::size_t SceneView::patchDrawn() const {
 }
 
 std::pair<double, double> SceneView::sectionRange_mm(int axis) const {
-  double most = workspaceHalf_mm()[axis], least = -most;
+  const double half_mm = workspaceHalf_mm()[axis], now_mm = impl_->layers.section_mm[axis];
+  double most = std::max(half_mm, now_mm), least = std::min(-half_mm, now_mm);
   for (const Vec3& p_mm : impl_->meshes.extent_mm()) {
     least = std::min(least, p_mm[axis]);
     most = std::max(most, p_mm[axis]);

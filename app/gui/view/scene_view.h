@@ -71,7 +71,8 @@ class SceneView : public QWidget {
   /// Triangles of all meshes, as drawn; corners of the patch where the stylus touches one.
   std::size_t trianglesDrawn() const;
   std::size_t patchDrawn() const;
-  /// From where to where along an axis of W a cut can meet something: the workspace, and the meshes that go beyond it.
+  /// From where to where along an axis of W a cut can meet something: the workspace, and the meshes, and the stylus
+  /// that the cut follows, where they are beyond it.
   std::pair<double, double> sectionRange_mm(int axis) const;
   std::size_t cutPartsDrawn() const;  // of the face of the cut
   /// One line over the view; empty: none.

@@ -54,6 +54,7 @@ void SectionStrip::build() {
   slider_->setAccessibleName(tr("Where the cut is"));
   slider_->setToolTip(tr("Where along its axis the cut is. A double click lets it follow the stylus again."));
   slider_->setMark(-1e9);  // a cut has no place of its own
+  slider_->setMinimumWidth(16 * fontMetrics().averageCharWidth());
   slider_->setSingleStep(kStepsPerMillimetre);
   slider_->setPageStep(10 * kStepsPerMillimetre);
   number_->setObjectName("section.number");
