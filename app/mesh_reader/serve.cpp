@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <new>
 #include <optional>
@@ -26,7 +27,7 @@ constexpr int kNice = 5;
 
 bool write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), std::min(bytes.size(), mesh_file::kBlock));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(written));
@@ -47,7 +48,7 @@ std::string readAll(std::uint64_t bytes) {
   std::string all(bytes, '\0');
   std::size_t at = 0;
   while (at < all.size()) {
-    const ssize_t count = ::read(STDIN_FILENO, all.data() + at, all.size() - at);
+    const ssize_t count = ::read(STDIN_FILENO, all.data() + at, std::min(all.size() - at, mesh_file::kBlock));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
     at += static_cast<std::size_t>(count);

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/mesh_file/digest.h"
+#include "core/mesh_file/limits.h"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -25,7 +26,6 @@ constexpr std::array<char, 8> kMagic{'\x89', 'U', 'A', 'M', 'C', '1', '\r', '\n'
 constexpr const char* kExtension = ".mesh";
 constexpr const char* kAside = ".part";
 constexpr auto kAsideLives = std::chrono::hours(1);  // what a program left that was killed while it wrote
-constexpr std::size_t kBlock = std::size_t{4} << 20;
 
 struct Head {
   std::array<char, 8> magic = kMagic;

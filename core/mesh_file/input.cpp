@@ -85,7 +85,7 @@ int Input::rewound() const {
 Result<std::string> Input::checksum(const mesh::Watch& watch) const {
   const int fd = rewound();
   Digest digest;
-  std::vector<char> block(std::size_t{4} << 20);
+  std::vector<char> block(kBlock);
   std::uint64_t done = 0;
   for (;;) {
     if (watch.isCancelled()) return problemAt(path_, "Cancelled.");

@@ -1,5 +1,6 @@
 #include "core/mesh_file/process.h"
 
+#include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
 
 #if defined(__linux__)
@@ -22,7 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kLook_ms = 10;  // how often cancel and the times are looked at
-constexpr std::size_t kBlock = std::size_t{1} << 20;
 
 double secondsOf(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -108,7 +108,7 @@ Answer run(const Errand& errand, const mesh::Watch& watch) {
     answer.code = errno;
     return answer;
   }
-  ::fcntl(pipe[0], F_SETPIPE_SZ, static_cast<int>(kBlock));
+  ::fcntl(pipe[0], F_SETPIPE_SZ, static_cast<int>(4 * kBlock));
   const pid_t pid = spawn(errand, pipe[1]);
   ::close(pipe[1]);
   if (pid < 0) {

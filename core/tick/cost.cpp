@@ -33,8 +33,10 @@ constexpr double kJoints_ns = 250.0;        // the joints that a target asks for
 
 constexpr double kFriction_ns = 12.0;
 constexpr double kCurve_ns = 450.0, kCurveOfDoubling_ns = 40.0;  // a spline of 100 points, and each doubling
-// Of a mesh: the search at 1000 triangles, and what each doubling adds; the local search and a wall's proxy.
-constexpr double kSearch_ns = 350.0, kSearchOfDoubling_ns = 75.0, kWalk_ns = 90.0;
+// Of a mesh (underact-mesh-tick-bench): a search at 1000 triangles, and what each doubling adds, warm and by the tree
+// alone; the local search and a wall's proxy; where the force leans.
+constexpr double kSearch_ns = 100.0, kHybridOfDoubling_ns = 55.0, kGlobalOfDoubling_ns = 150.0, kWalk_ns = 100.0;
+constexpr double kLean_ns = 900.0;
 
 struct ShapeCost {
   double operator()(const shape::Point&) const { return kPoint_ns; }
@@ -73,9 +75,12 @@ double costOf(const target::Constraint& constraint) {
     return kCurve_ns + kCurveOfDoubling_ns * std::max(0.0, std::log2(pieces / 100.0));
   }
   if (!constraint.mesh) return std::visit(ShapeCost{}, constraint.shape);
-  if (constraint.side != target::Side::Both || constraint.mesh->search == mesh::Search::Local) return kWalk_ns;
+  const double lean_ns = constraint.mesh->lean.isThere() ? kLean_ns : 0.0;
+  const mesh::Search search = constraint.mesh->search;
+  if (constraint.side != target::Side::Both || search == mesh::Search::Local) return kWalk_ns + lean_ns;
   const auto faces = static_cast<double>(constraint.mesh->surface->triangles.faces.size());
-  return kSearch_ns + kSearchOfDoubling_ns * std::max(0.0, std::log2(faces / 1000.0));
+  const double of_doubling_ns = search == mesh::Search::Global ? kGlobalOfDoubling_ns : kHybridOfDoubling_ns;
+  return kSearch_ns + of_doubling_ns * std::max(0.0, std::log2(faces / 1000.0)) + lean_ns;
 }
 
 double costOf(const manipulator::Manipulator& robot) {
