@@ -89,7 +89,8 @@ std::array<float, kAtOnce> faceBounds(const Surface& surface, const std::array<s
   // What splitting q leaves out, 2^-47 of it, by the same reckoning, and what squares of floats cannot hold.
   const float rest = 0x1p-74F * high.squaredNorm() + kSmallest;
   const Four bound = squared * fourOf(kLess) - longest * fourOf(kOfEdge) - fourOf(rest);
-  const Four floor = normal_squared > fourOf(kSmallest) ? fourOf(kSharp) * ab_squared * ac_squared : fourOf(kLargest);
+  const Four smallest = lesser(normal_squared, lesser(ab_squared, ac_squared));
+  const Four floor = smallest > fourOf(kSmallest) ? fourOf(kSharp) * ab_squared * ac_squared : fourOf(kLargest);
   Four known = normal_squared > floor ? bound : none;
   known = normal_squared < fourOf(kLargest) ? known : none;
   known = squared < fourOf(kLargest) ? known : none;

@@ -31,39 +31,75 @@ double weightOf(const Surface& surface, std::int32_t face, std::size_t place) no
   return lengths > 0.0 ? to_next.cross(to_last).norm() / lengths : 0.0;
 }
 
-/// The faces around a corner that no sharp edge parts from the one that is asked of.
-struct Round {
-  Vec3 normal_M = Vec3::Zero();  // unit, or zero
-  bool has_sharp = false;        // an edge that ends there
-};
+/// More faces than this around a corner are left alone: each keeps its own normal there.
+constexpr int kMostAround = 64;
 
-/// Bounded: of a fan, a hundred faces either way.
-Round aroundCorner(const Surface& surface, std::int32_t face, std::size_t place,
-                   const Lean& most) noexcept UNDERACT_REAL_TIME {
-  constexpr int kMostOfFan = 100;
+/// Calls look(face, its normal) for the faces around the corner at `place` that no sharp edge parts from the given one,
+/// which comes first. Faces without an area part nothing and are passed over.
+struct Around {
+  bool has_sharp = false;  // an edge that ends there
+  bool is_whole = true;    // false: there are too many faces, and not all were looked at
+};
+template <class Look>
+Around lookAround(const Surface& surface, std::int32_t face, std::size_t place, const Lean& most,
+                  const Look& look) noexcept UNDERACT_REAL_TIME {
   const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][place];
   const Vec3 own_M = normalOf(surface, face);
-  Round round;
-  Vec3 sum = weightOf(surface, face, place) * own_M;
-  bool is_whole = false;
-  for (std::size_t turn = 0; turn < 2 && !is_whole; ++turn) {
+  look(face, own_M);
+  Around around;
+  int count = 0;
+  for (std::size_t turn = 0; turn < 2; ++turn) {
     std::int32_t at = face;
     Vec3 last_M = own_M;
-    for (int count = 0; count < kMostOfFan; ++count) {
+    for (;;) {
       // Of a face whose corner this is at place k, side k leaves it and side k - 1 comes to it.
       const std::size_t here = placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner);
       at = surface.neighbours[static_cast<std::size_t>(at)][turn == 0 ? here : (here + 2) % 3];
-      is_whole = at == face;
-      if (at < 0 || is_whole) break;
+      if (at == face) return around;  // all the way round
+      if (at < 0) break;
+      if (++count > kMostAround) {
+        around.is_whole = false;
+        return around;
+      }
       const Vec3 normal_M = normalOf(surface, at);
-      round.has_sharp = round.has_sharp || normal_M.dot(last_M) < most.cos;
-      if (normal_M.dot(last_M) < most.cos) break;
-      sum += weightOf(surface, at, placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner)) * normal_M;
+      if (normal_M == Vec3::Zero()) continue;
+      const bool is_sharp = last_M != Vec3::Zero() && normal_M.dot(last_M) < most.cos;
+      around.has_sharp = around.has_sharp || is_sharp;
+      if (is_sharp) break;
+      look(at, normal_M);
       last_M = normal_M;
     }
   }
-  round.normal_M = unitOr(sum, own_M);
-  return round;
+  return around;
+}
+
+struct Round {
+  Vec3 normal_M = Vec3::Zero();  // unit, or zero
+  bool is_sharp = false;         // an edge that ends there is, or there are too many faces
+};
+
+Round aroundCorner(const Surface& surface, std::int32_t face, std::size_t place,
+                   const Lean& most) noexcept UNDERACT_REAL_TIME {
+  const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][place];
+  Vec3 sum = Vec3::Zero();
+  const Around around =
+      lookAround(surface, face, place, most, [&](std::int32_t at, const Vec3& normal_M) noexcept UNDERACT_REAL_TIME {
+        const Face& corners = surface.triangles.faces[static_cast<std::size_t>(at)];
+        sum += weightOf(surface, at, placeOf(corners, corner)) * normal_M;
+      });
+  const Vec3 own_M = normalOf(surface, face);
+  return {around.is_whole ? unitOr(sum, own_M) : own_M, around.has_sharp || !around.is_whole};
+}
+
+/// The least height of the faces' normals over that of the corner: no direction between them is lower.
+double lowestAround(const Surface& surface, std::int32_t face, std::size_t place, const Vec3& normal_M,
+                    const Lean& most) noexcept UNDERACT_REAL_TIME {
+  double lowest = 1.0;
+  (void)lookAround(surface, face, place, most,
+                   [&](std::int32_t /*at*/, const Vec3& of_face_M) noexcept UNDERACT_REAL_TIME {
+                     if (of_face_M != Vec3::Zero()) lowest = std::min(lowest, of_face_M.dot(normal_M));
+                   });
+  return lowest;
 }
 
 struct Shading {
@@ -84,7 +120,8 @@ Shading shadingOf(const Surface& surface, std::int32_t face, const Vec3& p_M,
 }
 
 /// Over an edge the true direction goes from one face's normal to the other's: a sum of both with the weights alpha and
-/// beta; the smooth normals take their places in it. Across a border only the one face counts.
+/// beta; the smooth normals take their places in it. Across a border only the one face counts; beside a face without an
+/// area the other one's corners know what is beyond it.
 Vec3 overEdge(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   const std::size_t side = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::EdgeAB);
   const std::int32_t other = surface.neighbours[static_cast<std::size_t>(hit.face)][side];
@@ -92,21 +129,25 @@ Vec3 overEdge(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lea
   const double a = u_M.dot(here.true_M);
   if (other < 0) return u_M + a * (here.smooth_M - here.true_M);
   const Shading there = shadingOf(surface, other, hit.p_M, most);
-  constexpr double kFlat = 1e-12;  // of a sine squared: the two faces are one
   const double b = u_M.dot(there.true_M), c = here.true_M.dot(there.true_M), sine_squared = 1.0 - c * c;
+  if (there.true_M == Vec3::Zero()) return std::copysign(1.0, a) * here.smooth_M;
+  if (here.true_M == Vec3::Zero()) return std::copysign(1.0, b) * there.smooth_M;
+  constexpr double kFlat = 1e-12;  // of a sine squared: the two faces are one
   const double alpha = sine_squared > kFlat ? (a - b * c) / sine_squared : 0.5 * a;
   const double beta = sine_squared > kFlat ? (b - a * c) / sine_squared : 0.5 * b;
   return u_M + alpha * (here.smooth_M - here.true_M) + beta * (there.smooth_M - there.true_M);
 }
 
-/// At a corner where no sharp edge ends: its normal, but for a direction more than half a right angle off from it,
-/// which fades to itself: beside a border's corner the tip is on no side of the surface.
+/// At a corner where no sharp edge ends: its normal. A direction that is lower over it than every face's normal is
+/// beside a border's corner, and fades to itself: there the tip is on no side of the surface.
 Vec3 atCorner(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   constexpr double kHalfRight = 0.7071;
   const std::size_t place = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::CornerA);
   const Round round = aroundCorner(surface, hit.face, place, most);
-  if (round.has_sharp) return u_M;
-  const double height = u_M.dot(round.normal_M), share = std::min(1.0, std::abs(height) / kHalfRight);
+  if (round.is_sharp) return u_M;
+  const double lowest = std::min(kHalfRight, lowestAround(surface, hit.face, place, round.normal_M, most));
+  if (!(lowest > 0.0)) return u_M;
+  const double height = u_M.dot(round.normal_M), share = std::min(1.0, std::abs(height) / lowest);
   return (1.0 - share) * u_M + std::copysign(share, height) * round.normal_M;
 }
 
@@ -121,8 +162,8 @@ Vec3 leaning(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean
   if (hit.face < 0 || !most.isThere()) return u_M;
   Vec3 wanted_M = u_M;
   if (hit.part == Part::Inside) {
-    wanted_M = shadingOf(surface, hit.face, hit.p_M, most).smooth_M;
-    if (wanted_M.dot(u_M) < 0.0) wanted_M = -wanted_M;
+    const Shading here = shadingOf(surface, hit.face, hit.p_M, most);
+    wanted_M = u_M.dot(here.true_M) < 0.0 ? Vec3(-here.smooth_M) : here.smooth_M;
   } else {
     wanted_M = hit.part < Part::CornerA ? overEdge(surface, hit, u_M, most) : atCorner(surface, hit, u_M, most);
   }

@@ -54,8 +54,9 @@ Triangles inOrder(const Triangles& given, const std::vector<std::int32_t>& order
   return triangles;
 }
 
-/// Another number for another list, almost surely. Source of the constants: Vigna 2015, splitmix64.
-std::uint64_t markOf(const Triangles& triangles) {
+/// Another number for other faces or another tree, almost surely. Source of the constants: Vigna 2015, splitmix64.
+std::uint64_t markOf(const Surface& surface) {
+  const Triangles& triangles = surface.triangles;
   std::uint64_t mark = triangles.p_MV.size();
   const auto add = [&mark](std::uint32_t word) {
     mark = (mark ^ word) * 0xbf58'476d'1ce4'e5b9U;
@@ -67,13 +68,16 @@ std::uint64_t markOf(const Triangles& triangles) {
   for (const Face& face : triangles.faces) {
     for (const std::int32_t corner : face) add(static_cast<std::uint32_t>(corner));
   }
+  for (const Node& node : surface.nodes) {
+    for (const std::int32_t child : node.children) add(static_cast<std::uint32_t>(child));
+  }
   return mark;
 }
 
 }  // namespace
 
 void complete(Surface& surface) {
-  surface.mark = markOf(surface.triangles);
+  surface.mark = markOf(surface);
   surface.low_M = surface.high_M = surface.triangles.p_MV.front();
   for (const Eigen::Vector3f& corner : surface.triangles.p_MV) {
     surface.low_M = surface.low_M.cwiseMin(corner);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/mesh/tree.h"
 
@@ -46,8 +47,17 @@ bool areFacesWell(const Surface& surface) {
   return true;
 }
 
+bool isEmptyBox(const Node& node, std::size_t slot) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  const auto is = [slot](const auto& axes, float value) {
+    return std::all_of(axes.begin(), axes.end(), [&](const auto& of_axis) { return of_axis[slot] == value; });
+  };
+  return is(node.low_N, kInfinite) && is(node.high_N, -kInfinite);
+}
+
 /// Each node but the root is the child of one before it, and each face of one node; none deeper than a search has room
-/// for. Numbers of boxes may be any: they decide what is found, not whether it ends.
+/// for. A place without a child has a box that nothing meets, since a search does not look whether a child is there.
+/// The numbers of other boxes may be any: they decide what is found, not whether it ends.
 bool areNodesWell(const Surface& surface) {
   std::vector<bool> has_node(surface.nodes.size(), false), has_face(surface.triangles.faces.size(), false);
   std::vector<int> depths(surface.nodes.size(), 1);
@@ -56,9 +66,11 @@ bool areNodesWell(const Surface& surface) {
     const Node& node = surface.nodes[static_cast<std::size_t>(index)];
     const bool is_bottom = node.children[0] < 0;
     bool ended = false;
+    std::size_t slot = 0;
     for (const std::int32_t child : node.children) {
       ended |= child == kNoChild;
-      if (ended && child != kNoChild) return false;
+      if (ended && (child != kNoChild || !isEmptyBox(node, slot))) return false;
+      ++slot;
       if (ended) continue;
       if ((child < 0) != is_bottom) return false;
       std::vector<bool>& has = is_bottom ? has_face : has_node;

@@ -208,7 +208,8 @@ std::pair<double, double> SceneView::sectionRange_mm(int axis) const {
     least = std::min(least, p_mm[axis]);
     most = std::max(most, p_mm[axis]);
   }
-  return {least, most};
+  constexpr double kFarthest_mm = 1e8;  // of a mesh in map coordinates; a slider's steps are whole numbers
+  return {std::max(least, -kFarthest_mm), std::min(most, kFarthest_mm)};
 }
 
 std::size_t SceneView::cutPartsDrawn() const {

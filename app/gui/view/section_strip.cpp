@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -89,10 +90,10 @@ bool SectionStrip::hasCut() const {
 }
 
 bool SectionStrip::put(double at_mm) {
+  const auto [least_mm, most_mm] = view_.sectionRange_mm(view_.layers().section_axis);
+  if (at_mm < least_mm || at_mm > most_mm) return false;
   actions_.perform("layer.section_follows", false);
   Layers layers = view_.layers();
-  const auto [least_mm, most_mm] = view_.sectionRange_mm(layers.section_axis);
-  if (at_mm < least_mm || at_mm > most_mm) return false;
   layers.section_mm[layers.section_axis] = at_mm;
   view_.setLayers(layers);
   return true;
@@ -103,7 +104,7 @@ void SectionStrip::present() {
   if (!hasCut()) return;
   const Layers& layers = view_.layers();
   const auto [least_mm, most_mm] = view_.sectionRange_mm(layers.section_axis);
-  const double at_mm = layers.section_mm[layers.section_axis];
+  const double at_mm = std::clamp(layers.section_mm[layers.section_axis], least_mm, most_mm);
   const QSignalBlocker silent_slider(slider_), silent_number(number_);  // to show a value is not to ask for it
   slider_->setRange(static_cast<int>(std::ceil(kStepsPerMillimetre * least_mm)),
                     static_cast<int>(std::floor(kStepsPerMillimetre * most_mm)));

@@ -44,6 +44,22 @@ Triangles prism(int sides) {
   return triangles;
 }
 
+/// Upright, its apex at the top, of that many sides that slope so.
+Triangles cone(int sides, double slope_deg) {
+  Triangles triangles;
+  const SinCos slope = sinCos(kRadPerDegree * slope_deg);
+  const double height = 20.0 * slope.sin / slope.cos;
+  triangles.p_MV.emplace_back(0.0F, 0.0F, static_cast<float>(height));
+  triangles.p_MV.emplace_back(0.0F, 0.0F, 0.0F);
+  for (int k = 0; k < sides; ++k) {
+    const SinCos at = sinCos(2.0 * kPi * k / sides);
+    triangles.p_MV.push_back(Vec3(20.0 * at.cos, 20.0 * at.sin, 0.0).cast<float>());
+    triangles.faces.push_back({0, 2 + k, 2 + (k + 1) % sides});
+    triangles.faces.push_back({1, 2 + (k + 1) % sides, 2 + k});
+  }
+  return triangles;
+}
+
 /// The true direction and the smooth one at the point nearest to q.
 struct Directions {
   Vec3 true_M, smooth_M, p_M;
@@ -147,6 +163,60 @@ double jumpBetween(const Surface& surface, const Vec3& a_M, const Vec3& b_M) {
   return (after.smooth_M - before.smooth_M).norm();
 }
 
+TEST(Lean, OnTheTipOfAConeItDoesNotMatterFromWhereOneComes) {
+  for (const int sides : {16, 32, 60, 128, 400}) {
+    for (const double slope_deg : {20.0, 45.0, 85.0}) {
+      const Shared surface = makeSurface(cone(sides, slope_deg)).value();
+      std::int32_t apex = 0;  // corners are renumbered
+      for (std::size_t k = 0; k < surface->triangles.p_MV.size(); ++k) {
+        if (surface->triangles.p_MV[k].z() > surface->triangles.p_MV[static_cast<std::size_t>(apex)].z())
+          apex = static_cast<std::int32_t>(k);
+      }
+      Hit hit;
+      hit.p_M = surface->triangles.p_MV[static_cast<std::size_t>(apex)].cast<double>();
+      const Vec3 u_M = Vec3(0.1, 0.05, 1.0).normalized();
+      std::vector<Vec3> answers;
+      for (std::size_t face = 0; face < surface->triangles.faces.size(); ++face) {
+        const Face& corners = surface->triangles.faces[face];
+        for (std::size_t place = 0; place < 3; ++place) {
+          if (corners[place] != apex) continue;
+          hit.face = static_cast<std::int32_t>(face);
+          hit.part = static_cast<Part>(static_cast<std::size_t>(Part::CornerA) + place);
+          answers.push_back(leaning(*surface, hit, u_M, leanOf(kRadPerDegree * kLean_deg)));
+        }
+      }
+      ASSERT_EQ(answers.size(), static_cast<std::size_t>(sides));
+      for (const Vec3& answer : answers) EXPECT_LT((answer - answers[0]).norm(), 1e-12) << sides << " " << slope_deg;
+    }
+  }
+}
+
+/// A collinear face on a seam, as triangulators leave them where a corner of one side meets the middle of another.
+TEST(Lean, FacesWithoutAreaPartNothing) {
+  Triangles triangles = prism(24);
+  // The seam from corner 0 to corner 1 gets a corner in its middle, for one of its two faces alone.
+  const auto middle = static_cast<std::int32_t>(triangles.p_MV.size());
+  triangles.p_MV.push_back(0.5F * (triangles.p_MV[0] + triangles.p_MV[1]));
+  Face& beside = triangles.faces[1];  // {0, 3, 1}
+  ASSERT_EQ(beside, (Face{0, 3, 1}));
+  beside = {0, 3, middle};
+  triangles.faces.push_back({middle, 3, 1});
+  triangles.faces.push_back({0, middle, 1});
+  const Shared surface = makeSurface(triangles).value();
+  ASSERT_TRUE(surface->is_closed);
+  for (const double z : {-19.5, 19.5}) {  // beside the ends of the seam; in its middle only one side has a corner
+    Vec3 last_M = Vec3::Zero();
+    for (double turn_deg = -6.0; turn_deg < 6.0; turn_deg += 0.05) {
+      const SinCos at = sinCos(kRadPerDegree * turn_deg);
+      const Vec3 smooth_M = directionsAt(*surface, {22.0 * at.cos, 22.0 * at.sin, z}).smooth_M;
+      if (last_M != Vec3::Zero()) {
+        EXPECT_LT(angle_deg(smooth_M, last_M), 0.5) << turn_deg << " at " << z;
+      }
+      last_M = smooth_M;
+    }
+  }
+}
+
 TEST(Lean, HasNoStepOverFacesEdgesAndCorners) {
   int looked = 0;
   test::Random random(test::Seed{6});
@@ -162,6 +232,23 @@ TEST(Lean, HasNoStepOverFacesEdgesAndCorners) {
     }
   }
   EXPECT_GT(looked, 60);  // of 120
+}
+
+TEST(Lean, HasNoStepOverTheTipOfACone) {
+  test::Random random(test::Seed{8});
+  for (const auto& [sides, slope_deg] : {std::pair{32, 40.0}, {60, 75.0}, {128, 45.0}}) {
+    const Shared surface = makeSurface(cone(sides, slope_deg)).value();
+    const double top = static_cast<double>(surface->high_M.z());
+    const auto above = [&]() -> Vec3 { return Vec3(0, 0, top + 1.5) + random.inBox(1.4); };
+    int looked = 0;
+    for (int way = 0; way < 60; ++way) {
+      const Vec3 a_M = above(), b_M = above();
+      const double jump = jumpBetween(*surface, a_M, b_M);
+      EXPECT_LT(jump, 1e-4) << sides << " from " << a_M.transpose() << " to " << b_M.transpose();
+      looked += jump > 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(looked, 30);
+  }
 }
 
 }  // namespace

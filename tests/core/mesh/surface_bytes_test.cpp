@@ -33,6 +33,24 @@ TEST(SurfaceBytes, EqualMeshesGiveEqualBytes) {
   EXPECT_EQ(surfaceBytes(*makeSurface(triangles).value()), surfaceBytes(*makeSurface(triangles).value()));
 }
 
+TEST(SurfaceBytes, ABoxWhereNoChildIsMustBeEmpty) {
+  const std::shared_ptr<const Surface> surface = makeSurface(mesh_maker::cube(200)).value();
+  int without = 0;
+  for (std::size_t node = 0; node < surface->nodes.size(); ++node) {
+    for (std::size_t slot = 0; slot < kWays; ++slot) {
+      if (surface->nodes[node].children[slot] != kNoChild) continue;
+      Surface forged = *surface;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        forged.nodes[node].low_N[axis][slot] = -1e3F;  // a search would go there
+        forged.nodes[node].high_N[axis][slot] = 1e3F;
+      }
+      ASSERT_EQ(surfaceOfBytes(surfaceBytes(forged)), nullptr);
+      ++without;
+    }
+  }
+  EXPECT_GT(without, 3);
+}
+
 TEST(SurfaceBytes, WhateverIsDamagedNothingComesBackThatASearchCouldBeLostIn) {
   const Triangles triangles = mesh_maker::cube(200);
   const std::vector<std::byte> whole = surfaceBytes(*makeSurface(triangles).value());
