@@ -179,6 +179,8 @@ TEST(MeshViewStory, TheFaceOfACutLooksAsItDidInLightAndDark) {
   handTo(story, {0.005, 0.0, 0.012});
   ASSERT_TRUE(story.perform("section.x", true));
   ASSERT_TRUE(story.perform("layer.section", true));
+  EXPECT_FALSE(story.perform("section.place", 1e6));
+  EXPECT_TRUE(story.view().layers().section_follows);  // what was refused changes nothing
   ASSERT_TRUE(story.perform("section.place", -5.0));
   story.perform("view.theme.dark");
   story.savePicture("mesh_cut_dark");  // the comparison takes the words out of the view
