@@ -16,11 +16,6 @@ Vec3 unitOr(const Vec3& v, const Vec3& otherwise) noexcept UNDERACT_REAL_TIME {
   return length > 0.0 ? Vec3(v / length) : otherwise;
 }
 
-Vec3 normalOf(const Surface& surface, std::int32_t face) noexcept UNDERACT_REAL_TIME {
-  const auto [a, b, c] = cornersOf(surface, face);
-  return unitOr(areaNormal(a, b, c), Vec3::Zero());
-}
-
 /// What a face's normal counts for at its corner at `place`: the sine of the angle there over the sides' lengths, which
 /// needs no arc. Source: Max 1999, Weights for computing vertex normals from facet normals.
 double weightOf(const Surface& surface, std::int32_t face, std::size_t place) noexcept UNDERACT_REAL_TIME {
@@ -35,16 +30,15 @@ double weightOf(const Surface& surface, std::int32_t face, std::size_t place) no
 constexpr int kMostAround = 64;
 
 /// Calls look(face, its normal) for the faces around the corner at `place` that no sharp edge parts from the given one,
-/// which comes first. Faces without an area part nothing and are passed over.
+/// whose normal is own_M and which comes first. Faces without an area part nothing and are passed over.
 struct Around {
   bool has_sharp = false;  // an edge that ends there
   bool is_whole = true;    // false: there are too many faces, and not all were looked at
 };
 template <class Look>
-Around lookAround(const Surface& surface, std::int32_t face, std::size_t place, const Lean& most,
+Around lookAround(const Surface& surface, std::int32_t face, const Vec3& own_M, std::size_t place, const Lean& most,
                   const Look& look) noexcept UNDERACT_REAL_TIME {
   const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][place];
-  const Vec3 own_M = normalOf(surface, face);
   look(face, own_M);
   Around around;
   int count = 0;
@@ -78,24 +72,23 @@ struct Round {
   bool is_sharp = false;         // an edge that ends there is, or there are too many faces
 };
 
-Round aroundCorner(const Surface& surface, std::int32_t face, std::size_t place,
+Round aroundCorner(const Surface& surface, std::int32_t face, const Vec3& own_M, std::size_t place,
                    const Lean& most) noexcept UNDERACT_REAL_TIME {
   const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][place];
   Vec3 sum = Vec3::Zero();
-  const Around around =
-      lookAround(surface, face, place, most, [&](std::int32_t at, const Vec3& normal_M) noexcept UNDERACT_REAL_TIME {
-        const Face& corners = surface.triangles.faces[static_cast<std::size_t>(at)];
-        sum += weightOf(surface, at, placeOf(corners, corner)) * normal_M;
-      });
-  const Vec3 own_M = normalOf(surface, face);
+  const Around around = lookAround(surface, face, own_M, place, most,
+                                   [&](std::int32_t at, const Vec3& normal_M) noexcept UNDERACT_REAL_TIME {
+                                     const Face& corners = surface.triangles.faces[static_cast<std::size_t>(at)];
+                                     sum += weightOf(surface, at, placeOf(corners, corner)) * normal_M;
+                                   });
   return {around.is_whole ? unitOr(sum, own_M) : own_M, around.has_sharp || !around.is_whole};
 }
 
 /// The least height of the faces' normals over that of the corner: no direction between them is lower.
-double lowestAround(const Surface& surface, std::int32_t face, std::size_t place, const Vec3& normal_M,
-                    const Lean& most) noexcept UNDERACT_REAL_TIME {
+double lowestAround(const Surface& surface, std::int32_t face, const Vec3& own_M, std::size_t place,
+                    const Vec3& normal_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   double lowest = 1.0;
-  (void)lookAround(surface, face, place, most,
+  (void)lookAround(surface, face, own_M, place, most,
                    [&](std::int32_t /*at*/, const Vec3& of_face_M) noexcept UNDERACT_REAL_TIME {
                      if (of_face_M != Vec3::Zero()) lowest = std::min(lowest, of_face_M.dot(normal_M));
                    });
@@ -110,12 +103,13 @@ struct Shading {
 Shading shadingOf(const Surface& surface, std::int32_t face, const Vec3& p_M,
                   const Lean& most) noexcept UNDERACT_REAL_TIME {
   const auto [a, b, c] = cornersOf(surface, face);
-  const Vec3 true_M = unitOr(areaNormal(a, b, c), Vec3::Zero());
+  const Vec3 true_M = normalOf(surface, face);
   // Twice the areas that p parts the face into, each across from its corner.
   const std::array<double, 3> areas{areaNormal(p_M, b, c).dot(true_M), areaNormal(a, p_M, c).dot(true_M),
                                     areaNormal(a, b, p_M).dot(true_M)};
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < 3; ++k) sum += std::max(areas[k], 0.0) * aroundCorner(surface, face, k, most).normal_M;
+  for (std::size_t k = 0; k < 3; ++k)
+    sum += std::max(areas[k], 0.0) * aroundCorner(surface, face, true_M, k, most).normal_M;
   return {true_M, unitOr(sum, true_M)};
 }
 
@@ -143,9 +137,10 @@ Vec3 overEdge(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lea
 Vec3 atCorner(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   constexpr double kHalfRight = 0.7071;
   const std::size_t place = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::CornerA);
-  const Round round = aroundCorner(surface, hit.face, place, most);
+  const Vec3 own_M = normalOf(surface, hit.face);
+  const Round round = aroundCorner(surface, hit.face, own_M, place, most);
   if (round.is_sharp) return u_M;
-  const double lowest = std::min(kHalfRight, lowestAround(surface, hit.face, place, round.normal_M, most));
+  const double lowest = std::min(kHalfRight, lowestAround(surface, hit.face, own_M, place, round.normal_M, most));
   if (!(lowest > 0.0)) return u_M;
   const double height = u_M.dot(round.normal_M), share = std::min(1.0, std::abs(height) / lowest);
   return (1.0 - share) * u_M + std::copysign(share, height) * round.normal_M;

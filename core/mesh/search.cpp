@@ -195,22 +195,16 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
 
 Vec3 outwardAt(const Surface& surface, const Hit& hit) noexcept {
   if (hit.face < 0) return Vec3::Zero();
-  const auto normalOf = [&](std::int32_t face) noexcept UNDERACT_REAL_TIME -> Vec3 {
-    const auto [a, b, c] = cornersOf(surface, face);
-    const Vec3 normal = areaNormal(a, b, c);
-    const double length = normal.norm();
-    return length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
-  };
   const auto face = static_cast<std::size_t>(hit.face);
   const auto part = static_cast<std::size_t>(hit.part);
-  if (hit.part == Part::Inside) return normalOf(hit.face);
+  if (hit.part == Part::Inside) return normalOf(surface, hit.face);
   if (hit.part >= Part::CornerA) {
     const std::size_t corner = part - static_cast<std::size_t>(Part::CornerA);
     return surface.normals_M[static_cast<std::size_t>(surface.triangles.faces[face][corner])].cast<double>();
   }
   const std::int32_t neighbour = surface.neighbours[face][part - static_cast<std::size_t>(Part::EdgeAB)];
-  Vec3 sum = normalOf(hit.face);
-  if (neighbour >= 0) sum += normalOf(neighbour);
+  Vec3 sum = normalOf(surface, hit.face);
+  if (neighbour >= 0) sum += normalOf(surface, neighbour);
   const double length = sum.norm();
   return length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }

@@ -9,10 +9,10 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
+#include "app/gui/file_constraint.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_box.h"
 #include "app/gui/scene_files.h"
-#include "app/gui/view/workspace_picture.h"
 #include "app/gui/words.h"
 #include "core/curve/points.h"
 #include "core/scene/compile.h"
@@ -45,15 +45,13 @@ scene::Constraint constraintOf(const QString& path, std::shared_ptr<const std::v
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const Vec3 middle_mm = 0.5 * wish.mm_per_unit * (low + high);
   scene::Curve curve;
   curve.file = QFileInfo(path).absoluteFilePath().toStdString();
   curve.scale_mm_per_unit = wish.mm_per_unit;
   curve.kind = wish.kind;
   curve.closed = wish.closed;
   curve.points = std::move(points);
-  const bool is_within = (middle_mm.cwiseAbs() - workspaceHalf_mm()).maxCoeff() <= 0.0;
-  if (!is_within) curve.X_WM.topRightCorner<3, 1>() = -middle_mm;
+  curve.X_WM = placeWithin(0.5 * wish.mm_per_unit * (low + high));
   scene::Constraint constraint;
   constraint.name = QFileInfo(path).completeBaseName().toStdString();
   constraint.shape = std::move(curve);
@@ -112,11 +110,7 @@ void CurveFiles::ask(const QString& path, const Points& points) {
   });
   connect(dialog, &CurveDialog::newSceneAsked, this, [this, dialog, path, points] {
     make(path, points, dialog, [this, path](CurveDialog&, const scene::Constraint& constraint) {
-      scene::Description scene;
-      scene.title = QFileInfo(path).completeBaseName().toStdString();
-      scene.about = tr("The curve %1.").arg(QFileInfo(path).fileName()).toStdString();
-      scene.constraints.push_back(constraint);
-      return scenes_.openNew(std::move(scene));
+      return scenes_.openNew(sceneOfFile(path, tr("The curve %1.").arg(QFileInfo(path).fileName()), constraint));
     });
   });
   dialog->show();

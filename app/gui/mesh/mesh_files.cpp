@@ -8,11 +8,11 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
+#include "app/gui/file_constraint.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_box.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/view/drawn_mesh.h"
-#include "app/gui/view/workspace_picture.h"
 #include "app/gui/words.h"
 #include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
@@ -45,9 +45,7 @@ scene::Constraint constraintOf(const QString& path, const mesh_file::Loaded& loa
   mesh.scale_mm_per_unit = wish.mm_per_unit;
   mesh.surface = loaded.surface;
   mesh.loaded_checksum = loaded.checksum;
-  const Vec3 middle_mm = middleOf(loaded.facts, wish.mm_per_unit);
-  const bool is_within = (middle_mm.cwiseAbs() - workspaceHalf_mm()).maxCoeff() <= 0.0;
-  if (!is_within) mesh.X_WM.topRightCorner<3, 1>() = -middle_mm;
+  mesh.X_WM = placeWithin(middleOf(loaded.facts, wish.mm_per_unit));
   scene::Constraint constraint;
   constraint.name = QFileInfo(path).completeBaseName().toStdString();
   constraint.shape = std::move(mesh);
@@ -114,11 +112,8 @@ void MeshFiles::ask(const QString& path, const mesh_file::Loaded& loaded, std::o
     if (problems.empty()) dialog->close();
   });
   connect(dialog, &MeshDialog::newSceneAsked, this, [this, dialog, path, loaded] {
-    scene::Description scene;
-    scene.title = QFileInfo(path).completeBaseName().toStdString();
-    scene.about = tr("The mesh %1.").arg(QFileInfo(path).fileName()).toStdString();
-    scene.constraints.push_back(constraintOf(path, loaded, dialog->wish()));
-    if (scenes_.openNew(std::move(scene))) dialog->close();
+    const QString about = tr("The mesh %1.").arg(QFileInfo(path).fileName());
+    if (scenes_.openNew(sceneOfFile(path, about, constraintOf(path, loaded, dialog->wish())))) dialog->close();
   });
   dialog->show();
   dialog->raise();
