@@ -19,10 +19,20 @@ sim::HandWish approach(const sim::HandWish& heeded, const sim::HandWish& goal,
   return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns};
 }
 
+/// In one number, so that the two parts of it cannot come apart between two threads.
+std::int64_t packed(const Integration& integration) noexcept UNDERACT_REAL_TIME {
+  return 4 * integration.substep_ns + static_cast<std::int64_t>(integration.integrator);
+}
+
+Integration unpacked(std::int64_t number) noexcept UNDERACT_REAL_TIME {
+  return {static_cast<Integrator>(number % 4), number / 4};
+}
+
 }  // namespace
 
 SimulatedArm::SimulatedArm(const Options& options)
-    : plant_{options.arm, options.model, options.hand},
+    : plant_(sim::makePlant(options.arm, options.model, options.hand, options.integration)),
+      integration_(packed(options.integration)),
       state_(sim::restAt(plant_, options.start_p_WT)),
       period_ns_(1'000'000'000 / std::max(options.rate_hz, 1)) {
   heeded_.p_WT = state_.p_WT;
@@ -39,9 +49,10 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   }
   Vec3 f_T_W = f_T_W_;
   if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero();
+  plant_.integration = unpacked(integration_.load(std::memory_order_relaxed));
   state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
   sample.time_ns = time_ns;
-  sample.q_rad = plant_.model.encoders ? sim::throughEncoders(plant_.arm.counts_per_turn, state_.q_rad) : state_.q_rad;
+  sample.q_rad = sim::shownAngles(plant_, state_);
   sample.buttons = button_.load(std::memory_order_relaxed) ? 1U : 0U;
   return true;
 }
@@ -57,6 +68,10 @@ void SimulatedArm::cut() noexcept {
 
 servo::DeviceInfo SimulatedArm::info() const {
   return {"Simulated arm", true, false};
+}
+
+void SimulatedArm::integrate(const Integration& integration) noexcept {
+  integration_.store(packed(integration), std::memory_order_relaxed);
 }
 
 void SimulatedArm::follow(sim::HandScript script) {

@@ -19,6 +19,7 @@ class SimulatedArm final : public servo::DevicePort {
     sim::HandModel hand;
     int rate_hz = 1000;
     Vec3 start_p_WT = Vec3(0.0, 0.0, 0.06);  // where the tip rests at first
+    Integration integration = {};
   };
   explicit SimulatedArm(const Options& options);
 
@@ -30,6 +31,9 @@ class SimulatedArm final : public servo::DevicePort {
   /// The stylus button nearer to the tip (bit 0 of a sample's buttons) is held, or not, from the next read() on. Any
   /// thread.
   void holdButton(bool held) { button_.store(held, std::memory_order_relaxed); }
+
+  /// How the arm goes on from the next read() on. Any thread.
+  void integrate(const Integration& integration) noexcept;
 
   /// The hand follows a script from the next read() on; if that is the first one, the arm rests where the script
   /// begins. Before the servo thread starts only.
@@ -43,6 +47,7 @@ class SimulatedArm final : public servo::DevicePort {
 
  private:
   sim::Plant plant_;
+  std::atomic<std::int64_t> integration_;  // packed
   sim::PlantState state_;
   std::int64_t period_ns_;
   std::int64_t reads_ = 0;

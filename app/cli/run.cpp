@@ -51,8 +51,8 @@ struct RunOptions {
 };
 
 /// "name: sentence" a line, for --help.
-template <class Named>
-std::string listOf(const char* title, std::span<const Named> named, const char* Named::*what) {
+template <class Named, class Words>
+std::string listOf(const char* title, std::span<const Named> named, Words Named::*what) {
   std::string list = title;
   for (const Named& one : named) list += std::string("\n  ") + one.name + ": " + one.*what;
   return list;
@@ -169,6 +169,7 @@ std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const P
   arm.model = *sim::findArmModel(options.arm_model);
   arm.hand = prepared.hand.hand;
   arm.rate_hz = options.rate_hz;
+  arm.integration = integrationOf(prepared.scene.description.simulation);
   auto simulated = std::make_unique<device::SimulatedArm>(arm);
   simulated->follow(prepared.hand);
   return simulated;

@@ -50,6 +50,7 @@ device::SimulatedArm::Options armOf(const Options& options, const scene::Descrip
   device::SimulatedArm::Options arm;
   arm.arm = *arm::findPreset(scene.arm);
   arm.model = *sim::findArmModel(options.arm_model);
+  arm.integration = integrationOf(scene.simulation);
   arm.hand = hand.hand;
   arm.rate_hz = options.check.rate_hz;
   return arm;

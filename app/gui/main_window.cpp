@@ -70,6 +70,11 @@ void MainWindow::presentMode(const servo::Snapshot& snapshot) {
 }
 
 void MainWindow::connectDocument() {
+  const auto integrate = [this] {
+    if (parts_.arm != nullptr) parts_.arm->integrate(integrationOf(document_->scene().simulation));
+  };
+  connect(document_, &Document::opened, this, integrate);
+  connect(document_, &Document::edited, this, integrate);
   connect(document_, &Document::opened, this, [this] {
     const scene::Description& scene = document_->scene();
     view_->setScene(scene);

@@ -83,7 +83,7 @@ double along(tick::TickProgram program, const sim::Plant& plant, const Vec3& gai
 
 HeldMass modelOf(const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WP, const Vec3& along_W) {
   const control::Law& law = program.entries[0].law;
-  HeldMass held{plant.model.mass_kg + plant.hand.mass_kg, plant.hand.damping_N_s_per_m};
+  HeldMass held{plant.model.mass_kg + plant.hand.mass_kg, plant.model.damping_N_s_per_m + plant.hand.damping_N_s_per_m};
   held.kp_N_per_m = along(program, plant, control::stiffness(law), p_WP, along_W);
   if (const auto* pd = std::get_if<control::PD>(&law))
     held.kd_N_s_per_m = along(program, plant, pd->kd_N_s_per_m, p_WP, along_W);
@@ -120,8 +120,7 @@ class Loop {
   const tick::TickReport& tick(const tick::TickProgram& program, tick::TickState& state) {
     arm_ = advance(plant_, arm_, report_.force.f_T_W(), wish_, period_ns_);
     input_.sample.time_ns += period_ns_;
-    input_.sample.q_rad =
-        plant_.model.encoders ? sim::throughEncoders(plant_.arm.counts_per_turn, arm_.q_rad) : arm_.q_rad;
+    input_.sample.q_rad = shownAngles(plant_, arm_);
     step(program, input_, state, report_);
     input_.restart = false;
     return report_;
@@ -246,7 +245,8 @@ Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& se
   if (!held) return held.problems();
   const Result<tick::TickProgram> before = programOf(held.value(), setup);
   if (!before) return before.problems();
-  const sim::Plant plant{*arm::findPreset(held.value().arm), setup.arm, setup.hand};
+  const sim::Plant plant =
+      sim::makePlant(*arm::findPreset(held.value().arm), setup.arm, setup.hand, integrationOf(held.value().simulation));
   const Result<Vec3> begin = restingPlace(before.value(), plant, setup.from_W);
   if (!begin) return begin.problems();
 

@@ -48,6 +48,7 @@ class Checker {
   void checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control);
   void checkInfluence(const Constraint& constraint, const Control& control);
   void checkFriction(const Friction& friction);
+  void checkSimulation(const Simulation& simulation);
   void checkName(const std::string& key, const std::string& name);
 
   const Description& scene_;
@@ -218,6 +219,13 @@ void Checker::checkConstraint(std::size_t index) {
   checkMetric(path_, controlOf(scene_, index), constraint.shape);
 }
 
+void Checker::checkSimulation(const Simulation& simulation) {
+  const double us = simulation.substep_us;
+  if (us >= kShortestSubstep_us && us <= kLongestSubstep_us) return;
+  add("simulation.substep_us", "This must be from " + numberText(kShortestSubstep_us) + " to " +
+                                   numberText(kLongestSubstep_us) + " us; here it is " + numberText(us) + ".");
+}
+
 Problems Checker::run() {
   if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
     add("title", "The title is empty; a few words tell people what they will feel.");
@@ -228,6 +236,7 @@ Problems Checker::run() {
     add("arm", "The arm " + json::shown(scene_.arm) + " is not known. There are " + json::listed(known, "and") + ".");
   }
   checkControl("control", scene_.control);
+  checkSimulation(scene_.simulation);
   const std::size_t count = scene_.constraints.size();
   if (count < 1 || count > tick::kMaxConstraints) {
     add("constraints", "A scene has 1 to " + std::to_string(tick::kMaxConstraints) + " constraints; here are " +

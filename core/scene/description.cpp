@@ -1,5 +1,6 @@
 #include "core/scene/description.h"
 
+#include <cmath>
 #include <type_traits>
 
 #include "core/scene/fields.h"
@@ -17,6 +18,10 @@ const char* filterName(const Velocity& velocity) {
 const Control& controlOf(const Description& scene, std::size_t index) {
   const std::optional<Control>& own = scene.constraints[index].control;
   return own ? *own : scene.control;
+}
+
+Integration integrationOf(const Simulation& simulation) {
+  return {simulation.integrator, std::llround(1e3 * simulation.substep_us)};
 }
 
 bool hasSides(const Shape& shape) {

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/integration.h"
 #include "core/base/result.h"
 #include "core/base/types.h"
 #include "core/target/target.h"
@@ -184,12 +185,23 @@ struct Constraint {
   std::optional<Friction> friction = {};    // none: smooth
 };
 
+/// How the simulated arm, where there is no other, is integrated.
+struct Simulation {
+  Integrator integrator = Integrator::MeanVelocity;
+  double substep_us = 1e-3 * kSubstep_ns;
+  bool operator==(const Simulation&) const = default;
+};
+inline constexpr double kShortestSubstep_us = 5.0, kLongestSubstep_us = 10'000.0;
+
+Integration integrationOf(const Simulation& simulation);
+
 struct Description {
   std::string title;
   std::string about;
   std::string arm = "omni-thesis";
   Control control;
   tick::Combine combine = tick::Combine::Sum;
+  Simulation simulation;
   std::vector<Constraint> constraints;
   std::string file;  // where it was read from; empty: nowhere
 };

@@ -21,6 +21,7 @@ Description spelledOut(Description scene) {
 Description withoutControls(Description scene) {
   for (Constraint& constraint : scene.constraints) constraint.control.reset();
   scene.control = Control{};
+  scene.simulation = {};  // of the arm, not of what it is held to
   return scene;
 }
 

@@ -192,6 +192,10 @@ inline constexpr Word<target::Side> kSideWords[] = {
 inline constexpr Word<tick::Combine> kCombineWords[] = {{"sum", tick::Combine::Sum},
                                                         {"nearest", tick::Combine::Nearest}};
 
+inline constexpr Word<Integrator> kIntegratorWords[] = {{"mean_velocity", Integrator::MeanVelocity},
+                                                        {"end_velocity", Integrator::EndVelocity},
+                                                        {"trapezoidal", Integrator::Trapezoidal}};
+
 inline constexpr Word<chain::JointType> kJointWords[] = {{"revolute", chain::JointType::Revolute},
                                                          {"prismatic", chain::JointType::Prismatic}};
 inline constexpr Word<manipulator::Orientation> kOrientationWords[] = {{"none", manipulator::Orientation::None},

@@ -62,6 +62,19 @@ void readTexts(ObjectReader& object, Description& into) {
   if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
 }
 
+Simulation readSimulation(const json::Value& value, Findings& findings) {
+  Simulation simulation;
+  if (!isKind(value, json::Kind::Object, "simulation", "an object, as in {\"substep_us\": 50}", findings))
+    return simulation;
+  ObjectReader object(value, "simulation", "a simulation", findings);
+  if (const json::Value* integrator = object.find("integrator"))
+    readWord(*integrator, object.pathOf("integrator"), kIntegratorWords, simulation.integrator, findings);
+  if (const json::Value* substep = object.find("substep_us"))
+    readNumber(*substep, object.pathOf("substep_us"), simulation.substep_us, findings);
+  object.finish();
+  return simulation;
+}
+
 Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
   Description scene;
   scene.file = file_name;
@@ -71,6 +84,9 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   if (const json::Value* control = object.find("control")) scene.control = readControl(*control, "control", findings);
   if (const json::Value* combine = object.find("combine")) {
     readWord(*combine, "combine", kCombineWords, scene.combine, findings);
+  }
+  if (const json::Value* simulation = object.find("simulation")) {
+    scene.simulation = readSimulation(*simulation, findings);
   }
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene

@@ -217,6 +217,15 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
   return objectText(members, 4);
 }
 
+std::string simulationText(const Simulation& simulation) {
+  const Simulation usual;
+  Members members;
+  if (simulation.integrator != usual.integrator)
+    members.emplace_back("integrator", json::quoted(wordOf(kIntegratorWords, simulation.integrator)));
+  if (simulation.substep_us != usual.substep_us) members.emplace_back("substep_us", text(simulation.substep_us));
+  return objectText(members, 2);
+}
+
 }  // namespace
 
 std::string writeScene(const Description& scene) {
@@ -227,6 +236,7 @@ std::string writeScene(const Description& scene) {
   if (!isUsual(scene.control)) result += ",\n  \"control\": " + controlText(scene.control, 2);
   if (scene.combine != usual.combine)
     result += ",\n  \"combine\": " + json::quoted(wordOf(kCombineWords, scene.combine));
+  if (!(scene.simulation == usual.simulation)) result += ",\n  \"simulation\": " + simulationText(scene.simulation);
   result += ",\n  \"constraints\": [";
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     result += (index == 0 ? "\n    " : ",\n    ") + constraintText(scene.constraints[index], index);

@@ -6,7 +6,7 @@
 namespace underact::sim {
 namespace {
 
-constexpr std::array<ArmModel, 2> kModels{
+const std::array<ArmModel, 2> kModels{
     ArmModel{"vendor-nominal", "Vendor's figures",
              "Apparent mass 45 g and back-drive friction below 0.26 N from the vendor's sheets, not traced to a test; "
              "gravity "

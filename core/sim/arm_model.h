@@ -1,17 +1,23 @@
 #pragma once
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+
+#include "core/arm/preset.h"
 
 namespace underact::sim {
 
 /// What the simulated arm is made of, as felt at the tip.
 struct ArmModel {
-  const char* name = "";
-  const char* title = "";
-  const char* provenance = "";
-  double mass_kg = 0.0;     // apparent, at the tip
-  double friction_N = 0.0;  // Coulomb, back-drive, at the tip
-  bool encoders = true;     // angles come in steps; false: exact
+  std::string name = {};
+  std::string title = {};
+  std::string provenance = {};
+  double mass_kg = 0.0;                                    // apparent, at the tip
+  double friction_N = 0.0;                                 // Coulomb, back-drive, at the tip
+  bool encoders = true;                                    // angles come in steps; false: exact
+  double damping_N_s_per_m = 0.0;                          // of the arm itself, at the tip
+  std::optional<arm::EncoderCounts> counts_per_turn = {};  // as measured; none: those of the arm's preset
 };
 
 std::span<const ArmModel> armModels();

@@ -23,34 +23,53 @@ bool isFinite(const Mat3& m) noexcept UNDERACT_REAL_TIME {
   return isFinite(Vec3(m.col(0))) && isFinite(Vec3(m.col(1))) && isFinite(Vec3(m.col(2)));
 }
 
-/// A force that a spring or a mass can take over a substep: everything known but the velocity at its end.
+/// What acts on the tip over a substep besides the arm's force.
 struct Pull {
   double mass_kg;
-  double damping_N_s_per_m;
+  double own_damping_N_s_per_m;  // of the arm: against its velocity
+  double damping_N_s_per_m;      // of the hand: against its velocity less the one that the hand wants
   double stiffness_N_per_m;
   double friction_N;
 };
 
-/// One substep. The momentum equation is solved for the velocity at its end, at which damper, spring and friction act;
-/// the way is that of the mean velocity, x' = x + dt (v + v') / 2, so that a force has its effect when it is there (by
-/// v' alone, half a substep before):
-///   (M + b dt + k dt^2 / 2) v' = M v + dt (f + k (x_w - x - dt v / 2) + b v_w) - r, |r| <= mu dt, and r against v'.
-/// Its solution is exact: a pull below the friction leaves v' = 0, no direction is ever reversed by it. Without a mass
-/// there is no velocity to start from, and v' alone counts.
-void substep(const Pull& pull, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& v_WH, double dt_s,
+/// What the velocities v at a substep's begin and v' at its end count, shares that sum to 1: for the way, and for the
+/// dampers.
+struct Shares {
+  double way_begin, damping_begin;
+};
+
+/// Without a mass there is no velocity to start from, and v' alone counts.
+Shares sharesOf(Integrator integrator, double mass_kg) noexcept UNDERACT_REAL_TIME {
+  if (integrator == Integrator::EndVelocity || !(mass_kg > 0.0)) return {0.0, 0.0};
+  return {0.5, integrator == Integrator::Trapezoidal ? 0.5 : 0.0};
+}
+
+/// One substep: the momentum equation, solved for the velocity at its end. With w the share of v in the way and d its
+/// share in the dampers (1 - w and 1 - d those of v'), b_a the arm's own damping and b the hand's:
+///   x' = x + dt (w v + (1 - w) v')
+///   M (v' - v) = dt (f - b_a (d v + (1 - d) v') + b (v_w - d v - (1 - d) v') + k (x_w - x_s)) - r, |r| <= mu dt
+/// r against v', and x_s where the spring is taken: x', or with d = 1/2 the middle of x and x' (v_w, x_w: there, too).
+/// The way by v' alone has a force act half a substep early. The solution is exact: an impulse below the friction
+/// leaves v' = 0, and no direction is ever reversed by it.
+void substep(const Pull& pull, const Shares& shares, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& v_WH, double dt_s,
              PlantState& state) noexcept UNDERACT_REAL_TIME {
-  const double before = pull.mass_kg > 0.0 ? 0.5 * dt_s : 0.0, after = dt_s - before;  // what each velocity counts
-  const double inertia_kg = pull.mass_kg + dt_s * (pull.damping_N_s_per_m + after * pull.stiffness_N_per_m);
-  const Vec3 p_WFree = state.p_WT + before * state.v_WT;
-  const Vec3 spring_N = pull.stiffness_N_per_m * (p_WH - p_WFree) + pull.damping_N_s_per_m * v_WH;
-  const Vec3 impulse_N_s = pull.mass_kg * state.v_WT + dt_s * (f_T_W + spring_N);
+  const double begin_s = dt_s * shares.way_begin, end_s = dt_s - begin_s;
+  const double spring = 1.0 - shares.damping_begin;  // share of the way after which the spring is taken
+  const double b = pull.own_damping_N_s_per_m + pull.damping_N_s_per_m, k = pull.stiffness_N_per_m;
+  const Vec3 p_WFree = state.p_WT + begin_s * state.v_WT;
+  const Vec3 p_WSpring = state.p_WT + (spring * begin_s) * state.v_WT;
+  const Vec3 p_WMeant = p_WH - (shares.damping_begin * dt_s) * v_WH;
+  const Vec3 hand_N = k * (p_WMeant - p_WSpring) + pull.damping_N_s_per_m * v_WH;
+  const double carried_kg = pull.mass_kg - dt_s * shares.damping_begin * b;
+  const double inertia_kg = pull.mass_kg + dt_s * ((1.0 - shares.damping_begin) * b + spring * end_s * k);
+  const Vec3 impulse_N_s = carried_kg * state.v_WT + dt_s * (f_T_W + hand_N);
   const double size_N_s = impulse_N_s.norm(), friction_N_s = pull.friction_N * dt_s;
   if (size_N_s > friction_N_s && inertia_kg > 0.0) {
     state.v_WT = impulse_N_s * ((1.0 - friction_N_s / size_N_s) / inertia_kg);
   } else {
     state.v_WT.setZero();
   }
-  state.p_WT = p_WFree + after * state.v_WT;
+  state.p_WT = p_WFree + end_s * state.v_WT;
 }
 
 /// Joints 1 to 3 within their limits that bring the tip near to p_WT, a place that they cannot reach: one joint after
@@ -99,6 +118,12 @@ void holdInLimits(const arm::Preset& arm, PlantState& state) noexcept UNDERACT_R
 
 }  // namespace
 
+Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& hand, const Integration& integration) {
+  Plant plant{arm, model, hand, integration};
+  if (model.counts_per_turn) plant.arm.counts_per_turn = *model.counts_per_turn;
+  return plant;
+}
+
 PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept {
   PlantState state;
   state.p_WT = p_WT;
@@ -114,13 +139,14 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
   const Vec3 p_WEnd = knows_where ? wish.p_WT : state.p_WT;
   const Vec3 v_WH = knows_where ? wish.v_WT : Vec3::Zero();
   const Vec3 force_N = isFinite(f_T_W) ? f_T_W : Vec3::Zero();
-  const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.hand.damping_N_s_per_m, plant.hand.stiffness_N_per_m,
-                  plant.model.friction_N};
+  const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.model.damping_N_s_per_m, plant.hand.damping_N_s_per_m,
+                  plant.hand.stiffness_N_per_m, plant.model.friction_N};
+  const Shares shares = sharesOf(plant.integration.integrator, pull.mass_kg);
   for (std::int64_t left_ns = period_ns; left_ns > 0;) {
-    const std::int64_t step_ns = std::min(left_ns, kSubstep_ns);
+    const std::int64_t step_ns = std::min(left_ns, plant.integration.substep_ns);
     left_ns -= step_ns;
     const Vec3 p_WH = p_WEnd - (kSecondPerNanosecond * static_cast<double>(left_ns)) * v_WH;
-    substep(pull, force_N, p_WH, v_WH, kSecondPerNanosecond * static_cast<double>(step_ns), state);
+    substep(pull, shares, force_N, p_WH, v_WH, kSecondPerNanosecond * static_cast<double>(step_ns), state);
   }
   if (!isFinite(state.p_WT) || !isFinite(state.v_WT)) {  // beyond what a double holds
     state = before;
@@ -141,6 +167,10 @@ arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn, cons
     device_rad[joint] = step_rad * std::round(device_rad[joint] / step_rad);
   }
   return arm::dhFromDevice(device_rad);
+}
+
+arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept {
+  return plant.model.encoders ? throughEncoders(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
 }
 
 }  // namespace underact::sim

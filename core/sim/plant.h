@@ -3,6 +3,7 @@
 
 #include "core/arm/preset.h"
 #include "core/arm/sample.h"
+#include "core/base/integration.h"
 #include "core/base/real_time.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand.h"
@@ -14,7 +15,12 @@ struct Plant {
   arm::Preset arm;
   ArmModel model;
   HandModel hand;
+  Integration integration = {};
 };
+
+/// The plant with the model's encoders, where it has its own.
+Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& hand,
+                const Integration& integration = {});
 
 /// All memory of it.
 struct PlantState {
@@ -26,13 +32,9 @@ struct PlantState {
 /// At rest at p_WT, finite (brought inside reach and joint limits), the wrist in the middle of its gimbal.
 PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept;
 
-// The finer step at which the plant is integrated. The wall's own time constant, sqrt(m / k) = 17 ms at 0.5 N/mm, is
-// 340 of them.
-inline constexpr std::int64_t kSubstep_ns = 50'000;
-
-/// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish: the way by
-/// the mean velocity of each substep, so that a force is neither early nor late, with the hand's damper and spring and
-/// the Coulomb friction taken implicitly, so that it sticks without chatter at any step. wish: at the end of the
+/// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish, in substeps as
+/// plant.integration says; with the mean velocity a force is neither early nor late. The dampers, the hand's spring and
+/// the Coulomb friction are taken implicitly, so that it sticks without chatter at any step. wish: at the end of the
 /// period; on the way there it moves evenly at its v_WT. Where reach or a joint limit cuts the motion, the tip stands
 /// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a wish that is not
 /// finite as one to stay here. Finite in, finite out; the same bits every time. Cost: linear in period_ns.
@@ -42,5 +44,8 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
 /// The joints as the encoders show them: steps of turret, thigh and shin, and of the gimbal.
 arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn,
                                  const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+/// The joints as the plant shows them: through its encoders, or exact where it has none.
+arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::sim

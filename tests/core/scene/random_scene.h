@@ -19,6 +19,8 @@ class RandomScene {
     if (chance(3)) made.arm = "touch-measured";
     if (chance(2)) made.control = control();
     if (chance(2)) made.combine = tick::Combine::Nearest;
+    if (chance(3))
+      made.simulation = {chance(2) ? Integrator::EndVelocity : Integrator::Trapezoidal, random_.between(5.0, 10'000.0)};
     made.constraints.resize(1 + random_.below(chance(20) ? 64 : 4));
     for (std::size_t i = 0; i < made.constraints.size(); ++i) {
       scene::Constraint& constraint = made.constraints[i];

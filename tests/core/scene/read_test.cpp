@@ -71,7 +71,7 @@ TEST(ReadScene, WhatIsAbsentHasTheDefaultsOfTheSceneReference) {
 
 TEST(ReadScene, EveryTypeAndEveryKeyIsRead) {
   const Result<Description> read = readScene(R"({"$schema": "scene.schema.json", "underact_scene": 1.0, "title": "t",
-  "arm": "touch-measured", "combine": "nearest",
+  "arm": "touch-measured", "combine": "nearest", "simulation": {"integrator": "end_velocity", "substep_us": 12.5},
   "control": {"law": "PID", "kp_N_per_mm": [1, 2, 3], "kd_N_s_per_mm": 0.25, "ki_N_per_mm_s": [4, 5, 6],
               "anisotropy": "euclidean", "space": "cartesian"},
   "constraints": [
@@ -88,6 +88,8 @@ TEST(ReadScene, EveryTypeAndEveryKeyIsRead) {
   const Description& scene = read.value();
   EXPECT_EQ(scene.arm, "touch-measured");
   EXPECT_EQ(scene.combine, tick::Combine::Nearest);
+  EXPECT_EQ(scene.simulation, (Simulation{Integrator::EndVelocity, 12.5}));
+  EXPECT_EQ(integrationOf(scene.simulation).substep_ns, 12'500);
   EXPECT_EQ(scene.control.law, LawType::PID);
   EXPECT_EQ(scene.control.gains.kp_N_per_mm, Vec3(1, 2, 3));
   EXPECT_EQ(scene.control.gains.kd_N_s_per_mm, Vec3::Constant(0.25));
@@ -115,7 +117,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
   "title": "",
   "arm": "omnni",
   "control": {"law": "PI", "kp_N_per_mm": -1, "gain": 3},
-  "combine": "add",
+  "combine": "add", "simulation": {"substep_us": 1, "step": 2, "integrator": "euler"},
   "constraints": [
     {"type": "sphere", "centre_mm": [0, 0], "radius_mm": -5},
     {"type": "line", "point_mm": [0, "a", 2e6], "direction": [0, 0, 0], "side": "inside"},
@@ -132,6 +134,9 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 5:43: control.kp_N_per_mm: A gain must be 0 or above, or the arm pushes away; here it is -1.
 5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "space", "velocity" and "passivity".
 6:14: combine: This must be "sum" or "nearest"; here it is "add".
+6:50: simulation.substep_us: This must be from 5 to 10000 us; here it is 1.
+6:53: simulation.step: The key "step" is not known in a simulation. Known are "integrator" and "substep_us".
+6:78: simulation.integrator: This must be "mean_velocity", "end_velocity" or "trapezoidal"; here it is "euler".
 8:5: constraints[0].center_mm: The key "center_mm" is missing; a sphere needs it.
 8:24: constraints[0].centre_mm: The key "centre_mm" is not known in a sphere. Did you mean "center_mm"?
 8:58: constraints[0].radius_mm: This must be above 0 mm; here it is -5.

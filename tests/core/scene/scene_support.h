@@ -127,7 +127,7 @@ inline bool same(const scene::Constraint& a, const scene::Constraint& b) {
 /// All but where it was read from.
 inline bool same(const scene::Description& a, const scene::Description& b) {
   bool all = a.title == b.title && a.about == b.about && a.arm == b.arm && same(a.control, b.control) &&
-             a.combine == b.combine && a.constraints.size() == b.constraints.size();
+             a.combine == b.combine && a.simulation == b.simulation && a.constraints.size() == b.constraints.size();
   for (std::size_t i = 0; all && i < a.constraints.size(); ++i) all = same(a.constraints[i], b.constraints[i]);
   return all;
 }

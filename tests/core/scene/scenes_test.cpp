@@ -207,6 +207,11 @@ TEST(SceneSchema, HasTheWordsThatTheReaderHas) {
   EXPECT_EQ(wordsOf(*control.find("passivity")->find("enum")), words(kPassivityWords));
   EXPECT_EQ(wordsOf(*root.find("$defs")->find("side")->find("enum")), words(kSideWords));
   EXPECT_EQ(wordsOf(*root.find("properties")->find("combine")->find("enum")), words(kCombineWords));
+  const json::Value& simulation = *root.find("properties")->find("simulation")->find("properties");
+  EXPECT_EQ(wordsOf(*simulation.find("integrator")->find("enum")), words(kIntegratorWords));
+  EXPECT_EQ(simulation.find("substep_us")->find("minimum")->number, kShortestSubstep_us);
+  EXPECT_EQ(simulation.find("substep_us")->find("maximum")->number, kLongestSubstep_us);
+  EXPECT_EQ(simulation.find("substep_us")->find("default")->number, Simulation{}.substep_us);
   std::set<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.insert(preset.name);
   EXPECT_EQ(wordsOf(*root.find("properties")->find("arm")->find("enum")), arms);

@@ -39,6 +39,7 @@ TEST(WriteScene, EverythingElseIsWrittenOnceAndShort) {
   scene.about = "What to feel.";
   scene.arm = "touch-measured";
   scene.combine = tick::Combine::Nearest;
+  scene.simulation = {Integrator::EndVelocity, 100.0};
   scene.control.law = LawType::PD;
   scene.control.gains.kp_N_per_mm = Vec3(0.5, 0.25, 0.1);
   scene.control.gains.kd_N_s_per_mm = Vec3::Constant(0.002);
@@ -54,6 +55,7 @@ TEST(WriteScene, EverythingElseIsWrittenOnceAndShort) {
   "arm": "touch-measured",
   "control": {"law": "PD", "kp_N_per_mm": [0.5, 0.25, 0.1], "kd_N_s_per_mm": 0.002},
   "combine": "nearest",
+  "simulation": {"integrator": "end_velocity", "substep_us": 100},
   "constraints": [
     {"name": "here", "type": "point", "position_mm": [0, 0, 0]},
     {

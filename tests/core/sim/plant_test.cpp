@@ -76,6 +76,63 @@ TEST(Plant, HalvingTheSubstepHalvesTheError) {
   EXPECT_NEAR(middle / fine, 2.0, 0.01);
 }
 
+TEST(Plant, TheTrapezoidalIntegratorIsOfSecondOrder) {
+  Plant plant = plantOf("ideal");
+  plant.integration = {Integrator::Trapezoidal, kMillisecond_ns};  // a call of advance() is one substep
+  const double coarse = stepError(plant, 800'000), middle = stepError(plant, 400'000), fine = stepError(plant, 200'000);
+  EXPECT_NEAR(coarse / middle, 4.0, 0.05);  // order 2: 4 + O((omega dt)^2), omega dt = 0.05
+  EXPECT_NEAR(middle / fine, 4.0, 0.02);
+}
+
+TEST(Plant, GoesInSubstepsOfTheLengthThatItIsTold) {
+  for (const Integrator integrator : {Integrator::MeanVelocity, Integrator::EndVelocity, Integrator::Trapezoidal}) {
+    Plant coarse = plantOf("vendor-nominal"), fine = coarse;
+    coarse.integration = {integrator, 250'000};
+    fine.integration = {integrator, kMillisecond_ns};
+    const PlantState start{kMiddle, Vec3(0.1, 0.0, 0.0), restAt(coarse, kMiddle).q_rad};
+    HandWish wish = stayAt(kMiddle);
+    wish.v_WT = Vec3(0.0, 0.2, 0.0);
+    PlantState parts = start;
+    for (int part = 4; part-- > 0;) {
+      HandWish there = wish;
+      there.p_WT -= part * 0.25e-3 * wish.v_WT;
+      parts = advance(fine, parts, Vec3(0.5, 0.0, 0.0), there, 250'000);
+    }
+    const PlantState whole = advance(coarse, start, Vec3(0.5, 0.0, 0.0), wish, kMillisecond_ns);
+    EXPECT_LE((whole.p_WT - parts.p_WT).norm(), 1e-16);  // roundings of 0.06 m
+    EXPECT_NE(whole.p_WT, advance(fine, start, Vec3(0.5, 0.0, 0.0), wish, kMillisecond_ns).p_WT);
+  }
+}
+
+TEST(Plant, ByTheEndVelocityAForceActsHalfASubstepEarly) {
+  Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
+  plant.integration.integrator = Integrator::EndVelocity;
+  const PlantState state =
+      advance(plant, restAt(plant, kMiddle), Vec3(0.1, 0.0, 0.0), stayAt(kMiddle), kMillisecond_ns);
+  const double t_s = 1e-3;  // x = a t (t + dt) / 2 where it should be a t^2 / 2
+  EXPECT_NEAR(state.p_WT.x() - kMiddle.x(), 0.5 * t_s * (t_s + kSubstep_s), 1e-16);
+}
+
+TEST(Plant, ItsOwnDampingSlowsItDownWhateverTheHandWants) {
+  Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
+  plant.model.damping_N_s_per_m = 2.0;
+  PlantState state = restAt(plant, kMiddle);
+  state.v_WT = Vec3(0.1, 0.0, 0.0);
+  for (int tick = 0; tick < 100; ++tick) {
+    state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kMillisecond_ns);
+  }
+  const double decay = 2.0 / 0.1 * 0.1;  // b / m times 0.1 s; implicitly, (1 + dt b / m) per substep
+  EXPECT_NEAR(state.v_WT.x(), 0.1 * std::exp(-decay), 0.1 * std::exp(-decay) * decay * kSubstep_s * 2.0 / 0.1);
+}
+
+TEST(Plant, TakesTheEncodersOfItsModelWhereThatHasItsOwn) {
+  ArmModel model = *findArmModel("vendor-nominal");
+  EXPECT_EQ(makePlant(*arm::findPreset("touch-measured"), model, {}).arm.counts_per_turn,
+            arm::findPreset("touch-measured")->counts_per_turn);
+  model.counts_per_turn = arm::EncoderCounts{100, 200, 300, 400, 500, 600};
+  EXPECT_EQ(makePlant(*arm::findPreset("touch-measured"), model, {}).arm.counts_per_turn, *model.counts_per_turn);
+}
+
 TEST(Plant, UnderAForceTheHandsSpringGivesWayByHookesLaw) {
   const Plant plant = plantOf("ideal");
   PlantState state = restAt(plant, kMiddle);
@@ -374,7 +431,7 @@ TEST(Encoders, MeasureTheShinFromTheBase) {
 TEST(ArmModel, IsFoundByItsNameAndSaysWhereItComesFrom) {
   for (const ArmModel& model : armModels()) {
     EXPECT_EQ(findArmModel(model.name), &model);
-    EXPECT_STRNE(model.provenance, "");
+    EXPECT_FALSE(model.provenance.empty());
   }
   EXPECT_EQ(findArmModel("premium"), nullptr);
   ASSERT_NE(findArmModel(kDefaultArmModel), nullptr);
