@@ -30,6 +30,7 @@
 #include "app/gui/style.h"
 #include "app/gui/view/section_strip.h"
 #include "core/arm/preset.h"
+#include "device/simulated_arm.h"
 
 namespace underact::gui {
 
