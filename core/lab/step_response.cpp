@@ -8,6 +8,7 @@
 #include "core/arm/preset.h"
 #include "core/base/fault.h"
 #include "core/base/units.h"
+#include "core/lab/loop.h"
 #include "core/lab/moved_target.h"
 #include "core/scene/compile.h"
 #include "core/sim/plant.h"
@@ -18,56 +19,19 @@ namespace {
 
 constexpr double kBefore_s = 0.5;  // the ramp takes 0.3 s
 constexpr double kShortest_s = 0.5, kLongest_s = 10.0;
-constexpr int kMostTicks = 20'000;      // so that whoever waits for it waits less than a second
-constexpr double kNotReached_m = 1e-6;  // of a place to which the arm was brought
-constexpr double kMissed = 1e-3;        // a share of the step, by which a target may miss it
-constexpr double kNudge_m = 1e-4;       // for the slope of a force
+constexpr int kMostTicks = 20'000;  // so that whoever waits for it waits less than a second
+constexpr double kMissed = 1e-3;    // a share of the step, by which a target may miss it
+constexpr double kNudge_m = 1e-4;   // for the slope of a force
 
 /// A scene before and after its step.
 struct Programs {
   tick::TickProgram before, after;
 };
 
-/// The gate that lets everything through.
-safety::Limits withoutLimits(safety::Limits limits) {
-  limits.max_force_N = 1e6;
-  limits.max_slew_N_per_s = limits.calm_speed_m_per_s = limits.max_speed_m_per_s = limits.max_jump_m_per_s = kInfinity;
-  limits.edge_rad = 0.0;
-  limits.thermal = {};
-  return limits;
-}
-
 Result<tick::TickProgram> programOf(const scene::Description& scene, const StepSetup& setup) {
   Result<tick::TickProgram> program = scene::compile(scene);
   if (program && !setup.limits) program.value().limits = withoutLimits(program.value().limits);
   return program;
-}
-
-/// The first tick of a program with the tip in p_WT, by exact joints.
-tick::TickReport firstTick(const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WT) {
-  tick::TickState state = makeState(program);
-  tick::TickReport report;
-  tick::TickInput input;
-  input.engage = input.restart = true;
-  input.sample.q_rad = sim::restAt(plant, p_WT).q_rad;
-  step(program, input, state, report);
-  return report;
-}
-
-/// Where the tip rests on its target: the target nearest to p_WT, and so on until it stays (a turned stylus moves it).
-Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& plant, Vec3 p_WT) {
-  for (int round = 0; round < 50; ++round) {
-    const tick::TickReport report = firstTick(program, plant, p_WT);
-    if (report.held.size() != 1 || report.held[0].status != target::Status::Unique)
-      return Problems{{"From there no single target is nearest, so nothing says where to begin. Begin elsewhere."}};
-    const Vec3 p_WP = report.held[0].p_WP;
-    const double off_m = (p_WP - report.p_WT).norm();
-    p_WT = p_WP;
-    if (off_m < 1e-9) return p_WT;
-    if ((sim::restAt(plant, p_WT).p_WT - p_WT).norm() > kNotReached_m)
-      return Problems{{"The arm does not reach the target there. Begin elsewhere."}};
-  }
-  return Problems{{"The target does not stay while the tip goes to it. Begin elsewhere."}};
 }
 
 /// What the law does along a direction with these gains in the place of its stiffness: the slope of its force.
@@ -108,34 +72,6 @@ double secondsFor(const ArmStep& step) {
   return std::clamp(seconds, kShortest_s, std::min(kLongest_s, static_cast<double>(kMostTicks) / step.rate_hz));
 }
 
-/// The arm under the servo, without a thread.
-class Loop {
- public:
-  Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
-      : plant_(plant), arm_(sim::restAt(plant, p_WT)), period_ns_(1'000'000'000 / rate_hz) {
-    wish_.p_WT = arm_.p_WT;
-    input_.engage = true;
-    input_.restart = true;
-  }
-  const tick::TickReport& tick(const tick::TickProgram& program, tick::TickState& state) {
-    arm_ = advance(plant_, arm_, report_.force.f_T_W(), wish_, period_ns_);
-    input_.sample.time_ns += period_ns_;
-    input_.sample.q_rad = shownAngles(plant_, arm_);
-    step(program, input_, state, report_);
-    input_.restart = false;
-    return report_;
-  }
-  double period_s() const { return kSecondPerNanosecond * static_cast<double>(period_ns_); }
-
- private:
-  sim::Plant plant_;
-  sim::PlantState arm_;
-  sim::HandWish wish_;
-  std::int64_t period_ns_;
-  tick::TickInput input_;
-  tick::TickReport report_;
-};
-
 void record(const Programs& programs, const sim::Plant& plant, double seconds, ArmStep& step) {
   const auto& [before, after] = programs;
   Loop loop(plant, step.p_WBefore, step.rate_hz);
@@ -159,28 +95,6 @@ void record(const Programs& programs, const sim::Plant& plant, double seconds, A
     step.peak_force_N = std::max(step.peak_force_N, report.force.f_T_W().norm());
   }
   step.steady_error_m = step.step_m - (p_WEnd - step.p_WBefore).dot(step.along_W);
-}
-
-/// The scene with nothing but the constraint that is measured.
-Result<scene::Description> onlyOne(scene::Description scene, const std::string& name) {
-  const auto chosen = [&](const scene::Constraint& one) { return name.empty() || one.name == name; };
-  const auto found = std::find_if(scene.constraints.begin(), scene.constraints.end(), chosen);
-  if (found == scene.constraints.end())
-    return Problems{{"The scene has no constraint \"" + name + "\"; choose one of its names.", {scene.file}}};
-  if (name.empty() && scene.constraints.size() > 1)
-    return Problems{{"The scene has " + std::to_string(scene.constraints.size()) +
-                         " constraints; say the name of the one to measure, as \"" + found->name + "\".",
-                     {scene.file}}};
-  if (found->side != target::Side::Both && !std::holds_alternative<scene::VirtualManipulator>(found->shape))
-    return Problems{{"\"" + found->name +
-                         "\" is a wall: it pushes and never pulls, so it holds nothing at a target. "
-                         "Measure one whose side is both.",
-                     found->place}};
-  const auto index = static_cast<std::size_t>(found - scene.constraints.begin());
-  scene::Constraint one = scene.constraints[index];
-  one.control = controlOf(scene, index);
-  scene.constraints = {std::move(one)};
-  return scene;
 }
 
 /// The direction of W's axis; of Axis::Held the one in which the error grows most, of a tip a little off the target.
@@ -212,7 +126,7 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
   if (first.held[0].status != target::Status::Unique || !(miss_W.norm() <= kMissed * std::abs(setup.step_m)))
     return std::optional<Programs>();
   const Vec3 p_WAfter = step.p_WBefore + step_W;
-  if ((sim::restAt(plant, p_WAfter).p_WT - p_WAfter).norm() > kNotReached_m)
+  if (!isWithinReach(plant, p_WAfter))
     return Problems{{std::string("The arm does not reach the target after this step (") + name(step.axis) +
                      "). Make the step smaller, or the other way."}};
   return std::optional<Programs>({before, std::move(after).value()});

@@ -1,4 +1,4 @@
-"""The command line: `python3 -m underact info|plot|export|figures`."""
+"""The command line: `python3 -m underact info|plot|export|lab|figures`."""
 
 from __future__ import annotations
 
@@ -61,6 +61,17 @@ def figures(options: argparse.Namespace) -> int:
     return make(options.cli, options.window, options.out, only, options.progress_lines)
 
 
+def lab(options: argparse.Namespace) -> int:
+    """Draws what the lab measured."""
+    from .lab import stability
+
+    options.out.mkdir(parents=True, exist_ok=True)
+    draw_all = {"stability": stability.draw_all}[options.what]
+    for path in draw_all(options.tables, options.out, options.width):
+        print(path)
+    return WELL
+
+
 def parser() -> argparse.ArgumentParser:
     """The options of all commands."""
     top = argparse.ArgumentParser(
@@ -99,6 +110,12 @@ def parser() -> argparse.ArgumentParser:
     one = command("export", export, "Writes the ticks of a session in another form.")
     one.add_argument("--format", choices=("csv", "parquet", "mcap"), required=True)
     one.add_argument("--out", type=Path, required=True)
+
+    one = command("lab", lab, "Draws the tables of `underact-cli lab`.", file=False)
+    one.add_argument("what", choices=("stability",))
+    one.add_argument("--tables", type=Path, required=True, help="the folder of the tables")
+    one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
+    one.add_argument("--width", type=float, default=7.0, help="inches: 3.5 (a column) or 7 (a page)")
 
     one = command(
         "figures",

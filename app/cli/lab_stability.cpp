@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/json_object.h"
+#include "app/cli/lab.h"
+#include "app/cli/progress.h"
+#include "app/cli/python.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/shipped.h"
+#include "app/cli/table.h"
+#include "core/base/units.h"
+#include "core/stability/exact.h"
+#include "core/stability/maps.h"
+
+namespace underact::cli {
+namespace {
+
+using stability::SampledWall;
+
+const std::vector<std::string> kFilters{"raw", "low_pass", "kalman", "adaptive_window"};
+
+constexpr double kSoft_N_per_m = 20.0;  // of a trial that shows whether anything holds
+
+struct StabilityOptions {
+  SampledWall wall;  // of one cell
+  bool one_cell = false;
+  int rate_hz = 1000;
+  std::string filter = "raw";
+  double stiffness_N_per_m = 0.0;  // above 0: label it
+
+  std::vector<std::string> maps;
+  std::vector<std::string> scenes;
+  bool labels = false, json = false;
+  std::string out;  // folder; empty: the tables on stdout
+};
+
+control::Velocity filterNamed(const std::string& name) {
+  if (name == "low_pass") return control::LowPass{};
+  if (name == "kalman") return stability::usualKalman();
+  const scene::AdaptiveWindowFilter usual;
+  if (name == "adaptive_window")
+    return control::AdaptiveWindow{static_cast<int>(usual.window),
+                                   Vec3::Constant(kMetrePerMillimetre * usual.noise_mm)};
+  return control::RawDifference{};
+}
+
+Exit oneCell(const StabilityOptions& options, const Streams& streams) {
+  SampledWall wall = options.wall;
+  wall.period_ns = 1'000'000'000 / options.rate_hz;
+  wall.velocity = filterNamed(options.filter);
+  const stability::Limits limits = stability::limitsOf(wall);
+  JsonObject cell;
+  cell.addNumber("simulated_limit_N_per_m", limits.simulated_N_per_m);
+  limits.exact_N_per_m ? cell.addNumber("exact_limit_N_per_m", *limits.exact_N_per_m)
+                       : cell.addNull("exact_limit_N_per_m");
+  cell.addNumber("passive_limit_N_per_m", limits.passive_N_per_m);
+  cell.addNumber("colgate_schenkel_N_per_m", limits.colgate_schenkel_N_per_m);
+  cell.addNumber("gil_hulin_N_per_m", limits.gil_hulin_N_per_m);
+  if (options.stiffness_N_per_m > 0.0) {
+    const stability::Label label = stability::labelOf(wall, options.stiffness_N_per_m);
+    cell.addNumber("stiffness_N_per_m", options.stiffness_N_per_m);
+    cell.addText("label", name(label.trial.behaviour));
+    cell.addNumber("amplitude_mm", kMillimetrePerMetre * label.trial.amplitude_m);
+    cell.addBool("passive", label.is_passive);
+  }
+  streams.out << cell.text() << '\n';
+  return Exit::Well;
+}
+
+/// The tables of a run, each in a file or on stdout.
+struct Tables {
+  Table limits{{"map", "variant", "rate_hz", "delay_ticks", "mass_kg", "damping_N_s_per_m", "hand_stiffness_N_per_m",
+                "friction_N", "encoder_steps", "kd_N_s_per_m", "simulated_N_per_m", "exact_N_per_m", "passive_N_per_m",
+                "colgate_schenkel_N_per_m", "gil_hulin_N_per_m"}};
+  Table labels{{"map", "variant", "kd_N_s_per_m", "stiffness_N_per_m", "label", "amplitude_mm", "passive"}};
+  Table scenes{{"scene", "title", "constraint", "space", "rate_hz", "kd_N_s_per_m", "simulated_N_per_m",
+                "label_at_nominal", "passive_at_nominal", "least_energy_uJ"}};
+};
+
+void addLimits(const std::string& map, const std::string& variant, const SampledWall& wall, Tables& tables) {
+  const stability::Limits limits = stability::limitsOf(wall);
+  const Table::Field exact = limits.exact_N_per_m ? Table::Field(*limits.exact_N_per_m) : Table::Field();
+  tables.limits.add({map, variant, std::int64_t{1'000'000'000} / wall.period_ns, std::int64_t{wall.delay_ticks},
+                     wall.mass_kg, wall.damping_N_s_per_m, wall.hand_stiffness_N_per_m, wall.friction_N,
+                     wall.coarseness, wall.kd_N_s_per_m, limits.simulated_N_per_m, exact, limits.passive_N_per_m,
+                     limits.colgate_schenkel_N_per_m, limits.gil_hulin_N_per_m});
+}
+
+void addLabel(const std::string& map, const std::string& variant, const SampledWall& wall, double K, Tables& tables) {
+  const stability::Label label = stability::labelOf(wall, K);
+  tables.labels.add({map, variant, wall.kd_N_s_per_m, K, std::string(name(label.trial.behaviour)),
+                     kMillimetrePerMetre * label.trial.amplitude_m, label.is_passive});
+}
+
+/// The steps of the work: what is left is known from the beginning.
+using Step = std::function<Problems(Tables&)>;
+
+void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>& steps) {
+  for (const stability::Variant& variant : map.variants) {
+    for (const double kd : stability::mapDampings_N_s_per_m()) {
+      SampledWall wall = variant.wall;
+      wall.kd_N_s_per_m = kd;
+      steps.push_back([key = std::string(map.key), name = variant.name, wall, labels](Tables& tables) {
+        addLimits(key, name, wall, tables);
+        if (!labels) return Problems{};
+        for (const double K : stability::mapStiffnesses_N_per_m()) addLabel(key, name, wall, K, tables);
+        return Problems{};
+      });
+    }
+  }
+}
+
+Problems addScene(const std::string& file, const stability::SceneWall& wall, Tables& tables) {
+  const Result<double> limit = stability::simulatedLimit(wall);
+  if (!limit) {
+    Problems problems = limit.problems();
+    for (Problem& problem : problems) problem.place.file = file;
+    return problems;
+  }
+  const Result<stability::SceneTrial> nominal = stability::tryScene(wall, stability::kNominal_N_per_m);
+  if (!nominal) return nominal.problems();
+  const scene::Constraint& one = wall.scene.constraints.front();
+  const bool joints = scene::controlOf(wall.scene, 0).space == tick::Space::Joint;
+  tables.scenes.add({std::filesystem::path(file).stem().string(), wall.scene.title, one.name,
+                     std::string(joints ? "joint" : "cartesian"), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
+                     limit.value(), std::string(name(nominal.value().trial.behaviour)), nominal.value().is_passive,
+                     1e6 * nominal.value().least_energy_J});
+  return {};
+}
+
+/// Of a scene's first constraint that pulls.
+void addSceneSteps(const std::string& file, scene::Description scene, const Streams& streams,
+                   std::vector<Step>& steps) {
+  stability::SceneWall wall;
+  wall.scene = std::move(scene);
+  wall.constraint = wall.scene.constraints.front().name;
+  const Result<stability::SceneTrial> soft = stability::tryScene(wall, kSoft_N_per_m);
+  if (soft && !soft.value().holds) {
+    streams.err << file << ": Nothing holds the tip there, so there is no limit to find; left out.\n";
+    return;
+  }
+  for (const int rate_hz : stability::sceneRates_hz()) {
+    for (const double kd : stability::sceneDampings_N_s_per_m()) {
+      wall.rate_hz = rate_hz;
+      wall.kd_N_s_per_m = kd;
+      steps.push_back([file, wall](Tables& tables) { return addScene(file, wall, tables); });
+    }
+  }
+}
+
+bool isAsked(const StabilityOptions& options, const std::string& key) {
+  return options.maps.empty() || std::find(options.maps.begin(), options.maps.end(), key) != options.maps.end();
+}
+
+/// Scenes whose limit no formula gives: a robot's, or one held by its joints.
+bool hasNoFormula(const scene::Description& scene) {
+  return scene::controlOf(scene, 0).space == tick::Space::Joint ||
+         std::holds_alternative<scene::VirtualManipulator>(scene.constraints.front().shape);
+}
+
+Result<std::vector<Step>> stepsOf(const StabilityOptions& options, const Streams& streams) {
+  std::vector<Step> steps;
+  for (const stability::WallMap& map : stability::wallMaps()) {
+    if (isAsked(options, map.key)) addWallSteps(map, options.labels || !options.out.empty(), steps);
+  }
+  if (!isAsked(options, "scenes") && options.scenes.empty()) return steps;
+  for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
+    Result<LoadedScene> loaded = loadScene(file, streams);
+    if (!loaded) return loaded.problems();
+    scene::Description& scene = loaded.value().description;
+    if (!options.scenes.empty() || hasNoFormula(scene)) addSceneSteps(file, std::move(scene), streams, steps);
+  }
+  return steps;
+}
+
+Exit fail(const Problems& problems, const Streams& streams) {
+  print(problems, streams.err);
+  return exitOf(problems);
+}
+
+void show(const Table& table, bool json, std::ostream& out) {
+  if (!table.isEmpty()) json ? table.printJson(out) : table.printCsv(out);
+}
+
+Exit write(const Tables& tables, const StabilityOptions& options, const Streams& streams) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  const std::pair<const char*, const Table*> files[]{{"stability_limits.csv", &tables.limits},
+                                                     {"stability_labels.csv", &tables.labels},
+                                                     {"stability_scenes.csv", &tables.scenes}};
+  for (const auto& [file_name, table] : files) {
+    if (table->isEmpty()) continue;
+    std::ofstream file(fs::path(options.out) / file_name, std::ios::binary);
+    table->printCsv(file);
+    if (file.flush()) continue;
+    streams.err << (fs::path(options.out) / file_name).string() << ": This could not be written.\n";
+    return Exit::File;
+  }
+  return runPython({"lab", "stability", "--tables", options.out, "--out", options.out}, streams);
+}
+
+Exit maps(const StabilityOptions& options, const Streams& streams) {
+  const Result<std::vector<Step>> steps = stepsOf(options, streams);
+  if (!steps) return fail(steps.problems(), streams);
+  const Interrupt interrupt;
+  Progress progress(streams);
+  Tables tables;
+  for (std::size_t done = 0; done < steps.value().size(); ++done) {
+    if (interrupt.came()) {
+      streams.err << "Stopped before the end; the tables are not whole.\n";
+      break;
+    }
+    const Problems problems = steps.value()[done](tables);
+    if (!problems.empty()) return fail(problems, streams);
+    progress.show(static_cast<double>(done + 1) / static_cast<double>(steps.value().size()));
+  }
+  if (!options.out.empty()) return write(tables, options, streams);
+  show(tables.limits, options.json, streams.out);
+  show(tables.labels, options.json, streams.out);
+  show(tables.scenes, options.json, streams.out);
+  return Exit::Well;
+}
+
+void addCellOptions(CLI::App& command, StabilityOptions& options) {
+  SampledWall& wall = options.wall;
+  const auto cell = [&](const char* name, auto& number, const char* what, double least, double most) {
+    CLI::Option* option = command.add_option(name, number, what)->check(CLI::Range(least, most));
+    option->group("One wall");
+    option->each([&options](const std::string&) { options.one_cell = true; });
+    return option->capture_default_str();
+  };
+  cell("--mass_kg", wall.mass_kg, "Of arm and hand", 1e-6, 1e3);
+  cell("--damping_N_s_per_m", wall.damping_N_s_per_m, "Of arm and hand", 0.0, 1e4);
+  cell("--kd_N_s_per_m", wall.kd_N_s_per_m, "Damping of the wall", 0.0, 1e4);
+  cell("--rate_hz", options.rate_hz, "Samples a second", 1, 100'000);
+  cell("--delay_ticks", wall.delay_ticks, "Periods between a sample and its force", 0, stability::kMostDelay);
+  cell("--hand_stiffness_N_per_m", wall.hand_stiffness_N_per_m, "Of the hand's spring", 0.0, 1e6);
+  cell("--friction_N", wall.friction_N, "Coulomb's, of the arm", 0.0, 1e3);
+  cell("--encoder_steps", wall.coarseness, "1: angles in the arm's own steps, 2: twice as coarse; 0: exact", 0.0, 1e3);
+  cell("--stiffness_N_per_m", options.stiffness_N_per_m, "Say what a wall of this stiffness does, too", 0.0, 1e7);
+  command.add_option("--filter", options.filter, "How the wall finds the velocity")
+      ->group("One wall")
+      ->check(CLI::IsMember(kFilters))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addLabStability(CLI::App& lab, const Streams& streams, Exit& exit) {
+  auto options = std::make_shared<StabilityOptions>();
+  CLI::App* command = lab.add_subcommand(
+      "stability",
+      "How stiff a wall may be before it buzzes: one wall, or maps over rate, delay, hand, filter, encoders, friction "
+      "and the scenes for which there is no formula");
+  addCellOptions(*command, *options);
+  std::vector<std::string> keys{"scenes"};
+  for (const stability::WallMap& map : stability::wallMaps()) keys.emplace_back(map.key);
+  command->add_option("--map", options->maps, "Which maps, with commas between; all by itself")
+      ->delimiter(',')
+      ->check(CLI::IsMember(keys));
+  command->add_option("--scenes", options->scenes, "Scene files to ask, in place of those that ship");
+  command->add_flag("--labels", options->labels, "Say of each cell what a push becomes, and whether it is passive");
+  command->add_option("--out", options->out, "A folder for the tables as CSV, labels too, and their pictures");
+  command->add_flag("--json", options->json, "A JSON object a row in place of CSV");
+  command->footer(
+      "One wall: a JSON object. \"simulated_limit_N_per_m\" by doubling and halving in the simulated loop, "
+      "\"exact_limit_N_per_m\" by the\neigenvalues of the loop (null: friction, steps or a filter that is not linear), "
+      "then what is passive for any hand, and the two formulas.");
+  command->callback(
+      [options, &streams, &exit] { exit = options->one_cell ? oneCell(*options, streams) : maps(*options, streams); });
+}
+
+}  // namespace underact::cli

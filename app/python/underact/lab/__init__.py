@@ -1,0 +1,1 @@
+"""Pictures of what `underact-cli lab` measures, from its tables (CSV)."""

@@ -1,0 +1,93 @@
+#include "core/lab/loop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace underact::lab {
+namespace {
+
+constexpr double kNotReached_m = 1e-6;
+
+}  // namespace
+
+Loop::Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
+    : plant_(plant), arm_(sim::restAt(plant, p_WT)), period_ns_(1'000'000'000 / rate_hz) {
+  wish_.p_WT = arm_.p_WT;
+  input_.engage = true;
+  input_.restart = true;
+}
+
+const tick::TickReport& Loop::tick(const tick::TickProgram& program, tick::TickState& state) {
+  arm_ = advance(plant_, arm_, report_.force.f_T_W(), wish_, period_ns_);
+  input_.sample.time_ns += period_ns_;
+  input_.sample.q_rad = shownAngles(plant_, arm_);
+  step(program, input_, state, report_);
+  input_.restart = false;
+  return report_;
+}
+
+double Loop::period_s() const {
+  return kSecondPerNanosecond * static_cast<double>(period_ns_);
+}
+
+safety::Limits withoutLimits(safety::Limits limits) {
+  limits.max_force_N = 1e6;
+  limits.max_slew_N_per_s = limits.calm_speed_m_per_s = limits.max_speed_m_per_s = limits.max_jump_m_per_s = kInfinity;
+  limits.edge_rad = 0.0;
+  limits.thermal = {};
+  return limits;
+}
+
+tick::TickReport firstTick(const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WT) {
+  tick::TickState state = makeState(program);
+  tick::TickReport report;
+  tick::TickInput input;
+  input.engage = input.restart = true;
+  input.sample.q_rad = sim::restAt(plant, p_WT).q_rad;
+  step(program, input, state, report);
+  return report;
+}
+
+bool isWithinReach(const sim::Plant& plant, const Vec3& p_WT) {
+  return (sim::restAt(plant, p_WT).p_WT - p_WT).norm() <= kNotReached_m;
+}
+
+Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& plant, Vec3 p_WT) {
+  for (int round = 0; round < 50; ++round) {
+    const tick::TickReport report = firstTick(program, plant, p_WT);
+    if (report.held.size() != 1 || report.held[0].status != target::Status::Unique)
+      return Problems{{"From there no single target is nearest, so nothing says where to begin. Begin elsewhere."}};
+    const Vec3 p_WP = report.held[0].p_WP;
+    const double off_m = (p_WP - report.p_WT).norm();
+    p_WT = p_WP;
+    if (off_m < 1e-9) return p_WT;
+    if (!isWithinReach(plant, p_WT))
+      return Problems{{"The arm does not reach the target there. Begin elsewhere."}};
+  }
+  return Problems{{"The target does not stay while the tip goes to it. Begin elsewhere."}};
+}
+
+Result<scene::Description> onlyOne(scene::Description scene, const std::string& name) {
+  const auto chosen = [&](const scene::Constraint& one) { return name.empty() || one.name == name; };
+  const auto found = std::find_if(scene.constraints.begin(), scene.constraints.end(), chosen);
+  if (found == scene.constraints.end())
+    return Problems{{"The scene has no constraint \"" + name + "\"; choose one of its names.", {scene.file}}};
+  if (name.empty() && scene.constraints.size() > 1)
+    return Problems{{"The scene has " + std::to_string(scene.constraints.size()) +
+                         " constraints; say the name of the one to measure, as \"" + found->name + "\".",
+                     {scene.file}}};
+  if (found->side != target::Side::Both && !std::holds_alternative<scene::VirtualManipulator>(found->shape))
+    return Problems{{"\"" + found->name +
+                         "\" is a wall: it pushes and never pulls, so it holds nothing at a target. "
+                         "Measure one whose side is both.",
+                     found->place}};
+  const auto index = static_cast<std::size_t>(found - scene.constraints.begin());
+  scene::Constraint one = scene.constraints[index];
+  one.control = controlOf(scene, index);
+  scene.constraints = {std::move(one)};
+  return scene;
+}
+
+}  // namespace underact::lab

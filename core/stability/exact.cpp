@@ -1,0 +1,167 @@
+#include "core/stability/exact.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::stability {
+namespace {
+
+constexpr double kNothing_N_per_m = 1e-6;  // what rounding leaves where there is no passive stiffness
+
+using Matrix = Eigen::MatrixXd;
+using Row = Eigen::RowVectorXd;
+
+/// A filter as s' = A s + b x, dx/dt = c s + d x.
+struct LinearFilter {
+  Matrix A;
+  Eigen::VectorXd b;
+  Row c;
+  double d = 0.0;
+};
+
+/// First order of the raw difference, backward Euler; time_constant_s 0: the raw difference. s: the last x, the rate.
+LinearFilter lowPass(double time_constant_s, double period_s) {
+  const double share = period_s / (period_s + time_constant_s);
+  LinearFilter filter;
+  filter.A = Matrix::Zero(2, 2);
+  filter.A.row(1) << -share / period_s, 1.0 - share;
+  filter.b = Eigen::Vector2d(1.0, share / period_s);
+  filter.c = filter.A.row(1);
+  filter.d = share / period_s;
+  return filter;
+}
+
+/// Kalman's filter with the gains at which it settles, by iterating its covariance (in units of the noise's).
+/// Source: Kalman 1960; the white acceleration of 1 ms is the law's own (control/velocity.h).
+LinearFilter kalman(const control::Kalman& settings, double period_s) {
+  const double T = period_s, ratio = settings.acceleration / settings.noise, q = ratio * ratio * 1e-3;
+  const Eigen::Matrix2d F{{1.0, T}, {0.0, 1.0}}, Q{{q * T * T * T / 3, q * T * T / 2}, {q * T * T / 2, q * T}};
+  Eigen::Matrix2d P = Eigen::Matrix2d::Identity();
+  Eigen::Vector2d gain = Eigen::Vector2d::Zero();
+  for (int n = 0; n < 100'000; ++n) {
+    P = F * P * F.transpose() + Q;
+    const Eigen::Vector2d next = P.col(0) / (P(0, 0) + 1.0);
+    P -= next * P.row(0);
+    const bool settled = (next - gain).norm() <= 1e-14 * next.norm();
+    gain = next;
+    if (settled) break;
+  }
+  LinearFilter filter;  // s: place and rate
+  filter.A = F - gain * F.row(0);
+  filter.b = gain;
+  filter.c = filter.A.row(1);
+  filter.d = gain[1];
+  return filter;
+}
+
+LinearFilter filterOf(const SampledWall& wall) {
+  if (const auto* low_pass = std::get_if<control::LowPass>(&wall.velocity))
+    return lowPass(low_pass->time_constant_s, wall.period_s());
+  if (const auto* settings = std::get_if<control::Kalman>(&wall.velocity)) return kalman(*settings, wall.period_s());
+  return lowPass(0.0, wall.period_s());
+}
+
+/// What a period makes of x, v and a force that is held.
+Mat3 motionOver(const SampledWall& wall) {
+  Mat3 motion = Mat3::Zero();
+  motion(0, 1) = 1.0;
+  motion(1, 0) = -wall.hand_stiffness_N_per_m / wall.mass_kg;
+  motion(1, 1) = -wall.damping_N_s_per_m / wall.mass_kg;
+  motion(1, 2) = 1.0 / wall.mass_kg;
+  const int halvings = std::max(0, std::ilogb(wall.period_s() * motion.cwiseAbs().maxCoeff()) + 8);
+  Mat3 period = Mat3::Identity(), term = Mat3::Identity();
+  for (int n = 1; n < 20; ++n) {
+    term = term * motion * (std::ldexp(wall.period_s(), -halvings) / n);
+    period += term;
+  }
+  for (int n = 0; n < halvings; ++n) period = period * period;
+  return period;
+}
+
+/// The greatest K up to which is_well holds, which it does at 0; none: it holds up to the most there is.
+template <class IsWell>
+std::optional<double> greatest(const IsWell& is_well) {
+  if (!is_well(0.0)) return 0.0;
+  double well = 0.0, ill = 1.0;
+  while (ill <= kMostStiffness_N_per_m && is_well(ill)) {
+    well = ill;
+    ill *= 2.0;
+  }
+  if (ill > kMostStiffness_N_per_m) return std::nullopt;
+  for (int n = 0; n < 60; ++n) {
+    const double middle = 0.5 * (well + ill);
+    (is_well(middle) ? well : ill) = middle;
+  }
+  return well;
+}
+
+}  // namespace
+
+double spectralRadius(const SampledWall& wall, double stiffness_N_per_m) {
+  const LinearFilter filter = filterOf(wall);
+  const Mat3 period = motionOver(wall);
+  const Eigen::Index memory = filter.b.size(), size = 2 + memory + wall.delay_ticks;
+  Row asked = Row::Zero(size);
+  asked[0] = -stiffness_N_per_m - wall.kd_N_s_per_m * filter.d;
+  asked.segment(2, memory) = -wall.kd_N_s_per_m * filter.c;
+  Row acting = asked;
+  if (wall.delay_ticks > 0) {
+    acting.setZero();
+    acting[size - 1] = 1.0;
+  }
+  Matrix step = Matrix::Zero(size, size);
+  step.topLeftCorner(2, 2) = period.topLeftCorner<2, 2>();
+  step.topRows(2) += period.block<2, 1>(0, 2) * acting;
+  step.block(2, 0, memory, 1) = filter.b;
+  step.block(2, 2, memory, memory) = filter.A;
+  if (wall.delay_ticks > 0) step.row(2 + memory) = asked;
+  for (Eigen::Index n = 3 + memory; n < size; ++n) step(n, n - 1) = 1.0;
+  return step.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+std::optional<double> exactLimit(const SampledWall& wall) {
+  if (!wall.isLinear()) return std::nullopt;
+  // Free, a mass keeps its place and is no swing: what counts begins with the least stiffness.
+  return greatest([&](double K) { return spectralRadius(wall, std::max(K, 1e-3)) < 1.0; });
+}
+
+std::complex<double> impedanceOf(const SampledWall& wall, double stiffness_N_per_m, double omega_rad_per_s) {
+  const LinearFilter filter = filterOf(wall);
+  const std::complex<double> z = std::polar(1.0, omega_rad_per_s * wall.period_s());
+  const Eigen::MatrixXcd zI_A = z * Eigen::MatrixXcd::Identity(filter.b.size(), filter.b.size()) - filter.A;
+  const Eigen::VectorXcd memory = zI_A.partialPivLu().solve(filter.b.cast<std::complex<double>>());
+  const std::complex<double> rate = (filter.c.cast<std::complex<double>>() * memory)(0) + filter.d;
+  return (stiffness_N_per_m + wall.kd_N_s_per_m * rate) * std::pow(z, -wall.delay_ticks);
+}
+
+bool isPassive(const SampledWall& wall, double stiffness_N_per_m) {
+  constexpr int kFrequencies = 2000;
+  const double T = wall.period_s();
+  for (int n = 1; n <= kFrequencies; ++n) {
+    const double omega = kPi / T * n / kFrequencies;
+    const std::complex<double> lag = 1.0 - std::polar(1.0, -omega * T);
+    const double needed =
+        0.5 * T / (1.0 - std::cos(omega * T)) * (lag * impedanceOf(wall, stiffness_N_per_m, omega)).real();
+    // At Nyquist the formula is an equality for the raw wall: what rounding makes of it is no activity.
+    if (!(wall.damping_N_s_per_m >= needed * (1.0 - 1e-12))) return false;
+  }
+  return true;
+}
+
+double passiveLimit(const SampledWall& wall) {
+  const double limit = greatest([&](double K) { return isPassive(wall, K); }).value_or(kMostStiffness_N_per_m);
+  return limit < kNothing_N_per_m ? 0.0 : limit;
+}
+
+double colgateSchenkel(const SampledWall& wall) {
+  return std::max(0.0, 2.0 * (wall.damping_N_s_per_m - std::abs(wall.kd_N_s_per_m)) / wall.period_s());
+}
+
+double gilHulin(const SampledWall& wall) {
+  return std::max(0.0, (wall.damping_N_s_per_m + wall.kd_N_s_per_m) / (wall.period_s() * (0.5 + wall.delay_ticks)));
+}
+
+}  // namespace underact::stability

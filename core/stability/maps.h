@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/stability/scene_trial.h"
+#include "core/stability/wall.h"
+
+namespace underact::stability {
+
+// The maps: how stiff a wall may be against its damping B, for what else there is. Each is a list of cells that know
+// nothing of each other, so any number of machines may share them.
+
+/// One wall of a map, whose B and K go along the axes.
+struct Variant {
+  std::string name;  // "1000 Hz"
+  SampledWall wall;
+};
+
+/// One thing that moves the limit: rate, delay, hand, filter, quantization, friction.
+struct WallMap {
+  const char* key;
+  const char* title;
+  std::vector<Variant> variants;
+};
+
+/// Of the arm's nominal mass with 0.1 N s/m, if the map does not say otherwise.
+std::span<const WallMap> wallMaps();
+
+std::span<const double> mapDampings_N_s_per_m();   // B
+std::span<const double> mapStiffnesses_N_per_m();  // K, where cells are labelled
+
+/// The nominal stiffness of the arm, N/m, which a map marks at B = 0.
+inline constexpr double kNominal_N_per_m = 500.0;
+
+/// How far K may go for one B.
+struct Limits {
+  double simulated_N_per_m = 0.0;       // in the loop
+  std::optional<double> exact_N_per_m;  // by eigenvalues; none: the wall is not linear, or nothing limits it
+  double passive_N_per_m = 0.0;         // for any hand: wall and damping alone, without friction and steps
+  double colgate_schenkel_N_per_m = 0.0;
+  double gil_hulin_N_per_m = 0.0;
+};
+Limits limitsOf(const SampledWall& wall);
+
+/// What one cell of B and K is.
+struct Label {
+  Trial trial;
+  bool is_passive = false;  // of the linear wall, for any hand
+};
+Label labelOf(const SampledWall& wall, double stiffness_N_per_m);
+
+/// The rates and dampings at which scenes are asked.
+std::span<const int> sceneRates_hz();
+std::span<const double> sceneDampings_N_s_per_m();
+
+}  // namespace underact::stability

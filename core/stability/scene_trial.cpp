@@ -1,0 +1,133 @@
+#include "core/stability/scene_trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/lab/loop.h"
+#include "core/scene/compile.h"
+#include "core/stability/exact.h"
+
+namespace underact::stability {
+namespace {
+
+constexpr double kSpeed_m_per_s = 5e-3;  // 0.05 mm of way at 500 N/m: robots are still straight
+constexpr double kRamps_s = 0.5;         // the gate's take 0.3 s
+constexpr double kSettling = 30.0;       // swings over 2 pi, critically damped: 1e-12 is left
+constexpr int kLooks = 8;                // times as long it may take, while hardly anything changes
+constexpr double kTells = 5e-3;          // there is no noise in it
+constexpr double kHolds = 0.05;          // of the swing, that a tip which is held at all leaves its target by
+constexpr double kActive_J = 1e-12;      // rounding of the observer's sum, of some 1e-7 J that go to and fro
+
+scene::Description withStiffness(scene::Description scene, const SceneWall& wall, double stiffness_N_per_m) {
+  scene::Control& control = *scene.constraints[0].control;  // onlyOne() gave it one
+  control.law = wall.kd_N_s_per_m > 0.0 ? scene::LawType::PD : scene::LawType::P;
+  control.gains = {Vec3::Constant(stiffness_N_per_m / kNewtonPerMetre),
+                   Vec3::Constant(wall.kd_N_s_per_m / kNewtonPerMetre), Vec3::Zero()};
+  control.passivity = control::Passivity::Observe;
+  return scene;
+}
+
+sim::Plant plantOf(const SceneWall& wall, const scene::Description& scene) {
+  sim::ArmModel model;
+  model.mass_kg = wall.mass_kg;
+  model.damping_N_s_per_m = wall.damping_N_s_per_m;
+  model.friction_N = wall.friction_N;
+  model.encoders = wall.encoders;
+  return sim::makePlant(*arm::findPreset(scene.arm), model, {0.0, 0.0, 0.0}, integrationOf(scene.simulation));
+}
+
+int ticksIn(double seconds, const SceneWall& wall) {
+  return static_cast<int>(seconds * wall.rate_hz);
+}
+
+/// Where the tip comes to rest from from_W on, under damping enough. A robot whose turn counts, too, is not drawn to
+/// the tip itself, so that its target can not be followed there step by step.
+Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& program, sim::Plant plant,
+                          double stiffness_N_per_m) {
+  const double swing_s = std::sqrt(wall.mass_kg / stiffness_N_per_m);
+  plant.model.damping_N_s_per_m += 2.0 * wall.mass_kg / swing_s;  // critical
+  plant.model.friction_N = 0.0;
+  lab::Loop loop(plant, wall.from_W, wall.rate_hz);
+  tick::TickState state = makeState(program);
+  for (int tick = ticksIn(kRamps_s + kSettling * swing_s, wall); tick-- > 0;) {
+    const tick::TickReport& report = loop.tick(program, state);
+    if (tick == 0 && (report.held.size() != 1 || report.held[0].status != target::Status::Unique))
+      return Problems{{"From there no single target is nearest, so nothing says where to begin. Begin elsewhere."}};
+  }
+  return loop.arm().p_WT;
+}
+
+SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WRest,
+                  const Vec3& way_W, double stiffness_N_per_m) {
+  lab::Loop loop(plant, p_WRest, wall.rate_hz);
+  tick::TickState state = makeState(program);
+  double rest_m = 0.0;
+  for (int tick = ticksIn(kRamps_s, wall); tick-- > 0;) rest_m = errorOf(loop.tick(program, state));
+  loop.nudge(kSpeed_m_per_s * way_W.normalized());
+  const double swing_m = kSpeed_m_per_s * std::sqrt(wall.mass_kg / stiffness_N_per_m);
+  const int least = ticksToSee(wall.mass_kg, stiffness_N_per_m, loop.period_s());
+  Watch watch(swing_m, {least, kLooks * least, false, kTells});
+  SceneTrial result;
+  double farthest_m = 0.0;
+  for (bool goes_on = true; goes_on;) {
+    const tick::TickReport& report = loop.tick(program, state);
+    const bool is_lost = report.fault.kind != FaultKind::None || report.held.size() != 1;
+    const double off_m = is_lost ? kNotANumber : errorOf(report) - rest_m;
+    result.least_energy_J = std::min(result.least_energy_J, is_lost ? 0.0 : report.held[0].energy_J);
+    farthest_m = std::max(farthest_m, std::abs(off_m));
+    goes_on = watch.goesOn(off_m);
+  }
+  result.trial = watch.trial();
+  result.holds = !(farthest_m < kHolds * swing_m);
+  result.is_passive = result.least_energy_J >= -kActive_J;
+  return result;
+}
+
+// A way oblique to all axes, and back, since a rim holds only on its way out; and another, which may stir what the
+// first does not.
+const Vec3 kWays_W[]{{0.9, -0.5, 0.6}, {-0.9, 0.5, -0.6}, {1.0, 0.8, -0.6}};
+
+}  // namespace
+
+Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
+  const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
+  if (!one) return one.problems();
+  const scene::Description scene = withStiffness(one.value(), wall, stiffness_N_per_m);
+  Result<tick::TickProgram> program = scene::compile(scene);
+  if (!program) return program.problems();
+  program.value().limits = lab::withoutLimits(program.value().limits);
+  const sim::Plant plant = plantOf(wall, scene);
+  const Result<Vec3> p_WRest = restingPlace(wall, program.value(), plant, stiffness_N_per_m);
+  if (!p_WRest) return p_WRest.problems();
+  SceneTrial worst;
+  for (const Vec3& way_W : kWays_W) {
+    const SceneTrial trial = follow(wall, program.value(), plant, p_WRest.value(), way_W, stiffness_N_per_m);
+    if (&way_W != &kWays_W[2]) worst.holds = worst.holds && trial.holds;
+    worst.least_energy_J = std::min(worst.least_energy_J, trial.least_energy_J);
+    worst.is_passive = worst.is_passive && trial.is_passive;
+    const bool worse = std::pair(trial.trial.behaviour, trial.trial.amplitude_m) >=
+                       std::pair(worst.trial.behaviour, worst.trial.amplitude_m);
+    if (worse) worst.trial = trial.trial;
+    if (trial.trial.behaviour == Behaviour::Grows) break;
+  }
+  return worst;
+}
+
+Result<double> simulatedLimit(const SceneWall& wall, double share) {
+  constexpr double kLeast_N_per_m = 10.0, kMost_N_per_m = 1e6;
+  Problems problems;
+  const auto is_calm = [&](double K) {
+    const Result<SceneTrial> trial = tryScene(wall, K);
+    if (!trial) problems = trial.problems();
+    if (trial && K == kLeast_N_per_m && !trial.value().holds)
+      problems = {{"Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."}};
+    return trial && problems.empty() && trial.value().trial.behaviour != Behaviour::Grows;
+  };
+  const double limit = limitBySearch(is_calm, kLeast_N_per_m, kMost_N_per_m, share);
+  if (!problems.empty()) return problems;
+  return limit;
+}
+
+}  // namespace underact::stability

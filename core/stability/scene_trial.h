@@ -1,0 +1,39 @@
+#pragma once
+#include "core/base/result.h"
+#include "core/scene/description.h"
+#include "core/stability/trial.h"
+
+namespace underact::stability {
+
+/// A scene's constraint as a wall whose stiffness is asked for, where no formula exists: virtual manipulators, control
+/// in joint space, meshes. The whole tick runs, without the gate's limits.
+struct SceneWall {
+  scene::Description scene;
+  std::string constraint = {};  // by name; empty: the only one there is
+  int rate_hz = 1000;
+  double kd_N_s_per_m = 0.0;  // above 0: law PD with the scene's own filter; else P
+  double mass_kg = 0.045;     // of arm and hand, whose tip is free otherwise
+  double damping_N_s_per_m = 0.1;
+  double friction_N = 0.0;
+  bool encoders = false;
+  Vec3 from_W = Vec3(0.021, 0.013, 0.055);  // the target nearest to here is where the tip rests at first
+};
+
+struct SceneTrial {
+  Trial trial;
+  double least_energy_J = 0.0;  // the least that the tip had put in and not got back: below 0 it was given energy
+  bool is_passive = true;       // never given more than the observer's rounding
+  bool holds = true;            // false: the target goes wherever the tip goes
+};
+
+/// Trials in the whole tick, of which the worst counts: the tip rests until the ramps are done, is given 5 mm/s in one
+/// of three directions oblique to all axes, and the distance to its target is followed. Problems: those of the scene;
+/// no such constraint, or several and none named; a wall, a target that is not unique or not within reach.
+Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m);
+
+/// As simulatedLimit(): the greatest kp, N/m (in joint space as felt in the middle of the workspace), the same for x, y
+/// and z, to `share` of itself. Turning stiffnesses and springs of joints stay. Problems: also where nothing holds the
+/// tip, as within the reach of a robot of many joints.
+Result<double> simulatedLimit(const SceneWall& wall, double share = 1e-2);
+
+}  // namespace underact::stability
