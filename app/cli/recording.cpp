@@ -5,7 +5,7 @@
 namespace underact::cli {
 
 Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionWords& words,
-                                   std::int64_t ticks) {
+                                   const record::RecorderOptions& options) {
   Recording recording;
   if (path.ends_with(".csv")) {
     Result<record::CsvWriter> csv = record::CsvWriter::open(path);
@@ -13,7 +13,7 @@ Result<Recording> Recording::start(servo::Host& host, const std::string& path, c
     recording.csv_ = std::move(csv).value();
     return recording;
   }
-  Result<std::unique_ptr<record::Recorder>> session = record::Recorder::start(host, path, words, {.most_ticks = ticks});
+  Result<std::unique_ptr<record::Recorder>> session = record::Recorder::start(host, path, words, options);
   if (!session) return session.problems();
   recording.session_ = std::move(session).value();
   return recording;

@@ -11,9 +11,9 @@ namespace underact::cli {
 /// What `run --record FILE` writes: CSV where the name ends in .csv, else a session.
 class Recording {
  public:
-  /// Before the first tick; ticks: no more than these. Problems: the file cannot be made.
+  /// Before the first tick. options: of a session. Problems: the file cannot be made.
   static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionWords& words,
-                                 std::int64_t ticks);
+                                 const record::RecorderOptions& options);
   /// Of a CSV file; a session has its own way to the ticks.
   void add(const servo::TickRecord& record) {
     if (csv_) csv_->add(record);

@@ -43,7 +43,8 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::string record;
   record::SessionWords words;  // of the recording
-  std::string stream;          // empty: none
+  double block_s = record::kBlock_s;
+  std::string stream;  // empty: none
   std::string fault_file;
   std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
@@ -203,7 +204,8 @@ Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& 
     live = std::move(opened).value();
   }
   if (!options.record.empty()) {
-    Result<Recording> started = Recording::start(host, options.record, wordsOf(options), ticks);
+    Result<Recording> started =
+        Recording::start(host, options.record, wordsOf(options), {.most_ticks = ticks, .block_s = options.block_s});
     if (!started) return fail(started.problems(), Exit::File, streams);
     recording = std::move(started).value();
   }
@@ -274,6 +276,9 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--record", options->record,
                       "Write every tick to this file: CSV where its name ends in .csv, else a session");
+  command->add_option("--record-block_s", options->block_s, "How much of a session is written at a time")
+      ->capture_default_str()
+      ->check(CLI::Range(record::kShortestBlock_s, record::kLongestBlock_s));
   command->add_option("--name", options->words.name, "Of the session; by itself the scene file's");
   command->add_option("--notes", options->words.notes, "On the session");
   command->add_option("--tags", options->words.tags, "Of the session: words with commas between");

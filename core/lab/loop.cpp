@@ -20,9 +20,17 @@ Loop::Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
 }
 
 const tick::TickReport& Loop::tick(const tick::TickProgram& program, tick::TickState& state) {
+  move();
+  return think(program, state);
+}
+
+void Loop::move() {
   arm_ = advance(plant_, arm_, report_.force.f_T_W(), wish_, period_ns_);
   input_.sample.time_ns += period_ns_;
   input_.sample.q_rad = shownAngles(plant_, arm_);
+}
+
+const tick::TickReport& Loop::think(const tick::TickProgram& program, tick::TickState& state) {
   step(program, input_, state, report_);
   input_.restart = false;
   return report_;
@@ -63,8 +71,7 @@ Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& pl
     const double off_m = (p_WP - report.p_WT).norm();
     p_WT = p_WP;
     if (off_m < 1e-9) return p_WT;
-    if (!isWithinReach(plant, p_WT))
-      return Problems{{"The arm does not reach the target there. Begin elsewhere."}};
+    if (!isWithinReach(plant, p_WT)) return Problems{{"The arm does not reach the target there. Begin elsewhere."}};
   }
   return Problems{{"The target does not stay while the tip goes to it. Begin elsewhere."}};
 }

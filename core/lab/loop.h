@@ -12,8 +12,11 @@ class Loop {
  public:
   /// The tip rests at p_WT, and the hand wants it there. rate_hz: 1 to 1e6.
   Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz);
-  /// A period later, under the force of the last tick.
+  /// A period later, under the force of the last tick: the arm moves, and then the servo's tick.
   const tick::TickReport& tick(const tick::TickProgram& program, tick::TickState& state);
+  // Its two halves, to be timed apart.
+  void move();
+  const tick::TickReport& think(const tick::TickProgram& program, tick::TickState& state);
   /// Where the hand wants the tip at the end of the next period.
   void wish(const sim::HandWish& wish) { wish_ = wish; }
   /// The tip is given this velocity.

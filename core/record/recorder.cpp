@@ -170,7 +170,9 @@ Recorder::~Recorder() {
 
 Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::string& path, const SessionWords& words,
                                                   const RecorderOptions& options) {
-  Result<SessionWriter> writer = SessionWriter::create(path, headerOf(host, words));
+  SessionHeader header = headerOf(host, words);
+  header.block_s = options.block_s;
+  Result<SessionWriter> writer = SessionWriter::create(path, header);
   if (!writer) return writer.problems();
   auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options);
   Impl* const running = impl.get();

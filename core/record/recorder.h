@@ -12,6 +12,7 @@ namespace underact::record {
 struct RecorderOptions {
   std::int64_t most_ticks = 0;              // no more than these; 0: until stop()
   std::int64_t reserve_bytes = 64LL << 20;  // with less left on the disk the recording ends in order
+  double block_s = kBlock_s;                // kShortestBlock_s to kLongestBlock_s
 };
 
 /// How a recording goes.

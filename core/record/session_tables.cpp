@@ -1,6 +1,7 @@
 #include "core/record/session_tables.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace underact::record {
 namespace {
@@ -58,8 +59,8 @@ Words unpackWords(Unpacker& unpacker) {
 
 }  // namespace
 
-std::array<Table, kTables> sessionTables(std::int64_t rate_hz) {
-  const std::int64_t ticks = std::max<std::int64_t>(rate_hz / 10, 1);
+std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
+  const std::int64_t ticks = std::max<std::int64_t>(std::llround(block_s * static_cast<double>(rate_hz)), 1);
   return {Table{"ticks", tickColumns(), ticks, ticks},
           Table{"changes", kChangeColumns},
           Table{"markers", kMarkerColumns},

@@ -17,8 +17,12 @@ inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
 
-/// rate_hz: 10 at least; a block of ticks is a tenth of a second.
-std::array<Table, kTables> sessionTables(std::int64_t rate_hz);
+// A block of ticks: what a kill loses at most, but for the time between two looks of the recorder. The lab's page has
+// what each length costs.
+inline constexpr double kBlock_s = 0.1, kShortestBlock_s = 0.01, kLongestBlock_s = 0.2;
+
+/// A block of ticks is block_s long, and one row at least.
+std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s = kBlock_s);
 
 /// Why a recording ended.
 enum class EndReason : std::uint8_t { Stopped, ProgramEnded, DiskFull, Recovered };

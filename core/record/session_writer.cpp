@@ -46,13 +46,13 @@ arm::Geometry geometryOf(const std::string& arm) {
 SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
     : file_(std::move(file)),
       geometry_(geometryOf(header.arm)),
-      block_rows_(sessionTables(header.rate_hz)[kTicks].block_rows),
+      block_rows_(sessionTables(header.rate_hz, header.block_s)[kTicks].block_rows),
       packer_(tickColumns()) {
   packer_.begin(block_rows_);
 }
 
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header) {
-  const std::array tables = sessionTables(header.rate_hz);
+  const std::array tables = sessionTables(header.rate_hz, header.block_s);
   Result<Hdf5File> file = Hdf5File::create(path, attributesOf(header), tables);
   if (!file) return file.problems();
   return SessionWriter(std::move(file).value(), header);

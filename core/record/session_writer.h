@@ -29,9 +29,10 @@ struct SessionHeader {
   std::int64_t rate_hz = 1000;
   double frozen_s = 0.0;
   int max_late = 20;
+  double block_s = kBlock_s;
 };
 
-/// Writes a session: rows go to the file a tenth of a second at a time. Any one thread. After a failure nothing more is
+/// Writes a session: rows go to the file a block at a time. Any one thread. After a failure nothing more is
 /// written, and each call tells it again.
 class SessionWriter {
  public:

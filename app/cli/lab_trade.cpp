@@ -1,0 +1,202 @@
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/hands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/lab.h"
+#include "app/cli/progress.h"
+#include "app/cli/python.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/shipped.h"
+#include "app/cli/table.h"
+#include "core/trade/front.h"
+
+namespace underact::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLongest_s = 600.0;
+
+struct TradeOptions {
+  std::vector<std::string> scenes, hands, choices;
+  double seconds = 4.0;
+  std::uint64_t seed = 1;
+  std::string table = "choices";
+  bool json = false;
+  std::string out;  // folder; empty: one table on stdout
+};
+
+struct Tables {
+  Table choices{{"choice", "option", "runs", "p50_ns", "p99_ns", "us_per_s", "error", "worst", "unit", "bound",
+                 "default", "recommended", "question", "timed", "error_is", "reason"}};
+  Table rows{
+      {"scene", "hand", "choice", "option", "p50_ns", "p99_ns", "us_per_s", "error", "worst", "unit", "default"}};
+  Table fronts{{"scene", "us_per_s", "error_mm", "error_N", "on_front", "own", "settings"}};
+};
+
+const trade::Choice& choiceOf(const std::string& key) {
+  const auto all = trade::choices();
+  return *std::find_if(all.begin(), all.end(), [&](const trade::Choice& choice) { return key == choice.key; });
+}
+
+void addRows(const std::vector<trade::Row>& rows, Tables& tables) {
+  for (const trade::Row& row : rows) {
+    const trade::Figures& figures = row.figures;
+    tables.rows.add({row.scene, row.hand, row.choice, row.option, figures.cost.p50_ns, figures.cost.p99_ns,
+                     figures.cost_us_per_s, figures.error, figures.worst, std::string(choiceOf(row.choice).unit),
+                     row.is_default});
+  }
+  for (const trade::Summary& one : trade::summaryOf(rows)) {
+    const trade::Choice& choice = choiceOf(one.choice);
+    tables.choices.add({one.choice, one.option, std::int64_t{one.runs}, one.p50_ns, one.p99_ns, one.cost_us_per_s,
+                        one.error, one.worst, std::string(choice.unit), choice.bound, one.is_default,
+                        one.is_recommended, std::string(choice.question), std::string(choice.cost),
+                        std::string(choice.error), std::string(choice.reason)});
+  }
+}
+
+/// "servo rate 4000 Hz; simulated arm trapezoidal, 50 us": what differs from the scene's own, or "as it is".
+std::string settingsText(const scene::Description& scene, const trade::Settings& own, const trade::Settings& settings) {
+  std::string text;
+  for (const trade::Difference& one : trade::differences(scene, own, settings))
+    text += (text.empty() ? "" : "; ") + one.what + " " + one.after;
+  return text.empty() ? "as it is" : text;
+}
+
+void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& points, Tables& tables) {
+  const trade::Settings own = trade::settingsOf(scene.scene, trade::Settings{}.rate_hz);
+  for (const trade::Point& point : points) {
+    tables.fronts.add({scene.name, point.cost_us_per_s, point.error_mm, point.error_N, point.on_front, point.is_own,
+                       settingsText(scene.scene, own, point.settings)});
+  }
+}
+
+Result<trade::Plan> planOf(const TradeOptions& options, const Streams& streams) {
+  trade::Plan plan;
+  plan.choices = options.choices;
+  plan.seconds = options.seconds;
+  for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
+    Result<LoadedScene> loaded = loadScene(file, streams);
+    if (!loaded) return loaded.problems();
+    plan.scenes.push_back({fs::path(file).stem().string(), std::move(loaded).value().description});
+  }
+  std::vector<std::string> hands = options.hands;
+  if (hands.empty()) {
+    for (const sim::BuiltInHand& hand : sim::builtInHands()) hands.emplace_back(hand.name);
+  }
+  for (const std::string& name : hands) {
+    Result<sim::HandScript> hand = findHand(name, options.seed);
+    if (!hand) return hand.problems();
+    plan.hands.push_back({fs::path(name).stem().string(), std::move(hand).value()});
+  }
+  return plan;
+}
+
+/// What is left of the work, told as it is done; each part has its share.
+class Work {
+ public:
+  Work(double parts, const Interrupt& interrupt, const Streams& streams)
+      : parts_(parts), interrupt_(interrupt), progress_(streams) {}
+  trade::Progress part(double share) {
+    const double begun = done_;
+    done_ += share;
+    return [this, begun, share](double now) {
+      progress_.show((begun + share * now) / parts_);
+      return !interrupt_.came();
+    };
+  }
+
+ private:
+  double parts_, done_ = 0.0;
+  const Interrupt& interrupt_;
+  Progress progress_;
+};
+
+Tables measure(const trade::Plan& plan, const TradeOptions& options, const Interrupt& interrupt,
+               const Streams& streams) {
+  Tables tables;
+  const bool all = !options.out.empty();
+  const bool rows = all || options.table != "fronts", fronts = all || options.table == "fronts";
+  const auto scenes = static_cast<double>(plan.scenes.size());
+  Work work((rows ? scenes : 0.0) + (fronts ? scenes : 0.0), interrupt, streams);
+  if (rows) addRows(trade::measureRows(plan, work.part(scenes)), tables);
+  for (const trade::NamedScene& scene : plan.scenes) {
+    if (!fronts || interrupt.came()) break;
+    addFront(scene,
+             trade::measurePoints(scene.scene, plan.hands, plan.seconds, trade::Settings{}.rate_hz, work.part(1.0)),
+             tables);
+  }
+  return tables;
+}
+
+Exit write(const Tables& tables, const TradeOptions& options, const Streams& streams) {
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  const std::pair<const char*, const Table*> files[]{
+      {"trade_choices.csv", &tables.choices}, {"trade_rows.csv", &tables.rows}, {"trade_fronts.csv", &tables.fronts}};
+  for (const auto& [name, table] : files) {
+    std::ofstream file(fs::path(options.out) / name, std::ios::binary);
+    table->printCsv(file);
+    if (file.flush()) continue;
+    streams.err << (fs::path(options.out) / name).string() << ": This could not be written.\n";
+    return Exit::File;
+  }
+  return runPython({"lab", "trade", "--tables", options.out, "--out", options.out}, streams);
+}
+
+Exit tradeOf(const TradeOptions& options, const Streams& streams) {
+  const Result<trade::Plan> plan = planOf(options, streams);
+  if (!plan) {
+    print(plan.problems(), streams.err);
+    return exitOf(plan.problems());
+  }
+  const Interrupt interrupt;
+  const Tables tables = measure(plan.value(), options, interrupt, streams);
+  if (interrupt.came()) {
+    streams.err << "Stopped before the end; nothing is told, since a part would look like the whole.\n";
+    return Exit::BadInput;
+  }
+  if (!options.out.empty()) return write(tables, options, streams);
+  const Table& table = options.table == "rows"     ? tables.rows
+                       : options.table == "fronts" ? tables.fronts
+                                                   : tables.choices;
+  options.json ? table.printJson(streams.out) : table.printCsv(streams.out);
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addLabTrade(CLI::App& lab, const Streams& streams, Exit& exit) {
+  auto options = std::make_shared<TradeOptions>();
+  CLI::App* command = lab.add_subcommand(
+      "trade", "What each choice between speed and accuracy costs and how exact it is, on each scene and in each hand");
+  std::vector<std::string> keys;
+  for (const trade::Choice& choice : trade::choices()) keys.emplace_back(choice.key);
+  command->add_option("--scenes", options->scenes, "Scene files, in place of those that ship");
+  command->add_option("--hands", options->hands, "Hands, with commas between; all that are built in by themselves")
+      ->delimiter(',');
+  command->add_option("--choices", options->choices, "Which choices, with commas between; all by themselves")
+      ->delimiter(',')
+      ->check(CLI::IsMember(keys));
+  command->add_option("--seconds", options->seconds, "Of each run")
+      ->check(CLI::Range(0.1, kLongest_s))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the hands")->capture_default_str();
+  command
+      ->add_option("--table", options->table,
+                   "choices: over all runs, with what is recommended; rows: each run; "
+                   "fronts: whole ways to run each scene")
+      ->check(CLI::IsMember({"choices", "rows", "fronts"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "A folder for all three tables as CSV, and their pictures");
+  command->add_flag("--json", options->json, "A JSON object a row in place of CSV");
+  command->footer(
+      "Times are this machine's, now; errors are the same each time. Nothing else should be running. Recommended is, "
+      "of what keeps\nwithin the bound and costs no more than a tenth above the cheapest of these, the most exact.");
+  command->callback([options, &streams, &exit] { exit = tradeOf(*options, streams); });
+}
+
+}  // namespace underact::cli

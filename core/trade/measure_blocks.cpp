@@ -1,0 +1,67 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+
+#include "core/base/units.h"
+#include "core/record/session_writer.h"
+#include "core/trade/measures.h"
+
+namespace underact::trade {
+namespace {
+
+/// A file in the system's place for such, gone with the object.
+class Scratch {
+ public:
+  Scratch() {
+    static std::atomic<int> count{0};
+    path_ = std::filesystem::temp_directory_path() /
+            ("underact-trade-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".h5");
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+/// A block is put together row by row, written, and handed to the system.
+Result<Figures> measureBlocks(const Bench& bench, const Settings& settings) {
+  const Scratch scratch;
+  record::SessionHeader header;
+  header.rate_hz = settings.rate_hz;
+  header.block_s = settings.block_s;
+  Result<record::SessionWriter> made = record::SessionWriter::create(scratch.path(), header);
+  if (!made) return made.problems();
+  record::SessionWriter& writer = made.value();
+  Problems problems = writer.begin(1, 0, {}, bench.scene);
+  const auto rows = static_cast<int>(settings.block_s * settings.rate_hz);
+  const auto blocks = std::max(10, static_cast<int>(bench.seconds / settings.block_s));
+  Stopwatch watch(static_cast<std::size_t>(blocks));
+  servo::TickRecord record;
+  for (int block = 0; block < blocks && problems.empty(); ++block) {
+    watch.time([&] {
+      for (int row = 0; row < rows && problems.empty(); ++row) {
+        record.tick = ++record.time_ns;
+        problems = writer.add(record);
+      }
+      if (problems.empty()) problems = writer.flush();
+    });
+  }
+  writer.abandon();
+  if (!problems.empty()) return problems;
+  Cost cost = watch.cost();
+  cost.p50_ns /= rows;
+  cost.p99_ns /= rows;
+  return Figures{cost, 1e-3 * cost.p50_ns * settings.rate_hz, settings.block_s, settings.block_s};
+}
+
+}  // namespace underact::trade

@@ -1,0 +1,161 @@
+#include "core/trade/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/arm/inverse.h"
+#include "core/arm/preset.h"
+#include "core/base/units.h"
+#include "core/lab/loop.h"
+#include "core/scene/compile.h"
+#include "core/sim/arm_model.h"
+
+namespace underact::trade {
+namespace {
+
+sim::Plant plantOf(const Bench& bench, const scene::Description& scene, bool exact) {
+  sim::ArmModel model = *sim::findArmModel(sim::kDefaultArmModel);
+  model.encoders = !exact;
+  return sim::makePlant(*arm::findPreset(scene.arm), model, bench.hand.hand, integrationOf(scene.simulation));
+}
+
+std::int64_t nanosecondsAt(double time_s) {
+  return std::llround(1e9 * time_s);
+}
+
+/// The joints where the hand wants the tip, as far as the arm follows.
+arm::JointAngles jointsAt(const sim::Plant& plant, const sim::HandWish& wish) {
+  sim::PlantState state = restAt(plant, wish.p_WT);
+  if (wish.turns) state.q_rad = arm::withinLimits(plant.arm.limits, arm::withWrist(state.q_rad, wish.R_WT));
+  return shownAngles(plant, state);
+}
+
+void add(const tick::TickReport& report, const tick::TickState& state, Walk& walk) {
+  for (std::size_t index = 0; index < report.held.size(); ++index) {
+    const tick::Held& held = report.held[index];
+    walk.p_WP[index].push_back(held.p_WP);
+    walk.e_W[index].push_back(held.p_WP - report.p_WT);
+    walk.distance_m[index].push_back(held.distance_m);
+    walk.acts[index].push_back(held.status == target::Status::Unique && held.acts);
+    if (index < state.laws.size()) walk.rate_W[index].push_back(state.laws[index].velocity.rate_W);
+  }
+}
+
+bool anyActs(const tick::TickReport& report) {
+  return std::any_of(report.held.begin(), report.held.end(),
+                     [](const tick::Held& held) { return held.acts && held.status == target::Status::Unique; });
+}
+
+}  // namespace
+
+std::int64_t Stopwatch::now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+Stopwatch::Stopwatch(std::size_t times) : reading_ns_(1'000'000) {
+  times_ns_.reserve(times);
+  for (int n = 0; n < 1000; ++n) {
+    const std::int64_t start_ns = now_ns();
+    reading_ns_ = std::min(reading_ns_, now_ns() - start_ns);
+  }
+}
+
+void Stopwatch::add(std::int64_t took_ns) {
+  times_ns_.push_back(static_cast<double>(std::max<std::int64_t>(0, took_ns - reading_ns_)));
+}
+
+Cost Stopwatch::cost() const {
+  if (times_ns_.empty()) return {};
+  std::vector<double> sorted = times_ns_;
+  std::sort(sorted.begin(), sorted.end());
+  const auto at = [&](double share) {
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  };
+  return {at(0.5), at(0.99)};
+}
+
+std::vector<double> timesOf(const Bench& bench, int rate_hz) {
+  std::vector<double> times;
+  for (int tick = 0; tick < static_cast<int>(bench.seconds * rate_hz); ++tick)
+    times.push_back(static_cast<double>(tick) / rate_hz);
+  return times;
+}
+
+Result<Run> run(const Bench& bench, const Settings& settings, bool exact) {
+  const scene::Description scene = withSettings(bench.scene, settings);
+  const Result<tick::TickProgram> program = scene::compile(scene);
+  if (!program) return program.problems();
+  lab::Loop loop(plantOf(bench, scene, exact), wishAt(bench.hand, 0).p_WT, settings.rate_hz);
+  tick::TickState state = makeState(program.value());
+  const auto ticks = static_cast<std::size_t>(bench.seconds * settings.rate_hz);
+  Stopwatch of_tick(ticks), of_arm(ticks);
+  Run result;
+  result.rate_hz = settings.rate_hz;
+  result.p_WT.reserve(ticks);
+  result.f_T_W.reserve(ticks);
+  for (std::size_t tick = 0; tick < ticks && !result.faulted; ++tick) {
+    loop.wish(wishAt(bench.hand, nanosecondsAt(static_cast<double>(tick + 1) / settings.rate_hz)));
+    of_arm.time([&] { loop.move(); });
+    const tick::TickReport* report = nullptr;
+    of_tick.time([&] { report = &loop.think(program.value(), state); });
+    result.p_WT.push_back(loop.arm().p_WT);
+    result.f_T_W.push_back(report->force.f_T_W());
+    result.faulted = report->fault.kind != FaultKind::None;
+  }
+  result.tick = of_tick.cost();
+  result.arm = of_arm.cost();
+  return result;
+}
+
+Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vector<double>& at_s, bool encoders) {
+  const scene::Description scene = withSettings(bench.scene, settings);
+  const Result<tick::TickProgram> program = scene::compile(scene);
+  if (!program) return program.problems();
+  const sim::Plant plant = plantOf(bench, scene, !encoders);
+  tick::TickState state = makeState(program.value());
+  tick::TickReport report;
+  tick::TickInput input;
+  input.engage = true;
+  const std::size_t constraints = scene.constraints.size();
+  Walk result;
+  result.p_WP.resize(constraints);
+  result.e_W.resize(constraints);
+  result.distance_m.resize(constraints);
+  result.acts.resize(constraints);
+  result.rate_W.resize(state.laws.size());
+  Stopwatch of_tick(at_s.size());
+  for (const double time_s : at_s) {
+    input.restart = input.sample.time_ns == 0;
+    input.sample.time_ns = nanosecondsAt(time_s) + 1;  // a first one at 0 would be no time
+    input.sample.q_rad = jointsAt(plant, wishAt(bench.hand, nanosecondsAt(time_s)));
+    of_tick.time([&] { step(program.value(), input, state, report); });
+    if (report.held.size() == constraints) add(report, state, result);
+    if (!anyActs(report)) of_tick.forgetLast();
+  }
+  result.tick = of_tick.cost();
+  return result;
+}
+
+Apart apart(const Run& coarse, const Run& fine) {
+  Apart result;
+  if (coarse.p_WT.empty() || fine.p_WT.empty()) return result;
+  const auto times = static_cast<std::size_t>(fine.rate_hz / coarse.rate_hz);
+  double sum_m2 = 0.0, sum_N2 = 0.0;
+  std::size_t count = 0;
+  for (std::size_t tick = 0; tick < coarse.p_WT.size(); ++tick) {
+    const std::size_t other = (tick + 1) * times - 1;  // both begin a period after 0
+    if (other >= fine.p_WT.size()) break;
+    const double off_m = (coarse.p_WT[tick] - fine.p_WT[other]).norm();
+    sum_m2 += off_m * off_m;
+    sum_N2 += (coarse.f_T_W[tick] - fine.f_T_W[other]).squaredNorm();
+    result.most_m = std::max(result.most_m, off_m);
+    ++count;
+  }
+  result.rms_m = std::sqrt(sum_m2 / static_cast<double>(count));
+  result.rms_N = std::sqrt(sum_N2 / static_cast<double>(count));
+  return result;
+}
+
+}  // namespace underact::trade

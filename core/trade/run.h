@@ -1,0 +1,80 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/sim/hand_script.h"
+#include "core/tick/program.h"
+#include "core/trade/settings.h"
+
+namespace underact::trade {
+
+/// Times of one and the same piece of work, ns, by this machine, now.
+struct Cost {
+  double p50_ns = 0.0, p99_ns = 0.0;
+};
+
+/// Single times by the steady clock, what reading it takes off.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::size_t times);
+  template <class Work>
+  void time(const Work& work) {
+    const std::int64_t start_ns = now_ns();
+    work();
+    add(now_ns() - start_ns);
+  }
+  void forgetLast() { times_ns_.pop_back(); }
+  Cost cost() const;
+
+ private:
+  static std::int64_t now_ns();
+  void add(std::int64_t took_ns);
+  std::int64_t reading_ns_;
+  std::vector<double> times_ns_;
+};
+
+/// A scene and the hand that moves in it.
+struct Bench {
+  scene::Description scene;  // with its meshes loaded
+  sim::HandScript hand;
+  double seconds = 4.0;
+};
+
+/// A run of the simulated arm under the servo, without a thread.
+struct Run {
+  int rate_hz = 1000;
+  std::vector<Vec3> p_WT;   // where the tip truly was, tick by tick
+  std::vector<Vec3> f_T_W;  // the force sent then
+  Cost tick, arm;           // of the servo's tick, and of the simulated arm, a period each
+  bool faulted = false;     // it ended early
+};
+
+/// exact: the angles are not through the encoders. Problems: those of the scene with these settings (a closed form that
+/// there is not, say).
+Result<Run> run(const Bench& bench, const Settings& settings, bool exact = false);
+
+/// What the tick finds where the hand itself is, not the arm: the same places whatever is found.
+struct Walk {
+  // Constraint by constraint, tick by tick:
+  std::vector<std::vector<Vec3>> p_WP;  // the tip's place where none is unique
+  std::vector<std::vector<Vec3>> e_W;   // the error, m
+  std::vector<std::vector<double>> distance_m;
+  std::vector<std::vector<Vec3>> rate_W;  // of the error, m/s; empty where no law damps
+  std::vector<std::vector<bool>> acts;    // a target was there, and had been a tick before
+  Cost tick;  // of those in which a target acts
+};
+
+/// at_s: times of the ticks, rising; encoders: the joints come in steps.
+Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vector<double>& at_s, bool encoders);
+
+/// 0 to the bench's seconds, evenly.
+std::vector<double> timesOf(const Bench& bench, int rate_hz);
+
+/// How far two runs are apart at the times of the slower one. fine's rate is a multiple of coarse's.
+struct Apart {
+  double rms_m = 0.0, most_m = 0.0;  // of the tips, root of the mean square and largest
+  double rms_N = 0.0;                // of the forces
+};
+Apart apart(const Run& coarse, const Run& fine);
+
+}  // namespace underact::trade

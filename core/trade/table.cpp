@@ -1,0 +1,110 @@
+#include "core/trade/table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace underact::trade {
+namespace {
+
+/// One run to be made.
+struct Cell {
+  const NamedScene* scene;
+  const NamedHand* hand;
+  const Choice* choice;
+  const Option* option;
+};
+
+std::vector<Cell> cellsOf(const Plan& plan) {
+  std::vector<Cell> cells;
+  const auto is_asked = [&](const Choice& choice) {
+    return plan.choices.empty() ||
+           std::find(plan.choices.begin(), plan.choices.end(), choice.key) != plan.choices.end();
+  };
+  for (const NamedScene& scene : plan.scenes) {
+    for (const NamedHand& hand : plan.hands) {
+      for (const Choice& choice : choices()) {
+        if (!is_asked(choice) || !choice.applies(scene.scene)) continue;
+        for (const Option& option : choice.options) cells.push_back({&scene, &hand, &choice, &option});
+      }
+    }
+  }
+  return cells;
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
+}
+
+Summary summaryOf(const Choice& choice, const Option& option, const std::vector<Row>& rows) {
+  std::vector<double> p50, p99, costs, errors;
+  Summary summary{choice.key, option.name};
+  for (const Row& row : rows) {
+    if (row.choice != choice.key || row.option != option.name) continue;
+    p50.push_back(row.figures.cost.p50_ns);
+    p99.push_back(row.figures.cost.p99_ns);
+    costs.push_back(row.figures.cost_us_per_s);
+    errors.push_back(row.figures.error);
+    summary.worst = std::max(summary.worst, row.figures.worst);
+  }
+  summary.runs = static_cast<int>(errors.size());
+  if (summary.runs == 0) return summary;
+  summary.p50_ns = quantile(p50, 0.5);
+  summary.p99_ns = quantile(p99, 0.5);
+  summary.cost_us_per_s = quantile(costs, 0.5);
+  summary.error = quantile(errors, 0.9);
+  Settings chosen;
+  option.choose(chosen);
+  summary.is_default = choice.same(chosen, Settings{});
+  return summary;
+}
+
+}  // namespace
+
+std::vector<Row> measureRows(const Plan& plan, const Progress& goes_on) {
+  std::vector<Row> rows;
+  const std::vector<Cell> cells = cellsOf(plan);
+  for (std::size_t index = 0; index < cells.size(); ++index) {
+    if (!goes_on(static_cast<double>(index) / static_cast<double>(cells.size()))) break;
+    const Cell& cell = cells[index];
+    const Bench bench{cell.scene->scene, cell.hand->hand, plan.seconds};
+    const Settings own = settingsOf(bench.scene, Settings{}.rate_hz);
+    Settings settings = own;
+    cell.option->choose(settings);
+    const Result<Figures> figures = cell.choice->measure(bench, settings);
+    if (!figures) continue;
+    rows.push_back({cell.scene->name, cell.hand->name, cell.choice->key, cell.option->name, figures.value(),
+                    cell.choice->same(own, settings)});
+  }
+  return rows;
+}
+
+void recommend(double bound, std::vector<Summary>& options) {
+  double cheapest = kInfinity;
+  for (const Summary& option : options) {
+    if (option.runs > 0 && option.error <= bound) cheapest = std::min(cheapest, option.cost_us_per_s);
+  }
+  Summary* best = nullptr;
+  for (Summary& option : options) {
+    const bool is_eligible =
+        option.runs > 0 && option.error <= bound && option.cost_us_per_s <= (1.0 + kSameCost) * cheapest;
+    if (is_eligible && (best == nullptr || option.error < best->error)) best = &option;
+  }
+  if (best != nullptr) best->is_recommended = true;
+}
+
+std::vector<Summary> summaryOf(const std::vector<Row>& rows) {
+  std::vector<Summary> all;
+  for (const Choice& choice : choices()) {
+    std::vector<Summary> options;
+    for (const Option& option : choice.options) {
+      const Summary summary = summaryOf(choice, option, rows);
+      if (summary.runs > 0) options.push_back(summary);
+    }
+    recommend(choice.bound, options);
+    all.insert(all.end(), options.begin(), options.end());
+  }
+  return all;
+}
+
+}  // namespace underact::trade
