@@ -187,7 +187,7 @@ struct Constraint {
 
 /// How the simulated arm, where there is no other, is integrated.
 struct Simulation {
-  Integrator integrator = Integrator::MeanVelocity;
+  Integrator integrator = Integrator::Trapezoidal;
   double substep_us = 1e-3 * kSubstep_ns;
   bool operator==(const Simulation&) const = default;
 };

@@ -60,7 +60,7 @@ std::vector<Settings> waysOf(const scene::Description& scene, int rate_hz) {
   Ways ways{own};
   ways = times(ways, {250, 500, 1000, 2000, 4000, 8000}, &Settings::rate_hz);
   ways = times(ways,
-               {scene::Simulation{Integrator::MeanVelocity, 1000.0}, scene::Simulation{},
+               {scene::Simulation{Integrator::Trapezoidal, 1000.0}, scene::Simulation{},
                 scene::Simulation{Integrator::Trapezoidal, 50.0}},
                &Settings::simulation);
   if (hasSearch(scene)) ways = times(ways, {Search::Local, Search::Hybrid, Search::Global}, &Settings::search);

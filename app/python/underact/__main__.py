@@ -63,10 +63,10 @@ def figures(options: argparse.Namespace) -> int:
 
 def lab(options: argparse.Namespace) -> int:
     """Draws what the lab measured."""
-    from .lab import stability
+    from .lab import stability, trade
 
     options.out.mkdir(parents=True, exist_ok=True)
-    draw_all = {"stability": stability.draw_all}[options.what]
+    draw_all = {"stability": stability.draw_all, "trade": trade.draw_all}[options.what]
     for path in draw_all(options.tables, options.out, options.width):
         print(path)
     return WELL
@@ -112,7 +112,7 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--out", type=Path, required=True)
 
     one = command("lab", lab, "Draws the tables of `underact-cli lab`.", file=False)
-    one.add_argument("what", choices=("stability",))
+    one.add_argument("what", choices=("stability", "trade"))
     one.add_argument("--tables", type=Path, required=True, help="the folder of the tables")
     one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
     one.add_argument("--width", type=float, default=7.0, help="inches: 3.5 (a column) or 7 (a page)")

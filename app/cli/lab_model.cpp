@@ -1,0 +1,84 @@
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/hands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/lab.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/shipped.h"
+#include "app/cli/table.h"
+#include "core/trade/model.h"
+
+namespace underact::cli {
+namespace {
+
+struct ModelOptions {
+  std::vector<std::string> scenes;
+  std::string hand = "sweep";
+  double seconds = 4.0;
+  bool json = false;
+};
+
+Table::Field fieldOf(const std::optional<double>& number) {
+  return number ? Table::Field(*number) : Table::Field();
+}
+
+/// A row a quantity, and one for each of the three whole ticks.
+void addModel(const std::string& scene, const trade::Model& model, Table& table) {
+  const auto add = [&](const char* key, const char* what, bool required, const std::optional<double>& ns) {
+    table.add({scene, std::string(key), std::string(what), required, fieldOf(ns)});
+  };
+  add("bare", "place, targets and P laws alone", true, model.bare_ns);
+  for (const trade::Quantity& one : model.quantities) add(one.key, one.what, one.required, one.adds_ns);
+  add("as_it_is", "the tick that the scene compiles to", true, model.as_it_is_ns);
+  add("everything", "a tick that computes all of it", false, model.everything_ns);
+  add("saved", "what computing only what is required saves", true, model.everything_ns - model.as_it_is_ns);
+}
+
+Exit models(const ModelOptions& options, const Streams& streams) {
+  const Result<sim::HandScript> hand = findHand(options.hand, 1);
+  if (!hand) {
+    print(hand.problems(), streams.err);
+    return exitOfHand(options.hand, hand.problems());
+  }
+  const std::vector<std::string> files = options.scenes.empty() ? shippedScenes() : options.scenes;
+  const Interrupt interrupt;
+  Progress progress(streams);
+  Table table{{"scene", "quantity", "what", "required", "ns"}};
+  for (std::size_t index = 0; index < files.size() && !interrupt.came(); ++index) {
+    Result<LoadedScene> loaded = loadScene(files[index], streams);
+    const Result<trade::Model> model = loaded
+                                           ? trade::modelOf({loaded.value().description, hand.value(), options.seconds})
+                                           : Result<trade::Model>(loaded.problems());
+    if (!model) {
+      print(model.problems(), streams.err);
+      return exitOf(model.problems());
+    }
+    addModel(std::filesystem::path(files[index]).stem().string(), model.value(), table);
+    progress.show(static_cast<double>(index + 1) / static_cast<double>(files.size()));
+  }
+  options.json ? table.printJson(streams.out) : table.printCsv(streams.out);
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addLabModel(CLI::App& lab, const Streams& streams, Exit& exit) {
+  auto options = std::make_shared<ModelOptions>();
+  CLI::App* command = lab.add_subcommand(
+      "model",
+      "What each scene requires of a tick, what each quantity costs, and what computing all of them would cost");
+  command->add_option("SCENES", options->scenes, "Scene files; those that ship by themselves");
+  command->add_option("--hand", options->hand, "Along whose way it is measured")->capture_default_str();
+  command->add_option("--seconds", options->seconds, "Of that way")
+      ->check(CLI::Range(0.1, 60.0))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "A JSON object a row in place of CSV");
+  command->footer(
+      "ns are medians of single ticks on this machine, now; a quantity's is what it adds to the bare tick.");
+  command->callback([options, &streams, &exit] { exit = models(*options, streams); });
+}
+
+}  // namespace underact::cli

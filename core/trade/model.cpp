@@ -1,0 +1,201 @@
+#include "core/trade/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/arm/inverse.h"
+#include "core/scene/compile.h"
+#include "core/scene/fields.h"
+#include "core/sim/plant.h"
+#include "core/tick/step.h"
+
+namespace underact::trade {
+namespace {
+
+constexpr int kRounds = 7;
+constexpr int kRate_hz = 1000;
+
+/// A quantity: how the scene or its program is changed so that it is computed. false: it cannot be.
+struct Row {
+  const char* key;
+  const char* what;
+  bool (*require)(scene::Description& scene);
+  void (*switchOn)(tick::Needs& needs);
+  bool (*is_required)(const tick::TickProgram& program);
+};
+
+template <class Change>
+bool eachControl(scene::Description& scene, const Change& change) {
+  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
+    scene::Control control = controlOf(scene, index);
+    change(control);
+    scene.constraints[index].control = control;
+  }
+  return true;
+}
+
+bool giveLaw(scene::Description& scene, scene::LawType law) {
+  return eachControl(scene, [law](scene::Control& control) {
+    control.law = std::max(control.law, law);
+    control.gains.kd_N_s_per_mm.setConstant(1e-6);
+    if (control.law == scene::LawType::PID) control.gains.ki_N_per_mm_s.setConstant(1e-6);
+  });
+}
+
+bool giveFriction(scene::Description& scene) {
+  bool any = false;
+  for (scene::Constraint& one : scene.constraints) {
+    if (!takesFriction(one.shape)) continue;
+    one.friction = scene::Friction{0.2, 0.2};
+    any = true;
+  }
+  return any;
+}
+
+bool giveInfluence(scene::Description& scene) {
+  bool any = false;
+  for (scene::Constraint& one : scene.constraints) {
+    if (!takesInfluence(one.shape) || one.side != target::Side::Both) continue;
+    one.influence = scene::Influence{};
+    any = true;
+  }
+  return any;
+}
+
+bool nothing(scene::Description&) {
+  return true;
+}
+
+const std::array<Row, 7> kRows{{
+    {"orientation", "how the stylus is turned", nothing, [](tick::Needs& needs) { needs.orientation = true; },
+     [](const tick::TickProgram& program) { return program.needs.orientation; }},
+    {"motor_torques", "what the motors bear: the Jacobian, their heat, the joints' stops", nothing,
+     [](tick::Needs& needs) { needs.motors = true; },
+     [](const tick::TickProgram& program) { return program.needs.motors; }},
+    {"error_rate", "how fast the error changes (PD)",
+     [](scene::Description& scene) { return giveLaw(scene, scene::LawType::PD); }, nullptr,
+     [](const tick::TickProgram& program) { return program.needs.rate; }},
+    {"error_integral", "the error's rate and integral (PID)",
+     [](scene::Description& scene) { return giveLaw(scene, scene::LawType::PID); }, nullptr,
+     [](const tick::TickProgram& program) { return program.needs.integral; }},
+    {"energy", "what each constraint was given, and a damper for what it owes",
+     [](scene::Description& scene) {
+       return eachControl(scene, [](scene::Control& control) { control.passivity = control::Passivity::Control; });
+     },
+     nullptr, [](const tick::TickProgram& program) { return program.needs.energy; }},
+    {"friction", "where the target holds on to the shape", giveFriction, nullptr,
+     [](const tick::TickProgram& program) { return program.needs.friction; }},
+    {"influence", "the target between the stylus's place and its turn", giveInfluence, nullptr,
+     [](const tick::TickProgram& program) {
+       return std::any_of(program.entries.begin(), program.entries.end(),
+                          [](const tick::Entry& entry) { return entry.constraint.influenced; });
+     }},
+}};
+
+/// Place, targets and P laws: nothing that another quantity adds.
+scene::Description bareOf(scene::Description scene) {
+  eachControl(scene, [](scene::Control& control) {
+    control.law = scene::LawType::P;
+    control.gains.kd_N_s_per_mm.setZero();
+    control.gains.ki_N_per_mm_s.setZero();
+    control.gains.kp_N_per_mm.setConstant(control.gains.kp_N_per_mm.maxCoeff());
+    control.passivity = control::Passivity::Off;
+    control.space = tick::Space::Cartesian;
+  });
+  for (scene::Constraint& one : scene.constraints) {
+    one.influence.reset();
+    one.friction.reset();
+  }
+  return scene;
+}
+
+Result<tick::TickProgram> bareProgram(const scene::Description& scene) {
+  Result<tick::TickProgram> program = scene::compile(scene);
+  if (!program) return program;
+  program.value().needs.motors = false;
+  return program;
+}
+
+/// The bare scene with the rows that `wanted` picks; none: one of them cannot be.
+template <class Wanted>
+std::optional<tick::TickProgram> programWith(const scene::Description& bare, const Wanted& wanted) {
+  scene::Description scene = bare;
+  bool can = false;
+  for (const Row& row : kRows) can = (wanted(row) && row.require(scene)) || can;
+  const Result<tick::TickProgram> compiled = bareProgram(scene);
+  if (!can || !compiled) return std::nullopt;
+  tick::TickProgram program = compiled.value();
+  for (const Row& row : kRows) {
+    if (wanted(row) && row.switchOn != nullptr) row.switchOn(program.needs);
+  }
+  return program;
+}
+
+std::vector<arm::JointAngles> wayOf(const Bench& bench) {
+  const sim::Plant plant = sim::makePlant(*arm::findPreset(bench.scene.arm), {}, bench.hand.hand);
+  std::vector<arm::JointAngles> way;
+  for (const double time_s : timesOf(bench, kRate_hz))
+    way.push_back(restAt(plant, wishAt(bench.hand, std::llround(1e9 * time_s)).p_WT).q_rad);
+  return way;
+}
+
+double medianTick_ns(const tick::TickProgram& program, const std::vector<arm::JointAngles>& way) {
+  tick::TickState state = makeState(program);
+  tick::TickReport report;
+  tick::TickInput input;
+  input.engage = input.restart = true;
+  Stopwatch watch(way.size());
+  for (const arm::JointAngles& q_rad : way) {
+    input.sample.time_ns += 1'000'000'000 / kRate_hz;
+    input.sample.q_rad = q_rad;
+    watch.time([&] { step(program, input, state, report); });
+    input.restart = false;
+  }
+  return watch.cost().p50_ns;
+}
+
+/// The median over rounds of each program's median.
+std::vector<double> inTurn_ns(const std::vector<const tick::TickProgram*>& programs,
+                              const std::vector<arm::JointAngles>& way) {
+  std::vector<std::vector<double>> all(programs.size());
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t index = 0; index < programs.size(); ++index)
+      all[index].push_back(medianTick_ns(*programs[index], way));
+  }
+  std::vector<double> medians;
+  for (std::vector<double>& times : all) {
+    std::nth_element(times.begin(), times.begin() + kRounds / 2, times.end());
+    medians.push_back(times[kRounds / 2]);
+  }
+  return medians;
+}
+
+}  // namespace
+
+Result<Model> modelOf(const Bench& bench) {
+  const Result<tick::TickProgram> own = scene::compile(bench.scene);
+  if (!own) return own.problems();
+  const scene::Description bare_scene = bareOf(bench.scene);
+  const Result<tick::TickProgram> bare = bareProgram(bare_scene);
+  if (!bare) return bare.problems();
+  const auto everything = programWith(bare_scene, [](const Row&) { return true; });
+  std::array<std::optional<tick::TickProgram>, kRows.size()> each;
+  std::vector<const tick::TickProgram*> programs{&bare.value(), &own.value(), everything ? &*everything : &own.value()};
+  for (std::size_t row = 0; row < kRows.size(); ++row) {
+    each[row] = programWith(bare_scene, [row](const Row& one) { return &one == &kRows[row]; });
+    if (each[row]) programs.push_back(&*each[row]);
+  }
+  const std::vector<double> times_ns = inTurn_ns(programs, wayOf(bench));
+  Model model{times_ns[0], times_ns[1], times_ns[2], {}};
+  std::size_t next = 3;
+  for (std::size_t row = 0; row < kRows.size(); ++row) {
+    Quantity quantity{kRows[row].key, kRows[row].what, kRows[row].is_required(own.value()), std::nullopt};
+    if (each[row]) quantity.adds_ns = times_ns[next++] - model.bare_ns;
+    model.quantities.push_back(quantity);
+  }
+  return model;
+}
+
+}  // namespace underact::trade
