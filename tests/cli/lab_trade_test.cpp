@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "tests/cli/session.h"
+#include "tests/core/mesh_file/some_meshes.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+
+std::string scene(const std::string& name) {
+  return std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
+}
+
+TEST(LabTrade, TellsEachOptionsCostAndErrorAndMarksTheDefault) {
+  const Outcome outcome = runCli({"lab", "trade", "--scenes", scene("12_line_pid"), "--hands", "tremor,stab",
+                                  "--choices", "velocity,blocks", "--seconds", "1", "--json"});
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  int defaults = 0;
+  std::set<std::string> options;
+  for (const json::Value& row : lines(outcome.out)) {
+    options.insert(textAt(row, "choice") + ", " + textAt(row, "option"));
+    EXPECT_GT(numberAt(row, "p50_ns"), 0.0);
+    EXPECT_LE(numberAt(row, "p50_ns"), numberAt(row, "p99_ns"));
+    EXPECT_GT(numberAt(row, "error"), 0.0);
+    EXPECT_EQ(numberAt(row, "runs"), 2.0);
+    if (!row.find("default")->boolean) continue;
+    ++defaults;
+    EXPECT_TRUE(textAt(row, "option") == "Kalman, 8 m/s^2" || textAt(row, "option") == "100 ms");
+  }
+  EXPECT_EQ(defaults, 2);
+  EXPECT_EQ(options.size(), 16U);
+}
+
+TEST(LabTrade, TellsTheRunsAndTheFronts) {
+  const Outcome rows = runCli({"lab", "trade", "--scenes", scene("18_sphere_of_two_joints"), "--hands", "sweep",
+                               "--choices", "solver", "--seconds", "0.5", "--table", "rows"});
+  ASSERT_EQ(rows.exit, Exit::Well) << rows.err;
+  EXPECT_EQ(rows.out.substr(0, rows.out.find('\n')),
+            "scene,hand,choice,option,p50_ns,p99_ns,us_per_s,error,worst,unit,default");
+  EXPECT_NE(rows.out.find("18_sphere_of_two_joints,sweep,solver,closed form,"), std::string::npos);
+  const Outcome fronts = runCli({"lab", "trade", "--scenes", scene("05_circle"), "--hands", "stab", "--seconds", "0.6",
+                                 "--table", "fronts", "--json"});
+  ASSERT_EQ(fronts.exit, Exit::Well) << fronts.err;
+  int on_front = 0, own = 0;
+  for (const json::Value& row : lines(fronts.out)) {
+    on_front += row.find("on_front")->boolean ? 1 : 0;
+    own += row.find("own")->boolean ? 1 : 0;
+  }
+  EXPECT_GE(on_front, 3);
+  EXPECT_EQ(own, 1);
+}
+
+TEST(LabTrade, AFolderGetsTablesAndPictures) {
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = scratch.path();
+  const ProcessOutcome outcome = shell(program() + " lab trade --scenes " + scene("05_circle") +
+                                       " --hands stab --seconds 0.6 --out " + folder.string() + " 2>&1");
+  ASSERT_EQ(outcome.exit, 0) << outcome.out;
+  for (const char* file : {"trade_choices.csv", "trade_rows.csv", "trade_fronts.csv", "trade_choices.svg",
+                           "trade_choices.png", "trade_fronts.svg", "trade_fronts.png"})
+    EXPECT_GT(std::filesystem::file_size(folder / file), 1000U) << file;
+}
+
+TEST(LabTrade, WhatIsNotKnownIsRefused) {
+  EXPECT_EQ(runCli({"lab", "trade", "--choices", "rates"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"lab", "trade", "--hands", "swep", "--scenes", scene("01_point")}).exit, Exit::BadInput);
+  EXPECT_EQ(runCli({"lab", "trade", "--scenes", "/dev/null/nowhere.json"}).exit, Exit::File);
+}
+
+TEST(LabModel, TellsWhatASceneRequiresAndWhatItSaves) {
+  const Outcome outcome =
+      runCli({"lab", "model", scene("01_point"), scene("14_circle_influence"), "--seconds", "0.2", "--json"});
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  const std::vector<json::Value> rows = lines(outcome.out);
+  ASSERT_EQ(rows.size(), 2U * 11U);
+  const auto rowOf = [&](const std::string& name, const std::string& quantity) -> const json::Value& {
+    return *std::find_if(rows.begin(), rows.end(), [&](const json::Value& row) {
+      return textAt(row, "scene") == name && textAt(row, "quantity") == quantity;
+    });
+  };
+  EXPECT_FALSE(rowOf("01_point", "orientation").find("required")->boolean);
+  EXPECT_TRUE(isNullAt(rowOf("01_point", "influence"), "ns"));
+  EXPECT_TRUE(rowOf("14_circle_influence", "orientation").find("required")->boolean);
+  for (const char* name : {"01_point", "14_circle_influence"}) {
+    const double all = numberAt(rowOf(name, "everything"), "ns"), own = numberAt(rowOf(name, "as_it_is"), "ns");
+    EXPECT_DOUBLE_EQ(numberAt(rowOf(name, "saved"), "ns"), all - own);
+    EXPECT_GT(all, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace underact::test
