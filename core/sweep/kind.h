@@ -16,8 +16,8 @@ namespace underact::sweep {
 struct Cells {
   std::size_t count = 0;
   std::vector<std::string> columns;  // of a row, without the cell's number and seed, which every result begins with
-  /// The files that were read and a checksum of what was in each, as checksumText() gives it: a sweep that goes on with
-  /// other content would mix two.
+  /// The files that were read and a checksum of what was in each, as checksumOf() gives it (core/sweep/checksum.h): a
+  /// sweep that goes on with other content would mix two.
   std::vector<std::pair<std::string, std::string>> files;
   /// Runs one cell. A function of index (below count) and seed alone: no clock, thread, rank or order of calls may have
   /// a part in it. Called by several threads at once, so it must not change what it shares. Problems end the sweep;
@@ -26,7 +26,7 @@ struct Cells {
   std::function<Result<Row>(std::size_t index, std::uint64_t seed)> run;
 };
 
-/// A kind of sweep: a row of the catalogue (app/sweep/catalogue.cpp).
+/// A kind of sweep: a row of the catalogue (app/sweeper/catalogue.cpp).
 struct Kind {
   std::string key;       // "hands": its name on the command line, in files and results
   std::string question;  // that it answers, one sentence

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <thread>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/scene_file.h"
+#include "app/sweeper/progress.h"
+#include "app/sweeper/request.h"
+#include "core/sweep/journal.h"
+#include "core/sweep/lead.h"
+#include "core/sweep/result_file.h"
+
+namespace underact::sweep {
+namespace {
+
+using cli::Exit;
+using Clock = std::chrono::steady_clock;
+
+int threadsOf(const Request& request, const Team* team) {
+  if (request.threads > 0) return request.threads;
+  if (team != nullptr) return 1;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// Why a sweep ended early: File where a file is at fault, else what was put in.
+Exit fail(const Problems& problems, const cli::Streams& streams) {
+  cli::print(problems, streams.err);
+  return problems.front().place.file.empty() ? Exit::BadInput : Exit::File;
+}
+
+/// What is wrong before anything is run: an option, or a file that an option names.
+Exit refuse(const Problems& problems, const cli::Streams& streams) {
+  cli::print(problems, streams.err);
+  const bool usage =
+      std::all_of(problems.begin(), problems.end(), [](const Problem& one) { return one.place.file.empty(); });
+  return usage ? Exit::Usage : cli::exitOf(problems);
+}
+
+/// After the first signal the next one ends the program as ever, for whoever does not want to wait.
+class Patience {
+ public:
+  bool cameOnce() {
+    if (interrupt_ && interrupt_->came()) {
+      came_ = true;
+      interrupt_.reset();
+    }
+    return came_;
+  }
+
+ private:
+  std::optional<cli::Interrupt> interrupt_{std::in_place};
+  bool came_ = false;
+};
+
+/// As many digits as a measurement is worth.
+std::string twoDigits(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2);
+  return {text.data(), end.ptr};
+}
+
+/// Runs a few cells, spread over all, one after the other, and says how long all of them would take.
+Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
+  constexpr std::size_t kMostMeasured = 8;
+  constexpr std::chrono::seconds kEnough{5};
+  const std::size_t wanted = std::min(kMostMeasured, sweep.cells.count);
+  const Clock::time_point begin = Clock::now();
+  Clock::time_point now = begin;
+  std::size_t measured = 0;
+  while (measured < wanted && now - begin < kEnough) {
+    const Result<std::string> row = rowOf(sweep, measured * sweep.cells.count / wanted);
+    if (!row) return fail(row.problems(), streams);
+    ++measured;
+    now = Clock::now();
+  }
+  const double each_s = std::chrono::duration<double>(now - begin).count() / static_cast<double>(measured);
+  const double all_s = each_s * static_cast<double>(sweep.cells.count) / threads;
+  streams.out << sweep.cells.count << " cells. " << measured << " of them, measured one by one, took "
+              << twoDigits(each_s) << " s each: on " << threads << (threads == 1 ? " thread" : " threads")
+              << " all take about " << inWords(all_s) << ", where each thread has a core.\n";
+  return Exit::Well;
+}
+
+/// The sweep of the leader, from its journal to its result.
+Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams& streams, Team* team) {
+  const Result<bool> is_there = isThere(sweep, request.out);
+  Result<Journal> journal = is_there ? Journal::open(sweep, request.out) : is_there.problems();
+  if (!journal) {
+    if (team != nullptr) dismiss(*team);
+    return fail(journal.problems(), streams);
+  }
+  const std::size_t all = sweep.cells.count, before = is_there.value() ? all : journal.value().rows().size();
+  Outcome outcome;
+  if (is_there.value()) {
+    if (team != nullptr) dismiss(*team);
+  } else {
+    Patience patience;
+    Progress progress(streams.err, streams.progress, request.quiet, before, all);
+    bool told = false;
+    Watcher watcher;
+    watcher.progress = [&](std::size_t done) { progress.show(done); };
+    watcher.interrupted = [&] {
+      if (!patience.cameOnce()) return false;
+      progress.end();
+      if (!std::exchange(told, true))
+        streams.err << "Ending: the cells that run are waited for. A second signal ends at once.\n" << std::flush;
+      return true;
+    };
+    outcome = lead(sweep, journal.value(), team, threadsOf(request, team), watcher);
+    progress.end();
+  }
+  const std::size_t done = is_there.value() ? all : journal.value().rows().size();
+  if (outcome.problems.empty() && !outcome.interrupted && !is_there.value())
+    outcome.problems = writeResult(sweep, journal.value().rows(), request.out);
+  if (!outcome.problems.empty() || outcome.interrupted) {
+    const Exit exit = outcome.problems.empty() ? Exit::File : fail(outcome.problems, streams);
+    streams.err << done << " of " << all << " cells are done and kept in " << journal.value().path()
+                << ". The same command goes on from there.\n";
+    return exit;
+  }
+  journal.value().remove();
+  if (!request.quiet) streams.err << request.out << ": " << all << " cells, " << all - before << " of them run now.\n";
+  return Exit::Well;
+}
+
+}  // namespace
+
+Exit runSweep(const Request& request, const cli::Streams& streams, Team* team) {
+  const bool leads = team == nullptr || team->rank() == 0;
+  if (request.dry_run && !leads) return Exit::Well;
+  // A rank that has no sweep tells the leader, so that nobody waits for it.
+  const Result<Sweep> sweep = request.problems.empty() ? makeSweep(*request.kind, request.values, request.seed)
+                                                       : Result<Sweep>(request.problems);
+  if (!leads) {
+    Patience patience;
+    follow(sweep, *team, threadsOf(request, team), [&patience] { return patience.cameOnce(); });
+    return Exit::Well;
+  }
+  if (!sweep) {
+    if (team != nullptr && !request.dry_run) dismiss(*team);
+    return refuse(sweep.problems(), streams);
+  }
+  if (request.dry_run)
+    return tellCost(sweep.value(), threadsOf(request, team) * (team == nullptr ? 1 : team->size()), streams);
+  return leadToResult(sweep.value(), request, streams, team);
+}
+
+}  // namespace underact::sweep
