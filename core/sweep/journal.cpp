@@ -57,6 +57,16 @@ std::optional<std::pair<std::size_t, std::string>> cellIn(const std::string& tex
   return std::pair{cell, std::string(at + 1, end)};
 }
 
+/// Why a journal is not used. first: its first line, with its end.
+std::string refusal(std::string_view first, std::size_t fingerprint) {
+  const std::size_t words = kFirst.size() + fingerprint + 1;
+  const bool is_known = first.starts_with(kFirst) && first.size() > words;
+  const std::string whose = is_known ? "another sweep (" + std::string(first.substr(words, first.size() - words - 1)) +
+                                           "), or other options or files"
+                                     : "no sweep that can be known";
+  return "This journal is of " + whose + ". Choose another --out, or remove the journal, and its cells with it.";
+}
+
 }  // namespace
 
 std::string journalOf(const std::string& result) {
@@ -95,20 +105,13 @@ Problems Journal::read(const Sweep& sweep) {
   if (!file) return file.problems();
   const std::string& text = file.value();
   const std::string first = firstLine(sweep);
+  const std::string_view here = std::string_view(text).substr(0, text.find('\n') + 1);
+  const bool is_torn_first = here.empty() && (text.starts_with(kFirst) || kFirst.starts_with(text));
+  if (here != first && !is_torn_first) return problemAt(path_, refusal(here, sweep.fingerprint.size()));
   const std::size_t whole = text.rfind('\n') + 1;  // what comes behind was torn by a kill; of none, 0
   if (ftruncate(fd_, static_cast<off_t>(whole)) != 0)
     return systemProblem(path_, "The journal of finished cells cannot be written", errno);
   if (whole == 0) return write(first);
-  const std::string_view here = std::string_view(text).substr(0, text.find('\n') + 1);
-  if (here != first) {
-    const std::size_t words = kFirst.size() + sweep.fingerprint.size() + 1;
-    const bool is_ours = here.starts_with(kFirst) && here.size() > words;
-    const std::string whose = is_ours ? "another sweep (" + std::string(here.substr(words, here.size() - words - 1)) +
-                                            "), or other options or files"
-                                      : "no sweep that can be known";
-    return problemAt(
-        path_, "This journal is of " + whose + ". Choose another --out, or remove the journal, and its cells with it.");
-  }
   for (std::size_t at = here.size(); at < whole;) {
     const std::size_t end = text.find('\n', at);
     const auto line = textIn(fingerprint_, std::string_view(text).substr(at, end - at));
