@@ -1,10 +1,7 @@
 #include "core/sweep/journal.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <underact/version.h>
-
-#include <csignal>
 
 #include "core/sweep/result_file.h"
 #include "tests/core/sweep/some_sweep.h"
@@ -12,6 +9,7 @@
 namespace underact::sweep {
 namespace {
 
+using test::SmallFiles;
 using test::someSweep;
 using test::textOf;
 using test::writeTo;
@@ -141,27 +139,6 @@ TEST_F(JournalFile, ThatCannotBeOpenedIsToldWithTheReason) {
   result_ = "/dev/null/r.csv";
   EXPECT_NE(refusal(sweep_).find("Not a directory"), std::string::npos);
 }
-
-/// While one lives, no file of this process grows beyond a size: writes fail as on a full disk.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t bytes) {
-    before_signal_ = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit wanted{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &wanted);
-  }
-  ~SmallFiles() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, before_signal_);
-  }
-  SmallFiles(const SmallFiles&) = delete;
-  SmallFiles& operator=(const SmallFiles&) = delete;
-
- private:
-  rlimit before_{};
-  void (*before_signal_)(int) = nullptr;
-};
 
 TEST_F(JournalFile, OnAFullDiskSaysSoAndKeepsWhatItHas) {
   {

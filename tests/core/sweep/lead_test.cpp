@@ -206,6 +206,22 @@ TEST_F(Led, EndsInOrderWhenItIsInterruptedHereOrThere) {
   }
 }
 
+TEST_F(Led, EndsWhenTheJournalTakesNoMore) {
+  const Sweep sweep = someSweep({{"cells", {"1000"}}, {"wait_us", {"100"}}});
+  std::size_t kept_cells = 0;
+  {
+    const test::SmallFiles small(500);
+    Journal kept = journal(sweep);
+    Ranks ranks(3);
+    const Outcome outcome = ranks.lead(sweep, kept);
+    ASSERT_EQ(outcome.problems.size(), 1U) << "said once, however many rows come behind";
+    EXPECT_NE(outcome.problems.front().sentence.find("takes no more"), std::string::npos);
+    kept_cells = kept.rows().size();
+    EXPECT_LT(cellsRun(), 1000);
+  }
+  EXPECT_EQ(journal(sweep).rows().size(), kept_cells);
+}
+
 TEST_F(Led, DismissesEveryRankThatHasCome) {
   Ranks ranks(3);
   ranks.start(1, someSweep());

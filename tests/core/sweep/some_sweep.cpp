@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -47,6 +48,18 @@ SweepFolder::SweepFolder() {
 SweepFolder::~SweepFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+}
+
+SmallFiles::SmallFiles(rlim_t bytes) {
+  before_signal_ = std::signal(SIGXFSZ, SIG_IGN);
+  getrlimit(RLIMIT_FSIZE, &before_);
+  const rlimit wanted{bytes, before_.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &wanted);
+}
+
+SmallFiles::~SmallFiles() {
+  setrlimit(RLIMIT_FSIZE, &before_);
+  std::signal(SIGXFSZ, before_signal_);
 }
 
 sweep::Kind someKind() {

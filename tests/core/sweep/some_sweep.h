@@ -1,4 +1,6 @@
 #pragma once
+#include <sys/resource.h>
+
 #include <filesystem>
 #include <string>
 
@@ -17,6 +19,19 @@ class SweepFolder {
 
  private:
   std::filesystem::path path_;
+};
+
+/// While one lives, no file of this process grows beyond a size: writes fail as on a full disk.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes);
+  ~SmallFiles();
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*before_signal_)(int) = nullptr;
 };
 
 /// A small kind: `cells` of them, each with its number's half, its seed and a word. The cell `bad` says a problem, the
