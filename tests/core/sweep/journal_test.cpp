@@ -171,6 +171,8 @@ TEST_F(JournalFile, ResultIsTheHeaderAndTheRowsInOrder) {
   EXPECT_EQ(textOf(result_), sweep_.header + test::allRows(sweep_));
   EXPECT_TRUE(isThere(sweep_, result_).value());
   EXPECT_FALSE(isThere(someSweep({}, 2), result_)) << "of another sweep, it is not overwritten";
+  writeTo(result_, sweep_.header + rows[0] + "\n");
+  EXPECT_FALSE(isThere(sweep_, result_)) << "somebody has taken rows out of it";
   EXPECT_FALSE(isThere(sweep_, folder_.file("")));
   EXPECT_FALSE(isThere(sweep_, "/dev/null"));
 }
