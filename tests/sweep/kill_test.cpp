@@ -191,11 +191,24 @@ TEST_F(SweepRanks, OneWithoutTheFilesEndsAllWithASentence) {
 }
 
 TEST_F(SweepRanks, ThatCannotBeginSaySoOnce) {
-  EXPECT_EQ(run(mpirun(2) + sweepProgram() + " hands --scene none.json --out '" + out_ + "'"), 4);
-  const std::string text = said();
-  const std::size_t first = text.find("none.json: error");
-  ASSERT_NE(first, std::string::npos) << text;
-  EXPECT_EQ(text.find("none.json: error", first + 1), std::string::npos) << text;
+  const auto expectOnce = [&](const std::string& arguments, int exit, const std::string& words) {
+    EXPECT_EQ(run(mpirun(2) + sweepProgram() + arguments), exit);
+    const std::string text = said();
+    const std::size_t first = text.find(words);
+    ASSERT_NE(first, std::string::npos) << text;
+    EXPECT_EQ(text.find(words, first + 1), std::string::npos) << text;
+  };
+  expectOnce(" hands --scene none.json --out '" + out_ + "'", 4, "none.json: error");
+  expectOnce(" hands --seen none.json --out '" + out_ + "'", 2, "Run with --help");
+}
+
+TEST_F(SweepRanks, FindAResultThatIsThere) {
+  std::filesystem::copy_file(whole_->file("r.csv"), out_);
+  EXPECT_EQ(run(mpirun(2) + sweepTo(out_)), 0) << said();
+  EXPECT_EQ(runNow(said_), 0);
+  EXPECT_EQ(run(mpirun(2) + sweepTo(out_) + " --seed 2"), 4);
+  EXPECT_NE(said().find("is not overwritten"), std::string::npos) << said();
+  EXPECT_TRUE(textOf(out_) == expected());
 }
 
 #endif  // UNDERACT_MPIRUN
