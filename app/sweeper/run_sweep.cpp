@@ -87,46 +87,54 @@ Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   return Exit::Well;
 }
 
+/// Runs what is missing, with progress on the way.
+Outcome runCells(const Sweep& sweep, Journal& journal, const Request& request, const cli::Streams& streams,
+                 Team* team) {
+  Patience patience;
+  Progress progress(streams.err, streams.progress, request.quiet, journal.rows().size(), sweep.cells.count);
+  Watcher watcher;
+  watcher.progress = [&progress](std::size_t done) { progress.show(done); };
+  watcher.interrupted = [&] {
+    if (!patience.cameOnce()) return false;
+    progress.end();
+    streams.err << "Ending: the cells that run are waited for. A second signal ends at once.\n" << std::flush;
+    return true;
+  };
+  Outcome outcome = lead(sweep, journal, team, threadsOf(request, team), watcher);
+  progress.end();
+  return outcome;
+}
+
+void tellDone(const Sweep& sweep, std::size_t run_now, const Request& request, const cli::Streams& streams) {
+  if (request.quiet) return;
+  streams.err << request.out << ": " << sweep.cells.count << " cells, " << run_now << " of them run now.\n";
+}
+
 /// The sweep of the leader, from its journal to its result.
 Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams& streams, Team* team) {
   const Result<bool> is_there = isThere(sweep, request.out);
-  Result<Journal> journal = is_there ? Journal::open(sweep, request.out) : is_there.problems();
-  if (!journal) {
+  Result<Journal> opened = is_there ? Journal::open(sweep, request.out) : is_there.problems();
+  if (!opened || is_there.value()) {
     if (team != nullptr) dismiss(*team);
-    return fail(journal.problems(), streams);
+    if (!opened) return fail(opened.problems(), streams);
+    opened.value().remove();  // of a program that was killed when the result was written already
+    tellDone(sweep, 0, request, streams);
+    return Exit::Well;
   }
-  const std::size_t all = sweep.cells.count, before = is_there.value() ? all : journal.value().rows().size();
-  Outcome outcome;
-  if (is_there.value()) {
-    if (team != nullptr) dismiss(*team);
-  } else {
-    Patience patience;
-    Progress progress(streams.err, streams.progress, request.quiet, before, all);
-    bool told = false;
-    Watcher watcher;
-    watcher.progress = [&](std::size_t done) { progress.show(done); };
-    watcher.interrupted = [&] {
-      if (!patience.cameOnce()) return false;
-      progress.end();
-      if (!std::exchange(told, true))
-        streams.err << "Ending: the cells that run are waited for. A second signal ends at once.\n" << std::flush;
-      return true;
-    };
-    outcome = lead(sweep, journal.value(), team, threadsOf(request, team), watcher);
-    progress.end();
+  Journal& journal = opened.value();
+  const std::size_t before = journal.rows().size();
+  Outcome outcome = runCells(sweep, journal, request, streams, team);
+  if (outcome.problems.empty() && !outcome.interrupted)
+    outcome.problems = writeResult(sweep, journal.rows(), request.out);
+  if (outcome.problems.empty() && !outcome.interrupted) {
+    journal.remove();
+    tellDone(sweep, sweep.cells.count - before, request, streams);
+    return Exit::Well;
   }
-  const std::size_t done = is_there.value() ? all : journal.value().rows().size();
-  if (outcome.problems.empty() && !outcome.interrupted && !is_there.value())
-    outcome.problems = writeResult(sweep, journal.value().rows(), request.out);
-  if (!outcome.problems.empty() || outcome.interrupted) {
-    const Exit exit = outcome.problems.empty() ? Exit::File : fail(outcome.problems, streams);
-    streams.err << done << " of " << all << " cells are done and kept in " << journal.value().path()
-                << ". The same command goes on from there.\n";
-    return exit;
-  }
-  journal.value().remove();
-  if (!request.quiet) streams.err << request.out << ": " << all << " cells, " << all - before << " of them run now.\n";
-  return Exit::Well;
+  const Exit exit = outcome.problems.empty() ? Exit::File : fail(outcome.problems, streams);
+  streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and kept in "
+              << journal.path() << ". The same command goes on from there.\n";
+  return exit;
 }
 
 }  // namespace
