@@ -5,13 +5,18 @@
 
 namespace underact {
 
-/// The next number of a sequence, in [0, 1); state: its seed at first. SplitMix64 (Steele, Lea, Flood 2014): the same
-/// numbers with every compiler and library, unlike std's distributions.
-inline double nextShare(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
+/// The next number of a sequence, of all 64 bits; state: its seed at first. SplitMix64 (Steele, Lea, Flood 2014): the
+/// same numbers with every compiler and library, unlike std's distributions. One to one: another state, another number.
+inline std::uint64_t nextBits(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
   std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
   z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+  return z ^ (z >> 31U);
+}
+
+/// The same as a number in [0, 1).
+inline double nextShare(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
+  return static_cast<double>(nextBits(state) >> 11U) * 0x1p-53;
 }
 
 }  // namespace underact

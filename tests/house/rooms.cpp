@@ -46,7 +46,8 @@ const std::vector<Library>& libraries() {
       {"RapidJSON", std::regex("rapidjson"), {"core/json"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
       {"systemd", std::regex("systemd/"), {"core/servo"}, false},
-      {"CLI11", std::regex("CLI/"), {"app/cli"}, true},
+      {"CLI11", std::regex("CLI/"), {"app/cli", "app/sweeper"}, true},
+      {"MPI", std::regex("mpi\\.h"), {"app/sweeper"}, false},
       {"sockets", std::regex("sys/socket|netinet|arpa/"), {}, false},
   };
   return kLibraries;

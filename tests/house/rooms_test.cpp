@@ -93,6 +93,11 @@ TEST_F(PlantedHouse, VtkInCoreIsFound) {
   expectFound("core/tick/draw.cpp:1: VTK does not belong in core/tick");
 }
 
+TEST_F(PlantedHouse, MpiInCoreIsFound) {
+  write("core/tick/team.cpp", "#include <mpi.h>\n");
+  expectFound("core/tick/team.cpp:1: MPI does not belong in core/tick");
+}
+
 TEST_F(PlantedHouse, RapidJsonInAHeaderIsFoundAndInItsRoomsSourceIsNot) {
   write("core/json/json.cpp", "#include <rapidjson/reader.h>\n");
   write("core/json/json.h", "#include <rapidjson/reader.h>\n");

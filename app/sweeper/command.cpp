@@ -1,0 +1,123 @@
+#include "app/sweeper/command.h"
+
+#include <underact/version.h>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/json_object.h"
+#include "app/sweeper/catalogue.h"
+#include "app/sweeper/mpi_team.h"
+#include "app/sweeper/request.h"
+
+namespace underact::sweep {
+namespace {
+
+using cli::Exit;
+
+struct Setting {
+  const cli::Streams& streams;
+  Team* team;
+  Exit& exit;
+};
+
+void addCommon(CLI::App& command, Request& request) {
+  auto* out = command.add_option("--out", request.out, "The result's file (CSV)");
+  auto* dry = command.add_flag("--dry-run", request.dry_run, "Say how many cells there are and how long they take");
+  out->excludes(dry);
+  command.add_option("--threads", request.threads, "Cells at a time; all cores by itself, under mpirun one a rank")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", request.quiet, "Say nothing but what is wrong");
+}
+
+/// Runs what was asked for, where there is a place for the result.
+void run(const Request& request, const Setting& setting) {
+  if (request.out.empty() && !request.dry_run) {
+    setting.streams.err << "Say where the result goes: --out FILE. (--dry-run only measures.)\n";
+    setting.exit = Exit::Usage;
+    return;
+  }
+  setting.exit = runSweep(request, setting.streams, setting.team);
+}
+
+std::string usualOf(const Option& option) {
+  std::string text;
+  for (const std::string& value : option.usual) text += (text.empty() ? " [" : " ") + value;
+  return text.empty() ? " (required)" : text + "]";
+}
+
+void addKind(CLI::App& program, const Kind& kind, const Setting& setting) {
+  const auto request = std::make_shared<Request>();
+  request->kind = &kind;
+  CLI::App* command = program.add_subcommand(kind.key, kind.question);
+  for (const Option& option : kind.options) {
+    // CLI11 leaves in a list what was said; what was not stays away, so that what is usual holds.
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--" + option.name,
+            [request, name = option.name](const std::vector<std::string>& said) { request->values[name] = said; },
+            option.what + usualOf(option))
+        ->expected(1, option.many ? -1 : 1);
+  }
+  command->add_option("--seed", request->seed, "Of all that is random")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  addCommon(*command, *request);
+  command->callback([request, setting] { run(*request, setting); });
+}
+
+void addFrom(CLI::App& program, const Setting& setting) {
+  const auto request = std::make_shared<Request>();
+  const auto file = std::make_shared<std::string>();
+  CLI::App* command = program.add_subcommand("from", "Run a sweep whose kind, seed and options stand in a file");
+  command->add_option("FILE", *file, "The sweep (JSON)")->required();
+  addCommon(*command, *request);
+  command->callback([request, file, setting] {
+    readRequest(*file, *request);
+    run(*request, setting);
+  });
+}
+
+void addList(CLI::App& program, const Setting& setting) {
+  CLI::App* command = program.add_subcommand("list", "The kinds of sweeps there are");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "A JSON object a kind");
+  command->callback([json, setting] {
+    for (const Kind& kind : kinds()) {
+      cli::JsonObject object;
+      object.addText("kind", kind.key);
+      object.addText("question", kind.question);
+      setting.streams.out << (*json ? object.text() : kind.key + ": " + kind.question) << '\n';
+    }
+  });
+}
+
+}  // namespace
+
+Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team) {
+  CLI::App program("Sweeps: many independent runs, on all cores of this machine, or of many by mpirun.",
+                   "underact-sweep");
+  program.set_version_flag("--version", std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")",
+                           "Print the version and exit");
+  program.require_subcommand(1);
+  program.failure_message(CLI::FailureMessage::simple);
+  Exit exit = Exit::Well;
+  const Setting setting{streams, team, exit};
+  for (const Kind& kind : kinds()) addKind(program, kind, setting);
+  addFrom(program, setting);
+  addList(program, setting);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    program.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    // Help and version come this way, too, with 0.
+    exit = program.exit(error, streams.out, streams.err) == 0 ? Exit::Well : Exit::Usage;
+  }
+  streams.out.flush();
+  if (streams.out) return exit;
+  streams.err << "underact-sweep: the results could not be written.\n";
+  return Exit::File;
+}
+
+}  // namespace underact::sweep

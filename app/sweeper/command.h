@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "core/sweep/team.h"
+
+namespace underact::sweep {
+
+/// The whole program. arguments: without the program's name. team: the ranks it runs in; null: it is alone. The leader
+/// speaks for all; the other ranks say nothing and end with 0.
+cli::Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team);
+
+}  // namespace underact::sweep

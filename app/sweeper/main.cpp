@@ -1,0 +1,41 @@
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <streambuf>
+
+#include "app/cli/scene_file.h"
+#include "app/sweeper/command.h"
+#include "app/sweeper/mpi_team.h"
+
+namespace {
+
+/// Takes all and keeps nothing.
+class Nothing : public std::streambuf {
+  int overflow(int letter) override { return traits_type::not_eof(letter); }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using underact::sweep::Team;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told of as a disk that is full
+  std::unique_ptr<Team> team;
+  if (underact::sweep::isOneOfTeam()) {
+    underact::Result<std::unique_ptr<Team>> joined = underact::sweep::joinTeam();
+    if (!joined) {
+      underact::cli::print(joined.problems(), std::cerr);
+      return static_cast<int>(underact::cli::Exit::Usage);
+    }
+    team = std::move(joined).value();
+  }
+  Nothing nothing;
+  std::ostream nowhere(&nothing);
+  const bool speaks = team == nullptr || team->rank() == 0;
+  const underact::cli::Streams streams{std::cin, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere,
+                                       isatty(STDERR_FILENO) != 0};
+  const underact::cli::Exit exit =
+      underact::sweep::execute({argv + (argc > 0 ? 1 : 0), argv + argc}, streams, team.get());
+  return speaks ? static_cast<int>(exit) : 0;
+}

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/sweep/kind.h"
+#include "core/sweep/team.h"
+
+namespace underact::sweep {
+
+/// What the command line asks for.
+struct Request {
+  const Kind* kind = nullptr;
+  Options::Values values;
+  std::uint64_t seed = 1;
+  std::string out;
+  int threads = 0;  // 0: all cores; of a rank, one
+  bool dry_run = false;
+  bool quiet = false;
+  Problems problems = {};  // with the file it was to be read from
+};
+
+/// {"underact_sweep": 1, "kind": "hands", "seed": 1, "options": {"scene": ["a.json"], "draws": 10}}: sets kind, seed
+/// and values; or problems, every one at once, with places.
+void readRequest(const std::string& path, Request& request);
+
+/// Runs the sweep, or measures what it would take.
+cli::Exit runSweep(const Request& request, const cli::Streams& streams, Team* team);
+
+}  // namespace underact::sweep

@@ -1,0 +1,147 @@
+#include "core/sweep/journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "core/json/text_file.h"
+#include "core/sweep/checksum.h"
+#include "underact/version.h"
+
+namespace underact::sweep {
+namespace {
+
+constexpr std::size_t kChecksum = 16;                    // digits of a line: one in 2^64 damaged ones is not seen
+constexpr std::size_t kLargest = std::size_t{8} << 30U;  // beyond any result that a table program opens
+constexpr std::string_view kFirst = "underact-sweep-journal 1 ";
+
+/// The sweep's fingerprint is in every line's checksum, so that no line of another sweep counts.
+std::string lineOf(const std::string& fingerprint, const std::string& text) {
+  return checksumOf(fingerprint + text).substr(0, kChecksum) + " " + text + "\n";
+}
+
+/// What stands in a line without its end; none: it is damaged.
+std::optional<std::string> textIn(const std::string& fingerprint, std::string_view line) {
+  if (line.size() <= kChecksum) return {};
+  std::string text(line.substr(kChecksum + 1));
+  if (lineOf(fingerprint, text) != std::string(line) + "\n") return {};
+  return text;
+}
+
+std::string firstLine(const Sweep& sweep) {
+  return std::string(kFirst) + sweep.fingerprint + " kind " + sweep.kind + ", seed " + std::to_string(sweep.seed) +
+         ", version " + kVersion + "\n";
+}
+
+Problems problemAt(const std::string& path, const std::string& sentence) {
+  return {{sentence, {path, 0, 0, {}}}};
+}
+
+Problems systemProblem(const std::string& path, const std::string& what, int error) {
+  return problemAt(path, what + ": " + std::generic_category().message(error) + ".");
+}
+
+/// Cell and row of "CELL ROW"; none: it is no such text.
+std::optional<std::pair<std::size_t, std::string>> cellIn(const std::string& text) {
+  std::size_t cell = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, cell);
+  if (error != std::errc() || at == end || *at != ' ') return {};
+  return std::pair{cell, std::string(at + 1, end)};
+}
+
+/// Why a journal is not used. first: its first line, with its end.
+std::string refusal(std::string_view first, std::size_t fingerprint) {
+  const std::size_t words = kFirst.size() + fingerprint + 1;
+  const bool is_known = first.starts_with(kFirst) && first.size() > words;
+  const std::string whose = is_known ? "another sweep (" + std::string(first.substr(words, first.size() - words - 1)) +
+                                           "), or other options or files"
+                                     : "no sweep that can be known";
+  return "This journal is of " + whose + ". Choose another --out, or remove the journal, and its cells with it.";
+}
+
+}  // namespace
+
+std::string journalOf(const std::string& result) {
+  return result + ".part";
+}
+
+Journal::Journal(std::string path, std::string fingerprint, int fd)
+    : path_(std::move(path)), fingerprint_(std::move(fingerprint)), fd_(fd) {}
+
+Journal::Journal(Journal&& other) noexcept
+    : path_(std::move(other.path_)),
+      fingerprint_(std::move(other.fingerprint_)),
+      fd_(std::exchange(other.fd_, -1)),
+      rows_(std::move(other.rows_)) {}
+
+Journal::~Journal() {
+  if (fd_ >= 0) close(fd_);
+}
+
+Result<Journal> Journal::open(const Sweep& sweep, const std::string& result) {
+  const std::string path = journalOf(result);
+  const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (fd < 0) return systemProblem(path, "The journal of finished cells cannot be opened", errno);
+  Journal journal(path, sweep.fingerprint, fd);
+  // A file system without locks is used without one.
+  if (flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return problemAt(path,
+                     "Another underact-sweep is at work on this result. Wait for its end, or choose another --out.");
+  Problems problems = journal.read(sweep);
+  if (!problems.empty()) return problems;
+  return journal;
+}
+
+Problems Journal::read(const Sweep& sweep) {
+  const Result<std::string> file = json::readTextFile(path_, "a journal", kLargest);
+  if (!file) return file.problems();
+  const std::string& text = file.value();
+  const std::string first = firstLine(sweep);
+  const std::string_view here = std::string_view(text).substr(0, text.find('\n') + 1);
+  const bool is_torn_first = here.empty() && (text.starts_with(kFirst) || kFirst.starts_with(text));
+  if (here != first && !is_torn_first) return problemAt(path_, refusal(here, sweep.fingerprint.size()));
+  const std::size_t whole = text.rfind('\n') + 1;  // what comes behind was torn by a kill; of none, 0
+  if (ftruncate(fd_, static_cast<off_t>(whole)) != 0)
+    return systemProblem(path_, "The journal of finished cells cannot be written", errno);
+  if (whole == 0) return write(first);
+  for (std::size_t at = here.size(); at < whole;) {
+    const std::size_t end = text.find('\n', at);
+    const auto line = textIn(fingerprint_, std::string_view(text).substr(at, end - at));
+    at = end + 1;
+    if (!line) continue;
+    auto found = cellIn(*line);
+    if (found && found->first < sweep.cells.count) rows_.insert(std::move(*found));
+  }
+  return {};
+}
+
+Problems Journal::write(const std::string& line) {
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t count = ::write(fd_, line.data() + done, line.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return systemProblem(path_, "The journal takes no more", count < 0 ? errno : ENOSPC);
+    done += static_cast<std::size_t>(count);
+  }
+  return {};
+}
+
+Problems Journal::add(std::size_t cell, const std::string& row) {
+  if (rows_.contains(cell)) return {};
+  Problems problems = write(lineOf(fingerprint_, std::to_string(cell) + " " + row));
+  if (problems.empty()) rows_.emplace(cell, row);
+  return problems;
+}
+
+void Journal::remove() {
+  unlink(path_.c_str());
+}
+
+}  // namespace underact::sweep

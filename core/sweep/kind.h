@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/sweep/options.h"
+#include "core/sweep/row.h"
+
+namespace underact::sweep {
+
+/// The independent cells that a kind made of its options, ready to run.
+struct Cells {
+  std::size_t count = 0;
+  std::vector<std::string> columns;  // of a row, without the cell's number and seed, which every result begins with
+  /// The files that were read and a checksum of what was in each, as checksumOf() gives it (core/sweep/checksum.h): a
+  /// sweep that goes on with other content would mix two.
+  std::vector<std::pair<std::string, std::string>> files;
+  /// Runs one cell. A function of index (below count) and seed alone: no clock, thread, rank or order of calls may have
+  /// a part in it. Called by several threads at once, so it must not change what it shares. Problems end the sweep;
+  /// what merely went wrong inside a simulation (a fault, a limit that was not found) is a result and belongs in the
+  /// row.
+  std::function<Result<Row>(std::size_t index, std::uint64_t seed)> run;
+};
+
+/// A kind of sweep: a row of the catalogue (app/sweeper/catalogue.cpp).
+struct Kind {
+  std::string key;       // "hands": its name on the command line, in files and results
+  std::string question;  // that it answers, one sentence
+  std::vector<Option> options;
+  /// Reads what the options name. Problems: all there are, options.problems() among them.
+  Result<Cells> (*make)(Options& options);
+};
+
+}  // namespace underact::sweep

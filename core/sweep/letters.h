@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace underact::sweep {
+
+// What is in the letters between the leader and the other ranks.
+
+/// From a rank to the leader. Hello: its first, with the fingerprint of its sweep. Done: what it has finished, and how
+/// many more cells it wants. Trouble: why it cannot go on. Interrupted: it was asked to end. Bye: its last, after Stop.
+enum class Word { Hello, Done, Trouble, Interrupted, Bye };
+struct Report {
+  struct Line {
+    std::size_t cell = 0;
+    std::string row;
+  };
+  Word word = Word::Hello;
+  std::string text = {};  // of Hello and Trouble
+  std::size_t wants = 0;  // of Done
+  std::vector<Line> rows = {};
+};
+
+/// From the leader to a rank: cells to run, or none and to stop.
+struct Order {
+  bool stop = false;
+  std::vector<std::size_t> cells = {};
+};
+
+std::string write(const Report& report);
+std::string write(const Order& order);
+/// None: it is no such letter.
+std::optional<Report> readReport(const std::string& letter);
+std::optional<Order> readOrder(const std::string& letter);
+
+}  // namespace underact::sweep

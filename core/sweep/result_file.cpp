@@ -1,0 +1,81 @@
+#include "core/sweep/result_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "core/json/text_file.h"
+
+namespace underact::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargest = std::size_t{8} << 30U;
+
+Problems problemAt(const std::string& path, const std::string& sentence) {
+  return {{sentence, {path, 0, 0, {}}}};
+}
+
+/// So that the new name of a file outlives a power cut. What a file system cannot do is left.
+void keepNames(const fs::path& folder) {
+  const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  fsync(fd);
+  close(fd);
+}
+
+/// errno of what went wrong; 0: all is on the disk.
+int writeAll(int fd, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(fd, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count < 0 ? errno : ENOSPC;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return fsync(fd) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+Result<bool> isThere(const Sweep& sweep, const std::string& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return false;
+  if (!fs::is_regular_file(path, ignored)) return problemAt(path, "This is no plain file; choose another --out.");
+  const Result<std::string> text = json::readTextFile(path, "a result", kLargest);
+  if (!text) return text.problems();
+  if (text.value().starts_with(sweep.header)) {
+    const auto lines = std::count(text.value().begin(), text.value().end(), '\n');
+    const auto header = std::count(sweep.header.begin(), sweep.header.end(), '\n');
+    if (static_cast<std::size_t>(lines - header) == sweep.cells.count) return true;
+    return problemAt(path, "This result has lost or got rows since it was written. Remove it to make it anew.");
+  }
+  return problemAt(path,
+                   "Something else is there already, and is not overwritten. Choose another --out, or remove it.");
+}
+
+Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& path) {
+  std::string text = sweep.header;
+  for (const auto& [cell, row] : rows) text += row + "\n";
+  const std::string beside = path + ".new";
+  const int fd = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  int error = fd < 0 ? errno : writeAll(fd, text);
+  if (fd >= 0 && close(fd) != 0 && error == 0) error = errno;
+  // On the disk before it has its name: a name without content would pass for a result.
+  if (error == 0 && std::rename(beside.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) {
+    keepNames(fs::path(path).parent_path());  // before anybody removes the journal
+    return {};
+  }
+  unlink(beside.c_str());
+  return problemAt(path, "The result cannot be written: " + std::generic_category().message(error) +
+                             ". Its cells are kept: make room, and give the same command again.");
+}
+
+}  // namespace underact::sweep

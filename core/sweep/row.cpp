@@ -1,0 +1,38 @@
+#include "core/sweep/row.h"
+
+#include <cmath>
+
+#include "core/json/json.h"
+
+namespace underact::sweep {
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string field = "\"";
+  for (const char letter : text) field += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return field + "\"";
+}
+
+}  // namespace
+
+void Row::addRaw(std::string_view field) {
+  if (fields_++ > 0) text_ += ',';
+  text_ += field;
+}
+
+void Row::add(double value) {
+  if (std::isfinite(value)) return addRaw(json::numberText(value));
+  addRaw(std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf");
+}
+
+void Row::add(std::string_view text) {
+  std::string line(text);
+  for (char& letter : line) {
+    if (static_cast<unsigned char>(letter) < 0x20U) letter = ' ';
+  }
+  const bool plain =
+      line.find_first_of(",\"") == std::string::npos && (line.empty() || (line.front() != ' ' && line.back() != ' '));
+  addRaw(plain ? line : quoted(line));
+}
+
+}  // namespace underact::sweep

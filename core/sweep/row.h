@@ -1,0 +1,30 @@
+#pragma once
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace underact::sweep {
+
+/// One line of the result, field by field, as CSV has it.
+class Row {
+ public:
+  /// Reads back to the same double; "nan", "inf" and "-inf" where it is not finite.
+  void add(double value);
+  void add(std::integral auto value) { addRaw(std::to_string(value)); }
+  /// In quotes where a comma, a quote or a space at an end asks for them (RFC 4180). An end of line becomes a space: a
+  /// row is one line.
+  void add(std::string_view text);
+  void add(const char* text) { add(std::string_view(text)); }
+  void add(const std::string& text) { add(std::string_view(text)); }
+
+  std::size_t fields() const { return fields_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  void addRaw(std::string_view field);
+  std::string text_;
+  std::size_t fields_ = 0;
+};
+
+}  // namespace underact::sweep

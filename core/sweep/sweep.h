@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/sweep/kind.h"
+
+namespace underact::sweep {
+
+/// A sweep: its cells, and all that its result depends on besides the program's code.
+struct Sweep {
+  std::string kind;
+  std::uint64_t seed = 0;
+  Cells cells;
+  std::string header;       // what the result begins with: lines of "# name: value", then the columns
+  std::string fingerprint;  // of the header: sweeps with the same have the same result
+};
+
+/// Problems: those of the options; of the kind; of a kind that makes no cells.
+Result<Sweep> makeSweep(const Kind& kind, const Options::Values& said, std::uint64_t seed);
+
+/// The seed of a cell: below 2^53, so that a table read as doubles has it exactly. Of no rank, thread or order.
+std::uint64_t seedOf(std::uint64_t sweep_seed, std::size_t cell);
+
+/// Runs a cell. The line of the result, without its end. Any thread. Problems: those of the cell; an exception in it.
+Result<std::string> rowOf(const Sweep& sweep, std::size_t cell);
+
+}  // namespace underact::sweep

@@ -1,0 +1,26 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace underact::sweep {
+
+/// What one rank wrote to another.
+struct Letter {
+  int from = 0;
+  std::string text;
+};
+
+/// Processes that run one sweep together, each the same program with the same arguments. Letters between two ranks
+/// arrive in the order in which they were sent. One thread of each process uses it.
+class Team {
+ public:
+  virtual ~Team() = default;
+  virtual int rank() const = 0;  // from 0, who leads
+  virtual int size() const = 0;
+  /// Returns at once.
+  virtual void send(int to, const std::string& text) = 0;
+  /// The next letter, where one has come.
+  virtual std::optional<Letter> receive() = 0;
+};
+
+}  // namespace underact::sweep

@@ -1,0 +1,57 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/sweep/sweep.h"
+
+namespace underact::sweep {
+
+/// A cell that was run.
+struct Finished {
+  std::size_t cell = 0;
+  Result<std::string> row;
+};
+
+/// Threads that run the cells they are given; one thread owns them and takes what they finish.
+class Workers {
+ public:
+  /// sweep lives longer than they do.
+  Workers(const Sweep& sweep, int threads);
+  ~Workers();  // what runs is waited for
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// How many more cells they should have: one a thread, and where cells are short so many more that a thread does not
+  /// wait for the next ones to come from another machine.
+  std::size_t wants() const;
+  void give(std::span<const std::size_t> cells);
+  /// Gives up the cells that nobody began.
+  void drop();
+  /// Cells given whose row was not taken.
+  std::size_t held() const;
+  /// What was finished since the last call; where there is nothing yet, waits so long for the next one.
+  std::vector<Finished> take(std::chrono::microseconds wait);
+
+ private:
+  void work();
+
+  const Sweep& sweep_;
+  mutable std::mutex mutex_;
+  std::condition_variable given_, done_;
+  std::deque<std::size_t> open_;
+  std::size_t running_ = 0;
+  std::vector<Finished> finished_;
+  bool ends_ = false;
+  double spent_s_ = 0.0;  // by all threads, in the cells that ran
+  std::size_t ran_ = 0;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace underact::sweep

@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/sweep/rig.h"
+
+// What only a process has: kills, signals, disks that fill up, and other ranks. No sanitizer knows what a fork of
+// TSan's runtime may do.
+#if !defined(__SANITIZE_THREAD__)
+namespace underact::test {
+namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr const char* kSeconds = "5";
+#else
+constexpr const char* kSeconds = "30";  // some 0.06 s a cell, so that a kill finds some of them done
+#endif
+constexpr int kCells = 24;
+
+/// What is run, whatever runs it: two cells a draw.
+std::string sweepTo(const std::string& out, const std::string& draws = "12") {
+  return sweepProgram() + " hands --scene '" + scene("02_sphere.json") + "' '" + scene("12_line_pid.json") +
+         "' --draws " + draws + " --seconds " + kSeconds + " --out '" + out + "'";
+}
+
+class SweepProcess : public testing::Test {
+ protected:
+  /// All cells on one thread, without a break: once for all tests.
+  static void SetUpTestSuite() {
+    whole_ = new ScratchFolder;
+    Process process(sweepTo(whole_->file("r.csv")) + " --threads 1", whole_->file("said"));
+    ASSERT_EQ(process.wait(), 0) << textOf(whole_->file("said"));
+  }
+  static void TearDownTestSuite() { delete whole_; }
+  static std::string expected() { return textOf(whole_->file("r.csv")); }
+
+  std::string said() const { return textOf(said_); }
+  /// Runs to the end; the exit status.
+  int run(const std::string& command) const { return Process(command, said_).wait(); }
+  /// The same sweep to its end, which is the same to the byte, and what was done before is not done again.
+  void expectToGoOn(const std::string& command) const {
+    const std::size_t before = cellsIn(out_);
+    EXPECT_FALSE(std::filesystem::exists(out_));
+    EXPECT_GT(before, 0U);
+    EXPECT_EQ(run(command), 0) << said();
+    EXPECT_EQ(runNow(said_), kCells - static_cast<int>(before)) << said();
+    EXPECT_TRUE(textOf(out_) == expected());
+    EXPECT_FALSE(std::filesystem::exists(out_ + ".part"));
+  }
+
+  ScratchFolder folder_;
+  std::string out_ = folder_.file("r.csv"), said_ = folder_.file("said");
+  static inline ScratchFolder* whole_ = nullptr;
+};
+
+TEST_F(SweepProcess, KilledAndStartedAgainGivesTheSameBytes) {
+  Process process(sweepTo(out_) + " --threads 2", said_);
+  ASSERT_TRUE(waitForCells(out_, 4));
+  kill(process.pid(), SIGKILL);
+  EXPECT_EQ(process.wait(), -SIGKILL);
+  expectToGoOn(sweepTo(out_) + " --threads 3");
+}
+
+TEST_F(SweepProcess, AskedToEndEndsInOrderAndSaysHowToGoOn) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    Process process(sweepTo(out_) + " --threads 2", said_);
+    ASSERT_TRUE(waitForCells(out_, 4));
+    kill(process.pid(), signal);
+    EXPECT_EQ(process.wait(), 4) << said();
+    EXPECT_NE(said().find("of 24 cells are done and kept in"), std::string::npos) << said();
+    EXPECT_NE(said().find("The same command goes on"), std::string::npos) << said();
+    expectToGoOn(sweepTo(out_));
+    std::filesystem::remove(out_);
+  }
+}
+
+TEST_F(SweepProcess, OnAFullDiskKeepsWhatItHasAndGoesOn) {
+  EXPECT_EQ(run("sh -c 'ulimit -f 4; exec \"$@\"' sh " + sweepTo(out_)), 4);  // blocks of 512 bytes
+  EXPECT_NE(said().find("takes no more: File too large"), std::string::npos) << said();
+  expectToGoOn(sweepTo(out_));
+}
+
+TEST_F(SweepProcess, OfTheSameResultIsRefusedASecondTime) {
+  Process first(sweepTo(out_) + " --threads 1", said_);
+  ASSERT_TRUE(waitForCells(out_, 1));
+  const std::string second_said = folder_.file("said too");
+  Process second(sweepTo(out_), second_said);
+  EXPECT_EQ(second.wait(), 4);
+  EXPECT_NE(textOf(second_said).find("Another underact-sweep is at work"), std::string::npos);
+  EXPECT_EQ(first.wait(), 0);
+  EXPECT_TRUE(textOf(out_) == expected());
+}
+
+/// Whether a process has loaded any of the parts with which Open MPI begins.
+bool hasBegunMpi(pid_t pid) {
+  return textOf("/proc/" + std::to_string(pid) + "/maps").find("/mca_") != std::string::npos;
+}
+
+TEST_F(SweepProcess, AloneBeginsNoMpi) {
+  Process process("env -i PATH=/nowhere " + sweepTo(out_), said_);
+  ASSERT_TRUE(waitForCells(out_, 1)) << said();
+  EXPECT_FALSE(hasBegunMpi(process.pid()));
+  EXPECT_EQ(process.wait(), 0) << said();
+  EXPECT_TRUE(textOf(out_) == expected());
+}
+
+#ifdef UNDERACT_MPIRUN
+
+/// Ranks of one machine. isolated: no ssh to others is looked for. none: containers that let no process read another's
+/// memory. The interface lo is enough.
+std::string mpirun(int ranks) {
+  return std::string("'") + UNDERACT_MPIRUN +
+         "' --allow-run-as-root --oversubscribe --mca plm isolated --mca btl self,vader"
+         " --mca btl_vader_single_copy_mechanism none -n " +
+         std::to_string(ranks) + " ";
+}
+
+class SweepRanks : public SweepProcess {};
+
+TEST_F(SweepRanks, OneAndFourGiveTheSameBytes) {
+  for (const int ranks : {1, 4}) {
+    EXPECT_EQ(run(mpirun(ranks) + sweepTo(out_)), 0) << said();
+    EXPECT_EQ(runNow(said_), kCells) << said();
+    EXPECT_TRUE(textOf(out_) == expected()) << ranks << " ranks";
+    std::filesystem::remove(out_);
+  }
+}
+
+TEST_F(SweepRanks, OneOfThemKilledAndStartedAgainWithAnotherNumberGiveTheSameBytes) {
+  for (const int rank : {2, 0}) {
+    Process process(mpirun(3) + sweepTo(out_), said_);
+    ASSERT_TRUE(waitForCells(out_, 4)) << said();
+    const pid_t pid = rankOf(process.pid(), rank);
+    ASSERT_GT(pid, 0);
+    EXPECT_TRUE(hasBegunMpi(pid));
+    kill(pid, SIGKILL);
+    EXPECT_NE(process.wait(), 0);
+    expectToGoOn(mpirun(rank == 0 ? 2 : 4) + sweepTo(out_));
+    std::filesystem::remove(out_);
+  }
+}
+
+TEST_F(SweepRanks, AllKilledAndGoneOnWithOnThreadsGiveTheSameBytes) {
+  Process process(mpirun(2) + sweepTo(out_), said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
+  std::vector<pid_t> ranks;
+  for (const int rank : {0, 1}) ranks.push_back(rankOf(process.pid(), rank));
+  kill(process.pid(), SIGKILL);
+  for (const pid_t rank : ranks) kill(rank, SIGKILL);
+  EXPECT_EQ(process.wait(), -SIGKILL);
+  expectToGoOn(sweepTo(out_) + " --threads 2");
+}
+
+TEST_F(SweepRanks, OneOfThemAskedToEndEndsAllInOrder) {
+  Process process(mpirun(3) + sweepTo(out_), said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
+  const pid_t pid = rankOf(process.pid(), 1);
+  ASSERT_GT(pid, 0);
+  kill(pid, SIGTERM);
+  EXPECT_EQ(process.wait(), 4) << said();
+  EXPECT_NE(said().find("The same command goes on"), std::string::npos) << said();
+  expectToGoOn(mpirun(2) + sweepTo(out_));
+}
+
+TEST_F(SweepRanks, AllAskedToEndByMpirunKeepWhatIsDone) {  // it tells them a second later, and kills them another later
+  const std::string command = sweepTo(out_, "40");
+  Process process(mpirun(2) + command, said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
+  kill(process.pid(), SIGTERM);
+  EXPECT_NE(process.wait(), 0);
+  const std::size_t before = cellsIn(out_);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  EXPECT_EQ(run(command), 0) << said();
+  EXPECT_EQ(runNow(said_), 80 - static_cast<int>(before)) << said();
+}
+
+TEST_F(SweepRanks, OneWithoutTheFilesEndsAllWithASentence) {
+  const std::string elsewhere = folder_.file("elsewhere"), here = folder_.file("here");
+  std::filesystem::create_directories(elsewhere);
+  std::filesystem::create_directories(here);
+  std::filesystem::copy_file(scene("02_sphere.json"), here + "/s.json");
+  const std::string command = sweepProgram() + " hands --scene s.json --draws 40 --seconds 10 --out '" + out_ + "'";
+  const std::string all =
+      mpirun(1) + "--wdir '" + here + "' " + command + " : -n 1 --wdir '" + elsewhere + "' " + command;
+  EXPECT_EQ(run(all), 1);
+  EXPECT_NE(said().find("Rank 1: s.json: error: The file cannot be opened"), std::string::npos) << said();
+  std::filesystem::copy_file(scene("12_line_pid.json"), elsewhere + "/s.json");
+  EXPECT_EQ(run(all), 1);
+  EXPECT_NE(said().find("Rank 1 runs another version of the program, or sees other files"), std::string::npos)
+      << said();
+}
+
+TEST_F(SweepRanks, ThatCannotBeginSaySoOnce) {
+  const auto expectOnce = [&](const std::string& arguments, int exit, const std::string& words) {
+    EXPECT_EQ(run(mpirun(2) + sweepProgram() + arguments), exit);
+    const std::string text = said();
+    const std::size_t first = text.find(words);
+    ASSERT_NE(first, std::string::npos) << text;
+    EXPECT_EQ(text.find(words, first + 1), std::string::npos) << text;
+  };
+  expectOnce(" hands --scene none.json --out '" + out_ + "'", 4, "none.json: error");
+  expectOnce(" hands --seen none.json --out '" + out_ + "'", 2, "Run with --help");
+}
+
+TEST_F(SweepRanks, FindAResultThatIsThere) {
+  std::filesystem::copy_file(whole_->file("r.csv"), out_);
+  EXPECT_EQ(run(mpirun(2) + sweepTo(out_)), 0) << said();
+  EXPECT_EQ(runNow(said_), 0);
+  EXPECT_EQ(run(mpirun(2) + sweepTo(out_) + " --seed 2"), 4);
+  EXPECT_NE(said().find("is not overwritten"), std::string::npos) << said();
+  EXPECT_TRUE(textOf(out_) == expected());
+}
+
+#endif  // UNDERACT_MPIRUN
+
+}  // namespace
+}  // namespace underact::test
+#endif

@@ -1,0 +1,155 @@
+#include "tests/sweep/rig.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <thread>
+
+#include "app/sweeper/command.h"
+#include "core/sweep/journal.h"
+
+namespace underact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr auto kPatience = 60s;
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "underact-sweep-XXXXXX").string();
+  path_ = mkdtemp(name.data());
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+Said sweepHere(std::vector<std::string> arguments) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  const cli::Streams streams{in, out, err};
+  const cli::Exit exit = sweep::execute(std::move(arguments), streams, nullptr);
+  return {exit, out.str(), err.str()};
+}
+
+std::string sweepProgram() {
+  return std::string("'") + UNDERACT_BINARY + "/underact-sweep'";
+}
+
+Process::Process(const std::string& command, const std::string& said) {
+  const std::string whole = "exec " + command + " >'" + said + "' 2>&1 </dev/null";
+  pid_ = fork();
+  if (pid_ != 0) return;
+  setpgid(0, 0);
+  execl("/bin/sh", "sh", "-c", whole.c_str(), nullptr);
+  _exit(127);
+}
+
+Process::~Process() {
+  if (pid_ <= 0) return;
+  kill(-pid_, SIGKILL);
+  kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+int Process::wait() {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  int status = 0;
+  while (waitpid(pid_, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > end) {
+      ADD_FAILURE() << "The program does not end.";
+      return -1;
+    }
+    std::this_thread::sleep_for(2ms);
+  }
+  pid_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+pid_t rankOf(pid_t mpirun, int rank) {
+  const std::string parent = "\nPPid:\t" + std::to_string(mpirun) + "\n";
+  const std::string mark = std::string(1, '\0') + "OMPI_COMM_WORLD_RANK=" + std::to_string(rank) + std::string(1, '\0');
+  for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    pid_t pid = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
+    if (error != std::errc() || end != name.data() + name.size()) continue;
+    if (contentOf(entry.path() / "status").find(parent) == std::string::npos) continue;
+    if (contentOf(entry.path() / "environ").find(mark) != std::string::npos) return pid;
+  }
+  return -1;
+}
+
+std::size_t cellsIn(const std::string& result) {
+  const std::string text = contentOf(sweep::journalOf(result));
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  return lines > 0 ? lines - 1 : 0;
+}
+
+bool waitForCells(const std::string& result, std::size_t cells) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (cellsIn(result) < cells) {
+    if (std::chrono::steady_clock::now() > end || fs::exists(result)) return false;
+    std::this_thread::sleep_for(1ms);
+  }
+  return true;
+}
+
+int runNow(const std::string& said) {
+  std::smatch found;
+  const std::string text = contentOf(said);
+  return std::regex_search(text, found, std::regex(" cells, ([0-9]+) of them run now")) ? std::stoi(found[1]) : -1;
+}
+
+std::string textOf(const std::string& path) {
+  EXPECT_TRUE(fs::exists(path)) << path;
+  return contentOf(path);
+}
+
+std::string scene(const std::string& name) {
+  return std::string(UNDERACT_SOURCE) + "/scenes/" + name;
+}
+
+std::vector<std::vector<std::string>> table(const std::string& result) {
+  std::istringstream text(textOf(result));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("#")) continue;
+    std::istringstream fields(line);
+    std::vector<std::string>& row = rows.emplace_back();
+    for (std::string one; std::getline(fields, one, ',');) row.push_back(one);
+  }
+  return rows;
+}
+
+const std::string& field(const std::vector<std::vector<std::string>>& table, std::size_t row,
+                         const std::string& column) {
+  static const std::string kNone;
+  const auto found = std::find(table.at(0).begin(), table.at(0).end(), column);
+  if (found == table.at(0).end()) {
+    ADD_FAILURE() << "no column " << column;
+    return kNone;
+  }
+  return table.at(row).at(static_cast<std::size_t>(found - table.at(0).begin()));
+}
+
+}  // namespace underact::test

@@ -1,0 +1,74 @@
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+
+namespace underact::test {
+
+/// A folder that is gone with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// What underact-sweep said, and how it ended.
+struct Said {
+  cli::Exit exit = cli::Exit::Well;
+  std::string out, err;
+};
+
+/// The program in this process.
+Said sweepHere(std::vector<std::string> arguments);
+
+/// The path of underact-sweep, in quotes.
+std::string sweepProgram();
+
+/// A command of the shell that runs beside the test; what is left of it dies with the object.
+class Process {
+ public:
+  /// Its messages go to the file `said`.
+  Process(const std::string& command, const std::string& said);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  pid_t pid() const { return pid_; }
+  /// Waits for its end, a minute at most. Its exit status; of one that a signal ended, minus the signal.
+  int wait();
+
+ private:
+  pid_t pid_ = -1;
+};
+
+/// The child of mpirun that is this rank; -1: there is none.
+pid_t rankOf(pid_t mpirun, int rank);
+
+/// Waits, a minute at most, until so many cells are in the journal of a result. False: they did not come.
+bool waitForCells(const std::string& result, std::size_t cells);
+
+/// Cells in the journal of a result; 0 where there is none.
+std::size_t cellsIn(const std::string& result);
+
+/// How many cells a program says it has run, in the file of its messages; -1: it does not say.
+int runNow(const std::string& said);
+
+std::string textOf(const std::string& path);
+std::string scene(const std::string& name);
+
+/// The lines of a result below its header, each cut at its commas; the columns first.
+std::vector<std::vector<std::string>> table(const std::string& result);
+/// The field of a row by the name of its column.
+const std::string& field(const std::vector<std::vector<std::string>>& table, std::size_t row,
+                         const std::string& column);
+
+}  // namespace underact::test
