@@ -15,7 +15,7 @@ namespace {
 constexpr double kSpeed_m_per_s = 5e-3;  // 0.05 mm of way at 500 N/m: robots are still straight
 constexpr double kRamps_s = 0.5;         // the gate's take 0.3 s
 constexpr double kSettling = 30.0;       // swings over 2 pi, critically damped: 1e-12 is left
-constexpr int kLooks = 8;                // times as long it may take, while hardly anything changes
+constexpr int kLooks = 16;               // times as long it may take, while hardly anything changes
 constexpr double kTells = 5e-3;          // there is no noise in it
 constexpr double kHolds = 0.05;          // of the swing, that a tip which is held at all leaves its target by
 constexpr double kActive_J = 1e-12;      // rounding of the observer's sum, of some 1e-7 J that go to and fro
@@ -68,7 +68,8 @@ SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, const
   loop.nudge(kSpeed_m_per_s * way_W.normalized());
   const double swing_m = kSpeed_m_per_s * std::sqrt(wall.mass_kg / stiffness_N_per_m);
   const int least = ticksToSee(wall.mass_kg, stiffness_N_per_m, loop.period_s());
-  Watch watch(swing_m, {least, kLooks * least, false, kTells});
+  const bool is_smooth = wall.friction_N == 0.0 && !wall.encoders;
+  Watch watch(swing_m, {least, kLooks * least, is_smooth ? Motion::Smooth : Motion::Stepped, kTells});
   SceneTrial result;
   double farthest_m = 0.0;
   for (bool goes_on = true; goes_on;) {

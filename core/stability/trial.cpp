@@ -40,10 +40,12 @@ void Watch::Span::add(double off_m) {
 }
 
 Behaviour Watch::judge() const {
-  const double late_m = late_.amplitude_m();
+  const double early_m = early_.amplitude_m(), late_m = late_.amplitude_m();
   if (late_m <= kAtRest * push_m_) return Behaviour::Rest;
-  if (rules_.linear || !steady_) return late_m < early_.amplitude_m() ? Behaviour::Rest : Behaviour::Grows;
-  return late_m <= push_m_ ? Behaviour::LimitCycle : Behaviour::Grows;
+  if (rules_.motion == Motion::Linear) return late_m < early_m ? Behaviour::Rest : Behaviour::Grows;
+  if (late_m < (1.0 - rules_.tells) * early_m) return Behaviour::Rest;
+  const bool may_last = rules_.motion == Motion::Stepped || late_m <= (1.0 + rules_.tells) * early_m;
+  return may_last && late_m <= push_m_ ? Behaviour::LimitCycle : Behaviour::Grows;
 }
 
 bool Watch::goesOn(double off_m) {
@@ -59,9 +61,9 @@ bool Watch::goesOn(double off_m) {
   const double early_m = early_.amplitude_m(), late_m = late_.amplitude_m();
   const bool tells = std::abs(late_m - early_m) > rules_.tells * early_m;
   const bool was_steady = steady_;
-  steady_ = !tells && !rules_.linear;
-  const bool told = late_m <= kAtRest * push_m_ || (rules_.linear && tells) || (steady_ && was_steady) ||
-                    next_ > rules_.most_ticks / 2;
+  steady_ = !tells && rules_.motion != Motion::Linear;
+  const bool told = late_m <= kAtRest * push_m_ || (rules_.motion == Motion::Linear && tells) ||
+                    (steady_ && was_steady) || next_ > rules_.most_ticks / 2;
   trial_.behaviour = judge();
   trial_.amplitude_m = late_m;
   if (told) return false;
@@ -75,7 +77,7 @@ Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) 
   const bool linear = wall.isLinear();
   const double off_m = linear ? kLinearPush_m : push_m;
   const int least = ticksToSee(wall.mass_kg, stiffness_N_per_m + wall.hand_stiffness_N_per_m, wall.period_s());
-  Watch watch(off_m, {least, least * (linear ? kLinearLooks : kOtherLooks), linear});
+  Watch watch(off_m, {least, least * (linear ? kLinearLooks : kOtherLooks), linear ? Motion::Linear : Motion::Stepped});
   const sim::Plant plant = plantOf(wall);
   const Vec3 p_WP(0.0, 0.0, 0.03);
   const control::Law law =

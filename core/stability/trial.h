@@ -5,8 +5,8 @@
 
 namespace underact::stability {
 
-/// What becomes of a push. Rest: it dies out. LimitCycle: it goes on, as large as ever, and no larger than the push.
-/// Grows: it goes beyond the push, and on.
+/// What becomes of a push. Rest: it dies out. LimitCycle: it goes on, no larger than the push. Grows: it goes beyond
+/// the push; where no steps or friction sustain a swing: it grows at all.
 enum class Behaviour : std::uint8_t { Rest, LimitCycle, Grows };
 
 /// "rest", "limit_cycle", "grows".
@@ -19,13 +19,17 @@ struct Trial {
   int ticks = 0;             // simulated
 };
 
+/// Linear: one swing, that grows for good or dies out. Smooth: several at once, slow ones among them, of which one may
+/// hide another for a while. Stepped: steps of encoders or friction may sustain a swing, up to some size.
+enum class Motion : std::uint8_t { Linear, Smooth, Stepped };
+
 /// Follows the swings of anything, tick by tick, until it can tell what becomes of them.
 class Watch {
  public:
   struct Rules {
     int least_ticks = 0;  // before the first look; then as many again, twice as many, ...
     int most_ticks = 0;   // then the last look decides
-    bool linear = false;  // nothing sustains a swing: whatever grows goes on growing
+    Motion motion = Motion::Linear;
     double tells = 0.02;  // a change by this share, from one look to the next, says where it goes
   };
   /// push_m: how far off it starts, above 0.

@@ -153,6 +153,16 @@ TEST(SampledWall, StepsOfTheEncodersKeepASwingAlive) {
   EXPECT_GT(stepped.amplitude_m, 1e-6);
 }
 
+TEST(SampledWall, CoarseStepsMakeNoSoftWallWild) {
+  SampledWall wall;
+  wall.coarseness = 2.0;
+  for (const double kd : {0.05, 0.2, 5.0}) {
+    wall.kd_N_s_per_m = kd;
+    EXPECT_NE(tryWall(wall, 128.0).behaviour, Behaviour::Grows) << kd;  // what swings, swings by a step or two
+    EXPECT_GT(simulatedLimit(wall), 190.0) << kd;
+  }
+}
+
 TEST(SampledWall, OnlyALinearOneHasAnExactLimit) {
   SampledWall wall;
   EXPECT_TRUE(exactLimit(wall).has_value());
@@ -167,20 +177,29 @@ TEST(SampledWall, OnlyALinearOneHasAnExactLimit) {
 }
 
 TEST(Watch, TellsADecayASteadySwingAndGrowthApart) {
-  const auto fate = [](double growth_a_tick, bool linear) {
-    Watch watch(1.0, {100, 20'000, linear});
+  const auto fate = [](double growth_a_tick, Motion motion) {
+    Watch watch(1.0, {100, 20'000, motion});
     double size = 0.5;
     for (int tick = 0; watch.goesOn(size * std::cos(0.7 * tick)); ++tick) size *= growth_a_tick;
     return watch.trial();
   };
-  EXPECT_EQ(fate(0.999, true).behaviour, Behaviour::Rest);
-  EXPECT_EQ(fate(1.001, true).behaviour, Behaviour::Grows);
-  EXPECT_EQ(fate(0.999, false).behaviour, Behaviour::Rest);
-  EXPECT_EQ(fate(1.001, false).behaviour, Behaviour::Grows);
-  EXPECT_EQ(fate(1.0, false).behaviour, Behaviour::LimitCycle);
-  EXPECT_NEAR(fate(1.0, false).amplitude_m, 0.5, 0.5 * 0.7 * 0.7 / 2.0);  // a sample within half a tick of each peak
-  EXPECT_EQ(fate(kNotANumber, true).behaviour, Behaviour::Grows);         // nothing that is no number is calm
-  Watch stuck(1.0, {100, 20'000});
+  EXPECT_EQ(fate(0.999, Motion::Linear).behaviour, Behaviour::Rest);
+  EXPECT_EQ(fate(1.001, Motion::Linear).behaviour, Behaviour::Grows);
+  EXPECT_EQ(fate(0.999, Motion::Stepped).behaviour, Behaviour::Rest);
+  EXPECT_EQ(fate(1.001, Motion::Stepped).behaviour, Behaviour::Grows);
+  EXPECT_EQ(fate(1.0, Motion::Stepped).behaviour, Behaviour::LimitCycle);
+  EXPECT_NEAR(fate(1.0, Motion::Stepped).amplitude_m, 0.5,
+              0.5 * 0.7 * 0.7 / 2.0);                    // a sample within half a tick of each peak
+  const auto slowly = [](double power, Motion motion) {  // by 5 % from each look to the next
+    Watch watch(1.0, {100, 20'000, motion});
+    for (int tick = 0; watch.goesOn(0.3 * std::pow(1.0 + tick, power) * std::cos(0.7 * tick)); ++tick) continue;
+    return watch.trial().behaviour;
+  };
+  EXPECT_EQ(slowly(0.07, Motion::Smooth), Behaviour::Grows);
+  EXPECT_EQ(slowly(-0.07, Motion::Smooth), Behaviour::Rest);
+  EXPECT_EQ(slowly(0.07, Motion::Stepped), Behaviour::LimitCycle);           // not beyond the push
+  EXPECT_EQ(fate(kNotANumber, Motion::Linear).behaviour, Behaviour::Grows);  // nothing that is no number is calm
+  Watch stuck(1.0, {100, 20'000, Motion::Stepped});
   while (stuck.goesOn(0.4)) continue;  // by friction, beside its target
   EXPECT_EQ(stuck.trial().behaviour, Behaviour::Rest);
   EXPECT_EQ(stuck.trial().amplitude_m, 0.0);

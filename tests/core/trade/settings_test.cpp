@@ -35,7 +35,7 @@ TEST(Settings, WhatASceneHasUseForIsPutIntoItAndReadBack) {
 }
 
 TEST(Settings, AScenesOwnAreTheProgramsWhereItSaysNothing) {
-  for (const char* name : {"01_point", "16_one_joint_robot", "29_signature"})
+  for (const char* name : {"01_point", "16_one_joint_robot", "02_sphere"})
     EXPECT_EQ(settingsOf(shipped(name), 1000), Settings{}) << name;
 }
 

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/stability/maps.h"
+#include "tests/sweep/rig.h"
+
+namespace underact::test {
+namespace {
+
+using Table = std::vector<std::vector<std::string>>;
+
+double number(const Table& rows, std::size_t row, const std::string& column) {
+  return std::stod(field(rows, row, column));
+}
+
+TEST(SweepOfWalls, HasTheCellsOfAMapAsTheLabHasThem) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv");
+  const Said said = sweepHere({"stability", "--map", "delay", "--threads", "2", "--out", out});
+  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Table rows = table(out);
+  const stability::WallMap* map = nullptr;
+  for (const stability::WallMap& one : stability::wallMaps()) {
+    if (std::string(one.key) == "delay") map = &one;
+  }
+  ASSERT_NE(map, nullptr);
+  const auto dampings = stability::mapDampings_N_s_per_m();
+  ASSERT_EQ(rows.size(), 1 + map->variants.size() * dampings.size());
+  for (std::size_t row = 1; row < rows.size(); row += 7) {
+    stability::SampledWall wall = map->variants[(row - 1) / dampings.size()].wall;
+    wall.kd_N_s_per_m = dampings[(row - 1) % dampings.size()];
+    EXPECT_EQ(field(rows, row, "variant"), map->variants[(row - 1) / dampings.size()].name);
+    const stability::Limits limits = stability::limitsOf(wall);
+    EXPECT_EQ(number(rows, row, "simulated_N_per_m"), limits.simulated_N_per_m);
+    EXPECT_EQ(number(rows, row, "exact_N_per_m"), limits.exact_N_per_m.value());
+    EXPECT_EQ(number(rows, row, "passive_N_per_m"), limits.passive_N_per_m);
+  }
+}
+
+TEST(SweepOfWalls, DrawsWallsFromItsRangesWhoseLimitsAgree) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv");
+  const Said said = sweepHere({"stability", "--map",          "none",     "--draws",
+                               "40",        "--rate_hz",      "500",      "1000",
+                               "2000",      "--mass_kg",      "0.05:0.5", "--damping_N_s_per_m",
+                               "0.2:3",     "--kd_N_s_per_m", "0:1",      "--hand_stiffness_N_per_m",
+                               "0:300",     "--delay_ticks",  "0:2",      "--seed",
+                               "7",         "--out",          out});
+  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Table rows = table(out);
+  ASSERT_EQ(rows.size(), 41U);
+  bool delayed[3] = {};
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    EXPECT_EQ(field(rows, row, "map"), "drawn");
+    EXPECT_GE(number(rows, row, "mass_kg"), 0.05);
+    EXPECT_LT(number(rows, row, "mass_kg"), 0.5);
+    const double delay = number(rows, row, "delay_ticks");
+    ASSERT_TRUE(delay == 0.0 || delay == 1.0 || delay == 2.0);
+    delayed[static_cast<int>(delay)] = true;
+    const double exact = number(rows, row, "exact_N_per_m");
+    EXPECT_NEAR(number(rows, row, "simulated_N_per_m"), exact, 0.02 * exact);
+  }
+  EXPECT_TRUE(delayed[0] && delayed[1] && delayed[2]);
+}
+
+TEST(SweepOfWalls, AMapThatThereIsNotIsRefused) {
+  const ScratchFolder folder;
+  const Said said = sweepHere({"stability", "--map", "rates", "--out", folder.file("r.csv")});
+  EXPECT_EQ(said.exit, cli::Exit::Usage);
+  EXPECT_NE(said.err.find("\"rates\""), std::string::npos) << said.err;
+}
+
+}  // namespace
+}  // namespace underact::test
