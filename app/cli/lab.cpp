@@ -9,6 +9,7 @@ void addLab(CLI::App& program, const Streams& streams, Exit& exit) {
   command->require_subcommand(1);
   addLabStep(*command, streams, exit);
   addLabSearch(*command, streams, exit);
+  addLabExtremes(*command, streams, exit);
 }
 
 }  // namespace underact::cli
