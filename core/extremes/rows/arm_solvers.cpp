@@ -160,12 +160,12 @@ Outcome judgeFollower(Input& input) {
 
 constexpr std::array<Row, 3> kRows{{
     {"arm_reach", Kind::Solver, "Joints 1 to 3 for a place, there and back",
-     "ulp of the reach, the base's place and the place", 16, 60, judgeReach},
+     "ulp of the reach, the base's place and the place", 16, 1, judgeReach},
     {"arm_inverse", Kind::Solver, "All joints for a pose, there and back, beside every singularity",
-     "ulp of the same, and of 1 rad; 1e-12 m and rad beside that, where a direction counts for none", 32, 240,
+     "ulp of the same, and of 1 rad; 1e-12 m and rad beside that, where a direction counts for none", 32, 20,
      judgeSolveAll},
     {"arm_follower", Kind::Solver, "Joints along a way through singularities, there and back",
-     "ulp of the reach, the base's place and the place", 32, 1200, judgeFollower},
+     "ulp of the reach, the base's place and the place", 32, 80, judgeFollower},
 }};
 
 }  // namespace

@@ -99,9 +99,9 @@ Outcome judgeNumeric(Input& input) {
 
 constexpr std::array<Row, 2> kRows{{
     {"chain_closed_form", Kind::Solver, "All joints of the shipped arms for a pose, there and back, near singular ones",
-     "ulp of the reach and of 1 rad; where answers merge 3e-9 of them", kClosedPromised, 300, judgeClosedForm},
+     "ulp of the reach and of 1 rad; where answers merge 3e-9 of them", kClosedPromised, 25, judgeClosedForm},
     {"chain_numeric", Kind::Solver, "Numeric inverse of any chain of 1 to 8 joints: what it says is left, and reached",
-     "ulp as of chain_forward", 128, 150, judgeNumeric},
+     "ulp as of chain_forward", 128, 6, judgeNumeric},
 }};
 
 }  // namespace

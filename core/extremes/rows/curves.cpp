@@ -132,9 +132,9 @@ Outcome judgeSpline(Input& input) {
 
 constexpr std::array<Row, 2> kRows{{
     {"curve_polyline", Kind::Shape, "Path of straight lines: nearest point",
-     "ulp of the largest coordinate: off the path, farther than the nearest, distance", 8, 6, judgePolyline},
+     "ulp of the largest coordinate: off the path, farther than the nearest, distance", 8, 2, judgePolyline},
     {"curve_spline", Kind::Shape, "Path of cubics: nearest point",
-     "ulp of the largest coordinate, and 1e-13 of the distance (farther than the nearest)", 512, 120, judgeSpline},
+     "ulp of the largest coordinate, and 1e-13 of the distance (farther than the nearest)", 512, 30, judgeSpline},
 }};
 
 }  // namespace

@@ -160,18 +160,21 @@ Outcome judgeGrip(Input& input) {
   const FlushDenormals as_the_servo;
   target::Grip grip;
   std::array<Long, 2> right{0, 0};
+  Vec3 p_WT = Vec3::Zero();
   Dice dice(19);
   for (double tick = 0; tick < ticks; ++tick) {
-    const Vec3 p_WT = size_m * dice.inBox(1.0), p_WP(p_WT.x(), p_WT.y(), size_m);
+    if (dice.one(8)) p_WT = size_m * dice.inBox(1.0);  // between them it rests
+    const Vec3 p_WP(p_WT.x(), p_WT.y(), size_m);
     const bool is_first = !grip.holds;
     slides(friction, p_WT, p_WP, grip);
     const Long depth = Long(p_WP.z()) - p_WT.z(), held = Long(friction.static_share) * depth;
     const std::array<Long, 2> along{right[0] - p_WP.x(), right[1] - p_WP.y()};
-    const Long way = sqrt(along[0] * along[0] + along[1] * along[1]);
+    const Long squared = along[0] * along[0] + along[1] * along[1];
     if (is_first) {
       right = {p_WP.x(), p_WP.y()};
-    } else if (way > held) {
-      right = {p_WP.x() + held / way * along[0], p_WP.y() + held / way * along[1]};
+    } else if (squared > held * held) {
+      const Long keep = held / sqrt(squared);
+      right = {p_WP.x() + keep * along[0], p_WP.y() + keep * along[1]};
     }
   }
   return {std::max(unitsOf(grip.p_WG.x(), right[0], size_m, ticks), unitsOf(grip.p_WG.y(), right[1], size_m, ticks)),

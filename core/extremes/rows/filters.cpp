@@ -174,12 +174,12 @@ Outcome judgeKalman(Input& input) {
 
 constexpr std::array<Row, 4> kRows{{
     {"rate_low_pass", Kind::Filter, "First-order low-pass over 96 samples, 1 Hz to 100 kHz",
-     "ulp of the fastest difference times (1 + time constant / shortest tick, 96 at most)", 8, 60, judgeLowPass},
-    {"rate_raw", Kind::Filter, "Raw difference", "ulp of the rate", 2, 6, judgeRaw},
+     "ulp of the fastest difference times (1 + time constant / shortest tick, 96 at most)", 8, 12, judgeLowPass},
+    {"rate_raw", Kind::Filter, "Raw difference", "ulp of the rate", 2, 1, judgeRaw},
     {"rate_window", Kind::Filter, "Adaptive window over 96 samples: its length by end-fit, its slope",
-     "ulp of the largest sample over the window's time, and of the fastest difference", 256, 200, judgeWindow},
+     "ulp of the largest sample over the window's time, and of the fastest difference", 256, 5, judgeWindow},
     {"rate_kalman", Kind::Filter, "Kalman's filter over 96 samples",
-     "ulp of the largest sample over the shortest tick, and of the fastest difference", 64, 300, judgeKalman},
+     "ulp of the largest sample over the shortest tick, and of the fastest difference", 64, 25, judgeKalman},
 }};
 
 }  // namespace

@@ -191,10 +191,10 @@ constexpr const char* kPromise = "ulp of kp |e| + kd |rate| and of all that the 
 
 constexpr std::array<Row, 4> kRows{{
     {"law_p", Kind::Law, "P: force, gains 0 to 1e6", "ulp of the force", 1, 1, judgeP},
-    {"law_pd", Kind::Law, "PD over 40 samples, 1 Hz to 100 kHz, each filter", kPromise, 8, 60, judgePD},
-    {"law_pid", Kind::Law, "PID over 40 samples, its limit and what stops it", kPromise, 64, 80, judgePID},
+    {"law_pd", Kind::Law, "PD over 40 samples, 1 Hz to 100 kHz, each filter", kPromise, 8, 5, judgePD},
+    {"law_pid", Kind::Law, "PID over 40 samples, its limit and what stops it", kPromise, 64, 10, judgePID},
     {"law_passivity", Kind::Law, "Passivity observer over 60 ticks: energy", "ulp of all energies that it has added up",
-     64, 60, judgePassivity},
+     64, 4, judgePassivity},
 }};
 
 }  // namespace

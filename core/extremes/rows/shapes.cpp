@@ -174,7 +174,7 @@ constexpr std::array<Row, 7> kRows{{
     {"shape_plane", Kind::Shape, "Plane: nearest point, height", kOfLargest, 64, 1, judgePlane},
     {"shape_circle", Kind::Shape, "Circle: nearest point, distance", kOfRound, 64, 1, judgeCircle},
     {"shape_cylinder", Kind::Shape, "Cylinder: nearest point, height", kOfRound, 64, 1, judgeCylinder},
-    {"shape_box", Kind::Shape, "Box: nearest point, height", kOfLargest, 64, 4, judgeBox},
+    {"shape_box", Kind::Shape, "Box: nearest point, height", kOfLargest, 64, 12, judgeBox},
 }};
 
 }  // namespace

@@ -149,11 +149,11 @@ constexpr const char* kPromise =
     "ulp of the largest coordinate of the shape and the tip: off the shape, farther than the nearest, height";
 
 constexpr std::array<Row, 4> kRows{{
-    {"shape_ellipsoid", Kind::Shape, "Ellipsoid: nearest point, height", kPromise, 64, 5, judgeEllipsoid},
-    {"shape_ellipse", Kind::Shape, "Ellipse: nearest point, distance", kPromise, 64, 5, judgeEllipse},
-    {"shape_elliptic_cylinder", Kind::Shape, "Elliptic cylinder: nearest point, height", kPromise, 64, 5,
+    {"shape_ellipsoid", Kind::Shape, "Ellipsoid: nearest point, height", kPromise, 64, 12, judgeEllipsoid},
+    {"shape_ellipse", Kind::Shape, "Ellipse: nearest point, distance", kPromise, 64, 12, judgeEllipse},
+    {"shape_elliptic_cylinder", Kind::Shape, "Elliptic cylinder: nearest point, height", kPromise, 64, 12,
      judgeEllipticCylinder},
-    {"shape_parallelepiped", Kind::Shape, "Parallelepiped: nearest point, height", kPromise, 64, 5,
+    {"shape_parallelepiped", Kind::Shape, "Parallelepiped: nearest point, height", kPromise, 64, 10,
      judgeParallelepiped},
 }};
 
