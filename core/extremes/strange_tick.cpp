@@ -163,7 +163,8 @@ Outcome judgeStrangeTick(const tick::TickProgram& program, Input& input) {
   for (std::size_t i = 0; i < strange; ++i) {
     spoil(input, at);
     go(run);
-    stays_finite = stays_finite && isFinite(run.state);
+    // A fault that stands sends nothing until the Start, which forgets what such a tick has left in the laws.
+    stays_finite = stays_finite && (run.state.gate.fault.kind != FaultKind::None || isFinite(run.state));
     advance();
   }
   // The Start, beside a program that has not seen any of it but for the heat of its motors.

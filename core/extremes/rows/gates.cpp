@@ -98,7 +98,7 @@ Outcome judgeAny(Input& input) {
     const Vec3 f_T_W = gated.force.f_T_W();
     const Real beyond = norm(real(f_T_W)) - limits.max_force_N;
     const bool is_finite = f_T_W.allFinite() && at.v_WT.allFinite() && at.f_T_W.allFinite() && at.heat.allFinite() &&
-                           at.level >= 0.0 && at.level <= 1.0 && std::isfinite(at.still_s);
+                           at.level >= 0.0 && at.level <= 1.0;
     worst = std::max(worst, is_finite ? ulpsOf(beyond > 0 ? beyond : Real(0), limits.max_force_N) : kInfinity);
     return f_T_W;
   };
