@@ -97,11 +97,12 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
   // x_i = semi_i^2 y_i / (semi_i^2 + t); on the shape for one t above -least^2, unless the middle of the thin axes is
   // asked, where the sum stays below 1 up to there and the rest goes along a thin axis.
   const Real pole = -least * least;
-  const auto sumAt = [&](const Real& t) {
+  // By s = t + least^2, which may be 1e-300 of it.
+  const auto sumAt = [&](const Real& s) {
     Real sum = -1;
     for (std::size_t i = 0; i < end; ++i) {
       if (y[i] == 0) continue;
-      const Real share = semi[i] * y[i] / (semi[i] * semi[i] + t);
+      const Real share = semi[i] * y[i] / (semi[i] * semi[i] + pole + s);
       sum += share * share;
     }
     return sum;
@@ -119,12 +120,12 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
     aside += (x - y[i]) * (x - y[i]);
   }
   if (is_thin && beyond <= 1) return sqrt(aside + least * least * (1 - beyond));
-  // Bisect the logarithm of t + least^2, which may be anything: from below the rounding of a hundred digits to size.
+  // Bisect the logarithm of s, which may be anything: from below the rounding of a hundred digits to size.
   Real low = ldexp(least * least, -2300), high = 2 * size + least * least;
-  while (sumAt(pole + high) > 0) high *= 4;
+  while (sumAt(high) > 0) high *= 4;
   for (int step = 0; step < 400 && high > low * (1 + ldexp(Real(1), -40)); ++step) {
     const Real middle = sqrt(low * high);
-    (sumAt(pole + middle) > 0 ? low : high) = middle;
+    (sumAt(middle) > 0 ? low : high) = middle;
   }
   Real s = low;
   for (int step = 0; step < 6; ++step) {  // the sum falls and is convex: from the left Newton does not overshoot
@@ -135,7 +136,7 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
       slope += 2 * share * share / (semi[i] * semi[i] + pole + s);
     }
     if (slope == 0) break;
-    s += sumAt(pole + s) / slope;
+    s += sumAt(s) / slope;
   }
   Real squared = 0;
   for (std::size_t i = 0; i < end; ++i) {

@@ -2,9 +2,10 @@
 
 namespace underact::extremes {
 
-arm::Geometry drawArm(Input& input) {
+arm::Geometry drawArm(Input& input, int size) {
   arm::Geometry geometry;
-  geometry.upper_m = input.number("upper_m", [](Dice& dice) { return dice.one(2) ? 0.127508 : dice.scale(); });
+  geometry.upper_m =
+      input.number("upper_m", [&](Dice& dice) { return dice.one(2) ? 0.127508 : dice.power(-size, size); });
   geometry.fore_m = input.number("fore_m", [&](Dice& dice) {
     return dice.one(2) ? geometry.upper_m * dice.between(0.5, 1.5) : geometry.upper_m * dice.ratio();
   });

@@ -6,8 +6,8 @@ namespace underact::extremes {
 
 // What rows that ask the arm draw.
 
-/// Lengths: a real arm's, or of any scale.
-arm::Geometry drawArm(Input& input);
+/// Lengths: a real arm's, or 2^-size to 2^size m; the base in the origin or beside it.
+arm::Geometry drawArm(Input& input, int size = 40);
 /// Within a turn, beside the quarter turns where the arm is singular, seldom of 1e6 rad.
 arm::JointAngles drawJoints(Input& input);
 

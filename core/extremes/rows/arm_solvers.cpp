@@ -13,6 +13,9 @@
 namespace underact::extremes {
 namespace {
 
+// Of 1 cm to 100 m: what counts as in line or on axis 1 is said in m.
+constexpr int kArmSize = 7;
+
 Real reachOf(const arm::Geometry& geometry) {
   return Real(geometry.upper_m) + geometry.fore_m;
 }
@@ -38,12 +41,18 @@ Vec3 drawPlace(Input& input, const arm::Geometry& geometry) {
   });
 }
 
+/// Near the shoulder the elbow is folded, and an ulp of reach^2 is many of a short distance.
+Real foldedScale(const arm::Geometry& geometry, const Vec3& p_WT) {
+  const Real away = norm(real(p_WT) - real(geometry.p_WB)), reach = reachOf(geometry);
+  return placeScale(geometry, p_WT) + (away > 0 ? Real(reach * reach / away) : Real(0));
+}
+
 double placeUlps(const arm::Geometry& geometry, const arm::JointAngles& q_rad, const Vec3& p_WT) {
   for (const double angle_rad : q_rad) {
     if (!std::isfinite(angle_rad)) return kInfinity;
   }
   const Real3 got = oracle::armPose(geometry, oracle::realOf(q_rad)).p_WT;
-  return ulpsOf(norm(got - real(p_WT)), placeScale(geometry, p_WT));
+  return ulpsOf(norm(got - real(p_WT)), foldedScale(geometry, p_WT));
 }
 
 /// Whether the place can be reached for certain, or cannot.
@@ -95,7 +104,7 @@ Posed drawPose(Input& input, const arm::Geometry& geometry) {
 }
 
 Outcome judgeSolveAll(Input& input) {
-  const arm::Geometry geometry = drawArm(input);
+  const arm::Geometry geometry = drawArm(input, kArmSize);
   const Pose X_WT = drawPose(input, geometry).X_WT;
   const arm::Solutions got = asTheServo([&] { return arm::solveAll(geometry, arm::kNoJointLimits, X_WT); });
   const Vec3 p_WT = X_WT.translation();
@@ -103,8 +112,8 @@ Outcome judgeSolveAll(Input& input) {
   if (got.reachable != (got.count > 0)) return {kInfinity, false};
   if (!got.reachable) return {right == Reachable::Yes ? kInfinity : 0.0, true};
   if (right == Reachable::No) return {kInfinity, false};
-  // On the edge, and a little outside of it, as near as the arm gets; beside a singularity within the 1e-12 under which
-  // a direction counts for none.
+  // On the edge, and a little outside of it, as near as the arm gets; beside a singularity within twice the 1e-12 under
+  // which a direction counts for none.
   const Real away = norm(real(p_WT) - real(geometry.p_WB)), outer = reachOf(geometry);
   const Real inner = abs(Real(geometry.upper_m) - geometry.fore_m);
   const Real beyond = std::max({Real(away - outer), Real(inner - away), Real(0)});
@@ -116,17 +125,17 @@ Outcome judgeSolveAll(Input& input) {
     }
     const oracle::ArmPose pose = oracle::armPose(geometry, oracle::realOf(one.q_rad));
     const Real off = norm(pose.p_WT - real(p_WT)) - beyond, turned = oracle::angleOf(pose.R_WT, R_WT);
-    const Real lost = Real(1e-12);
+    const Real lost = Real(2e-12);
     const Real place_off = off > lost ? Real(off - lost) : Real(0),
                turn_off = turned > lost ? Real(turned - lost) : Real(0);
-    worst = std::max({worst, ulpsOf(place_off, placeScale(geometry, p_WT)), ulpsOf(turn_off, 1)});
+    worst = std::max({worst, ulpsOf(place_off, foldedScale(geometry, p_WT)), ulpsOf(turn_off, 1)});
   }
   return {worst, got.singular()};
 }
 
 /// A way of the tip that goes through and beside singularities; each step's joints bring it where it is.
 Outcome judgeFollower(Input& input) {
-  const arm::Geometry geometry = drawArm(input);
+  const arm::Geometry geometry = drawArm(input, kArmSize);
   const auto outer_m = static_cast<double>(reachOf(geometry));
   const Vec3 from_W = input.vector("from", [](Dice& dice) { return dice.inBox(0.7); });
   const Vec3 to_W = input.vector("to", [](Dice& dice) {
@@ -160,12 +169,13 @@ Outcome judgeFollower(Input& input) {
 
 constexpr std::array<Row, 3> kRows{{
     {"arm_reach", Kind::Solver, "Joints 1 to 3 for a place, there and back",
-     "ulp of the reach, the base's place and the place", 16, 1, judgeReach},
-    {"arm_inverse", Kind::Solver, "All joints for a pose, there and back, beside every singularity",
-     "ulp of the same, and of 1 rad; 1e-12 m and rad beside that, where a direction counts for none", 32, 20,
+     "ulp of the reach, the places, and reach^2 / distance from the shoulder", 16, 1, judgeReach},
+    {"arm_inverse", Kind::Solver,
+     "All joints of arms of 1 cm to 100 m for a pose, there and back, beside every singularity",
+     "ulp of the same, and of 1 rad; 2e-12 m and rad beside that, where a direction counts for none", 32, 20,
      judgeSolveAll},
     {"arm_follower", Kind::Solver, "Joints along a way through singularities, there and back",
-     "ulp of the reach, the base's place and the place", 32, 80, judgeFollower},
+     "ulp of the reach, the places, and reach^2 / distance from the shoulder", 32, 80, judgeFollower},
 }};
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace underact::extremes {
 
-chain::Chain drawChain(Input& input, std::size_t most) {
+chain::Chain drawChain(Input& input, std::size_t most, int size) {
   const std::size_t count = 1 + input.choice("joints", most);
-  const double size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
+  const double size_m = input.number("size_m", [&](Dice& dice) { return dice.power(-size, size); });
   chain::Chain chain;
   for (std::size_t i = 0; i < count; ++i) {
     chain::Joint joint;

@@ -86,8 +86,9 @@ Outcome judgeNumeric(Input& input) {
   Real turn = 1, place = largestOf(Vec3(X_WT.translation()));
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     const bool turns = chain.joints[i].type == chain::JointType::Revolute;
-    turn += turns ? std::abs(got.q[i]) : 0.0;
-    place += turns ? 0.0 : std::abs(got.q[i]);
+    // It says what was left before the angles were wrapped.
+    turn += turns ? std::max(std::abs(got.q[i]), std::abs(start[i])) : 0.0;
+    place += turns ? 0.0 : std::max(std::abs(got.q[i]), std::abs(start[i]));
     place = std::max(place, Real(largestOf(chain.joints[i].p_WJ)));
   }
   const bool is_true =

@@ -107,11 +107,15 @@ bool fits(const std::vector<Real>& t, const std::vector<Real>& e, std::size_t n,
 Outcome judgeWindow(Input& input) {
   control::AdaptiveWindow window;
   window.window = static_cast<int>(1 + input.choice("window", control::kLongestWindow));
-  const Signal signal = drawSignal(input, kSamples);
+  Signal signal = drawSignal(input, kSamples);
   const double noise = input.number("noise", [&](Dice& dice) {
     return dice.one(8) ? 0.0 : (signal.e_W[1] - signal.e_W[0]).norm() * dice.power(-6, 8);
   });
   window.noise.setConstant(noise);
+  while (signal.dt_s.size() > 2 && signal.dt_s.back() == 0.0) {  // without time the rate stays as it is
+    signal.dt_s.pop_back();
+    signal.e_W.pop_back();
+  }
   const Vec3 got = rateAfter(window, signal);
   double worst = 0.0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -164,7 +164,7 @@ Outcome judgePassivity(Input& input) {
       for (std::size_t at = 0; at < 3; ++at)
         impulse[at] += Real(passage.dt_s) * passage.f_T_W[static_cast<Eigen::Index>(at)];
       impulse_s += passage.dt_s;
-      if (passage.way_T_W != Vec3::Zero() && impulse_s > 0) {
+      if (largestOf(passage.way_T_W) >= 0x1p-1022 && impulse_s > 0) {
         for (std::size_t at = 0; at < 3; ++at) {
           const Real part = impulse[at] / impulse_s * passage.way_T_W[static_cast<Eigen::Index>(at)];
           taken -= part;

@@ -27,9 +27,9 @@ void drawGains(Input& input, double size_m, manipulator::Wanted& wanted) {
 
 }  // namespace
 
-Manipulator drawManipulator(Input& input) {
+Manipulator drawManipulator(Input& input, int size) {
   manipulator::Wanted wanted;
-  wanted.chain = drawChain(input, manipulator::kMaxJoints);
+  wanted.chain = drawChain(input, manipulator::kMaxJoints, size);
   const double size_m = std::max(wanted.chain.X_WT_home.translation().cwiseAbs().maxCoeff(), 1e-12);
   constexpr std::array<Orientation, 3> kWhich{Orientation::None, Orientation::Axis, Orientation::Full};
   wanted.orientation = kWhich[input.choice("orientation", kWhich.size())];
