@@ -54,8 +54,10 @@ Manipulator drawClosedManipulator(Input& input) {
   const double size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
   const std::size_t kind = input.choice("kind", 5);  // circle, sphere, cylinder, line, plane
   const Mat3 R = input.matrix("R", [](Dice& dice) { return dice.turn(); });
-  const Vec3 p_WC = input.vector(
-      "p_WC", [&](Dice& dice) { return dice.one(2) ? Vec3(Vec3::Zero()) : dice.inBox(size_m * dice.ratio()); });
+  // A sphere's z counts as along its radius up to 1e-9; here it is, to some ulp.
+  const Vec3 p_WC = input.vector("p_WC", [&](Dice& dice) {
+    return dice.one(2) ? Vec3(Vec3::Zero()) : dice.inBox(size_m * (kind == 1 ? 2.0 : dice.ratio()));
+  });
   const auto joint = [&](JointType type, Eigen::Index axis) { return Joint{type, R.col(axis), p_WC}; };
   if (kind == 0) wanted.chain.joints = {joint(JointType::Revolute, 2)};
   if (kind == 1) wanted.chain.joints = {joint(JointType::Revolute, 2), joint(JointType::Revolute, 1)};

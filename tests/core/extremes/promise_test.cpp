@@ -39,6 +39,18 @@ TEST(KeptCases, KeepTheirPromiseWithTheErrorTheyHad) {
   for (const Row& row : catalogue()) EXPECT_TRUE(seen.contains(row.key)) << row.key << " has no kept case";
 }
 
+TEST(Guide, HasARowForEachRowWithItsPromise) {
+  std::ifstream file(UNDERACT_SOURCE "/resources/guide/extremes.md");
+  const std::string guide{std::istreambuf_iterator<char>(file), {}};
+  for (const Row& row : catalogue()) {
+    const std::size_t at = guide.find(std::string("| `") + row.key + "` | ");
+    ASSERT_NE(at, std::string::npos) << row.key;
+    const std::string line = guide.substr(at, guide.find('\n', at) - at);
+    EXPECT_NE(line.find(std::string("| ") + row.asked + " |"), std::string::npos) << line;
+    EXPECT_NE(line.find("| " + textOf(row.promised_ulp) + " " + row.promise + " |"), std::string::npos) << line;
+  }
+}
+
 TEST(Sweep, EveryRowKeepsItsPromise) {
   const int count = test::sweep(300, 20'000);
   for (const Row& row : catalogue()) {
