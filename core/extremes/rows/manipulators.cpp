@@ -180,7 +180,8 @@ constexpr std::array<Row, 3> kRows{{
      "ulp of the same: energy above the least of all, and slopes left", 64, 2, judgeClosedForm},
     {"robot_descent", Kind::Solver,
      "Descent of 1 to 8 joints of 3 cm to 30 m to a minimum: never up, slopes left where it says it is there",
-     "ulp of the same and of the springs' stiffness: four times a tolerance of 1e-10 of the joints", 1801600, 50, judgeDescent},
+     "ulp of the same and of the springs' stiffness: four times a tolerance of 1e-10 of the joints", 1801600, 50,
+     judgeDescent},
 }};
 
 }  // namespace
