@@ -19,7 +19,10 @@ Outcome judgeClamp(Input& input) {
                     ? Vec3(size * dice.direction())
                     : Vec3(size * dice.between(-1, 1), dice.scale() * dice.between(-1, 1), size * dice.closeness()));
   });
-  const double max_N = input.number("max_force_N", [](Dice& dice) { return dice.one(2) ? 0.88 : dice.scale(); });
+  const double max_N = input.number("max_force_N", [&](Dice& dice) {
+    if (dice.one(2)) return std::clamp(dice.between(0.5, 2.0) * largestOf(f_T_W), 1e-12, 1e300);  // the edge itself
+    return dice.one(2) ? 0.88 : dice.scale();
+  });
   const Vec3 got = asTheServo([&] { return safety::clampForce(f_T_W, max_N); });
   const Real size = norm(real(f_T_W));
   const Real3 right = size > max_N ? Real(max_N / size) * real(f_T_W) : real(f_T_W);
