@@ -12,6 +12,7 @@ void addLab(CLI::App& program, const Streams& streams, Exit& exit) {
   addLabModel(*command, streams, exit);
   addLabTrade(*command, streams, exit);
   addLabStability(*command, streams, exit);
+  addLabExtremes(*command, streams, exit);
 }
 
 }  // namespace underact::cli

@@ -9,5 +9,6 @@ void addLabSearch(CLI::App& lab, const Streams& streams, Exit& exit);
 void addLabModel(CLI::App& lab, const Streams& streams, Exit& exit);
 void addLabTrade(CLI::App& lab, const Streams& streams, Exit& exit);
 void addLabStability(CLI::App& lab, const Streams& streams, Exit& exit);
+void addLabExtremes(CLI::App& lab, const Streams& streams, Exit& exit);
 
 }  // namespace underact::cli

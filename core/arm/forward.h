@@ -9,7 +9,9 @@ namespace underact::arm {
 /// Source: Beckman 2007, eq. 3.1 and 3.5 (erratum 3.5: L1, L2 for a_2, d_4). Not finite in, not finite out.
 Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// X_WT from all six joints. Source: eq. 3.5 and 3.6 (erratum 3.6), R_06 = R_03(q1, q2, q3) Rz(q4) Ry(q5) Rz(q6).
+/// X_WT from all six joints. Within 8 ulp of the reach (of 1 for the turn) times the largest angle, 1 rad at least, and
+/// 8 ulp of p_WB; so tipPosition(). Source: eq. 3.5 and 3.6 (erratum 3.6), R_06 = R_03(q1, q2, q3) Rz(q4) Ry(q5)
+/// Rz(q6).
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The places of shoulder, elbow and tip in W, m: what a drawing of the arm needs.

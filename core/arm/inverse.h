@@ -6,7 +6,8 @@
 namespace underact::arm {
 
 /// The joints that bring the tip to a place. reachable false: the place lies outside the reach, or on axis 1, and
-/// q_rad brings the tip as near as the arm can get in that direction.
+/// q_rad brings the tip as near as the arm can get in that direction. Reachable, it comes back within 16 ulp of the
+/// reach and the places, and of reach^2 / |p_BT| where the elbow is folded up to the shoulder.
 struct Reach {
   JointAngles q_rad{};
   bool reachable = false;

@@ -15,8 +15,8 @@ struct Tip {
 };
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// X_WT and the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one set of
-/// sines. det J = det J_p times plus or minus sin q5.
+/// X_WT and, as exact, the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one
+/// set of sines. det J = det J_p times plus or minus sin q5.
 struct Kinematics {
   Pose X_WT = Pose::Identity();
   Mat6 J = Mat6::Zero();

@@ -20,7 +20,8 @@ struct ForceOfTorque {
 /// Exact where the smallest gain of J_p is at least kDampedBelow_m; closer to a singularity, damped least squares:
 /// f = (J_p J_p^T + lambda^2 I)^-1 J_p tau with lambda^2 = kDamping_m^2 (1 - (gain / kDampedBelow_m)^2), so that the
 /// force stays below |tau| / (2 lambda) instead of growing without end. It comes in without a step. At the singularity
-/// itself the force along the lost direction is 0. Source: Nakamura and Hanafusa 1986; Maciejewski and Klein 1988.
+/// itself the force along the lost direction is 0. Within 16 ulp of |tau| g^3 / (s^2 + lambda^2)^2, g the largest and s
+/// the smallest gain. Source: Nakamura and Hanafusa 1986; Maciejewski and Klein 1988.
 ForceOfTorque forceOf(const Geometry& geometry, const JointAngles& q_rad,
                       const Vec3& torque_N_m) noexcept UNDERACT_REAL_TIME;
 

@@ -15,7 +15,8 @@ struct Kinematics {
 // are not looked at. Not finite in, not finite out. Cost: linear in the joints. Each gives the same bits for the same q
 // on every machine.
 
-/// X_WT. Source: Lynch and Park, Modern Robotics, eq. 4.14.
+/// X_WT. Within 64 ulp of the largest coordinate at home (of 1 for the turn) times the sum of the angles, 1 rad at
+/// least, and of the slides; so the Jacobian. Source: Lynch and Park, Modern Robotics, eq. 4.14.
 Pose forward(const Chain& chain, std::span<const double> q) noexcept UNDERACT_REAL_TIME;
 
 /// X_WT, and what each joint's link has moved by since home: X_WLinks[i] = e^(S1 q1) ... e^(Si qi), which takes a point

@@ -47,6 +47,7 @@ struct Moment {
   bool idle = false;     // no force is sent at all
 };
 
+/// Within 64 ulp of kp |e| + kd |rate| and of all that the integral has moved (P: 1 ulp, PD: 8).
 /// The force on the tip for the error e_W = p_WP - p_WT, m. Finite in, finite out (up to overflow, which the gate
 /// refuses). state is not touched by P. Cost: constant.
 Vec3 force(const P& law, const Vec3& e_W) noexcept UNDERACT_REAL_TIME;

@@ -66,7 +66,8 @@ struct VelocityState {
 
 /// state.rate_W after a sample e_W that comes dt_s after the one before it; 0: no time has passed, the rate stays.
 /// Where has_last is false the rate stays, too, and the past goes along to where the signal is now. Finite in, finite
-/// out, up to overflow. Cost: constant, but for AdaptiveWindow, which is linear in its window.
+/// out, up to overflow. Exact to some ulp of the largest sample over the time it looks back (the guide, extremes.md).
+/// Cost: constant, but for AdaptiveWindow, which is linear in its window.
 void followRate(const Velocity& velocity, VelocityState& state, const Vec3& e_W,
                 double dt_s) noexcept UNDERACT_REAL_TIME;
 

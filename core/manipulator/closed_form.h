@@ -9,9 +9,9 @@ struct Closed {
 };
 
 /// The joints of least energy over all of the chain, by the manipulator's closed form. near: of several equal values
-/// (turns of 2 pi, the two ways to a point of a sphere) those nearest to it. Cost: constant. manipulator.closed must be
-/// there. Source: errata section 6, n* = normalise(kp R (p - C) + ko z); with z of V at any angle to the radius on
-/// circle and cylinder, both parts being turned by the same joint.
+/// (turns of 2 pi, the two ways to a point of a sphere) those nearest to it. Energy within 64 ulp of the least (see
+/// evaluate()). Cost: constant. manipulator.closed must be there. Source: errata section 6, n* = normalise(kp R (p - C)
+/// + ko z); with z of V at any angle to the radius on circle and cylinder, both parts being turned by the same joint.
 Closed closedForm(const Manipulator& manipulator, const Pose& X_WT, const Values& near) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::manipulator

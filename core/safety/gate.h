@@ -68,8 +68,9 @@ struct Gated {
 /// since the last tick, >= 0. Gives |force| <= max_force_N (1 + 4 ulp), finite whatever comes in. Cost: constant.
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept UNDERACT_REAL_TIME;
 
-/// f_T_W cut to max_force_N with its direction kept; zero where it is not finite. No overflow up to 1e308.
-/// Source: Beckman 2007, code 3.4; erratum (test for a number first: NaN passes |F| > clamp).
+/// f_T_W cut to max_force_N with its direction kept, each coordinate within 4 ulp of the size; zero where it is not
+/// finite. No overflow up to 1e308. Source: Beckman 2007, code 3.4; erratum (test for a number first: NaN passes |F| >
+/// clamp).
 Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::safety

@@ -26,7 +26,7 @@ Vec3 limitHeat(const Thermal& thermal, const Vec3& heat, const Mat3& J_p,
 Vec3 heated(const Thermal& thermal, const Vec3& heat, const Mat3& J_p, const Vec3& f_T_W,
             double dt_s) noexcept UNDERACT_REAL_TIME;
 
-/// f_T_W, or as far on the way from last_T_W to it as the slew limit goes in dt_s.
+/// Within 4 ulp of both. f_T_W, or as far on the way from last_T_W to it as the slew limit goes in dt_s.
 Vec3 limitSlew(const Limits& limits, const Vec3& last_T_W, const Vec3& f_T_W, double dt_s) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::safety

@@ -22,7 +22,8 @@ struct EllipticCylinder {
 /// The shape with each coordinate of W multiplied by scale (each > 0).
 Ellipse scaled(const Circle& circle, const Vec3& scale);
 EllipticCylinder scaled(const Cylinder& cylinder, const Vec3& scale);
-/// NotUnique over the middle of the longer axis. Source: see quadric.h.
+/// NotUnique over the middle of the longer axis. Within 64 ulp of the largest coordinate off the curve, and no farther
+/// from the tip than the nearest point but for as much; so the distance, too. Source: see quadric.h.
 Nearest closestPoint(const Ellipse& ellipse, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 Nearest closestPoint(const EllipticCylinder& cylinder, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 

@@ -12,7 +12,8 @@ struct Ellipsoid {
 };
 /// The sphere with each coordinate of W multiplied by scale (each > 0).
 Ellipsoid scaled(const Sphere& sphere, const Vec3& scale);
-/// NotUnique on the disc in its middle. Source: see quadric.h.
+/// NotUnique on the disc in its middle. Within 64 ulp of the largest coordinate off the surface, and no farther from
+/// the tip than the nearest point but for as much; so the height, too. Source: see quadric.h.
 Nearest closestPoint(const Ellipsoid& ellipsoid, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::shape

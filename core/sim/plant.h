@@ -37,7 +37,8 @@ PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept;
 /// the Coulomb friction are taken implicitly, so that it sticks without chatter at any step. wish: at the end of the
 /// period; on the way there it moves evenly at its v_WT. Where reach or a joint limit cuts the motion, the tip stands
 /// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a wish that is not
-/// finite as one to stay here. Finite in, finite out; the same bits every time. Cost: linear in period_ns.
+/// finite as one to stay here. Within reach exact to 4 ulp of way and speed a substep in free flight, and to 64 ulp of
+/// all impulses otherwise. Finite in, finite out; the same bits every time. Cost: linear in period_ns.
 PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
                    std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 

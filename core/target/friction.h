@@ -20,7 +20,8 @@ struct Grip {
 /// Whether the grip slides in this tick; it is moved then, to where the dynamic share lets it be: beside the surface by
 /// its bend, so the caller puts it back onto it. p_WT: the tip; p_WP: the target without friction. The share is that of
 /// the ways along and across, which is that of the forces where the gains are equal.
-/// Source: Salisbury et al. 1995, Haptic rendering: programming touch interaction; cone of Harwin and Melder 2002.
+/// Within 16 ulp of p_WP and the way. Source: Salisbury et al. 1995, Haptic rendering: programming touch interaction;
+/// cone of Harwin and Melder 2002.
 bool slides(const Friction& friction, const Vec3& p_WT, const Vec3& p_WP, Grip& grip) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::target

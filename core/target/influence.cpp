@@ -195,6 +195,10 @@ void slew(const shape::Shape& shape, const Influence& influence, const Vec3& sty
           InfluenceState& state, Influenced& found) noexcept UNDERACT_REAL_TIME {
   const Vec3 p_CP_W = found.p_WP - found.arc.p_WC;
   const double radius_m = p_CP_W.norm();
+  if (!(radius_m > 0.0)) {  // lost in the rounding of a far place: there is no way round to go
+    state.aims = false;
+    return;
+  }
   const Vec3 n_W = p_CP_W / radius_m;
   const bool limited = state.aims && dt_s > 0.0;
   const double most_rad = manipulator::kSlew_m_per_s * dt_s / radius_m;

@@ -56,8 +56,9 @@ struct Influenced {
 /// alpha). p_WT: m, finite; stylus_W: z of frame 6, unit. Along the axis the stylus says nothing, and the target goes
 /// over to position smoothly within blend_rad; tip on the axis: orientation alone; both: not unique. Any other shape:
 /// not unique. dt_s: since the last one; the target goes round no faster than manipulator::kSlew_m_per_s, so that a
-/// change of side is no blow; 0: at once. Cost: constant. Source: Beckman 2007, eq. 5.1-5.4 (errata 5.3, 5.4; 3-D form
-/// of errata section 4).
+/// change of side is no blow; 0: at once. Within 64 ulp of the largest
+/// coordinate, and of R over how far tip and stylus are off the axis. Cost: constant. Source: Beckman 2007, eq. 5.1-5.4
+/// (errata 5.3, 5.4; 3-D form of errata section 4).
 Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
                             const Vec3& stylus_W, double dt_s, InfluenceState& state) noexcept UNDERACT_REAL_TIME;
 

@@ -21,7 +21,7 @@ void forget(TickState& state) noexcept UNDERACT_REAL_TIME {
   for (control::LawState& law : state.laws) control::forget(law);
   for (control::EnergyState& energy : state.energies) energy = control::EnergyState{};
   for (target::InfluenceState& influence : state.influences) influence = target::InfluenceState{};
-  for (manipulator::State& robot : state.robots) robot.begun = false;
+  for (manipulator::State& robot : state.robots) robot = manipulator::State{};
   for (arm::FollowerState& follower : state.followers) follower.begun = false;
   for (target::MeshState& mesh : state.meshes) mesh = target::MeshState{};
   for (target::CurveState& curve : state.curves) curve = target::CurveState{};

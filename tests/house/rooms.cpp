@@ -45,6 +45,7 @@ const std::vector<Library>& libraries() {
       {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},
       {"RapidJSON", std::regex("rapidjson"), {"core/json"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
+      {"Boost.Multiprecision", std::regex("boost/multiprecision"), {"core/extremes"}, true},
       {"systemd", std::regex("systemd/"), {"core/servo"}, false},
       {"CLI11", std::regex("CLI/"), {"app/cli", "app/sweeper"}, true},
       {"MPI", std::regex("mpi\\.h"), {"app/sweeper"}, false},

@@ -177,6 +177,21 @@ TEST(Gate, RestartClearsAFaultAndRampsFromNothing) {
   EXPECT_NEAR(gated.next.level, 2e-3 / 0.3, 1e-17);
 }
 
+TEST(Gate, RestartForgetsTheSpeedToo) {  // a speed of before would cut the first forces after Start
+  GateState fast = open();
+  fast.v_WT = Vec3(19.0, 0, 0);
+  fast.heat = Vec3(0.1, 0.2, 0.3);
+  GateState cold;
+  cold.heat = fast.heat;
+  Asked restart = push({0.5, 0, 0});
+  restart.restart = true;
+  const Limits limits = limitsForHands(0.88, Vec3::Zero());
+  const Gated gated = gate(limits, fast, restart, 1e-3);
+  EXPECT_EQ(gated.next.v_WT, kZero);
+  EXPECT_EQ(gated.force.f_T_W(), gate(limits, cold, restart, 1e-3).force.f_T_W());
+  EXPECT_EQ(gated.next.heat, Vec3(0.1, 0.2, 0.3)) << "motors cool by time alone";
+}
+
 TEST(Gate, RestartDoesNotHideWhatIsWrongNow) {
   Asked restart = push({kNotANumber, 0, 0});
   restart.restart = true;

@@ -36,6 +36,21 @@ double apart(double a_rad, double b_rad) {
 
 }  // namespace
 
+TEST(Influence, ARadiusThatIsLostInThePlacesRoundingGivesANumber) {  // p + R n is p: no direction is left in it
+  const Vec3 far_W(1e3, 2e3, 3e3);
+  const Influence half{0.5};
+  for (const shape::Shape& shape :
+       {shape::Shape(shape::Circle{far_W, Vec3::UnitZ(), 1e-14}),
+        shape::Shape(shape::Cylinder{far_W, Vec3::UnitZ(), 1e-14}), shape::Shape(shape::Sphere{far_W, 1e-14})}) {
+    InfluenceState state;
+    for (const double dt_s : {0.0, 1e-3, 1e-3}) {
+      const Influenced found = influencedTarget(shape, half, far_W + Vec3(1, 1, 0), Vec3::UnitX(), dt_s, state);
+      EXPECT_EQ(found.p_WP, far_W);
+      EXPECT_TRUE(state.n_W.allFinite());
+    }
+  }
+}
+
 TEST(Influence, MeetsTheGoldenAngles) {
   const Value file = test::golden("influence.json");
   for (const Value& one : file.find("angles")->items) {

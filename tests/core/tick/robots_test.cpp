@@ -37,6 +37,19 @@ TEST(RobotTick, OnlyAProgramWithARobotCarriesOneAndOnlyATurningOnePaysForTheWris
   }
 }
 
+TEST(RobotTick, AStartForgetsTheWatchForBetterMinimaToo) {  // or two Starts in one place would end in two minima
+  for (const Manipulator& robot : test::everyRobot()) {
+    Hand used(programOf(robot)), fresh(programOf(robot));
+    for (int tick = 0; tick < 333; ++tick) used.feed(test::scriptedAngles(tick));
+    used.input.restart = fresh.input.restart = true;
+    for (int tick = 333; tick < 700; ++tick) {
+      ASSERT_EQ(used.feed(test::scriptedAngles(tick)).held[0].p_WP,
+                fresh.feed(test::scriptedAngles(tick)).held[0].p_WP);
+      ASSERT_EQ(used.state().robots[0].watch.random, fresh.state().robots[0].watch.random) << tick;
+    }
+  }
+}
+
 TEST(RobotTick, TheForceIsTheLawsOnTheWayToTheTipAndTheMomentIsNeverSent) {
   for (const Manipulator& robot : test::everyRobot()) {
     Hand hand(programOf(robot));

@@ -1,0 +1,29 @@
+#include "core/extremes/catalogue.h"
+
+#include <algorithm>
+
+#include "core/extremes/rows/rows.h"
+
+namespace underact::extremes {
+
+const std::vector<Row>& catalogue() {
+  static const std::vector<Row> kAll = [] {
+    std::vector<Row> all;
+    for (const auto& part :
+         {baseRows, shapeRows, weightedShapeRows, meshRows, curveRows, influenceRows, armRows, armSolverRows, chainRows,
+          chainSolverRows, manipulatorRows, lawRows, filterRows, gateRows, plantRows, tickRows, driftRows}) {
+      const std::span<const Row> rows = part();
+      all.insert(all.end(), rows.begin(), rows.end());
+    }
+    return all;
+  }();
+  return kAll;
+}
+
+const Row* findRow(std::string_view key) {
+  const std::vector<Row>& all = catalogue();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Row& row) { return row.key == key; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace underact::extremes

@@ -1,0 +1,52 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/around.h"
+#include "core/base/random.h"
+#include "core/base/types.h"
+
+namespace underact::extremes {
+
+/// Draws what hurts: scales of all sizes, directions on and beside the axes, places beside what is degenerate. The same
+/// numbers on every machine: no library's own logarithm has a part in them.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  double share() { return nextShare(state_); }
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(share() * static_cast<double>(count)); }
+  bool one(std::size_t in) { return below(in) == 0; }
+  double between(double low, double high) { return low + (high - low) * share(); }
+  double sign() { return one(2) ? -1.0 : 1.0; }
+
+  /// 2^low to 2^high, all powers of two equally likely.
+  double power(int low, int high) {
+    return std::ldexp(1.0 + share(), low + static_cast<int>(below(static_cast<std::size_t>(high - low))));
+  }
+  /// 1e-12 to 1e12.
+  double scale() { return power(-40, 40); }
+  /// Near to 1, seldom far from it.
+  double ratio() { return one(3) ? power(-20, 20) : between(0.2, 2.0); }
+  /// 2^-k, k up to 60, either sign; seldom 0.
+  double closeness() { return one(8) ? 0.0 : sign() * power(-60, 0); }
+
+  Vec3 inBox(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
+  /// Unit to a few ulp: along an axis, a little off one, in a plane of two, or anywhere.
+  Vec3 direction();
+  /// A rotation to a few ulp.
+  Mat3 turn();
+  /// A place about a middle with an axis: in a box of its size, on the axis but for 2^-k, at any scale, or the middle.
+  Vec3 placeAbout(const Vec3& middle_W, const Vec3& axis_W, double size);
+  /// The same with now and then a coordinate that is zero of either sign, or denormal.
+  Vec3 oddPlaceAbout(const Vec3& middle_W, const Vec3& axis_W, double size);
+  /// An angle, rad: within a turn, a quarter turn but for 2^-k, or of 1e6.
+  double angle();
+
+ private:
+  std::uint64_t state_;
+};
+
+/// The seed of a case: the same for a seed and an index whoever draws it.
+std::uint64_t caseSeed(std::uint64_t seed, std::uint64_t index);
+
+}  // namespace underact::extremes

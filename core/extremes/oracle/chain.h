@@ -1,0 +1,24 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/chain/chain.h"
+#include "core/extremes/oracle/turns.h"
+
+namespace underact::extremes::oracle {
+
+struct ChainPose {
+  Columns R_WT;
+  Real3 p_WT;
+};
+/// Screw after screw, as quaternions and shifts. The axes are taken as unit.
+ChainPose chainPose(const chain::Chain& chain, const std::vector<Real>& q);
+std::vector<Real> realOf(std::span<const double> q);
+
+/// How the tip moves and turns by a joint, by differences (see armJacobian()).
+struct Twist {
+  Real3 v, w;
+};
+Twist chainTwist(const chain::Chain& chain, std::vector<Real> q, std::size_t joint);
+
+}  // namespace underact::extremes::oracle

@@ -1,0 +1,43 @@
+#include "core/extremes/oracle/energy.h"
+
+namespace underact::extremes::oracle {
+
+Real energyOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, const std::vector<Real>& theta) {
+  const ChainPose tip = chainPose(manipulator.chain, theta);
+  const Real3 off = tip.p_WT - real(X_WT.translation());
+  const Vec3& kp = manipulator.kp_N_per_m;
+  Real twice = kp.x() * off.x * off.x + kp.y() * off.y * off.y + kp.z() * off.z * off.z;
+  const Columns stylus = columnsOf(X_WT.linear());
+  if (manipulator.orientation == manipulator::Orientation::Axis) {
+    const Real3 apart = tip.R_WT[2] - stylus[2];
+    twice += manipulator.ko_N_m_per_rad * dot(apart, apart);
+  } else if (manipulator.orientation == manipulator::Orientation::Full) {
+    const Real angle = angleOf(stylus, tip.R_WT);
+    twice += manipulator.ko_N_m_per_rad * angle * angle;
+  }
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    const Real bent = theta[i] - manipulator.rest[i];
+    twice += manipulator.spring[i] * bent * bent;
+  }
+  return twice / 2;
+}
+
+Real slopeOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, std::vector<Real> theta,
+             std::size_t joint) {
+  const Real tiny = ldexp(Real(1), -110), middle = theta[joint];
+  theta[joint] = middle + tiny;
+  const Real after = energyOf(manipulator, X_WT, theta);
+  theta[joint] = middle - tiny;
+  return (after - energyOf(manipulator, X_WT, theta)) / (2 * tiny);
+}
+
+Real bendOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, std::vector<Real> theta, std::size_t joint) {
+  const Real tiny = ldexp(Real(1), -80), middle = theta[joint];
+  const Real here = energyOf(manipulator, X_WT, theta);
+  theta[joint] = middle + tiny;
+  const Real after = energyOf(manipulator, X_WT, theta);
+  theta[joint] = middle - tiny;
+  return (after - 2 * here + energyOf(manipulator, X_WT, theta)) / (tiny * tiny);
+}
+
+}  // namespace underact::extremes::oracle

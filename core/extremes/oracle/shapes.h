@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+
+#include "core/extremes/oracle/real.h"
+
+namespace underact::extremes::oracle {
+
+// The nearest points of shapes, from what a shape is. Axes need not be unit. None looks at core/shape.
+
+struct Nearest {
+  Real3 p_WP;
+  Real distance;  // never negative
+};
+
+Nearest onSphere(const Real3& p_WC, const Real& radius, const Real3& p_WT);
+Nearest onLine(const Real3& p_WC, const Real3& axis_W, const Real3& p_WT);
+Nearest onPlane(const Real3& p_WC, const Real3& normal_W, const Real3& p_WT);
+Nearest onCircle(const Real3& p_WC, const Real3& axis_W, const Real& radius, const Real3& p_WT);
+Nearest onCylinder(const Real3& p_WC, const Real3& axis_W, const Real& radius, const Real3& p_WT);
+/// Distance from the axis.
+Real offAxis(const Real3& p_WC, const Real3& axis_W, const Real3& p_WT);
+
+/// Of a segment; a = b is a point.
+Nearest onSegment(const Real3& a, const Real3& b, const Real3& q);
+/// Of a triangle, one without area among them.
+Nearest onTriangle(const Real3& a, const Real3& b, const Real3& c, const Real3& q);
+/// Of the parallelogram c + s u + t v, s and t in [-1, 1].
+Nearest onParallelogram(const Real3& c, const Real3& u, const Real3& v, const Real3& q);
+/// Of the surface of a solid c + sum of s_i edge_i, s_i in [-1, 1]: the nearest of six faces.
+Nearest onSolid(const Real3& c, const std::array<Real3, 3>& edges, const Real3& q);
+/// Whether q is inside of it.
+bool isInSolid(const Real3& c, const std::array<Real3, 3>& edges, const Real3& q);
+
+/// The distance of y from the ellipse or ellipsoid sum (x_i / semi_i)^2 = 1 about the origin: count 2 or 3.
+/// By bisection of the multiplier, then Newton: no start to choose, no case to tell apart but the middle.
+Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, int count);
+
+/// Three unit vectors at right angles near to those of R, by Gram and Schmidt.
+std::array<Real3, 3> axesOf(const Mat3& R);
+
+}  // namespace underact::extremes::oracle

@@ -1,0 +1,101 @@
+#include "core/extremes/rows/manipulator_draws.h"
+
+#include "core/extremes/rows/chain_draws.h"
+
+namespace underact::extremes {
+namespace {
+
+using chain::Joint;
+using chain::JointType;
+using manipulator::Manipulator;
+using manipulator::Orientation;
+
+double sizeOf(const Manipulator& m) {
+  double size_m = m.chain.X_WT_home.translation().cwiseAbs().maxCoeff();
+  for (const Joint& joint : m.chain.joints) size_m = std::max(size_m, joint.p_WJ.cwiseAbs().maxCoeff());
+  return size_m;
+}
+
+/// Gains, and the orientation's beside the place's: of the same weight, or of none.
+void drawGains(Input& input, double size_m, manipulator::Wanted& wanted) {
+  const double kp = input.number("kp_N_per_m", [](Dice& dice) { return dice.one(8) ? 0.0 : dice.power(-20, 20); });
+  wanted.kp_N_per_m.setConstant(kp);
+  wanted.ko_N_m_per_rad = input.number("ko_N_m_per_rad", [&](Dice& dice) {
+    return dice.one(4) ? 0.0 : std::max(kp, 1e-6) * size_m * size_m * dice.ratio();
+  });
+}
+
+}  // namespace
+
+Manipulator drawManipulator(Input& input, int size) {
+  manipulator::Wanted wanted;
+  wanted.chain = drawChain(input, manipulator::kMaxJoints, size);
+  const double size_m = std::max(wanted.chain.X_WT_home.translation().cwiseAbs().maxCoeff(), 1e-12);
+  constexpr std::array<Orientation, 3> kWhich{Orientation::None, Orientation::Axis, Orientation::Full};
+  wanted.orientation = kWhich[input.choice("orientation", kWhich.size())];
+  drawGains(input, size_m, wanted);
+  if (input.flag("unequal"))
+    wanted.kp_N_per_m.y() =
+        input.number("kp_y_N_per_m", [&](Dice& dice) { return wanted.kp_N_per_m.x() * dice.share(); });
+  if (input.flag("bends")) {
+    for (std::size_t i = 0; i < wanted.chain.joints.size(); ++i) {
+      const bool turns = wanted.chain.joints[i].type == JointType::Revolute;
+      wanted.spring[i] = input.number(
+          "spring", [&](Dice& dice) { return wanted.kp_N_per_m.x() * (turns ? size_m * size_m : 1.0) * dice.ratio(); });
+      wanted.rest[i] = input.number("rest", [&](Dice& dice) { return (turns ? 1.0 : size_m) * dice.between(-1, 1); });
+    }
+  }
+  wanted.method = manipulator::Method::Iterative;
+  return manipulator::makeManipulator(wanted, {}).value();
+}
+
+Manipulator drawClosedManipulator(Input& input) {
+  manipulator::Wanted wanted;
+  const double size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
+  const std::size_t kind = input.choice("kind", 5);  // circle, sphere, cylinder, line, plane
+  const Mat3 R = input.matrix("R", [](Dice& dice) { return dice.turn(); });
+  // A sphere's z counts as along its radius up to 1e-9; here it is, to some ulp.
+  const Vec3 p_WC = input.vector("p_WC", [&](Dice& dice) {
+    return dice.one(2) ? Vec3(Vec3::Zero()) : dice.inBox(size_m * (kind == 1 ? 2.0 : dice.ratio()));
+  });
+  const auto joint = [&](JointType type, Eigen::Index axis) { return Joint{type, R.col(axis), p_WC}; };
+  if (kind == 0) wanted.chain.joints = {joint(JointType::Revolute, 2)};
+  if (kind == 1) wanted.chain.joints = {joint(JointType::Revolute, 2), joint(JointType::Revolute, 1)};
+  if (kind == 2) wanted.chain.joints = {joint(JointType::Revolute, 2), joint(JointType::Prismatic, 2)};
+  if (kind == 3) wanted.chain.joints = {joint(JointType::Prismatic, 2)};
+  if (kind == 4) wanted.chain.joints = {joint(JointType::Prismatic, 2), joint(JointType::Prismatic, 0)};
+  wanted.chain.X_WT_home.translation() = p_WC + size_m * R.col(0);
+  wanted.chain.X_WT_home.linear() << R.col(1), R.col(2), R.col(0);  // z of V along the radius
+  const bool turning = kind < 3;
+  wanted.orientation = turning && input.flag("axis") ? Orientation::Axis : Orientation::None;
+  drawGains(input, size_m, wanted);
+  if (kind != 1 && input.choice("limits", 3) == 0) {
+    for (Joint& one : wanted.chain.joints) {
+      const double unit = one.type == JointType::Revolute ? 1.0 : size_m;
+      one.min = input.number("min", [&](Dice& dice) { return unit * dice.between(-3.0, 1.0); });
+      one.max = input.number("max", [&](Dice& dice) { return one.min + unit * dice.between(0.1, 3.0); });
+    }
+  }
+  return manipulator::makeManipulator(wanted, {}).value();
+}
+
+Pose drawStylus(Input& input, const Manipulator& m) {
+  Pose X_WT = Pose::Identity();
+  const double size_m = std::max(sizeOf(m), 1e-12);
+  X_WT.translation() = input.vector("p_WT", [&](Dice& dice) {
+    if (dice.one(6)) return Vec3(m.chain.X_WT_home.translation());
+    return dice.oddPlaceAbout(m.chain.joints[0].p_WJ, m.chain.joints[0].axis_W, size_m);
+  });
+  X_WT.linear() =
+      input.matrix("R_WT", [&](Dice& dice) { return dice.one(6) ? Mat3(m.chain.X_WT_home.linear()) : dice.turn(); });
+  return X_WT;
+}
+
+manipulator::Values drawTheta(Input& input, const Manipulator& m) {
+  manipulator::Values theta{};
+  const std::vector<double> q = drawJoints(input, m.chain);
+  std::copy(q.begin(), q.end(), theta.begin());
+  return theta;
+}
+
+}  // namespace underact::extremes
