@@ -14,6 +14,7 @@ constexpr double kMoved_m = 0.11e-3;  // two encoder steps
 constexpr double kFade_s = 0.16;      // 8 time constants of the servo's way from one target to the next: 1 mN is left
 constexpr std::size_t kLeastBlocks = 8, kLeastSprings = 6;
 constexpr double kLeastMass_kg = 1e-4;
+constexpr double kSure = 0.025;  // two deviations within 5 %: a stiffness less sure than that says nothing
 
 /// The direction of the motion in all of [from, to]; 0: it is not one, or not clear.
 double directionOf(const Window& window, std::size_t from, std::size_t to) {
@@ -115,6 +116,7 @@ std::optional<SwingStiffness> swingStiffness(std::span<const Row> rows, const Ve
   // Blocks overlap by two thirds: three of them tell no more than one.
   const double free = std::max(1.0, static_cast<double>(found.blocks) / 3.0 - 1.0);
   found.uncertainty_N_per_m = std::sqrt(squares / (3.0 * free) * 3.0 / of_stretch);
+  if (!(found.uncertainty_N_per_m < kSure * found.value_N_per_m)) return {};
   return found;
 }
 

@@ -32,7 +32,8 @@ std::vector<Block> blocksOf(std::span<const Window> windows, double seconds = kB
 std::optional<Body> firstGuess(std::span<const Block> blocks);
 
 /// A stiffness that the motion itself shows, whatever force was said to be sent: that of a spring to the target with
-/// which the body's inertia is in balance, m omega^2 of a free swing. None: nothing swung freely.
+/// which the body's inertia is in balance, m omega^2 of a free swing. None: nothing swung freely, or too little
+/// to tell it within 5 %.
 struct SwingStiffness {
   double value_N_per_m = 0.0;
   double uncertainty_N_per_m = 0.0;
