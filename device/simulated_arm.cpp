@@ -32,6 +32,8 @@ Integration unpacked(std::int64_t number) noexcept UNDERACT_REAL_TIME {
 
 SimulatedArm::SimulatedArm(const Options& options)
     : plant_(sim::makePlant(options.arm, options.model, options.hand, options.integration)),
+      preset_counts_(options.arm.counts_per_turn),
+      hand_(options.hand),
       integration_(packed(options.integration)),
       state_(sim::restAt(plant_, options.start_p_WT)),
       period_ns_(1'000'000'000 / std::max(options.rate_hz, 1)) {
@@ -49,12 +51,24 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   }
   Vec3 f_T_W = f_T_W_;
   if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero();
-  plant_.integration = unpacked(integration_.load(std::memory_order_relaxed));
+  takeUp();
   state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
   sample.time_ns = time_ns;
   sample.q_rad = sim::shownAngles(plant_, state_);
   sample.buttons = button_.load(std::memory_order_relaxed) ? 1U : 0U;
   return true;
+}
+
+void SimulatedArm::takeUp() noexcept {
+  plant_.integration = unpacked(integration_.load(std::memory_order_relaxed));
+  plant_.hand = let_go_.load(std::memory_order_relaxed) ? sim::HandModel{0.0, 0.0, 0.0} : hand_;
+  if (!has_figures_.load(std::memory_order_acquire)) return;
+  const Figures& figures = figures_.latest();
+  plant_.model.mass_kg = figures.mass_kg;
+  plant_.model.friction_N = figures.friction_N;
+  plant_.model.damping_N_s_per_m = figures.damping_N_s_per_m;
+  plant_.model.encoders = figures.encoders;
+  plant_.arm.counts_per_turn = figures.counts_per_turn;
 }
 
 void SimulatedArm::write(const safety::GatedForce& force) noexcept {
@@ -74,8 +88,16 @@ void SimulatedArm::integrate(const Integration& integration) noexcept {
   integration_.store(packed(integration), std::memory_order_relaxed);
 }
 
+void SimulatedArm::become(const sim::ArmModel& model) {
+  arm::EncoderCounts counts = preset_counts_;
+  if (model.counts_per_turn) counts = sim::countsOf(*model.counts_per_turn, preset_counts_);
+  figures_.back() = {model.mass_kg, model.friction_N, model.damping_N_s_per_m, model.encoders, counts};
+  figures_.publish();
+  has_figures_.store(true, std::memory_order_release);
+}
+
 void SimulatedArm::follow(sim::HandScript script) {
-  plant_.hand = script.hand;
+  hand_ = script.hand;
   script_ = std::move(script);
   scripted_ = true;
   script_start_ns_ = reads_ * period_ns_;

@@ -32,6 +32,11 @@ class SimulatedArm final : public servo::DevicePort {
   /// thread.
   void holdButton(bool held) { button_.store(held, std::memory_order_relaxed); }
 
+  /// What the arm is made of from the next read() on. Any one thread, never blocks the servo.
+  void become(const sim::ArmModel& model);
+  /// The hand lets go of the stylus (holds false), or takes it again, from the next read() on. Any thread.
+  void holdStylus(bool holds) { let_go_.store(!holds, std::memory_order_relaxed); }
+
   /// How the arm goes on from the next read() on. Any thread.
   void integrate(const Integration& integration) noexcept;
 
@@ -46,7 +51,20 @@ class SimulatedArm final : public servo::DevicePort {
   const sim::HandWish& wished() const { return wished_; }
 
  private:
+  /// The numbers of a model, without its words.
+  struct Figures {
+    double mass_kg = 0.0, friction_N = 0.0, damping_N_s_per_m = 0.0;
+    bool encoders = true;
+    arm::EncoderCounts counts_per_turn{};
+  };
+  void takeUp() noexcept UNDERACT_REAL_TIME;
+
   sim::Plant plant_;
+  const arm::EncoderCounts preset_counts_;
+  sim::HandModel hand_;  // when it holds the stylus
+  std::atomic<bool> let_go_{false};
+  servo::Slot<Figures> figures_;
+  std::atomic<bool> has_figures_{false};
   std::atomic<std::int64_t> integration_;  // packed
   sim::PlantState state_;
   std::int64_t period_ns_;

@@ -1,15 +1,23 @@
 #include "app/cli/arm_models.h"
 
-#include "core/sim/arm_model.h"
+#include "core/sim/arm_model_file.h"
 
 namespace underact::cli {
 
 void addArmModelOption(CLI::App& command, std::string& name) {
-  std::vector<std::string> names;
-  for (const sim::ArmModel& model : sim::armModels()) names.emplace_back(model.name);
-  command.add_option("--arm-model", name, "What the simulated arm is made of")
+  command.add_option("--arm-model", name, "What the simulated arm is made of: a name, or a file of a measured arm")
       ->capture_default_str()
-      ->check(CLI::IsMember(names));
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later
+            const Result<sim::ArmModel> model = sim::chooseArmModel(text);
+            return model ? std::string() : model.problems().front().sentence;
+          },
+          "", "arm model"));
+}
+
+Result<sim::ArmModel> armModelOf(const std::string& name) {
+  return sim::chooseArmModel(name);
 }
 
 }  // namespace underact::cli

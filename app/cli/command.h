@@ -27,6 +27,7 @@ void addJacobian(CLI::App& program, const Streams& streams, Exit& exit);
 void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
 void addRun(CLI::App& program, const Streams& streams, Exit& exit);
 void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit);
+void addIdentify(CLI::App& program, const Streams& streams, Exit& exit);
 void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit);
 void addLog(CLI::App& program, const Streams& streams, Exit& exit);
 void addReplay(CLI::App& program, const Streams& streams, Exit& exit);

@@ -67,7 +67,7 @@ scene::Description retuned(scene::Description scene, const StepOptions& options)
   return scene;
 }
 
-lab::StepSetup setupOf(const StepOptions& options) {
+lab::StepSetup setupOf(const StepOptions& options, const sim::ArmModel& model) {
   lab::StepSetup setup;
   setup.step_m = kMetrePerMillimetre * options.step_mm;
   for (const lab::Axis axis : {lab::Axis::X, lab::Axis::Y, lab::Axis::Z, lab::Axis::Held}) {
@@ -75,7 +75,7 @@ lab::StepSetup setupOf(const StepOptions& options) {
   }
   setup.constraint = options.constraint;
   if (!options.from_mm.empty()) setup.from_W = kMetrePerMillimetre * Eigen::Map<const Vec3>(options.from_mm.data());
-  setup.arm = *sim::findArmModel(options.arm_model);
+  setup.arm = model;
   setup.hand = {options.mass_kg, options.damping_N_s_per_m, 0.0};
   setup.rate_hz = options.rate_hz;
   setup.seconds = options.seconds;
@@ -93,7 +93,13 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
     print(loaded.problems(), streams.err);
     return exitOf(loaded.problems());
   }
-  const Result<lab::ArmStep> step = lab::measureStep(retuned(loaded.value().description, options), setupOf(options));
+  const Result<sim::ArmModel> model = armModelOf(options.arm_model);
+  if (!model) {
+    print(model.problems(), streams.err);
+    return exitOf(model.problems());
+  }
+  const Result<lab::ArmStep> step =
+      lab::measureStep(retuned(loaded.value().description, options), setupOf(options, model.value()));
   if (!step) {
     print(step.problems(), streams.err);
     return Exit::BadInput;

@@ -125,6 +125,7 @@ Problems tellFaults(servo::Host& host, Run& run, const std::string& file) {
 struct Prepared {
   LoadedScene scene;
   sim::HandScript hand;
+  sim::ArmModel model;
 };
 
 /// The scene with every control in that space; empty: as it is.
@@ -161,13 +162,19 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = exitOfHand(options.hand, hand.problems());
     return {};
   }
-  return Prepared{std::move(in_space).value(), std::move(hand).value()};
+  Result<sim::ArmModel> model = armModelOf(options.arm_model);
+  if (!model) {
+    print(model.problems(), streams.err);
+    exit = exitOf(model.problems());
+    return {};
+  }
+  return Prepared{std::move(in_space).value(), std::move(hand).value(), std::move(model).value()};
 }
 
 std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const Prepared& prepared) {
   device::SimulatedArm::Options arm;
   arm.arm = *arm::findPreset(prepared.scene.description.arm);
-  arm.model = *sim::findArmModel(options.arm_model);
+  arm.model = prepared.model;
   arm.hand = prepared.hand.hand;
   arm.rate_hz = options.rate_hz;
   arm.integration = integrationOf(prepared.scene.description.simulation);

@@ -45,11 +45,11 @@ Result<LoadedScene> sceneOf(const Options& options, const Streams& streams) {
   return loaded;
 }
 
-device::SimulatedArm::Options armOf(const Options& options, const scene::Description& scene,
+device::SimulatedArm::Options armOf(const Options& options, const sim::ArmModel& model, const scene::Description& scene,
                                     const sim::HandScript& hand) {
   device::SimulatedArm::Options arm;
   arm.arm = *arm::findPreset(scene.arm);
-  arm.model = *sim::findArmModel(options.arm_model);
+  arm.model = model;
   arm.integration = integrationOf(scene.simulation);
   arm.hand = hand.hand;
   arm.rate_hz = options.check.rate_hz;
@@ -138,8 +138,13 @@ Exit checkIt(const Options& options, const Streams& streams) {
     print(scene.problems(), streams.err);
     return exitOf(scene.problems());
   }
+  const Result<sim::ArmModel> model = armModelOf(options.arm_model);
+  if (!model) {
+    print(model.problems(), streams.err);
+    return exitOf(model.problems());
+  }
   sim::HandScript hand = sim::builtInHand("sweep", 1).value();
-  device::SimulatedArm arm(armOf(options, scene.value().description, hand));
+  device::SimulatedArm arm(armOf(options, model.value(), scene.value().description, hand));
   arm.follow(std::move(hand));
   const Interrupt interrupt;
   const servo::CheckResult result =

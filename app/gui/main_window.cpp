@@ -17,6 +17,7 @@
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
 #include "app/gui/icons.h"
+#include "app/gui/identify/identify_tool.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
 #include "app/gui/problems_box.h"
@@ -43,10 +44,15 @@ void MainWindow::frame() {
     player_->add(record);
     faults_->add(record);
     live_->add(record);
+    identify_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
   faults_->look(snapshot);
-  if (!pacer_->isSeen()) return;
+  if (pacer_->isSeen()) showFrame(snapshot);
+  identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then
+}
+
+void MainWindow::showFrame(const servo::Snapshot& snapshot) {
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
   status_->present(snapshot);
@@ -144,6 +150,7 @@ void MainWindow::setTheme(const Theme& theme) {
   view_->setTheme(theme);
   replay_bar_->setTheme(theme);
   faults_->setTheme(theme);
+  identify_->setTheme(theme);
   for (Panel* panel : panels_) panel->setTheme(theme);
 }
 
@@ -177,6 +184,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   parts_.host.stop();
+  identify_->end();
   actions_->perform("calibration.cancel");  // the scene's own stiffness, before anybody else looks
   remember();
   event->accept();

@@ -13,11 +13,13 @@ class SimulatedArm;
 namespace underact::gui {
 
 class Actions;
+class ArmInUse;
 class CurveFiles;
 class Document;
 class FaultWatch;
 class FramePacer;
 class Hand;
+class IdentifyTool;
 class LiveData;
 class LoadStrip;
 class MeshFiles;
@@ -76,6 +78,7 @@ class MainWindow : public QMainWindow {
   void replayBegins();
   void replayEnds();
   void setTheme(const Theme& theme);
+  void showFrame(const servo::Snapshot& snapshot);
   void presentMode(const servo::Snapshot& snapshot);
   void updateTitle();
   void restore();
@@ -99,6 +102,8 @@ class MainWindow : public QMainWindow {
   FaultWatch* faults_;
   LiveData* live_;
   FramePacer* pacer_;
+  ArmInUse* arm_in_use_;
+  IdentifyTool* identify_;
   QHash<QString, QDockWidget*> docks_;
   QHash<QString, Panel*> panels_;
   bool arranged_ = false;

@@ -15,6 +15,7 @@
 #include "app/gui/gallery/gallery_actions.h"
 #include "app/gui/hand.h"
 #include "app/gui/help_dialog.h"
+#include "app/gui/identify/identify_tool.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
@@ -53,7 +54,10 @@ MainWindow::MainWindow(const WindowParts& parts)
       player_(new Player(parts.host, *document_, parts.replay, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
-      pacer_(new FramePacer(this)) {
+      pacer_(new FramePacer(this)),
+      arm_in_use_(new ArmInUse(parts.arm, settings_.arm_model, this)),
+      identify_(
+          new IdentifyTool({parts.host, *document_, *view_, *player_, *arm_in_use_, parts.arm}, *actions_, this)) {
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -196,6 +200,15 @@ void MainWindow::buildView() {
   status_ = new StatusLine(parts_.host, limit_N, this);
   status_->setObjectName("status");
   status_->setAccessibleName(tr("Status"));
+  if (parts_.arm != nullptr) {
+    const auto tell = [this] {
+      const sim::ArmModel& model = arm_in_use_->model();
+      status_->setArmModel(arm_in_use_->isMeasured() ? QString::fromStdString(model.name) : QString(),
+                           QString::fromStdString(model.provenance));
+    };
+    connect(arm_in_use_, &ArmInUse::changed, status_, tell);
+    tell();
+  }
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addPermanentWidget(status_, 1);
 }
@@ -289,6 +302,7 @@ void MainWindow::remember() {
   settings_.energy_plot = static_cast<PlotsPanel*>(panels_["plots"])->showsEnergy();
   settings_.hold_to_run = parts_.host.holdToRun();
   settings_.has_pushed = hand_->hasPushed();
+  settings_.arm_model = arm_in_use_->text();
   writeSettings(settings_);
 }
 

@@ -54,6 +54,7 @@ Settings readSettings() {
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
   settings.energy_plot = stored.value("plots/energy", fresh.energy_plot).toBool();
   settings.hold_to_run = stored.value("servo/hold_to_run", fresh.hold_to_run).toBool();
+  settings.arm_model = stored.value("arm/model").toString();
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
   return settings;
 }
@@ -73,6 +74,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("plots/axis", settings.plot_axis);
   stored.setValue("plots/energy", settings.energy_plot);
   stored.setValue("servo/hold_to_run", settings.hold_to_run);
+  stored.setValue("arm/model", settings.arm_model);
   stored.setValue("hints/has_pushed", settings.has_pushed);
 }
 

@@ -18,6 +18,7 @@ struct Settings {
   int plot_axis = 0;
   bool energy_plot = true;
   bool hold_to_run = false;
+  QString arm_model;        // that is simulated, as its file says it; empty: the vendor's figures
   bool has_pushed = false;  // a hand has pushed once: the first hint has done its work
 };
 

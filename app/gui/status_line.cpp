@@ -73,15 +73,23 @@ QLabel* StatusLine::field(const char* name, const QString& spoken, const QString
   return label;
 }
 
+void StatusLine::setArmModel(const QString& name, const QString& provenance) {
+  arm_model_ = name;
+  provenance_ = provenance;
+  presentDevice(is_recorded_);
+}
+
 void StatusLine::presentDevice(bool is_recorded) {
+  is_recorded_ = is_recorded;
   const servo::DeviceInfo info = host_.device();
   const QString title = QString::fromStdString(info.title);
   const bool is_said = is_recorded || title.contains("simulated", Qt::CaseInsensitive);
   QString kind = info.simulated && !is_said ? tr(" (simulated)") : QString();
   if (info.untested) kind += tr(" (untested)");
+  if (!is_recorded && info.simulated && !arm_model_.isEmpty()) kind += tr(": %1").arg(arm_model_);
   device_->setText(title + kind);
   device_->setToolTip(is_recorded      ? tr("A recording moves the stylus: forces go to no arm.")
-                      : info.simulated ? tr("A simulation in software: no arm is moved.")
+                      : info.simulated ? tr("A simulation in software: no arm is moved. %1").arg(provenance_).trimmed()
                                        : QString());
 }
 

@@ -23,6 +23,9 @@ class StatusLine : public QWidget {
   void setRecording(const QString& words, const QString& tip, bool needs_a_look);
   /// Another arm, or none: after a replay has begun or ended.
   void presentDevice(bool is_recorded = false);
+  /// What the simulated arm is made of: its name beside the arm's (empty: nothing is said), and where its figures come
+  /// from.
+  void setArmModel(const QString& name, const QString& provenance);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
   /// Where live data goes ("live data to 127.0.0.1:9870"), and more of it for a tool tip; empty: nowhere.
   void setLive(const QString& where, const QString& details);
@@ -38,6 +41,8 @@ class StatusLine : public QWidget {
   QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *recording_, *live_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
+  QString arm_model_, provenance_;
+  bool is_recorded_ = false;
 };
 
 }  // namespace underact::gui

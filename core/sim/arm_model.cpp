@@ -17,6 +17,14 @@ const std::array<ArmModel, 2> kModels{
 
 }  // namespace
 
+arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::EncoderCounts& preset) {
+  arm::EncoderCounts counts = preset;
+  for (std::size_t joint = 0; joint < counts.size(); ++joint) {
+    if (measured[joint] > 0.0) counts[joint] = measured[joint];
+  }
+  return counts;
+}
+
 std::span<const ArmModel> armModels() {
   return kModels;
 }

@@ -17,8 +17,11 @@ struct ArmModel {
   double friction_N = 0.0;                                 // Coulomb, back-drive, at the tip
   bool encoders = true;                                    // angles come in steps; false: exact
   double damping_N_s_per_m = 0.0;                          // of the arm itself, at the tip
-  std::optional<arm::EncoderCounts> counts_per_turn = {};  // as measured; none: those of the arm's preset
+  std::optional<arm::EncoderCounts> counts_per_turn = {};  // as measured, 0 where not; none: those of the preset
 };
+
+/// Those measured, and where there is none (0) that of the preset.
+arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::EncoderCounts& preset);
 
 std::span<const ArmModel> armModels();
 

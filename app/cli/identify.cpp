@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <ctime>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <utility>
+
+#include "app/cli/arm_models.h"
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/json_object.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/step_report.h"
+#include "core/arm/preset.h"
+#include "core/base/units.h"
+#include "core/identify/report.h"
+#include "core/json/json.h"
+#include "device/measure_simulated.h"
+#include "underact/version.h"
+
+namespace underact::cli {
+namespace {
+
+struct Options {
+  std::string arm{arm::kDefaultArm};
+  std::string arm_model{sim::kDefaultArmModel};
+  std::vector<double> at_mm{0.0, 0.0, 60.0};
+  int rate_hz = 1000;
+  std::uint64_t seed = 1;
+  std::string out, report, name = "measured";
+  bool json = false;
+};
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+#ifdef _WIN32
+  gmtime_s(&utc, &now);
+#else
+  gmtime_r(&now, &utc);
+#endif
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
+  return text;
+}
+
+JsonObject rowObject(const identify::ReportRow& row) {
+  JsonObject object;
+  object.addText("quantity", row.quantity);
+  object.addText("unit", row.unit);
+  object.addNumber("value", row.estimate.value);
+  object.addNumber("uncertainty", row.estimate.uncertainty);
+  object.addBool("told_from_zero", row.estimate.isTold());
+  row.given ? object.addNumber("given", *row.given) : object.addNull("given");
+  return object;
+}
+
+JsonObject asJson(const identify::Identified& found, const identify::Given& given) {
+  JsonObject object;
+  object.addText("arm", found.arm);
+  object.addInteger("rate_hz", found.rate_hz);
+  object.addNumber("mass_kg", found.mean_mass_kg.value);
+  object.addNumber("friction_N", found.mean_friction_N.value);
+  object.addNumber("damping_N_s_per_m", found.mean_damping_N_s_per_m.value);
+  std::vector<JsonObject> rows;
+  for (const identify::ReportRow& row : identify::rowsOf(found, &given)) rows.push_back(rowObject(row));
+  object.addList("rows", rows);
+  std::vector<std::string> notes;
+  for (const Problem& note : found.notes) notes.push_back(note.sentence);
+  object.addTexts("notes", notes);
+  return object;
+}
+
+/// In columns; a character of more than one byte is one column.
+void cell(std::ostream& out, const std::string& text, int width) {
+  int shown = 0;
+  for (const char one : text) shown += (static_cast<unsigned char>(one) & 0xC0U) != 0x80U ? 1 : 0;
+  out << text << std::string(static_cast<std::size_t>(std::max(1, width - shown)), ' ');
+}
+
+void printTable(const identify::Identified& found, const identify::Given& given, std::ostream& out) {
+  const auto line = [&out](const std::vector<std::string>& cells) {
+    const int widths[] = {36, 16, 14, 8, 12, 1};
+    for (std::size_t index = 0; index + 1 < cells.size(); ++index) cell(out, cells[index], widths[index]);
+    out << cells.back() << '\n';
+  };
+  line({"", "value", "uncertainty", "unit", "given", "difference"});
+  for (const identify::ReportRow& row : identify::rowsOf(found, &given)) {
+    std::string was;
+    if (row.given) was = json::numberText(*row.given);
+    line({row.quantity, valueText(row), uncertaintyText(row), row.unit, was, differenceText(row)});
+  }
+}
+
+/// Writes what was asked for. Exit: Well, or File.
+Exit writeFiles(const Options& options, const identify::Identified& found, const identify::Given& given,
+                const Streams& streams) {
+  sim::Provenance provenance;
+  provenance.device = "the simulated arm (" + given.model.name + ")";
+  provenance.date = today();
+  provenance.program = std::string("underact ") + kVersion;
+  const sim::ArmModelFile file =
+      modelFileOf(found, options.name, "Measured " + provenance.date + " (" + options.name + ")", provenance);
+  Exit exit = Exit::Well;
+  for (const auto& [path, text] :
+       {std::pair{options.out, sim::armModelText(file)}, std::pair{options.report, reportText(found, file, &given)}}) {
+    if (path.empty()) continue;
+    const Problems problems = writeText(path, text);
+    print(problems, streams.err);
+    if (!problems.empty()) exit = Exit::File;
+  }
+  return exit;
+}
+
+Exit identifyIt(const Options& options, const Streams& streams) {
+  const arm::Preset* const preset = arm::findPreset(options.arm);
+  const Result<sim::ArmModel> model = armModelOf(options.arm_model);
+  if (!model) {
+    print(model.problems(), streams.err);
+    return exitOf(model.problems());
+  }
+  device::SimulatedArm::Options arm;
+  arm.arm = *preset;
+  arm.model = model.value();
+  arm.rate_hz = options.rate_hz;
+  identify::Wanted wanted;
+  wanted.arm = options.arm;
+  wanted.places_W.clear();
+  for (std::size_t at = 0; at + 2 < options.at_mm.size(); at += 3)
+    wanted.places_W.push_back(kMetrePerMillimetre * Eigen::Map<const Vec3>(options.at_mm.data() + at));
+  const Interrupt interrupt;
+  Progress progress(streams);
+  const auto measured = device::measureSimulated(arm, wanted, options.seed, [&](double share) {
+    progress.show(share);
+    return !interrupt.came();
+  });
+  if (!measured) {
+    print(measured.problems(), streams.err);
+    return Exit::BadInput;
+  }
+  const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz);
+  if (!found) {
+    print(found.problems(), streams.err);
+    return Exit::BadInput;
+  }
+  identify::Given given{model.value(), preset->counts_per_turn};
+  if (given.model.counts_per_turn)
+    given.counts_per_turn = sim::countsOf(*given.model.counts_per_turn, given.counts_per_turn);
+  if (options.json)
+    streams.out << asJson(found.value(), given).text() << '\n';
+  else
+    printTable(found.value(), given, streams.out);
+  for (const Problem& note : found.value().notes) streams.err << note.sentence << '\n';
+  return writeFiles(options, found.value(), given, streams);
+}
+
+}  // namespace
+
+void addIdentify(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "identify", "Measure the simulated arm: mass, friction, damping, encoders, stiffness as rendered");
+  const auto options = std::make_shared<Options>();
+  std::vector<std::string> arms;
+  for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
+  command->add_option("--arm", options->arm, "Its geometry")->capture_default_str()->check(CLI::IsMember(arms));
+  addArmModelOption(*command, options->arm_model);
+  command->add_option("--at_mm", options->at_mm, "Where it swings: three numbers, or six, or nine for three places")
+      ->delimiter(',')
+      ->expected(3, 9)
+      ->check(CLI::Range(-1e6, 1e6));
+  command->add_option("--rate", options->rate_hz, "Ticks a second")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 10000));
+  command->add_option("--seed", options->seed, "Of where the tip rests first")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--name", options->name, "Of the model that is written")->capture_default_str();
+  command->add_option("--out", options->out, "Write the model to this file, for --arm-model and for the window");
+  command->add_option("--report", options->report, "Write a report (Markdown) to this file");
+  command->add_flag("--json", options->json, "One JSON object in place of the table");
+  command->footer(
+      "Given: what the simulation was made of, or what stiffness was asked for. Uncertainty: one standard deviation. "
+      "Below: not told from zero.");
+  command->callback([options, &streams, &exit] {
+    if (options->at_mm.size() % 3 != 0) throw CLI::ValidationError("--at_mm", "takes 3, 6 or 9 numbers");
+    exit = identifyIt(*options, streams);
+  });
+}
+
+}  // namespace underact::cli

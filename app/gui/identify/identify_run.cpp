@@ -1,0 +1,232 @@
+#include "app/gui/identify/identify_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/document.h"
+#include "app/gui/identify/arm_in_use.h"
+#include "app/gui/replay/player.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+
+using identify::Measurement;
+using identify::StageKind;
+
+IdentifyRun::IdentifyRun(const IdentifyParts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+  connect(&parts_.document, &Document::opened, this, &IdentifyRun::cancel);
+}
+
+IdentifyRun::~IdentifyRun() = default;
+
+Problems IdentifyRun::begin(identify::Wanted wanted) {
+  cancel();
+  if (!parts_.document.isOpen()) return Problems{{"Open a scene first: it is there again afterwards."}};
+  if (parts_.player.isOpen()) return Problems{{"A recording is replayed. Close it first."}};
+  if (parts_.document.isTryingOut()) return Problems{{"Another measurement is at work. End it first."}};
+  if (parts_.host.holdToRun()) return Problems{{"Hold to run is on, and the hand has to let go. Switch it off first."}};
+  wanted.arm = parts_.arm != nullptr ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
+  Result<identify::Plan> plan = identify::makePlan(wanted);
+  if (!plan) return plan.problems();
+  was_running_ = parts_.host.running();
+  found_.reset();
+  given_.reset();
+  fit_ = {};
+  fitted_stages_ = 0;
+  measurement_.emplace(std::move(plan).value(), [this](const scene::Description& scene) { return put(scene); });
+  if (parts_.arm != nullptr) {
+    const arm::Preset& preset = *arm::findPreset(wanted.arm);
+    person_ = std::make_unique<device::SimulatedPerson>(*parts_.arm, preset);
+    given_ = identify::Given{parts_.in_use.model(), preset.counts_per_turn};
+    if (given_->model.counts_per_turn)
+      given_->counts_per_turn = sim::countsOf(*given_->model.counts_per_turn, preset.counts_per_turn);
+  }
+  revision_ = parts_.host.revision();
+  setState(State::Asks);
+  return {};
+}
+
+Result<std::uint64_t> IdentifyRun::put(const scene::Description& scene) {
+  const Problems problems = parts_.document.tryOut(scene);
+  if (!problems.empty()) return problems;
+  revision_ = parts_.host.revision();
+  parts_.view.followEdit(scene);
+  return revision_;
+}
+
+/// Only the last frame's snapshot is asked: another look at the host would take the present one away from those who
+/// show it.
+void IdentifyRun::startServo() {
+  started_ticks_ = ticks_;
+  has_pushed_ = mode_ == servo::Mode::Running;
+  if (!has_pushed_) parts_.host.start();
+}
+
+/// Empty: it pushes, or was told so less than a second ago.
+QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) {
+  if (snapshot.mode == servo::Mode::Running) has_pushed_ = true;
+  const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.host.rateHz();
+  if (snapshot.mode == servo::Mode::Running || waits) return {};
+  if (snapshot.mode == servo::Mode::Faulted) return QString::fromStdString(describe(snapshot.report.fault));
+  return tr("The servo was stopped.");
+}
+
+void IdentifyRun::goOn() {
+  if (state_ != State::Asks) return;
+  startServo();
+  const Problems problems = measurement_->go();
+  problems.empty() ? setState(State::Runs) : stopped(sentencesOf(problems));
+}
+
+void IdentifyRun::repeat() {
+  if (state_ != State::Stopped) return;
+  startServo();
+  revision_ = parts_.host.revision();
+  fit_ = {};
+  fitted_stages_ = 0;
+  const Problems problems = measurement_->repeat();
+  problems.empty() ? setState(State::Runs) : stopped(sentencesOf(problems));
+}
+
+void IdentifyRun::stopped(const QString& why) {
+  measurement_->interrupt(why.toStdString());
+  setState(State::Stopped, why);
+}
+
+/// The scene, the hand and the servo are as they were.
+void IdentifyRun::letGo() {
+  person_.reset();
+  live_.reset();
+  measurement_.reset();
+  if (parts_.document.isTryingOut()) parts_.document.putBack();
+  parts_.view.followEdit(parts_.document.scene());
+  if (!was_running_) parts_.host.stop();
+}
+
+void IdentifyRun::cancel() {
+  evaluation_.reset();
+  if (measurement_) letGo();
+  if (state_ != State::Idle) setState(State::Idle);
+}
+
+void IdentifyRun::add(const servo::TickRecord& record) {
+  if (!measurement_) return;
+  q_rad_ = record.q_rad;
+  measurement_->add(record);
+}
+
+void IdentifyRun::look(const servo::Snapshot& snapshot) {
+  ticks_ = snapshot.ticks;
+  mode_ = snapshot.mode;
+  if (evaluation_) return takeEvaluation();
+  if (!measurement_) return;
+  if (person_) person_->act(*measurement_, q_rad_);
+  if (state_ == State::Asks && person_) return goOn();
+  if (state_ != State::Runs) return;
+  if (parts_.host.revision() != revision_) return stopped(tr("The scene was changed meanwhile."));
+  if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
+  const Problems problems = measurement_->advance();
+  if (!problems.empty()) return stopped(sentencesOf(problems));
+  if (measurement_->state() == Measurement::State::Done) return evaluate();
+  fitLive();
+  if (measurement_->state() == Measurement::State::Asks) return setState(State::Asks);
+  emit progressed();
+}
+
+void IdentifyRun::takeEvaluation() {
+  std::optional<Result<identify::Identified>> done = evaluation_->take();
+  if (!done) return;
+  evaluation_.reset();
+  if (*done) found_ = std::move(*done).value();
+  *done ? setState(State::Done) : setState(State::Failed, sentencesOf(done->problems()));
+}
+
+void IdentifyRun::evaluate() {
+  const int rate_hz = parts_.host.rateHz();
+  evaluation_ = std::make_unique<Background<Result<identify::Identified>>>(
+      [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState&) {
+        return identify::evaluate(plan, recorded, rate_hz);
+      });
+  letGo();
+  setState(State::Evaluates);
+}
+
+void IdentifyRun::setState(State state, const QString& why) {
+  state_ = state;
+  why_ = why;
+  emit changed();
+}
+
+QString IdentifyRun::stage() const {
+  if (state_ == State::Evaluates) return tr("Evaluating");
+  return measurement_ ? QString::fromStdString(titleOf(measurement_->stage())) : QString();
+}
+
+QString IdentifyRun::prompt() const {
+  if (!measurement_) return {};
+  if (person_)
+    return tr("A simulated hand does it: %1").arg(QString::fromStdString(promptOf(measurement_->stage().hand)));
+  return QString::fromStdString(promptOf(measurement_->stage().hand));
+}
+
+/// The first recorded stage of the swings along the axis that was recorded last.
+std::size_t IdentifyRun::firstOfAxis() const {
+  const std::vector<identify::Recorded>& recorded = measurement_->recorded();
+  std::size_t first = recorded.size();
+  const auto isAlike = [&](std::size_t index) {
+    const identify::Stage& stage = measurement_->plan().stages[recorded[index].stage];
+    const identify::Stage& last = measurement_->plan().stages[recorded.back().stage];
+    return stage.kind == StageKind::Swing && stage.axis == last.axis && stage.place == last.place;
+  };
+  while (first > 0 && isAlike(first - 1)) --first;
+  return first;
+}
+
+/// A fit of the axis' swings so far, behind the window, each time another one is recorded.
+void IdentifyRun::fitLive() {
+  if (live_) {
+    std::optional<LiveFit> fit = live_->take();
+    if (!fit) return;
+    fit_ = std::move(*fit);
+    live_.reset();
+  }
+  const std::vector<identify::Recorded>& recorded = measurement_->recorded();
+  const std::size_t first = firstOfAxis();
+  if (recorded.size() < first + 3 || recorded.size() == fitted_stages_) return;
+  fitted_stages_ = recorded.size();
+  std::vector<identify::Row> rows;
+  for (std::size_t index = first; index + 1 < recorded.size(); ++index)
+    rows.insert(rows.end(), recorded[index].rows.begin(), recorded[index].rows.end());
+  const int axis = measurement_->plan().stages[recorded.back().stage].axis;
+  live_ = std::make_unique<Background<LiveFit>>(
+      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.host.rateHz()](WorkState&) {
+        const std::vector<identify::Window> windows = windowsOf(rows, Vec3::Unit(axis), period_s);
+        const Result<identify::BodyFit> fit = identify::fitBody(windows);
+        return fit ? LiveFit{first, pointsOf(windows, fit.value().way_m)} : LiveFit{first, {}};
+      });
+}
+
+SwingPicture IdentifyRun::picture() const {
+  SwingPicture picture;
+  if (!measurement_ || measurement_->recorded().empty()) return picture;
+  const std::vector<identify::Recorded>& recorded = measurement_->recorded();
+  const std::size_t first = firstOfAxis();
+  if (first == recorded.size()) return picture;
+  const int axis = measurement_->plan().stages[recorded.back().stage].axis;
+  picture.axis = "xyz"[axis];
+  const double period_s = 1.0 / parts_.host.rateHz();
+  double t_s = 0.0;
+  for (std::size_t index = first; index < recorded.size(); ++index) {
+    for (const identify::Row& row : recorded[index].rows) {
+      picture.target.push_back({t_s, kMillimetrePerMetre * row.p_WP[axis]});
+      picture.measured.push_back({t_s, kMillimetrePerMetre * row.p_WT[axis]});
+      t_s += period_s;
+    }
+  }
+  if (fit_.first == first) picture.fit = fit_.points;
+  return picture;
+}
+
+}  // namespace underact::gui

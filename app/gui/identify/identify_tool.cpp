@@ -1,0 +1,82 @@
+#include "app/gui/identify/identify_tool.h"
+
+#include <QAction>
+#include <QFileDialog>
+
+#include "app/gui/actions.h"
+#include "app/gui/identify/identify_wizard.h"
+#include "app/gui/identify/pages.h"
+#include "app/gui/problems_box.h"
+
+namespace underact::gui {
+
+IdentifyTool::IdentifyTool(const IdentifyParts& parts, Actions& actions, QWidget* window)
+    : QObject(window), parts_(parts), actions_(actions), window_(window), run_(parts, this) {
+  actions_.add({"identify.open", tr("&Measure the arm…"), QKeySequence("Ctrl+Alt+M"),
+                tr("Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.")},
+               [this](const QVariantList&) {
+                 open();
+                 return true;
+               });
+  actions_.add({"arm.open", tr("&Open a measured arm…"), QKeySequence("Ctrl+Alt+X"),
+                tr("The simulated arm becomes one that was measured, from its file.")},
+               [this](const QVariantList& path) {
+                 if (!path.isEmpty()) return openArm(path.first().toString());
+                 const QString chosen =
+                     QFileDialog::getOpenFileName(window_, tr("Open a measured arm"), {}, tr("Arm models (*.json)"));
+                 return !chosen.isEmpty() && openArm(chosen);
+               });
+  QAction* const vendors = actions_.add({"arm.vendor", tr("&Vendor's arm"), QKeySequence("Ctrl+Alt+V"),
+                                         tr("The simulated arm is made of the vendor's figures again.")},
+                                        [this](const QVariantList&) {
+                                          parts_.in_use.useVendors();
+                                          return true;
+                                        });
+  const auto follow = [this, vendors] { vendors->setEnabled(parts_.in_use.isMeasured()); };
+  connect(&parts_.in_use, &ArmInUse::changed, this, follow);
+  follow();
+  actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm());
+  // What the last page's buttons do, with a path in place of a file dialog.
+  actions_.addCommand("identify.save", [this](const QVariantList& path) {
+    return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveModel(path.value(0).toString());
+  });
+  actions_.addCommand("identify.report", [this](const QVariantList& path) {
+    return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveReport(path.value(0).toString());
+  });
+}
+
+IdentifyTool::~IdentifyTool() {
+  delete wizard_;
+}
+
+void IdentifyTool::open() {
+  if (!wizard_) {
+    wizard_ = new IdentifyWizard(run_, parts_.in_use, parts_.host, window_);
+    wizard_->setAttribute(Qt::WA_DeleteOnClose);
+    wizard_->setTheme(theme_);
+    connect(wizard_, &QDialog::finished, wizard_, &QWidget::close);
+  }
+  wizard_->show();
+  wizard_->raise();
+  wizard_->activateWindow();
+}
+
+bool IdentifyTool::openArm(const QString& path) {
+  const Problems problems = parts_.in_use.open(path);
+  if (problems.empty()) return true;
+  showProblemsBox("dialog.arm_problems", tr("Measured arm"),
+                  tr("This file is no arm that can be simulated. The arm stays as it is."), problems, window_);
+  return false;
+}
+
+void IdentifyTool::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (wizard_) wizard_->setTheme(theme);
+}
+
+void IdentifyTool::end() {
+  delete wizard_;
+  run_.cancel();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,57 @@
+#include "app/gui/identify/identify_wizard.h"
+
+#include <QAbstractButton>
+
+#include "app/gui/identify/pages.h"
+
+namespace underact::gui {
+
+IdentifyWizard::IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, servo::Host& host, QWidget* parent)
+    : QWizard(parent), run_(run) {
+  setObjectName("identify.wizard");
+  setWindowTitle(tr("Measure the arm"));
+  setModal(false);
+  setWizardStyle(QWizard::ModernStyle);
+  setOption(QWizard::NoBackButtonOnStartPage);
+  const QString device = QString::fromStdString(host.device().title);
+  auto* place = new PlacePage(host.rateHz(), device, this);
+  measure_ = new MeasurePage(run, *place, this);
+  found_ = new FoundPage(run, this);
+  keep_ = new KeepPage(run, *place, in_use, this);
+  addPage(new IntroPage(run.hasSimulatedPerson(), this));
+  addPage(place);
+  addPage(measure_);
+  addPage(found_);
+  addPage(keep_);
+  const std::pair<WizardButton, const char*> names[] = {{BackButton, "identify.back"},
+                                                        {NextButton, "identify.next"},
+                                                        {FinishButton, "identify.finish"},
+                                                        {CancelButton, "identify.cancel"}};
+  for (const auto& [which, name] : names) {
+    button(which)->setObjectName(name);
+    button(which)->setAccessibleName(buttonText(which).remove('&').remove('<').remove('>').trimmed());
+    button(which)->setIcon({});
+  }
+  const int line = fontMetrics().lineSpacing();
+  const QSize most = parent != nullptr ? parent->size() : QSize(1280, 800);  // large text on a small screen
+  resize(QSize(54 * line, 46 * line).boundedTo(most));
+  connect(&run_, &IdentifyRun::changed, this, [this] {
+    if (run_.state() == IdentifyRun::State::Done && currentPage() == measure_) next();
+  });
+}
+
+IdentifyWizard::~IdentifyWizard() {
+  disconnect(&run_, nullptr, this, nullptr);
+  run_.cancel();
+}
+
+void IdentifyWizard::setTheme(const Theme& theme) {
+  measure_->setTheme(theme);
+  found_->setTheme(theme);
+}
+
+KeepPage* IdentifyWizard::keepPage() {
+  return run_.state() == IdentifyRun::State::Done && currentPage() == keep_ ? keep_ : nullptr;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,30 @@
+#pragma once
+#include <QWizard>
+
+#include "app/gui/identify/identify_run.h"
+#include "app/gui/theme.h"
+
+namespace underact::gui {
+
+class FoundPage;
+class KeepPage;
+class MeasurePage;
+
+/// "Measure the arm", page by page. Not modal; closing it ends the measurement.
+class IdentifyWizard : public QWizard {
+  Q_OBJECT
+ public:
+  IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, servo::Host& host, QWidget* parent);
+  ~IdentifyWizard() override;
+  void setTheme(const Theme& theme);
+  /// The last page, once something was found; else null.
+  KeepPage* keepPage();
+
+ private:
+  IdentifyRun& run_;
+  MeasurePage* measure_;
+  FoundPage* found_;
+  KeepPage* keep_;
+};
+
+}  // namespace underact::gui

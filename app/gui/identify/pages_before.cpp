@@ -1,0 +1,207 @@
+// The pages of the wizard up to the measurement.
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/identify/pages.h"
+#include "app/gui/identify/swing_plot.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kReach_mm = 200.0;
+constexpr double kAside_mm = 20.0;  // of the two more places, beside and in front of the first
+
+QLabel* words(const char* name, const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+
+QVBoxLayout* columnOf(QWidget* page) {
+  auto* column = new QVBoxLayout(page);
+  column->setSpacing(12);
+  return column;
+}
+
+}  // namespace
+
+IntroPage::IntroPage(bool simulated_person, QWidget* parent) : QWizardPage(parent) {
+  setObjectName("identify.intro");
+  setTitle(tr("Measure the arm"));
+  QVBoxLayout* column = columnOf(this);
+  column->addWidget(words("identify.what",
+                          tr("This finds, on the arm at hand, what the tip feels like: its mass, friction and damping "
+                             "along x, y and z, the steps of its encoders, and the stiffness that is really rendered. "
+                             "It ends with a file of the arm and a report."),
+                          this));
+  column->addWidget(words(
+      "identify.hand",
+      simulated_person ? tr("The arm is a simulated one, and a simulated hand does what is asked. It takes half a "
+                            "minute.")
+                       : tr("First let go: for about 20 seconds the arm moves the stylus by itself, 20 mm to each "
+                            "side, with at most the force that any scene may use. Then you take the stylus, "
+                            "press it slowly, and turn it. It takes about a minute."),
+      this));
+  column->addWidget(words("identify.safety",
+                          tr("Esc stops the force at any time. The scene that is open now is there again afterwards."),
+                          this));
+  column->addStretch(1);
+}
+
+PlacePage::PlacePage(int rate_hz, const QString& device, QWidget* parent)
+    : QWizardPage(parent),
+      more_(new QCheckBox(tr("Also at &two more places, to the left and to the right"), this)),
+      device_(new QLineEdit(device, this)),
+      serial_(new QLineEdit(this)) {
+  setObjectName("identify.where");
+  setTitle(tr("Place and arm"));
+  auto* form = new QFormLayout;
+  const double middle_mm[] = {0.0, 0.0, 60.0};
+  const QString labels[] = {tr("Place &x"), tr("Place &y"), tr("Place &z")};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    at_mm_[axis] = new QDoubleSpinBox(this);
+    at_mm_[axis]->setObjectName(QString("identify.place.%1").arg(QLatin1Char("xyz"[axis])));
+    at_mm_[axis]->setAccessibleName(QString(labels[axis]).remove('&'));
+    at_mm_[axis]->setRange(-kReach_mm, kReach_mm);
+    at_mm_[axis]->setDecimals(1);
+    at_mm_[axis]->setSuffix(tr(" mm"));
+    at_mm_[axis]->setValue(middle_mm[axis]);
+    at_mm_[axis]->setToolTip(tr("The tip swings about this place, in the workspace frame W."));
+    form->addRow(labels[axis], at_mm_[axis]);
+  }
+  more_->setObjectName("identify.places");
+  more_->setAccessibleName(tr("Also at two more places"));
+  more_->setToolTip(tr("Tells whether the arm is the same everywhere; takes three times as long."));
+  form->addRow(more_);
+  device_->setObjectName("identify.device");
+  device_->setAccessibleName(tr("Arm"));
+  device_->setToolTip(tr("Which arm this is; stands in the file."));
+  form->addRow(tr("&Arm"), device_);
+  serial_->setObjectName("identify.serial");
+  serial_->setAccessibleName(tr("Serial number"));
+  serial_->setToolTip(tr("As it stands on the arm; may stay empty."));
+  form->addRow(tr("&Serial number"), serial_);
+  QVBoxLayout* column = columnOf(this);
+  column->addLayout(form);
+  column->addWidget(words("identify.rate", tr("The servo runs at %1 Hz.").arg(rate_hz), this));
+  column->addStretch(1);
+}
+
+identify::Wanted PlacePage::wanted() const {
+  identify::Wanted wanted;
+  const Vec3 place_mm(at_mm_[0]->value(), at_mm_[1]->value(), at_mm_[2]->value());
+  wanted.places_W = {kMetrePerMillimetre * place_mm};
+  if (!more_->isChecked()) return wanted;
+  for (const double side_mm : {-kAside_mm, kAside_mm})
+    wanted.places_W.push_back(kMetrePerMillimetre * (place_mm + side_mm * Vec3::UnitX()));
+  return wanted;
+}
+
+QString PlacePage::device() const {
+  return device_->text();
+}
+
+QString PlacePage::serial() const {
+  return serial_->text();
+}
+
+MeasurePage::MeasurePage(IdentifyRun& run, const PlacePage& place, QWidget* parent)
+    : QWizardPage(parent),
+      run_(run),
+      place_(place),
+      prompt_(words("identify.prompt", {}, this)),
+      stage_(words("identify.stage", {}, this)),
+      why_(words("identify.why", {}, this)),
+      progress_(new QProgressBar(this)),
+      plot_(new SwingPlot("identify.plot", this)),
+      go_(new QPushButton(tr("&Go on"), this)),
+      repeat_(new QPushButton(tr("&Repeat this part"), this)) {
+  setObjectName("identify.measure");
+  setTitle(tr("Measuring"));
+  stage_->setAccessibleName(tr("What is measured"));
+  why_->setAccessibleName(tr("Why it stands still"));
+  why_->setProperty("role", "warning");
+  progress_->setObjectName("identify.progress");
+  progress_->setAccessibleName(tr("Progress"));
+  progress_->setRange(0, 1000);
+  for (const auto& [button, name] : {std::pair{go_, "identify.go"}, {repeat_, "identify.repeat"}}) {
+    button->setObjectName(name);
+    button->setAccessibleName(button->text().remove('&'));
+  }
+  go_->setToolTip(tr("The hand does what is asked."));
+  repeat_->setToolTip(tr("Starts the servo again, and measures the part that was stopped from its beginning."));
+  auto* row = new QHBoxLayout;
+  row->addWidget(go_);
+  row->addWidget(repeat_);
+  row->addStretch(1);
+  QVBoxLayout* column = columnOf(this);
+  column->addWidget(prompt_);
+  column->addLayout(row);
+  column->addWidget(stage_);
+  column->addWidget(progress_);
+  column->addWidget(why_);
+  column->addWidget(plot_, 1);
+  connect(go_, &QPushButton::clicked, &run_, &IdentifyRun::goOn);
+  connect(repeat_, &QPushButton::clicked, this,
+          [this] { run_.state() == IdentifyRun::State::Stopped ? run_.repeat() : begin(); });
+  connect(&run_, &IdentifyRun::changed, this, &MeasurePage::showState);
+  connect(&run_, &IdentifyRun::progressed, this, &MeasurePage::showProgress);
+}
+
+void MeasurePage::initializePage() {
+  begin();
+}
+
+void MeasurePage::cleanupPage() {
+  run_.cancel();
+}
+
+bool MeasurePage::isComplete() const {
+  return run_.state() == IdentifyRun::State::Done;
+}
+
+void MeasurePage::setTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+}
+
+void MeasurePage::begin() {
+  refused_.clear();
+  plot_->present({});
+  const Problems problems = run_.begin(place_.wanted());
+  refused_ = sentencesOf(problems);
+  showState();
+}
+
+void MeasurePage::showState() {
+  using State = IdentifyRun::State;
+  const State state = run_.state();
+  prompt_->setText(run_.prompt());
+  go_->setVisible(state == State::Asks && !run_.hasSimulatedPerson());
+  const bool stands = state == State::Stopped || state == State::Failed || !refused_.isEmpty();
+  repeat_->setVisible(stands);
+  repeat_->setText(state == State::Stopped ? tr("&Repeat this part") : tr("&Begin again"));
+  repeat_->setAccessibleName(repeat_->text().remove('&'));
+  why_->setText(refused_.isEmpty() ? run_.why() : refused_);
+  why_->setVisible(stands);
+  showProgress();
+  emit completeChanged();
+}
+
+void MeasurePage::showProgress() {
+  stage_->setText(run_.stage());
+  progress_->setValue(static_cast<int>(run_.share() * progress_->maximum()));
+  const SwingPicture picture = run_.picture();
+  if (!picture.measured.empty()) plot_->present(picture);
+}
+
+}  // namespace underact::gui

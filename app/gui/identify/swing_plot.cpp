@@ -1,0 +1,139 @@
+#include "app/gui/identify/swing_plot.h"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/gui/plot/chart.h"
+#include "app/gui/plot/plot_range.h"
+#include "app/gui/view/gl_surface.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr std::size_t kPoints = 2000;
+constexpr std::size_t kTarget = 0, kMeasured = 1, kFit = 2;
+constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+
+/// Every so manieth point, so that all find room; what is left over is a gap.
+void fill(std::span<PlotPoint> into, const std::vector<SwingPoint>& from) {
+  const std::size_t every = from.size() / into.size() + 1;
+  std::size_t used = 0;
+  for (std::size_t index = 0; index < from.size() && used < into.size(); ++index) {
+    const bool is_gap = !std::isfinite(from[index].way_mm);
+    if (index % every != 0 && !is_gap) continue;
+    into[used++] = {static_cast<float>(from[index].t_s), is_gap ? kGap : static_cast<float>(from[index].way_mm)};
+  }
+  std::fill(into.begin() + static_cast<std::ptrdiff_t>(used), into.end(), PlotPoint{kGap, kGap});
+}
+
+}  // namespace
+
+struct SwingPlot::Impl {
+  explicit Impl(SwingPlot* owner) : plot(owner) {
+    surface = new GlSurface([this](QSize pixels) { before(pixels); },
+                            [this](QPainter& painter) { chart.paintWords(painter); }, plot);
+    actor->GetScene()->AddItem(chart.item());
+    surface->renderer().AddActor(actor);
+    actor->GetScene()->SetRenderer(&surface->renderer());
+    chart.reserve(kPoints);
+    draw({});
+  }
+
+  void before(QSize pixels) {
+    if (pixels == placed) return;
+    placed = pixels;
+    const double width = plot->width(), height = plot->height();
+    chart.setPlace({0.0, 0.0, width, height}, height, pixels.height() / std::max(1.0, height), plot->font());
+  }
+
+  void draw(const SwingPicture& picture) {
+    fill(chart.points(kTarget), picture.target);
+    fill(chart.points(kMeasured), picture.measured);
+    fill(chart.points(kFit), picture.fit);
+    chart.setCurveShown(kFit, !picture.fit.empty());
+    double from_s = 0.0, to_s = 1.0, least_mm = -1.0, most_mm = 1.0;
+    if (!picture.measured.empty()) {
+      from_s = picture.measured.front().t_s;
+      to_s = std::max(from_s + 0.1, picture.measured.back().t_s);
+      least_mm = most_mm = picture.measured.front().way_mm;
+    }
+    for (const std::vector<SwingPoint>* points : {&picture.target, &picture.measured, &picture.fit}) {
+      for (const SwingPoint& point : *points) {
+        if (!std::isfinite(point.way_mm)) continue;
+        least_mm = std::min(least_mm, point.way_mm);
+        most_mm = std::max(most_mm, point.way_mm);
+      }
+    }
+    const double room_mm = std::max(0.5, 0.08 * (most_mm - least_mm));
+    chart.setTitle(SwingPlot::tr("Tip along %1 [mm]").arg(QLatin1Char(picture.axis)));
+    chart.setRange(from_s, to_s, least_mm - room_mm, most_mm + room_mm);
+    chart.pointsChanged();
+    placed = {};  // the legend may have another name in it
+  }
+
+  SwingPlot* plot;
+  GlSurface* surface = nullptr;
+  Chart chart{
+      SwingPlot::tr("Tip along x [mm]"),
+      SwingPlot::tr("time [s]"),
+      {{SwingPlot::tr("target"), 1.0F}, {SwingPlot::tr("measured"), 2.5F}, {SwingPlot::tr("fitted body"), 1.5F, true}}};
+  vtkNew<vtkContextActor> actor;
+  QSize placed;
+};
+
+SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
+    : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+  setObjectName(object_name);
+  setAccessibleName(tr("Swings of the tip"));
+  setToolTip(
+      tr("The tip is drawn to the target, and swings. The dashed line is how a mass with friction and damping "
+         "moves under the force that was sent."));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(impl_->surface);
+  setTheme(Theme::light());
+}
+
+SwingPlot::~SwingPlot() {
+  delete impl_->surface;
+}
+
+QSize SwingPlot::minimumSizeHint() const {
+  return {20 * fontMetrics().averageCharWidth(), 8 * fontMetrics().lineSpacing()};
+}
+
+void SwingPlot::present(const SwingPicture& picture) {
+  impl_->draw(picture);
+  setAccessibleDescription(tr("%1 points along %2").arg(picture.measured.size()).arg(QLatin1Char(picture.axis)));
+  impl_->surface->update();
+}
+
+void SwingPlot::setTheme(const Theme& theme) {
+  impl_->surface->setBackground(theme.background);
+  impl_->chart.setColours(theme, {mixed(theme.background, theme.ink, 0.5), theme.constraint, theme.force_limited});
+  impl_->surface->update();
+}
+
+QImage SwingPlot::picture() {
+  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());
+  return impl_->surface->picture();
+}
+
+void SwingPlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  impl_->placed = {};
+  impl_->surface->update();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,231 @@
+#include "core/identify/body_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/identify/weak_form.h"
+
+namespace underact::identify {
+namespace {
+
+constexpr int kMostRounds = 60;
+// Where a body sticks is a kink of the sum of squares, with hollows of its own: several beginnings, the best one wins.
+constexpr double kStarts[] = {1.0, 0.8, 1.2};
+constexpr double kWorst = 0.1;  // of the motion's own root mean square, that a fit may leave
+constexpr double kLeastMass_kg = 1e-4;
+constexpr double kSettled = 1e-10;  // of the sum of squares, by which a round may still lower it
+constexpr double kNothing = 1e-12;  // added to what may be singular: a velocity that friction stops at once
+constexpr double kLook_s = 0.01;    // from which the first velocity is guessed
+
+using Shared = Eigen::Vector4d;  // mass, friction, damping, bias
+using Own = Eigen::Vector2d;     // place and velocity at a window's beginning
+
+Body bodyOf(const Shared& shared) {
+  return {shared[0], shared[1], shared[2], shared[3]};
+}
+
+/// Steps for the slopes: small against what is told apart, large against rounding.
+const Shared kNudge(1e-6, 1e-5, 1e-4, 1e-5);
+constexpr double kNudge_m_per_s = 1e-5;
+
+std::vector<double> wayOf(const Body& body, const Window& window, const Own& own) {
+  const BodyStep step(body, window.period_s);
+  std::vector<double> way_m(window.way_m.size());
+  Motion motion{own[0], own[1]};
+  for (std::size_t index = 0; index < way_m.size(); ++index) {
+    way_m[index] = motion.x_m;
+    motion = step(motion, window.force_N[index], window.friction_share[index]);
+  }
+  return way_m;
+}
+
+double squaresOf(const Window& window, const std::vector<double>& way_m) {
+  double squares = 0.0;
+  for (std::size_t index = 0; index < way_m.size(); ++index) squares += std::pow(window.way_m[index] - way_m[index], 2);
+  return squares;
+}
+
+/// Root mean square of the ways about their means.
+double movedOf(std::span<const Window> windows) {
+  double squares = 0.0, samples = 0.0;
+  for (const Window& window : windows) {
+    double mean_m = 0.0;
+    for (const double way_m : window.way_m) mean_m += way_m / static_cast<double>(window.way_m.size());
+    for (const double way_m : window.way_m) squares += std::pow(way_m - mean_m, 2);
+    samples += static_cast<double>(window.way_m.size());
+  }
+  return std::sqrt(squares / samples);
+}
+
+/// The normal equations of one window: of what is shared, of its own, and across.
+struct Normal {
+  Eigen::Matrix4d shared = Eigen::Matrix4d::Zero();
+  Eigen::Matrix2d own = Eigen::Matrix2d::Zero();
+  Eigen::Matrix<double, 4, 2> across = Eigen::Matrix<double, 4, 2>::Zero();
+  Shared shared_pull = Shared::Zero();
+  Own own_pull = Own::Zero();
+};
+
+Normal normalOf(const Shared& shared, const Window& window, const Own& own) {
+  const std::vector<double> way_m = wayOf(bodyOf(shared), window, own);
+  std::vector<std::vector<double>> nudged;
+  for (Eigen::Index which = 0; which < 4; ++which) {
+    Shared other = shared;
+    other[which] += kNudge[which];
+    nudged.push_back(wayOf(bodyOf(other), window, own));
+  }
+  nudged.push_back(wayOf(bodyOf(shared), window, own + Own(0.0, kNudge_m_per_s)));
+  Normal normal;
+  for (std::size_t index = 0; index < way_m.size(); ++index) {
+    Shared slope;
+    for (Eigen::Index which = 0; which < 4; ++which)
+      slope[which] = (nudged[static_cast<std::size_t>(which)][index] - way_m[index]) / kNudge[which];
+    const Own own_slope(1.0, (nudged[4][index] - way_m[index]) / kNudge_m_per_s);
+    const double miss_m = window.way_m[index] - way_m[index];
+    normal.shared += slope * slope.transpose();
+    normal.own += own_slope * own_slope.transpose();
+    normal.across += slope * own_slope.transpose();
+    normal.shared_pull += miss_m * slope;
+    normal.own_pull += miss_m * own_slope;
+  }
+  normal.own(1, 1) += kNothing * static_cast<double>(way_m.size());
+  return normal;
+}
+
+Own guessOf(const Window& window) {
+  const auto look = std::min(window.way_m.size() - 1, static_cast<std::size_t>(std::lround(kLook_s / window.period_s)));
+  const double way_m = window.way_m[look] - window.way_m[0];
+  return {window.way_m[0], way_m / (window.period_s * static_cast<double>(look))};
+}
+
+class Fit {
+ public:
+  Fit(std::span<const Window> windows, const Body& guess) : windows_(windows) {
+    shared_ << guess.mass_kg, guess.friction_N, guess.damping_N_s_per_m, guess.bias_N;
+    for (const Window& window : windows) own_.push_back(guessOf(window));
+    squares_ = squaresOf(shared_, own_);
+  }
+  void run() {
+    double caution = 1e-3;
+    for (rounds_ = 1; rounds_ <= kMostRounds; ++rounds_) {
+      normals_.clear();
+      for (std::size_t index = 0; index < windows_.size(); ++index)
+        normals_.push_back(normalOf(shared_, windows_[index], own_[index]));
+      bool better = false;
+      double gain = 0.0;
+      for (; !better && caution < 1e12; caution *= better ? 0.1 : 10.0) {
+        gain = tryStep(caution);
+        better = gain >= 0.0;
+      }
+      caution = std::max(caution, 1e-12);
+      if (!better || gain <= kSettled * squares_) return;  // it gets no better: a kink of friction, or the end
+    }
+  }
+  double squares() const { return squares_; }
+  BodyFit result() const;
+
+ private:
+  double squaresOf(const Shared& shared, const std::vector<Own>& own) const {
+    double squares = 0.0;
+    for (std::size_t index = 0; index < windows_.size(); ++index)
+      squares += identify::squaresOf(windows_[index], wayOf(bodyOf(shared), windows_[index], own[index]));
+    return squares;
+  }
+  double tryStep(double caution);
+
+  std::span<const Window> windows_;
+  Shared shared_;
+  std::vector<Own> own_;
+  std::vector<Normal> normals_;
+  double squares_ = 0.0;
+  int rounds_ = 0;
+};
+
+/// By how much the step lowers the sum of squares, and takes it; below 0: it does not, and nothing has changed.
+double Fit::tryStep(double caution) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  Shared pull = Shared::Zero();
+  std::vector<Eigen::Matrix2d> inverse;
+  for (const Normal& normal : normals_) {
+    Eigen::Matrix2d own = normal.own;
+    own.diagonal() *= 1.0 + caution;
+    inverse.push_back(own.inverse());
+    matrix += normal.shared;
+    matrix.diagonal() += caution * normal.shared.diagonal();
+    matrix -= normal.across * inverse.back() * normal.across.transpose();
+    pull += normal.shared_pull - normal.across * inverse.back() * normal.own_pull;
+  }
+  const Shared way = matrix.ldlt().solve(pull);
+  if (!way.allFinite()) return -1.0;
+  Shared shared = shared_ + way;
+  shared[0] = std::max(shared[0], 0.3 * shared_[0]);  // never to 0 in one leap
+  shared[0] = std::max(shared[0], kLeastMass_kg);
+  shared[1] = std::max(shared[1], 0.0);
+  std::vector<Own> own = own_;
+  for (std::size_t index = 0; index < own.size(); ++index) {
+    const Normal& normal = normals_[index];
+    own[index] += inverse[index] * (normal.own_pull - normal.across.transpose() * (shared - shared_));
+  }
+  const double squares = squaresOf(shared, own);
+  if (!(squares <= squares_)) return -1.0;
+  const double gain = squares_ - squares;
+  shared_ = shared, own_ = std::move(own), squares_ = squares;
+  return gain;
+}
+
+BodyFit Fit::result() const {
+  BodyFit fit;
+  fit.body = bodyOf(shared_);
+  fit.rounds = rounds_;
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero(), clusters = Eigen::Matrix4d::Zero();
+  double samples = 0.0;
+  for (std::size_t index = 0; index < windows_.size(); ++index) {
+    fit.way_m.push_back(wayOf(fit.body, windows_[index], own_[index]));
+    samples += static_cast<double>(fit.way_m.back().size());
+    const Normal normal = normalOf(shared_, windows_[index], own_[index]);
+    const Eigen::Matrix2d inverse = normal.own.inverse();
+    matrix += normal.shared - normal.across * inverse * normal.across.transpose();
+    const Shared pull = normal.shared_pull - normal.across * inverse * normal.own_pull;
+    clusters += pull * pull.transpose();
+  }
+  const double count = static_cast<double>(windows_.size()), free = std::max(1.0, samples - 4.0 - 2.0 * count);
+  fit.residual_m = std::sqrt(squares_ / samples);
+  const Eigen::Matrix4d inverse = matrix.ldlt().solve(Eigen::Matrix4d::Identity());
+  const Eigen::Matrix4d by_windows = count / std::max(1.0, count - 1.0) * (inverse * clusters * inverse);
+  Shared deviation;
+  for (Eigen::Index which = 0; which < 4; ++which)
+    deviation[which] = std::sqrt(std::max({0.0, squares_ / free * inverse(which, which), by_windows(which, which)}));
+  fit.uncertainty = bodyOf(deviation);
+  return fit;
+}
+
+}  // namespace
+
+Result<BodyFit> fitBody(std::span<const Window> windows) {
+  const std::vector<Block> blocks = blocksOf(windows);
+  const std::optional<Body> guess = firstGuess(blocks);
+  if (!guess)
+    return Problems{
+        {"The tip hardly moved, so that nothing can be told of it. Look that the hand has let go, that "
+         "nothing stands in the way, and that the arm has mass."}};
+  std::optional<Fit> best;
+  for (const double share : kStarts) {
+    Body start = *guess;
+    start.friction_N *= share;
+    Fit fit(windows, start);
+    fit.run();
+    if (!best || fit.squares() < best->squares()) best = std::move(fit);
+  }
+  BodyFit fit = best->result();
+  if (!(fit.residual_m < kWorst * movedOf(windows)))
+    return Problems{
+        {"No mass with friction and damping moves as the tip did. Look that the hand has let go, and "
+         "measure again."}};
+  return fit;
+}
+
+}  // namespace underact::identify

@@ -1,0 +1,130 @@
+#include "core/identify/encoder_steps.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/arm/conventions.h"
+#include "core/base/units.h"
+
+namespace underact::identify {
+namespace {
+
+constexpr double kNoChange_rad = 1e-9;  // rounding of an angle that has not moved
+constexpr std::size_t kLeastChanges = 8;
+constexpr double kWhole = 0.05;       // a share of the step by which a change may miss a multiple
+constexpr double kMostParts = 100.0;  // of the smallest change seen, where one step alone never came
+constexpr double kStretch_s = 0.1, kLeastWay_m = 0.1e-3;
+
+/// The step nearest to guess of which all changes are multiples; none: they are not. Small ones first, so that each
+/// sharpens the step before a larger one needs it.
+std::optional<double> stepNear(double guess, const std::vector<double>& changes) {
+  double of_both = 0.0, of_numbers = 0.0, step = guess;
+  for (const double change : changes) {
+    const double number = std::round(change / step);
+    if (number < 1.0 || std::abs(change / step - number) > kWhole) return {};
+    of_both += number * change;
+    of_numbers += number * number;
+    step = of_both / of_numbers;
+  }
+  return step;
+}
+
+/// What divides all changes, by Euclid's way: what is left of one change over a multiple of the guess is the next
+/// guess. None: it has become so small that there is no such step.
+std::optional<double> dividerOf(const std::vector<double>& changes) {
+  double guess = changes.front();
+  for (std::size_t index = 0; index < changes.size();) {
+    const double rest = std::abs(changes[index] - guess * std::round(changes[index] / guess));
+    if (rest <= kWhole * guess) {
+      ++index;
+      continue;
+    }
+    if (rest * kMostParts < changes.front()) return {};
+    guess = rest;
+    index = 0;  // those before it must be multiples of it, too
+  }
+  return guess;
+}
+
+/// The slope of the values over their whole numbers, with its deviation: the whole range is as good as its ends.
+Estimate sharpened(double step, std::span<const double> signal) {
+  double numbers = 0.0, values = 0.0, of_numbers = 0.0, of_both = 0.0;
+  const auto count = static_cast<double>(signal.size());
+  const auto numberOf = [&](double value) { return std::round((value - signal[0]) / step); };
+  for (const double value : signal) {
+    numbers += numberOf(value) / count;
+    values += value / count;
+  }
+  for (const double value : signal) {
+    of_numbers += std::pow(numberOf(value) - numbers, 2);
+    of_both += (numberOf(value) - numbers) * (value - values);
+  }
+  const double slope = of_both / of_numbers;
+  double squares = 0.0;
+  for (const double value : signal) squares += std::pow(value - values - slope * (numberOf(value) - numbers), 2);
+  return {slope, std::sqrt(squares / std::max(1.0, count - 2.0) / of_numbers)};
+}
+
+}  // namespace
+
+std::optional<Estimate> stepOf(std::span<const double> signal) {
+  std::vector<double> changes;
+  for (std::size_t index = 1; index < signal.size(); ++index) {
+    const double change = std::abs(signal[index] - signal[index - 1]);
+    if (change > kNoChange_rad) changes.push_back(change);
+  }
+  if (changes.size() < kLeastChanges) return {};
+  std::sort(changes.begin(), changes.end());
+  const std::optional<double> guess = dividerOf(changes);
+  const std::optional<double> step = guess ? stepNear(*guess, changes) : std::nullopt;
+  if (step) return sharpened(*step, signal);
+  return {};
+}
+
+std::array<std::optional<Estimate>, 6> countsOf(std::span<const Row> rows) {
+  std::array<std::vector<double>, 6> angles;
+  for (const Row& row : rows) {
+    const arm::JointAngles device_rad = arm::deviceFromDh(row.q_rad);
+    for (std::size_t joint = 0; joint < 6; ++joint) angles[joint].push_back(device_rad[joint]);
+  }
+  std::array<std::optional<Estimate>, 6> counts;
+  for (std::size_t joint = 0; joint < 6; ++joint) {
+    const std::optional<Estimate> step_rad = stepOf(angles[joint]);
+    if (!step_rad) continue;
+    const double count = 2.0 * kPi / step_rad->value;
+    counts[joint] = Estimate{count, count * step_rad->uncertainty / step_rad->value};
+  }
+  return counts;
+}
+
+Vec3 restNoise(std::span<const Row> rows) {
+  Vec3 mean_W = Vec3::Zero(), squares = Vec3::Zero();
+  const double count = std::max<double>(1.0, static_cast<double>(rows.size()));
+  for (const Row& row : rows) mean_W += (row.p_WT - rows[0].p_WT) / count;
+  for (const Row& row : rows) squares += (row.p_WT - rows[0].p_WT - mean_W).cwiseAbs2() / count;
+  return squares.cwiseSqrt();
+}
+
+Vec3 slowNoise(std::span<const Row> rows, double period_s) {
+  const auto length = static_cast<std::size_t>(std::lround(kStretch_s / period_s));
+  Eigen::MatrixXd powers(length, 3), places(length, 3);
+  for (Eigen::Index row = 0; row < powers.rows(); ++row) {
+    const double t = 2.0 * static_cast<double>(row) / static_cast<double>(length) - 1.0;
+    powers.row(row) << 1.0, t, t * t;
+  }
+  const auto solver = powers.colPivHouseholderQr();
+  Vec3 squares = Vec3::Zero();
+  double count = 0.0;
+  for (std::size_t from = 0; from + length <= rows.size(); from += length) {
+    if ((rows[from + length - 1].p_WT - rows[from].p_WT).norm() < kLeastWay_m) continue;
+    for (std::size_t index = 0; index < length; ++index)
+      places.row(static_cast<Eigen::Index>(index)) = (rows[from + index].p_WT - rows[from].p_WT).transpose();
+    const Eigen::MatrixXd left = places - powers * solver.solve(places);
+    squares += left.colwise().squaredNorm().transpose();
+    count += static_cast<double>(length) - 3.0;
+  }
+  return (squares / count).cwiseSqrt();
+}
+
+}  // namespace underact::identify

@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/identify/body_fit.h"
+#include "core/identify/encoder_steps.h"
+#include "core/identify/measurement.h"
+#include "core/identify/press.h"
+#include "core/identify/weak_form.h"
+
+namespace underact::identify {
+
+/// The swings along one axis at one place, and the body that moves like them.
+struct AxisSwings {
+  std::size_t place = 0;
+  int axis = 0;
+  BodyFit fit;
+  std::vector<Window> windows;
+  std::optional<SwingStiffness> stiffness;  // asked: kSwing_N_per_mm
+};
+
+/// What was found of an arm.
+struct Identified {
+  std::string arm;  // preset
+  int rate_hz = 0;
+  std::vector<Vec3> places_W;
+  std::vector<AxisSwings> swings;   // place by place, x, y, z
+  std::array<Estimate, 3> mass_kg;  // along x, y, z, over all places
+  std::array<Estimate, 3> friction_N;
+  std::array<Estimate, 3> damping_N_s_per_m;
+  Estimate mean_mass_kg, mean_friction_N, mean_damping_N_s_per_m;  // over all axes, as a model has them
+  std::array<std::optional<Estimate>, 6> counts_per_turn;
+  Vec3 rest_noise_m = Vec3::Zero();
+  Vec3 slow_noise_m = Vec3::Zero();
+  std::optional<Press> press;  // asked: kPress_N_per_mm
+  Problems notes;              // what could not be measured, and why
+};
+
+/// Evaluates a measurement that is done. Problems: along some axis nothing can be told; without mass and friction there
+/// is no result. Cost: some 0.1 s for each place at 1 kHz.
+Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz);
+
+/// Means of several estimates, each as much as its variance says, with what they scatter counted in.
+Estimate meanOf(const std::vector<Estimate>& estimates);
+
+}  // namespace underact::identify

@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/identify/identified.h"
+#include "core/sim/arm_model_file.h"
+
+namespace underact::identify {
+
+/// What a simulated arm was made of, to compare with.
+struct Given {
+  sim::ArmModel model;
+  arm::EncoderCounts counts_per_turn{};  // that it counts with
+};
+
+/// A line of the results.
+struct ReportRow {
+  std::string quantity;
+  std::string unit;
+  Estimate estimate;
+  std::optional<double> given = {};  // by a simulation, or asked of the servo
+  int most_digits = 4;               // behind the point: more says nothing that anybody could use
+};
+
+/// All results in the order in which they are shown. given: null where nobody knows, as of a real arm.
+std::vector<ReportRow> rowsOf(const Identified& found, const Given* given);
+
+/// "45.01", with as many digits as the uncertainty allows, or "below 0.02".
+std::string valueText(const ReportRow& row);
+/// One standard deviation, two digits, or that it is smaller than all that is shown.
+std::string uncertaintyText(const ReportRow& row);
+/// By how much the value differs from what was given, "+0.3 %"; empty where nothing was given, or 0.
+std::string differenceText(const ReportRow& row);
+
+/// The model that behaves as was found; what is not told from zero is 0 in it.
+sim::ArmModelFile modelFileOf(const Identified& found, const std::string& name, const std::string& title,
+                              sim::Provenance provenance);
+
+/// How it was measured, for a provenance.
+std::string methodSentence();
+
+/// The report, Markdown.
+std::string reportText(const Identified& found, const sim::ArmModelFile& file, const Given* given);
+
+}  // namespace underact::identify

@@ -1,0 +1,73 @@
+#include "core/identify/swing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::identify {
+namespace {
+
+constexpr double kEven = 0.2;  // a share of the period by which samples may lie beside it
+constexpr std::size_t kLeastRows = 20;
+constexpr double kStep_m = 0.055e-3;                       // of the encoders of the arms known, at the tip
+constexpr double kTold_m = 8.0 * kStep_m;                  // a way that has a direction
+constexpr double kShortest_s = 0.004, kLongest_s = 0.016;  // over which it is looked for, before and after
+
+/// The direction of the tip at a row, from as many rows about it as it takes to tell one; where it hardly moves it is
+/// taken as along the axis. A way across of one encoder step is none.
+double shareAt(std::span<const Row> rows, const Vec3& along_W, double period_s, std::size_t row) {
+  double along_m = 0.0, across_m = 0.0;
+  for (double look_s = kShortest_s; look_s <= kLongest_s; look_s *= 2.0) {
+    const auto look = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(look_s / period_s)));
+    const std::size_t before = row < look ? 0 : row - look, after = std::min(rows.size() - 1, row + look);
+    const Vec3 way_W = rows[after].p_WT - rows[before].p_WT;
+    along_m = std::abs(way_W.dot(along_W));
+    across_m = (way_W - way_W.dot(along_W) * along_W).norm();
+    if (along_m + across_m > kTold_m) break;
+  }
+  if (!(along_m + across_m > kTold_m) || across_m <= kStep_m) return 1.0;
+  return along_m / std::sqrt(along_m * along_m + across_m * across_m - kStep_m * kStep_m);
+}
+
+Window windowOf(std::span<const Row> rows, const Vec3& along_W, double period_s, std::size_t first) {
+  Window window;
+  window.period_s = period_s;
+  window.first_row = first;
+  const Vec3 p_WOrigin = rows.front().p_WT;
+  window.origin_m = p_WOrigin.dot(along_W);
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    const Row& row = rows[index];
+    window.friction_share.push_back(shareAt(rows, along_W, period_s, index));
+    window.way_m.push_back((row.p_WT - p_WOrigin).dot(along_W));
+    window.target_m.push_back((row.p_WP - p_WOrigin).dot(along_W));
+    window.force_N.push_back(row.f_T_W.dot(along_W));
+    window.is_cut.push_back(row.is_cut);
+  }
+  return window;
+}
+
+}  // namespace
+
+Row rowOf(const servo::TickRecord& record) {
+  return {record.time_ns, record.q_rad, record.p_WT, record.p_WP, record.f_sent_T_W, record.cut_N > 0.0};
+}
+
+std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds) {
+  std::vector<Window> windows;
+  const double length = std::round(seconds / period_s);
+  for (std::size_t from = 0, to = 1; from < rows.size(); from = to, ++to) {
+    const auto isNext = [&](std::size_t row) {
+      const double step_s = kSecondPerNanosecond * static_cast<double>(rows[row].time_ns - rows[row - 1].time_ns);
+      return std::abs(step_s - period_s) < kEven * period_s;
+    };
+    while (to < rows.size() && static_cast<double>(to - from) < length && isNext(to)) ++to;
+    if (to - from < kLeastRows) continue;
+    Window window = windowOf(rows.subspan(from, to - from), along_W, period_s, from);
+    const auto [least, most] = std::minmax_element(window.way_m.begin(), window.way_m.end());
+    if (*most - *least >= kLeastTravel_m) windows.push_back(std::move(window));
+  }
+  return windows;
+}
+
+}  // namespace underact::identify

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/arm/sample.h"
+#include "core/base/types.h"
+#include "core/servo/snapshot.h"
+
+namespace underact::identify {
+
+/// What of a tick the measurement keeps.
+struct Row {
+  std::int64_t time_ns = 0;  // of the sample
+  arm::JointAngles q_rad{};
+  Vec3 p_WT = Vec3::Zero();
+  Vec3 p_WP = Vec3::Zero();   // the target
+  Vec3 f_T_W = Vec3::Zero();  // sent: in effect until the next sample
+  bool is_cut = false;        // the gate took something off
+};
+
+Row rowOf(const servo::TickRecord& record);
+
+/// A stretch of a motion along one direction, its samples evenly spaced.
+struct Window {
+  double period_s = 0.0;
+  std::size_t first_row = 0;
+  double origin_m = 0.0;  // of way and target, along the direction from W's origin
+  std::vector<double> way_m;
+  std::vector<double> target_m;
+  std::vector<double> force_N;         // at index i: from sample i to i + 1
+  std::vector<double> friction_share;  // of the friction along the direction seen: |v along| / |v|
+  std::vector<bool> is_cut;
+};
+
+/// The rows in windows of `seconds`, seen along along_W (length 1), without those in which the tip hardly moves and so
+/// tells nothing; none goes over a gap between two samples. period_s: of the servo.
+std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds = 0.25);
+
+// A tip that moves less in a window: ten encoder steps of the arms known.
+inline constexpr double kLeastTravel_m = 0.5e-3;
+
+}  // namespace underact::identify

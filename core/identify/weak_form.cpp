@@ -1,0 +1,123 @@
+#include "core/identify/weak_form.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::identify {
+namespace {
+
+constexpr double kLook_s = 0.005;     // over which a direction is told
+constexpr double kMoved_m = 0.11e-3;  // two encoder steps
+constexpr double kFade_s = 0.16;      // 8 time constants of the servo's way from one target to the next: 1 mN is left
+constexpr std::size_t kLeastBlocks = 8, kLeastSprings = 6;
+constexpr double kLeastMass_kg = 1e-4;
+constexpr double kSure = 0.025;  // two deviations within 5 %: a stiffness less sure than that says nothing
+
+/// The direction of the motion in all of [from, to]; 0: it is not one, or not clear.
+double directionOf(const Window& window, std::size_t from, std::size_t to) {
+  const auto look = static_cast<std::size_t>(std::lround(kLook_s / window.period_s));
+  double direction = 0.0;
+  for (std::size_t index = from; index + look <= to; ++index) {
+    const double way_m = window.way_m[index + look] - window.way_m[index];
+    if (std::abs(way_m) < kMoved_m || way_m * direction < 0.0) return 0.0;
+    direction = way_m;
+  }
+  return direction > 0.0 ? 1.0 : direction < 0.0 ? -1.0 : 0.0;
+}
+
+bool isSpring(const Window& window, std::size_t from, std::size_t to) {
+  const auto fade = static_cast<std::size_t>(std::lround(kFade_s / window.period_s));
+  if (from < fade) return false;  // the window does not say when the target moved last
+  for (std::size_t index = from - fade; index <= to; ++index) {
+    if (window.target_m[index] != window.target_m[to]) return false;
+    if (index >= from && window.is_cut[index]) return false;
+  }
+  return true;
+}
+
+/// phi = (s (1 - s))^3 on s from 0 to 1: it and its first two derivatives are 0 at both ends.
+Block blockOf(const Window& window, std::size_t from, std::size_t to, double sign) {
+  const double period_s = window.period_s, length_s = period_s * static_cast<double>(to - from);
+  Block block;
+  block.sign = sign;
+  block.is_spring = isSpring(window, from, to);
+  const auto bump = [](double s) { return std::pow(s * (1.0 - s), 3); };
+  for (std::size_t index = from; index < to; ++index) {
+    const double s = static_cast<double>(index - from) / static_cast<double>(to - from);
+    const double u = s * (1.0 - s), du = 1.0 - 2.0 * s;
+    const double first = 3.0 * u * u * du / length_s,
+                 second = (6.0 * u * du * du - 6.0 * u * u) / (length_s * length_s);
+    const double x_m = window.way_m[index] - window.way_m[from];
+    block.inertia += period_s * second * x_m;
+    block.way -= period_s * first * x_m;
+    block.stretch += period_s * bump(s) * (window.target_m[index] - window.way_m[index]);
+    block.time += period_s * bump(s);
+    block.friction += period_s * bump(s) * window.friction_share[index];
+    block.force += period_s * bump(s + 0.5 * period_s / length_s) * window.force_N[index];  // held over the period
+  }
+  return block;
+}
+
+}  // namespace
+
+std::vector<Block> blocksOf(std::span<const Window> windows, double seconds) {
+  std::vector<Block> blocks;
+  for (const Window& window : windows) {
+    const auto length = static_cast<std::size_t>(std::lround(seconds / window.period_s));
+    for (std::size_t from = 0; from + length < window.way_m.size(); from += length / 3) {
+      const double sign = directionOf(window, from, from + length);
+      if (sign != 0.0) blocks.push_back(blockOf(window, from, from + length, sign));
+    }
+  }
+  return blocks;
+}
+
+std::optional<Body> firstGuess(std::span<const Block> blocks) {
+  if (blocks.size() < kLeastBlocks) return {};
+  Eigen::MatrixXd shares(blocks.size(), 4);
+  Eigen::VectorXd forces(blocks.size());
+  for (std::size_t index = 0; index < blocks.size(); ++index) {
+    const Block& block = blocks[index];
+    const auto row = static_cast<Eigen::Index>(index);
+    shares.row(row) << block.inertia, block.sign * block.friction, block.way, -block.time;
+    forces[row] = block.force;
+  }
+  const Eigen::Vector4d found = shares.colPivHouseholderQr().solve(forces);
+  if (!found.allFinite()) return {};
+  return Body{std::max(found[0], kLeastMass_kg), std::max(found[1], 0.0), std::max(found[2], 0.0), found[3]};
+}
+
+std::optional<SwingStiffness> swingStiffness(std::span<const Row> rows, const Vec3& along_W, double period_s,
+                                             const Body& body, double asked_N_per_m) {
+  // As long as motion one way lasts: the second derivative of encoder steps goes with 1 / length^2.
+  const double block_s = 0.5 * kPi * std::sqrt(body.mass_kg / asked_N_per_m);
+  const std::vector<Block> blocks = blocksOf(windowsOf(rows, along_W, period_s, kInfinity), block_s);
+  double of_stretch = 0.0, of_both = 0.0;
+  SwingStiffness found;
+  const auto needed = [&](const Block& block) {
+    return body.mass_kg * block.inertia + body.damping_N_s_per_m * block.way +
+           body.friction_N * block.sign * block.friction - body.bias_N * block.time;
+  };
+  for (const Block& block : blocks) {
+    if (!block.is_spring) continue;
+    of_stretch += block.stretch * block.stretch;
+    of_both += block.stretch * needed(block);
+    ++found.blocks;
+  }
+  if (found.blocks < kLeastSprings || !(of_stretch > 0.0)) return {};
+  found.value_N_per_m = of_both / of_stretch;
+  double squares = 0.0;
+  for (const Block& block : blocks) {
+    if (block.is_spring) squares += std::pow(needed(block) - found.value_N_per_m * block.stretch, 2);
+  }
+  // Blocks overlap by two thirds: three of them tell no more than one.
+  const double free = std::max(1.0, static_cast<double>(found.blocks) / 3.0 - 1.0);
+  found.uncertainty_N_per_m = std::sqrt(squares / (3.0 * free) * 3.0 / of_stretch);
+  if (!(found.uncertainty_N_per_m < kSure * found.value_N_per_m)) return {};
+  return found;
+}
+
+}  // namespace underact::identify

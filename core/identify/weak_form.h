@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/identify/body.h"
+#include "core/identify/swing.h"
+
+namespace underact::identify {
+
+/// A block of motion in one direction, weighted by a bump phi(t) that ends smoothly at both ends: the integrals of m
+/// x'' = f + bias - b x' - F sign(x') times phi, in parts, so that no sample is derived twice.
+struct Block {
+  double inertia = 0.0;    // of phi'' x, for the mass
+  double way = 0.0;        // of phi x', for the damping
+  double time = 0.0;       // of phi, for the bias
+  double friction = 0.0;   // of phi and the share of the friction along the direction seen
+  double force = 0.0;      // of phi f
+  double stretch = 0.0;    // of phi (target - x), for a spring to the target
+  double sign = 1.0;       // of x'
+  bool is_spring = false;  // nothing was cut, and the target stood still for some while: a spring is all that pulls
+};
+
+// Shorter than half a swing of 20 g at 0.1 N/mm, 44 ms.
+inline constexpr double kBlock_s = 0.03;
+
+/// All blocks of so many seconds in which the tip clearly moves one way; each begins a third later than the last.
+std::vector<Block> blocksOf(std::span<const Window> windows, double seconds = kBlock_s);
+
+/// Mass, friction, damping and bias by linear least squares over the blocks: a first guess that needs none itself.
+/// None: too little motion.
+std::optional<Body> firstGuess(std::span<const Block> blocks);
+
+/// A stiffness that the motion itself shows, whatever force was said to be sent: that of a spring to the target with
+/// which the body's inertia is in balance, m omega^2 of a free swing. None: nothing swung freely, or too little
+/// to tell it within 5 %.
+struct SwingStiffness {
+  double value_N_per_m = 0.0;
+  double uncertainty_N_per_m = 0.0;
+  std::size_t blocks = 0;
+};
+/// rows: of the swings along along_W.
+std::optional<SwingStiffness> swingStiffness(std::span<const Row> rows, const Vec3& along_W, double period_s,
+                                             const Body& body, double asked_N_per_m);
+
+}  // namespace underact::identify

@@ -1,0 +1,174 @@
+// The whole measurement on simulated arms: it must find what the simulation was given within 5 %.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/arm/forward.h"
+#include "core/arm/jacobian.h"
+#include "core/arm/preset.h"
+#include "core/base/units.h"
+#include "core/identify/report.h"
+#include "tests/core/identify/rig.h"
+
+namespace underact::identify::test {
+namespace {
+
+constexpr double kShare = 0.05;
+// What encoders hide. A force dF that acts on a mass over a window of 0.25 s moves it by dF W^2 / (2 m), and a damping
+// b over a travel L by about b L W / (6 m). Below one step (0.055 mm) of that, a window cannot tell it.
+constexpr double kStep_m = 0.055e-3, kWindow_s = 0.25, kTravel_m = 0.02;
+double leastForce_N(double mass_kg) {
+  return 2.0 * mass_kg * kStep_m / (kWindow_s * kWindow_s);
+}
+double leastDamping(double mass_kg) {
+  return 6.0 * mass_kg * kStep_m / (kTravel_m * kWindow_s);
+}
+
+struct Case {
+  const char* preset;
+  int rate_hz;
+  double mass_kg, friction_N, damping_N_s_per_m;
+};
+
+std::string wordsOf(const Case& one) {
+  return std::string(one.preset) + " " + std::to_string(one.rate_hz) + " Hz, " + std::to_string(one.mass_kg) + " kg, " +
+         std::to_string(one.friction_N) + " N, " + std::to_string(one.damping_N_s_per_m) + " N s/m";
+}
+
+Identified identified(const Case& one, bool encoders = true) {
+  sim::ArmModel model = armOf(one.mass_kg, one.friction_N, one.damping_N_s_per_m);
+  model.encoders = encoders;
+  const Measured done = measured(model, one.preset, one.rate_hz);
+  const Result<Identified> found = evaluate(done.plan, done.recorded, one.rate_hz);
+  EXPECT_TRUE(static_cast<bool>(found)) << (found ? "" : found.problems().front().sentence);
+  return found ? found.value() : Identified{};
+}
+
+void expectGiven(const Case& one) {
+  SCOPED_TRACE(wordsOf(one));
+  const Identified found = identified(one);
+  const double damping = std::max(kShare * one.damping_N_s_per_m, leastDamping(one.mass_kg));
+  EXPECT_NEAR(found.mean_mass_kg.value, one.mass_kg, kShare * one.mass_kg);
+  EXPECT_NEAR(found.mean_friction_N.value, one.friction_N,
+              std::max(kShare * one.friction_N, leastForce_N(one.mass_kg)));
+  EXPECT_NEAR(found.mean_damping_N_s_per_m.value, one.damping_N_s_per_m, damping);
+  const arm::EncoderCounts& counts = arm::findPreset(one.preset)->counts_per_turn;
+  for (std::size_t joint = 0; joint < 6; ++joint) {
+    ASSERT_TRUE(found.counts_per_turn[joint]) << joint;
+    EXPECT_NEAR(found.counts_per_turn[joint]->value, counts[joint], 1e-6 * counts[joint]) << joint;
+  }
+  ASSERT_TRUE(found.press);
+  EXPECT_NEAR(found.press->stiffness_N_per_m.value, 500.0, kShare * 500.0);
+  EXPECT_NEAR(found.press->clamped_at_m.value(), 0.88 / 500.0, 0.1e-3);  // two encoder steps
+}
+
+TEST(SimulatedArm, GivesBackTheVendorsFigures) {
+  for (const char* preset : {"omni-thesis", "touch-measured"}) expectGiven({preset, 1000, 0.045, 0.26, 0.0});
+}
+
+TEST(SimulatedArm, GivesBackLightAndHeavyOnesWithFrictionAndDampingSmallAndLargeAt1kHz) {
+  for (const char* preset : {"omni-thesis", "touch-measured"}) {
+    for (const double mass_kg : {0.02, 0.1, 0.3}) {
+      for (const double friction_N : {0.05, 0.25, 0.6}) {
+        for (const double damping : {0.0, 0.3, 1.0, 3.0}) expectGiven({preset, 1000, mass_kg, friction_N, damping});
+      }
+    }
+  }
+}
+
+TEST(SimulatedArm, GivesThemBackAt4kHz) {
+  for (const char* preset : {"omni-thesis", "touch-measured"}) {
+    for (const double mass_kg : {0.02, 0.3}) {
+      for (const double friction_N : {0.05, 0.6}) {
+        for (const double damping : {0.0, 0.5, 3.0}) expectGiven({preset, 4000, mass_kg, friction_N, damping});
+      }
+    }
+  }
+}
+
+TEST(SimulatedArm, TheStiffnessOfItsFreeSwingsIsTheOneOfTheLaw) {
+  for (const double mass_kg : {0.045, 0.1, 0.3}) {
+    const Identified found = identified({"omni-thesis", 1000, mass_kg, 0.1, 0.2});
+    int told = 0;
+    for (const AxisSwings& one : found.swings) {
+      if (!one.stiffness) continue;
+      ++told;
+      EXPECT_NEAR(one.stiffness->value_N_per_m, 100.0, kShare * 100.0) << mass_kg << " kg, axis " << one.axis;
+    }
+    EXPECT_EQ(told, 3) << mass_kg << " kg";
+  }
+}
+
+TEST(SimulatedArm, ItsNoiseIsThatOfItsEncoders) {
+  const Identified found = identified({"omni-thesis", 1000, 0.045, 0.26, 0.0});
+  EXPECT_EQ(found.rest_noise_m.norm(), 0.0);  // friction holds it, and a step is a step
+  // The tip's share of each joint's even spread, step / sqrt(12), at the place where it is pressed: along y and z both
+  // joints of the arm's plane count. 30 %: a few steps only in each tenth of a second.
+  const arm::Preset& preset = *arm::findPreset("omni-thesis");
+  const Measured done = measured(armOf(0.045, 0.26, 0.0), "omni-thesis", 1000);
+  const arm::Tip tip = arm::tip(preset.geometry, done.recorded.front().rows.front().q_rad);
+  const double thigh_m = tip.J_p.col(1).y() - tip.J_p.col(2).y(), shin_m = tip.J_p.col(2).y();  // of device angles
+  const double expected_m =
+      2.0 * kPi / std::sqrt(12.0) * std::hypot(thigh_m / preset.counts_per_turn[1], shin_m / preset.counts_per_turn[2]);
+  EXPECT_NEAR(found.slow_noise_m.y(), expected_m, 0.3 * expected_m);
+}
+
+TEST(SimulatedArm, OwnEncodersAreSeen) {
+  sim::ArmModel model = armOf(0.045, 0.26, 0.1);
+  model.counts_per_turn = arm::EncoderCounts{20000.0, 8192.0, 12000.0, 4000.0, 5000.0, 6000.0};
+  const Measured done = measured(model, "omni-thesis", 1000);
+  const Result<Identified> found = evaluate(done.plan, done.recorded, 1000);
+  ASSERT_TRUE(static_cast<bool>(found));
+  for (std::size_t joint = 0; joint < 6; ++joint) {
+    ASSERT_TRUE(found.value().counts_per_turn[joint]);
+    EXPECT_NEAR(found.value().counts_per_turn[joint]->value, (*model.counts_per_turn)[joint], 0.01);
+  }
+}
+
+TEST(SimulatedArm, WithoutEncodersItHasNoneAndTheFitIsNearerStill) {
+  const Identified found = identified({"omni-thesis", 1000, 0.045, 0.26, 0.5}, false);
+  for (const auto& count : found.counts_per_turn) EXPECT_FALSE(count);
+  // The simulation's own 50 us: friction and damping as at the end of a substep, 50e-6 b / m = 6e-4 of the damping.
+  EXPECT_NEAR(found.mean_mass_kg.value, 0.045, 0.005 * 0.045);
+  EXPECT_NEAR(found.mean_friction_N.value, 0.26, 0.005 * 0.26);
+  EXPECT_FALSE(modelFileOf(found, "x", "X", {}).arm.encoders);
+}
+
+TEST(SimulatedArm, ADampingThatIsNotThereIsSaidToBeBelowSomething) {
+  const Identified found = identified({"omni-thesis", 1000, 0.045, 0.26, 0.0});
+  const Estimate& damping = found.mean_damping_N_s_per_m;
+  EXPECT_LT(std::abs(damping.value), leastDamping(0.045));
+  if (!damping.isTold()) {
+    EXPECT_EQ(valueText({"", "", damping}).substr(0, 6), "below ");
+    EXPECT_EQ(modelFileOf(found, "x", "X", {}).arm.damping_N_s_per_m, 0.0);
+  }
+}
+
+TEST(SimulatedArm, AtOtherPlacesItIsTheSameArm) {
+  Wanted wanted;
+  wanted.places_W = {{0.0, 0.0, 0.06}, {0.03, 0.02, 0.05}, {-0.03, -0.02, 0.05}};
+  const Measured done = measured(armOf(0.06, 0.2, 0.3), "omni-thesis", 1000, wanted);
+  const Result<Identified> found = evaluate(done.plan, done.recorded, 1000);
+  ASSERT_TRUE(static_cast<bool>(found));
+  EXPECT_EQ(found.value().swings.size(), 9U);
+  for (const AxisSwings& one : found.value().swings)
+    EXPECT_NEAR(one.fit.body.mass_kg, 0.06, kShare * 0.06) << one.place << " " << one.axis;
+}
+
+TEST(SimulatedArm, AnArmWithoutMassIsRefusedInWords) {
+  const Measured done = measured(*sim::findArmModel("ideal"), "omni-thesis", 1000);
+  const Result<Identified> found = evaluate(done.plan, done.recorded, 1000);
+  ASSERT_FALSE(static_cast<bool>(found));
+  EXPECT_NE(found.problems().front().sentence.find("hardly moved"), std::string::npos);
+}
+
+TEST(SimulatedArm, TheSameSeedGivesTheSameBits) {
+  const Identified a = identified({"omni-thesis", 1000, 0.045, 0.26, 0.1});
+  const Identified b = identified({"omni-thesis", 1000, 0.045, 0.26, 0.1});
+  EXPECT_EQ(a.mean_mass_kg.value, b.mean_mass_kg.value);
+  EXPECT_EQ(a.mean_friction_N.uncertainty, b.mean_friction_N.uncertainty);
+}
+
+}  // namespace
+}  // namespace underact::identify::test
