@@ -80,6 +80,7 @@ struct Tables {
   Table labels{{"map", "variant", "kd_N_s_per_m", "stiffness_N_per_m", "label", "amplitude_mm", "passive"}};
   Table scenes{{"scene", "title", "constraint", "space", "rate_hz", "kd_N_s_per_m", "simulated_N_per_m",
                 "label_at_nominal", "passive_at_nominal", "least_energy_uJ"}};
+  Table scene_labels{{"scene", "rate_hz", "kd_N_s_per_m", "stiffness_N_per_m", "label", "passive", "least_energy_uJ"}};
 };
 
 void addLimits(const std::string& map, const std::string& variant, const SampledWall& wall, Tables& tables) {
@@ -115,26 +116,39 @@ void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>&
   }
 }
 
-Problems addScene(const std::string& file, const stability::SceneWall& wall, Tables& tables) {
-  const Result<double> limit = stability::simulatedLimit(wall);
-  if (!limit) {
-    Problems problems = limit.problems();
-    for (Problem& problem : problems) problem.place.file = file;
-    return problems;
+/// A file's problems as the command line tells them.
+Problems from(const std::string& file, Problems problems) {
+  for (Problem& problem : problems) problem.place.file = file;
+  return problems;
+}
+
+Problems addSceneLabels(const std::string& file, const stability::SceneWall& wall, Tables& tables) {
+  for (const double K : stability::sceneStiffnesses_N_per_m()) {
+    const Result<stability::SceneTrial> trial = stability::tryScene(wall, K);
+    if (!trial) return from(file, trial.problems());
+    tables.scene_labels.add({std::filesystem::path(file).stem().string(), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
+                             K, std::string(name(trial.value().trial.behaviour)), trial.value().is_passive,
+                             1e6 * trial.value().least_energy_J});
   }
+  return {};
+}
+
+Problems addScene(const std::string& file, const stability::SceneWall& wall, bool labels, Tables& tables) {
+  const Result<double> limit = stability::simulatedLimit(wall);
+  if (!limit) return from(file, limit.problems());
   const Result<stability::SceneTrial> nominal = stability::tryScene(wall, stability::kNominal_N_per_m);
-  if (!nominal) return nominal.problems();
+  if (!nominal) return from(file, nominal.problems());
   const scene::Constraint& one = wall.scene.constraints.front();
   const bool joints = scene::controlOf(wall.scene, 0).space == tick::Space::Joint;
   tables.scenes.add({std::filesystem::path(file).stem().string(), wall.scene.title, one.name,
                      std::string(joints ? "joint" : "cartesian"), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
                      limit.value(), std::string(name(nominal.value().trial.behaviour)), nominal.value().is_passive,
                      1e6 * nominal.value().least_energy_J});
-  return {};
+  return labels ? addSceneLabels(file, wall, tables) : Problems{};
 }
 
 /// Of a scene's first constraint that pulls.
-void addSceneSteps(const std::string& file, scene::Description scene, const Streams& streams,
+void addSceneSteps(const std::string& file, scene::Description scene, bool labels, const Streams& streams,
                    std::vector<Step>& steps) {
   stability::SceneWall wall;
   wall.scene = std::move(scene);
@@ -148,7 +162,7 @@ void addSceneSteps(const std::string& file, scene::Description scene, const Stre
     for (const double kd : stability::sceneDampings_N_s_per_m()) {
       wall.rate_hz = rate_hz;
       wall.kd_N_s_per_m = kd;
-      steps.push_back([file, wall](Tables& tables) { return addScene(file, wall, tables); });
+      steps.push_back([file, wall, labels](Tables& tables) { return addScene(file, wall, labels, tables); });
     }
   }
 }
@@ -165,15 +179,16 @@ bool hasNoFormula(const scene::Description& scene) {
 
 Result<std::vector<Step>> stepsOf(const StabilityOptions& options, const Streams& streams) {
   std::vector<Step> steps;
+  const bool labels = options.labels || !options.out.empty();
   for (const stability::WallMap& map : stability::wallMaps()) {
-    if (isAsked(options, map.key)) addWallSteps(map, options.labels || !options.out.empty(), steps);
+    if (isAsked(options, map.key)) addWallSteps(map, labels, steps);
   }
   if (!isAsked(options, "scenes") && options.scenes.empty()) return steps;
   for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
     Result<LoadedScene> loaded = loadScene(file, streams);
     if (!loaded) return loaded.problems();
     scene::Description& scene = loaded.value().description;
-    if (!options.scenes.empty() || hasNoFormula(scene)) addSceneSteps(file, std::move(scene), streams, steps);
+    if (!options.scenes.empty() || hasNoFormula(scene)) addSceneSteps(file, std::move(scene), labels, streams, steps);
   }
   return steps;
 }
@@ -193,7 +208,8 @@ Exit write(const Tables& tables, const StabilityOptions& options, const Streams&
   fs::create_directories(options.out, error);
   const std::pair<const char*, const Table*> files[]{{"stability_limits.csv", &tables.limits},
                                                      {"stability_labels.csv", &tables.labels},
-                                                     {"stability_scenes.csv", &tables.scenes}};
+                                                     {"stability_scenes.csv", &tables.scenes},
+                                                     {"stability_scene_labels.csv", &tables.scene_labels}};
   for (const auto& [file_name, table] : files) {
     if (table->isEmpty()) continue;
     std::ofstream file(fs::path(options.out) / file_name, std::ios::binary);
@@ -224,6 +240,7 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
   show(tables.limits, options.json, streams.out);
   show(tables.labels, options.json, streams.out);
   show(tables.scenes, options.json, streams.out);
+  show(tables.scene_labels, options.json, streams.out);
   return Exit::Well;
 }
 

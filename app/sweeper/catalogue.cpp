@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/sweeper/extremes.h"
 #include "app/sweeper/hands.h"
 #include "app/sweeper/stability.h"
 
 namespace underact::sweep {
 
 std::span<const Kind> kinds() {
-  static const std::vector<Kind> kKinds{handsKind(), stabilityKind()};
+  static const std::vector<Kind> kKinds{handsKind(), stabilityKind(), extremesKind()};
   return kKinds;
 }
 

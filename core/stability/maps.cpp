@@ -112,6 +112,11 @@ std::span<const int> sceneRates_hz() {
   return kRates;
 }
 
+std::span<const double> sceneStiffnesses_N_per_m() {
+  static constexpr std::array<double, 8> kStiffnesses{50.0, 100.0, 200.0, 350.0, 500.0, 1000.0, 2000.0, 5000.0};
+  return kStiffnesses;
+}
+
 std::span<const double> sceneDampings_N_s_per_m() {
   static constexpr std::array<double, 6> kDampings{0.0, 0.1, 0.2, 0.5, 1.0, 2.0};
   return kDampings;

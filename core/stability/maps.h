@@ -54,5 +54,6 @@ Label labelOf(const SampledWall& wall, double stiffness_N_per_m);
 /// The rates and dampings at which scenes are asked.
 std::span<const int> sceneRates_hz();
 std::span<const double> sceneDampings_N_s_per_m();
+std::span<const double> sceneStiffnesses_N_per_m();  // where cells are labelled
 
 }  // namespace underact::stability

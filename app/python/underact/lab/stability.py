@@ -47,7 +47,12 @@ def _axes(axes, title: str) -> None:
 
 def _nominal(axes) -> None:
     axes.plot(
-        [LEAST_KD], [NOMINAL_N_PER_M], "*", color=style.VERMILLION, markersize=9, zorder=5,
+        [LEAST_KD],
+        [NOMINAL_N_PER_M],
+        "*",
+        color=style.VERMILLION,
+        markersize=9,
+        zorder=5,
         label="the arm's nominal 500 N/m",
     )
 
@@ -59,23 +64,45 @@ def limits(rows: list[dict], key: str, width_in: float = 7.0) -> Figure:
     axes = figure.add_subplot()
     variants = groups([row for row in rows if row["map"] == key], "variant")
     for (name, own), colour, mark in zip(variants.items(), COLOURS, MARKS):
-        axes.plot(_kd(own), _column(own, "simulated_N_per_m"), mark, color=colour, markersize=3.5, label=str(name))
+        axes.plot(
+            _kd(own),
+            _column(own, "simulated_N_per_m"),
+            mark,
+            color=colour,
+            markersize=3.5,
+            label=str(name),
+        )
         axes.plot(_kd(own), _column(own, "exact_N_per_m"), "-", color=colour, linewidth=0.9)
     first = variants["1000 Hz"] if "1000 Hz" in variants else next(iter(variants.values()))
-    axes.plot(_kd(first), _column(first, "colgate_schenkel_N_per_m"), ":", color=style.GREY, label="2 (b - B) / T")
-    axes.plot(_kd(first), _column(first, "gil_hulin_N_per_m"), "--", color=style.GREY, label="(b + B) / (T/2 + td)")
+    axes.plot(
+        _kd(first),
+        _column(first, "colgate_schenkel_N_per_m"),
+        ":",
+        color=style.GREY,
+        label="2 (b - B) / T",
+    )
+    axes.plot(
+        _kd(first),
+        _column(first, "gil_hulin_N_per_m"),
+        "--",
+        color=style.GREY,
+        label="(b + B) / (T/2 + td)",
+    )
     _nominal(axes)
     _axes(axes, f"{TITLES.get(key, key)}: largest stable stiffness")
     style.legend_outside(axes)
-    style.footer(figure, "points: by halving in the simulated loop · lines: by eigenvalues; formulas for "
-                 + ("1000 Hz" if key == "rate" else str(next(iter(variants)))))
+    style.footer(
+        figure,
+        "points: by halving in the simulated loop · lines: by eigenvalues; formulas for "
+        + ("1000 Hz" if key == "rate" else str(next(iter(variants)))),
+    )
     return figure
 
 
 @style.styled
-def labels(rows: list[dict], key: str, width_in: float = 7.0) -> Figure:
-    """What a push becomes in each cell of B and K, a small map a variant."""
-    variants = groups([row for row in rows if row["map"] == key], "variant")
+def labels(rows: list[dict], by: str, width_in: float = 7.0) -> Figure:
+    """What a push becomes in each cell of B and K, a small map for each value of the column `by`."""
+    variants = groups(rows, by)
     columns = min(3, len(variants))
     lines = -(-len(variants) // columns)
     figure = style.new_figure(width_in, 0.36 * width_in * lines)
@@ -89,7 +116,9 @@ def labels(rows: list[dict], key: str, width_in: float = 7.0) -> Figure:
         for row in own:
             at = stiffnesses.index(row["stiffness_N_per_m"]), dampings.index(row["kd_N_s_per_m"])
             field[at] = words.index(row["label"])
-            sign = {"rest": "", "limit_cycle": "~", "grows": "×"}[row["label"]] + ("p" if row["passive"] else "")
+            sign = {"rest": "", "limit_cycle": "~", "grows": "×"}[row["label"]] + (
+                "p" if row["passive"] else ""
+            )
             axes.text(at[1], at[0], sign, ha="center", va="center", fontsize=4.5)
         axes.imshow(field, cmap=colours, vmin=-0.5, vmax=2.5, origin="lower", aspect="auto")
         axes.grid(False)
@@ -100,7 +129,7 @@ def labels(rows: list[dict], key: str, width_in: float = 7.0) -> Figure:
             axes.set_ylabel("K [N/m]")
         if index >= len(variants) - columns:
             axes.set_xlabel("B [N s/m]")
-    style.footer(figure, "green: comes to rest · amber ~: swings on · red ×: grows · p: passive in any hand")
+    style.footer(figure, "green: comes to rest · amber ~: swings on · red ×: grows · p: passive")
     return figure
 
 
@@ -114,8 +143,14 @@ def scenes(rows: list[dict], width_in: float = 7.0) -> Figure:
     for index, (name, own) in enumerate(by_scene.items()):
         axes = figure.add_subplot(lines, columns, index + 1)
         for (kd, line), colour, mark in zip(groups(own, "kd_N_s_per_m").items(), COLOURS, MARKS):
-            axes.plot([row["rate_hz"] for row in line], _column(line, "simulated_N_per_m"), mark + "-", color=colour,
-                      markersize=3, label=f"B = {kd:g} N s/m")
+            axes.plot(
+                [row["rate_hz"] for row in line],
+                _column(line, "simulated_N_per_m"),
+                mark + "-",
+                color=colour,
+                markersize=3,
+                label=f"B = {kd:g} N s/m",
+            )
         axes.axhline(NOMINAL_N_PER_M, color=style.VERMILLION, linewidth=0.8, linestyle=":")
         axes.set_xscale("log", base=2)
         axes.set_yscale("log")
@@ -128,7 +163,10 @@ def scenes(rows: list[dict], width_in: float = 7.0) -> Figure:
     figure.axes[min(columns, len(figure.axes)) - 1].legend(
         loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0
     )
-    style.footer(figure, "largest stable stiffness, whole tick without limits · dotted: the arm's nominal 500 N/m")
+    style.footer(
+        figure,
+        "largest stable stiffness, whole tick without limits · dotted: the arm's nominal 500 N/m",
+    )
     return figure
 
 
@@ -137,12 +175,24 @@ def draw_all(tables: Path, out: Path, width_in: float) -> list[Path]:
     pictures: list[tuple[str, Figure]] = []
     if (tables / "stability_limits.csv").exists():
         rows = read(tables / "stability_limits.csv")
-        pictures += [(f"stability_{key}", limits(rows, key, width_in)) for key in groups(rows, "map")]
+        pictures += [
+            (f"stability_{key}", limits(rows, key, width_in)) for key in groups(rows, "map")
+        ]
     if (tables / "stability_labels.csv").exists():
         rows = read(tables / "stability_labels.csv")
-        pictures += [(f"stability_{key}_labels", labels(rows, key, width_in)) for key in groups(rows, "map")]
+        pictures += [
+            (f"stability_{key}_labels", labels(own, "variant", width_in))
+            for key, own in groups(rows, "map").items()
+        ]
     if (tables / "stability_scenes.csv").exists():
-        pictures.append(("stability_scenes", scenes(read(tables / "stability_scenes.csv"), width_in)))
+        pictures.append(
+            ("stability_scenes", scenes(read(tables / "stability_scenes.csv"), width_in))
+        )
+    if (tables / "stability_scene_labels.csv").exists():
+        rows = [
+            row for row in read(tables / "stability_scene_labels.csv") if row["rate_hz"] == 1000
+        ]
+        pictures += [("stability_scenes_labels", labels(rows, "scene", width_in))] if rows else []
     written = []
     for name, figure in pictures:
         for ending in ("svg", "png"):

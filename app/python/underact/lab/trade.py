@@ -37,7 +37,10 @@ def choices(rows: list[dict], width_in: float = 7.0) -> Figure:
         axes.plot(costs, errors, "o", color=style.GREY, markersize=3)
         for row, cost, error in zip(options, costs, errors):
             axes.annotate(
-                str(row["option"]).removesuffix(".0"), (cost, error), fontsize=4.5, xytext=(3, 2),
+                str(row["option"]).removesuffix(".0"),
+                (cost, error),
+                fontsize=4.5,
+                xytext=(3, 2),
                 textcoords="offset points",
             )
             if row["default"]:
@@ -74,7 +77,9 @@ def fronts(rows: list[dict], width_in: float = 7.0) -> Figure:
         axes.plot(costs[front][order], errors[front][order], "o-", color=style.BLUE, markersize=2.5)
         for cost, error, row in zip(costs, errors, points):
             if row["own"]:
-                axes.plot([cost], [error], "s", color=style.VERMILLION, markersize=5, fillstyle="none")
+                axes.plot(
+                    [cost], [error], "s", color=style.VERMILLION, markersize=5, fillstyle="none"
+                )
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_title(str(name), loc="left", fontsize=6.0)

@@ -1,0 +1,73 @@
+#include "app/sweeper/extremes.h"
+
+#include <memory>
+
+#include "core/extremes/catalogue.h"
+#include "core/json/text.h"
+
+namespace underact::sweep {
+namespace {
+
+constexpr std::int64_t kMostSeeds = 10'000'000, kMostCases = 100'000'000;
+
+struct Plan {
+  std::vector<const extremes::Row*> rows;
+  std::size_t seeds = 0;
+  int count = 0;
+};
+
+Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
+  const extremes::Row& asked = *plan.rows[index / plan.seeds];
+  const extremes::Worst worst = extremes::measure(asked, seed, plan.count);
+  Row row;
+  row.add(asked.key);
+  row.add(worst.error_ulp);
+  row.add(asked.promised_ulp);
+  row.add(worst.error_ulp <= asked.promised_ulp ? "kept" : "broken");
+  row.add(worst.cases);
+  row.add(worst.degenerate);
+  row.add(wordsOf(asked, worst.input));
+  return row;
+}
+
+void readRows(Options& options, Plan& plan) {
+  for (const std::string& wanted : options.texts("only")) {
+    bool found = false;
+    std::vector<std::string> known{"all"};
+    for (const extremes::Row& row : extremes::catalogue()) {
+      known.emplace_back(row.key);
+      if (wanted != "all" && wanted != row.key) continue;
+      plan.rows.push_back(&row);
+      found = true;
+    }
+    if (!found)
+      options.note("only",
+                   "There is no row " + json::shown(wanted) + "; there are " + json::listed(known, "and") + ".");
+  }
+}
+
+Result<Cells> make(Options& options) {
+  const auto plan = std::make_shared<Plan>();
+  readRows(options, *plan);
+  plan->seeds = static_cast<std::size_t>(options.integer("seeds", 1, kMostSeeds));
+  plan->count = static_cast<int>(options.integer("count", 1, kMostCases));
+  if (!options.problems().empty()) return options.problems();
+  Cells cells;
+  cells.count = plan->rows.size() * plan->seeds;
+  cells.columns = {"row", "error_ulp", "promised_ulp", "promise", "cases", "degenerate", "worst_case"};
+  cells.run = [plan](std::size_t index, std::uint64_t seed) { return runCell(*plan, index, seed); };
+  return cells;
+}
+
+}  // namespace
+
+Kind extremesKind() {
+  return {"extremes",
+          "Does every number keep its promise at the ends: scales, degenerate places, strange samples, hours?",
+          {{"only", "Rows of `lab extremes`; all", {"all"}, true},
+           {"seeds", "Cells for each row, each with a seed of its own", {"8"}},
+           {"count", "Cases of a cheap row in a cell; a dear one makes a share of them", {"20000"}}},
+          make};
+}
+
+}  // namespace underact::sweep
