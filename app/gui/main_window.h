@@ -28,6 +28,7 @@ class ReplayBar;
 class SceneFiles;
 class SceneView;
 class SectionStrip;
+class ServoRate;
 class StatusLine;
 
 /// What a window works with; made by main(), and by the stories.
@@ -72,6 +73,7 @@ class MainWindow : public QMainWindow {
   void orderTabs();
   void connectDocument();
   void connectPlayer();
+  void connectRate();
   void tellOfSession(const QString& what, const Problems& problems);
   void replayBegins();
   void replayEnds();
@@ -92,6 +94,7 @@ class MainWindow : public QMainWindow {
   CurveFiles* curve_files_;
   SceneView* view_;
   Player* player_;
+  ServoRate* rate_;
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/servo/device_port.h"
+
 namespace underact::gui {
 namespace {
 
@@ -54,6 +56,8 @@ Settings readSettings() {
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
   settings.energy_plot = stored.value("plots/energy", fresh.energy_plot).toBool();
   settings.hold_to_run = stored.value("servo/hold_to_run", fresh.hold_to_run).toBool();
+  const int rate_hz = stored.value("servo/rate_hz", fresh.servo_rate_hz).toInt();
+  if (rate_hz >= servo::kSlowest_hz && rate_hz <= servo::kFastest_hz) settings.servo_rate_hz = rate_hz;
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
   return settings;
 }
@@ -73,6 +77,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("plots/axis", settings.plot_axis);
   stored.setValue("plots/energy", settings.energy_plot);
   stored.setValue("servo/hold_to_run", settings.hold_to_run);
+  stored.setValue("servo/rate_hz", settings.servo_rate_hz);
   stored.setValue("hints/has_pushed", settings.has_pushed);
 }
 
