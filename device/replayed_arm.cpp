@@ -9,7 +9,7 @@
 namespace underact::device {
 namespace {
 
-constexpr std::size_t kPlacesAtLeast = 16384, kPlaceSeconds = 4;
+constexpr std::size_t kPlaces = 4 * servo::kFastest_hz;  // 4 s at whatever rate
 
 std::int64_t lastRow(const Recorded& recorded) noexcept UNDERACT_REAL_TIME {
   return static_cast<std::int64_t>(recorded.rows.size()) - 1;
@@ -26,10 +26,7 @@ double between(double from_rad, double to_rad, double share, bool is_endless) no
 }  // namespace
 
 ReplayedArm::ReplayedArm(std::unique_ptr<servo::DevicePort> inner, int rate_hz)
-    : inner_(std::move(inner)),
-      rate_hz_(std::max(rate_hz, 1)),
-      period_ns_(1'000'000'000 / rate_hz_),
-      places_(std::max(kPlacesAtLeast, kPlaceSeconds * static_cast<std::size_t>(rate_hz_))) {
+    : inner_(std::move(inner)), rate_hz_(std::max(rate_hz, 1)), period_ns_(1'000'000'000 / rate_hz_), places_(kPlaces) {
   servo::touchPages(places_);
 }
 
@@ -37,6 +34,17 @@ servo::DeviceInfo ReplayedArm::info() const {
   const std::scoped_lock lock(title_mutex_);
   if (title_.empty()) return inner_->info();
   return {"Recorded arm: " + title_, true, false, 0.0};
+}
+
+std::string ReplayedArm::fixedRate() const {
+  if (isReplaying()) return "A recording is being replayed. Close it, then change the rate.";
+  return inner_->fixedRate();
+}
+
+void ReplayedArm::setRate(int rate_hz) {
+  rate_hz_ = std::max(rate_hz, 1);
+  period_ns_ = 1'000'000'000 / rate_hz_;
+  inner_->setRate(rate_hz);
 }
 
 void ReplayedArm::send() {

@@ -20,7 +20,7 @@ class ReplayedArm final : public servo::DevicePort {
  public:
   static constexpr double kSlowest = 0.1, kFastest = 4.0;
 
-  /// rate_hz: of the servo.
+  /// rate_hz: of the servo, at first.
   ReplayedArm(std::unique_ptr<servo::DevicePort> inner, int rate_hz);
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
@@ -29,6 +29,8 @@ class ReplayedArm final : public servo::DevicePort {
   Problems reopen() override { return inner_->reopen(); }
   servo::LastWord lastWord() const override { return inner_->lastWord(); }
   servo::DeviceInfo info() const override;
+  std::string fixedRate() const override;
+  void setRate(int rate_hz) override;
 
   // One thread, the window's; none of it waits for the servo. What is said is taken up by the next read().
   /// Begins with row 0, paused. Null: the other arm is there again.

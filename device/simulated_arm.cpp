@@ -28,6 +28,10 @@ Integration unpacked(std::int64_t number) noexcept UNDERACT_REAL_TIME {
   return {static_cast<Integrator>(number % 4), number / 4};
 }
 
+std::int64_t periodOf(int rate_hz) {
+  return 1'000'000'000 / std::max(rate_hz, 1);
+}
+
 }  // namespace
 
 SimulatedArm::SimulatedArm(const Options& options)
@@ -36,24 +40,23 @@ SimulatedArm::SimulatedArm(const Options& options)
       hand_(options.hand),
       integration_(packed(options.integration)),
       state_(sim::restAt(plant_, options.start_p_WT)),
-      period_ns_(1'000'000'000 / std::max(options.rate_hz, 1)) {
+      period_ns_(periodOf(options.rate_hz)) {
   heeded_.p_WT = state_.p_WT;
   wished_.p_WT = state_.p_WT;
 }
 
 bool SimulatedArm::read(arm::Sample& sample) noexcept {
-  ++reads_;
-  const std::int64_t time_ns = reads_ * period_ns_;
+  time_ns_ += period_ns_;
   if (has_wish_.load(std::memory_order_acquire)) {
     heeded_ = approach(heeded_, wishes_.latest(), kSecondPerNanosecond * static_cast<double>(period_ns_));
   } else if (scripted_) {
-    heeded_ = sim::wishAt(script_, time_ns - script_start_ns_);
+    heeded_ = sim::wishAt(script_, time_ns_ - script_start_ns_);
   }
   Vec3 f_T_W = f_T_W_;
   if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero();
   takeUp();
   state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
-  sample.time_ns = time_ns;
+  sample.time_ns = time_ns_;
   sample.q_rad = sim::shownAngles(plant_, state_);
   sample.buttons = button_.load(std::memory_order_relaxed) ? 1U : 0U;
   return true;
@@ -84,6 +87,10 @@ servo::DeviceInfo SimulatedArm::info() const {
   return {"Simulated arm", true, false};
 }
 
+void SimulatedArm::setRate(int rate_hz) {
+  period_ns_ = periodOf(rate_hz);
+}
+
 void SimulatedArm::integrate(const Integration& integration) noexcept {
   integration_.store(packed(integration), std::memory_order_relaxed);
 }
@@ -100,8 +107,8 @@ void SimulatedArm::follow(sim::HandScript script) {
   hand_ = script.hand;
   script_ = std::move(script);
   scripted_ = true;
-  script_start_ns_ = reads_ * period_ns_;
-  if (reads_ > 0) return;
+  script_start_ns_ = time_ns_;
+  if (time_ns_ > 0) return;
   state_ = sim::restAt(plant_, sim::wishAt(script_, 0).p_WT);
   heeded_.p_WT = state_.p_WT;
   wished_.p_WT = state_.p_WT;

@@ -27,6 +27,8 @@ class SimulatedArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   servo::DeviceInfo info() const override;
+  std::string fixedRate() const override { return {}; }
+  void setRate(int rate_hz) override;
 
   /// The stylus button nearer to the tip (bit 0 of a sample's buttons) is held, or not, from the next read() on. Any
   /// thread.
@@ -68,7 +70,7 @@ class SimulatedArm final : public servo::DevicePort {
   std::atomic<std::int64_t> integration_;  // packed
   sim::PlantState state_;
   std::int64_t period_ns_;
-  std::int64_t reads_ = 0;
+  std::int64_t time_ns_ = 0;  // of the last read
   Vec3 f_T_W_ = Vec3::Zero();
   std::atomic<bool> is_cut_{false};
   std::atomic<bool> button_{false};

@@ -74,23 +74,32 @@ void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& p
   }
 }
 
-Result<trade::Plan> planOf(const TradeOptions& options, const Streams& streams) {
+/// Empty: a hand or a scene could not be read, which was told, and exit says how it was wrong.
+std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& streams, Exit& exit) {
   trade::Plan plan;
   plan.choices = options.choices;
   plan.seconds = options.seconds;
-  for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
-    Result<LoadedScene> loaded = loadScene(file, streams);
-    if (!loaded) return loaded.problems();
-    plan.scenes.push_back({fs::path(file).stem().string(), std::move(loaded).value().description});
-  }
   std::vector<std::string> hands = options.hands;
   if (hands.empty()) {
     for (const sim::BuiltInHand& hand : sim::builtInHands()) hands.emplace_back(hand.name);
   }
   for (const std::string& name : hands) {
     Result<sim::HandScript> hand = findHand(name, options.seed);
-    if (!hand) return hand.problems();
+    if (!hand) {
+      print(hand.problems(), streams.err);
+      exit = exitOfHand(name, hand.problems());
+      return {};
+    }
     plan.hands.push_back({fs::path(name).stem().string(), std::move(hand).value()});
+  }
+  for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
+    Result<LoadedScene> loaded = loadScene(file, streams);
+    if (!loaded) {
+      print(loaded.problems(), streams.err);
+      exit = exitOf(loaded.problems());
+      return {};
+    }
+    plan.scenes.push_back({fs::path(file).stem().string(), std::move(loaded).value().description});
   }
   return plan;
 }
@@ -148,13 +157,11 @@ Exit write(const Tables& tables, const TradeOptions& options, const Streams& str
 }
 
 Exit tradeOf(const TradeOptions& options, const Streams& streams) {
-  const Result<trade::Plan> plan = planOf(options, streams);
-  if (!plan) {
-    print(plan.problems(), streams.err);
-    return exitOf(plan.problems());
-  }
+  Exit exit = Exit::Well;
+  const std::optional<trade::Plan> plan = planOf(options, streams, exit);
+  if (!plan) return exit;
   const Interrupt interrupt;
-  const Tables tables = measure(plan.value(), options, interrupt, streams);
+  const Tables tables = measure(*plan, options, interrupt, streams);
   if (interrupt.came()) {
     streams.err << "Stopped before the end; nothing is told, since a part would look like the whole.\n";
     return Exit::BadInput;

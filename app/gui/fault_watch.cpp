@@ -35,7 +35,7 @@ FaultWatch::FaultWatch(servo::Host& host, Actions& actions, QWidget* window)
       host_(host),
       actions_(actions),
       window_(window),
-      recent_(static_cast<std::size_t>(host.rateHz())) {
+      recent_(static_cast<std::size_t>(host.rateHz())) {  // a second
   actions_
       .add({"servo.fault", tr("Show the last &fault"), QKeySequence("Ctrl+Alt+F"),
             tr("What stopped the servo last, and where its file is.")},
@@ -54,6 +54,10 @@ void FaultWatch::look(const servo::Snapshot& snapshot) {
     keepAndTell(std::move(*report), words);
   }
   if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);
+}
+
+void FaultWatch::setRate(int rate_hz) {
+  recent_ = servo::History(static_cast<std::size_t>(rate_hz));
 }
 
 void FaultWatch::tellException(const std::string& message) {

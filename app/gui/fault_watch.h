@@ -28,6 +28,8 @@ class FaultWatch : public QObject {
   ~FaultWatch() override;
   /// Every tick, in order: a fault of the window has its last second from here.
   void add(const servo::TickRecord& record) { recent_.add(record); }
+  /// The servo ticks so many times a second from now on.
+  void setRate(int rate_hz);
   /// Each frame, also of a window that nobody sees.
   void look(const servo::Snapshot& snapshot);
   /// The force goes to zero now; the rest is done when what threw has ended.

@@ -19,6 +19,7 @@
 #include "app/gui/influence_section.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/rate_section.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/surface_section.h"
 #include "app/gui/told_label.h"
 
@@ -59,6 +60,7 @@ FeelPanel::FeelPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   buildFoot(outer);
   connect(&parts_.document, &Document::opened, this, &FeelPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &FeelPanel::sceneEdited);
+  connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });  // what may buzz depends on it
   sceneOpened();
 }
 

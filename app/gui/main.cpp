@@ -44,8 +44,9 @@ QString sceneToOpen(const Options& options) {
 }
 
 int runWindow(const Options& options, const QElapsedTimer& since_start) {
-  SimulatedHost simulated =
-      makeSimulatedHost({.rate_hz = options.rate_hz, .scheduling = options.scheduling, .max_late = options.max_late});
+  SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz.value_or(readSettings().servo_rate_hz),
+                                               .scheduling = options.scheduling,
+                                               .max_late = options.max_late});
   ThemeWatcher theme;
   MainWindow window({*simulated.host, simulated.arm, theme, simulated.replay});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {

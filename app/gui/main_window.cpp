@@ -26,6 +26,7 @@
 #include "app/gui/replay/replay_bar.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/style.h"
@@ -110,6 +111,14 @@ void MainWindow::connectPlayer() {
     tellOfSession(player_->isOpen() ? tr("A scene of “%1” cannot be run. The one before it stays.").arg(file)
                                     : tr("“%1” was not opened. Scene and arm stay as they are.").arg(file),
                   problems);
+  });
+}
+
+void MainWindow::connectRate() {
+  connect(rate_, &ServoRate::changed, this, [this](int, int rate_hz) {
+    faults_->setRate(rate_hz);
+    live_->setRate(rate_hz);
+    status_->measureAnew();
   });
 }
 

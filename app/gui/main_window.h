@@ -30,6 +30,7 @@ class ReplayBar;
 class SceneFiles;
 class SceneView;
 class SectionStrip;
+class ServoRate;
 class StatusLine;
 
 /// What a window works with; made by main(), and by the stories.
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   void orderTabs();
   void connectDocument();
   void connectPlayer();
+  void connectRate();
   void tellOfSession(const QString& what, const Problems& problems);
   void replayBegins();
   void replayEnds();
@@ -95,6 +97,7 @@ class MainWindow : public QMainWindow {
   CurveFiles* curve_files_;
   SceneView* view_;
   Player* player_;
+  ServoRate* rate_;
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;

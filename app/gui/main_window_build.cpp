@@ -28,6 +28,7 @@
 #include "app/gui/replay/replay_bar.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/stop_key.h"
@@ -38,7 +39,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 5;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 6;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
@@ -52,6 +53,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       curve_files_(new CurveFiles(*document_, *files_, *loads_, this)),
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
+      rate_(new ServoRate(parts.host, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),
@@ -78,6 +80,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   orderTabs();
   connectDocument();
   connectPlayer();
+  connectRate();
   updateTitle();
   restore();
   setTheme(parts_.theme.theme());
@@ -222,7 +225,7 @@ void MainWindow::buildDocks() {
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
     Panel* panel =
-        row.make(PanelParts{parts_.host, *document_, *recent_, *actions_, *view_, parts_.arm, *player_}, dock);
+        row.make(PanelParts{parts_.host, *document_, *recent_, *actions_, *view_, parts_.arm, *player_, *rate_}, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
     dock->setWidget(panel);
@@ -301,6 +304,7 @@ void MainWindow::remember() {
   settings_.plot_axis = static_cast<PlotsPanel*>(panels_["plots"])->axis();
   settings_.energy_plot = static_cast<PlotsPanel*>(panels_["plots"])->showsEnergy();
   settings_.hold_to_run = parts_.host.holdToRun();
+  settings_.servo_rate_hz = rate_->chosen().value_or(settings_.servo_rate_hz);
   settings_.has_pushed = hand_->hasPushed();
   settings_.arm_model = arm_in_use_->text();
   writeSettings(settings_);

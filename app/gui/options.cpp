@@ -3,6 +3,8 @@
 #include <charconv>
 #include <functional>
 
+#include "core/servo/device_port.h"
+
 namespace underact::gui {
 namespace {
 
@@ -33,7 +35,10 @@ bool readWay(const std::string& text, servo::Way& way) {
 bool readServoOption(const std::string& argument, const std::function<std::string()>& value, Options& options) {
   constexpr int kMostCores = 4095, kMostLate = 1'000'000;
   if (argument == "--rate") {
-    if (!readNumber(value(), 100, 10000, options.rate_hz) && options.wrong.empty())
+    int rate_hz = 0;
+    if (readNumber(value(), servo::kSlowest_hz, servo::kFastest_hz, rate_hz))
+      options.rate_hz = rate_hz;
+    else if (options.wrong.empty())
       options.wrong = "--rate is a number of Hz from 100 to 10000.";
   } else if (argument == "--scheduling") {
     if (!readWay(value(), options.scheduling.way) && options.wrong.empty())
@@ -91,7 +96,7 @@ std::string usage() {
   underact POINTS.txt                       opens the window and loads a curve (also .csv, .xyz, ...)
   underact SESSION.h5                       opens the window and replays a recorded session
   underact --picture SCENE --out FILE.png   draws the 3D view of a scene and quits
-  --rate HZ          ticks a second, 100 to 10000 (1000)
+  --rate HZ          ticks a second, 100 to 10000 (as chosen in the Servo panel; 1000)
   --scheduling WAY   how the servo thread is scheduled: auto, fifo, rtkit or normal (auto)
   --core N           the one core the servo thread runs on
   --max-late N       ticks in a row a whole period late that are borne before the force is let go (20)

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ struct Options {
   std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
   std::string picture;  // a scene to draw into out, without a window
   std::string out;
-  int rate_hz = 1000;
+  std::optional<int> rate_hz;  // none: the window's choice
   servo::SchedulingWanted scheduling;
   int max_late = 20;  // ticks in a row
   bool help = false;

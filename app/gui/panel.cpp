@@ -11,4 +11,8 @@ void Panel::bringForward() {
   dock->raise();
 }
 
+bool Panel::isSeen() const {
+  return isVisible() && window()->rect().intersects({mapTo(window(), QPoint()), size()});
+}
+
 }  // namespace underact::gui

@@ -15,6 +15,7 @@ class Document;
 class Player;
 class RecentFiles;
 class SceneView;
+class ServoRate;
 
 /// What a panel may use. Commands go through actions and document; what is shown comes by present().
 struct PanelParts {
@@ -25,6 +26,7 @@ struct PanelParts {
   SceneView& view;
   device::SimulatedArm* arm;  // the arm behind the host, where it is the simulated one; else null
   Player& player;
+  ServoRate& rate;
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.
@@ -37,6 +39,9 @@ class Panel : public QWidget {
   virtual void setTheme(const Theme&) {}
   /// Its dock is opened, and stands before those that share its place.
   void bringForward();
+  /// Not hidden, nor behind another tab (where Qt leaves it visible, outside the window). visibleRegion() would not do:
+  /// it is empty wherever opaque children cover all of a widget.
+  bool isSeen() const;
 };
 
 }  // namespace underact::gui

@@ -7,6 +7,7 @@
 #include "app/gui/calibration/calibration_panel.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/kinematics_panel.h"
+#include "app/gui/lab/lab_panel.h"
 #include "app/gui/plots_panel.h"
 #include "app/gui/replay/session_panel.h"
 #include "app/gui/robot_panel.h"
@@ -27,7 +28,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 12> kRows{{
+  static const std::array<PanelRow, 13> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -57,6 +58,9 @@ std::span<const PanelRow> panels() {
                          "How the tip follows a target that jumps: rise, settling, overshoot, poles, and the "
                          "arm measured beside the model."),
        make<StepPanel>, "scenes"},
+      {"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea, "Ctrl+Alt+M",
+       QT_TRANSLATE_NOOP("panel", "What each choice between speed and accuracy costs, and a slider along the best."),
+       make<LabPanel>, "scenes"},
       {"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+N",
        QT_TRANSLATE_NOOP("panel", "Record, mark, and find what was recorded."), make<SessionsPanel>, "scenes"},
       {"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",

@@ -10,7 +10,9 @@
 #include "app/gui/actions.h"
 #include "app/gui/check/check_dialog.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/servo/rate_chooser.h"
 #include "app/gui/servo/sections.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
@@ -34,6 +36,7 @@ ServoPanel::ServoPanel(const PanelParts& parts, QWidget* parent) : Panel(parent)
   column->addWidget(scheduling_ = new SchedulingSection(content));
   column->addStretch(1);
   fillWithScroll(this, content);
+  connect(&parts_.rate, &ServoRate::changed, this, &ServoPanel::rateChanged);
 }
 
 void ServoPanel::addActions() {
@@ -51,6 +54,8 @@ void ServoPanel::addActions() {
   parts_.actions.add({"servo.restart", tr("&Restart the servo"), QKeySequence("Shift+F5"),
                       tr("Ends the servo thread, opens the arm again and begins anew; the scene stays.")},
                      [this](const QVariantList&) { return restart(); });
+  parts_.actions.addCommand("servo.rate",
+                            [this](const QVariantList& rate_hz) { return setRate(rate_hz.value(0).toInt()); });
   parts_.actions.add({"servo.check", tr("&Check the servo…"), QKeySequence("Ctrl+Alt+K"),
                       tr("Measures how late the servo's ticks are, beside the least that this machine allows.")},
                      [this](const QVariantList&) {
@@ -84,9 +89,13 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
                            "in the view (F2)."));
   connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
   connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
-  told_ = toldLabel("panel.servo.told", tr("What came of the restart"), "", this);
+  told_ = toldLabel("panel.servo.told", tr("What came of the restart, or of another rate"), "", this);
   told_->hide();
+  rate_ = new RateChooser(this);
+  rate_->present(parts_.rate.hz());
+  connect(rate_, &RateChooser::asked, this, [this](int rate_hz) { parts_.actions.perform("servo.rate", rate_hz); });
   column->addWidget(box);
+  column->addWidget(rate_);
   column->addWidget(buttonFor("servo.restart", tr("Restart the servo")));
   column->addWidget(buttonFor("servo.check", tr("Check the servo…")));
   column->addWidget(told_);
@@ -95,14 +104,35 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
 bool ServoPanel::restart() {
   const Problems problems = parts_.host.restart();
   const bool done = problems.empty();
-  told_->setText(done ? tr("The servo was begun anew. Start lets it push.")
-                      : tr("The arm did not open again. %1").arg(sentencesOf(problems)));
-  told_->setProperty("role", done ? "quiet" : "alarm");
-  told_->style()->polish(told_);
-  told_->show();
-  if (!done) bringForward();  // where it stands, whoever asked
+  tell(done ? tr("The servo was begun anew. Start lets it push.")
+            : tr("The arm did not open again. %1").arg(sentencesOf(problems)),
+       !done);
   shown_ticks_ = -1;
   return done;
+}
+
+bool ServoPanel::setRate(int rate_hz) {
+  const Problems problems = parts_.rate.choose(rate_hz);
+  if (!problems.empty()) tell(tr("The rate stays. %1").arg(sentencesOf(problems)), true);
+  rate_->present(parts_.rate.hz());
+  return problems.empty();
+}
+
+void ServoPanel::rateChanged(int was_hz, int is_hz) {
+  told_->hide();
+  rate_->present(is_hz);
+  limits_->setRate(parts_.host.snapshot().ticks, was_hz, is_hz);
+  since_measured_.invalidate();
+  measured_hz_ = is_hz;  // until it is measured
+  shown_ticks_ = -1;
+}
+
+void ServoPanel::tell(const QString& sentence, bool alarm) {
+  told_->setText(sentence);
+  told_->setProperty("role", alarm ? "alarm" : "quiet");
+  told_->style()->polish(told_);
+  told_->show();
+  if (alarm) bringForward();  // where it stands, whoever asked
 }
 
 void ServoPanel::measureRate(const servo::Snapshot& snapshot) {
@@ -116,7 +146,7 @@ void ServoPanel::measureRate(const servo::Snapshot& snapshot) {
 void ServoPanel::present(const servo::Snapshot& snapshot) {
   measureRate(snapshot);
   if (snapshot.mode == servo::Mode::Running) told_->hide();  // Start has been pressed since
-  if (visibleRegion().isEmpty()) return;                     // behind another tab it is visible, and not seen
+  if (!isSeen()) return;
   const int rate_hz = parts_.host.rateHz();
   limits_->present(snapshot, rate_hz);
   const std::int64_t since = snapshot.ticks - shown_ticks_;

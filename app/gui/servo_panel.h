@@ -13,6 +13,7 @@ namespace underact::gui {
 
 class CheckDialog;
 class LimitsSection;
+class RateChooser;
 class SchedulingSection;
 class TimeSection;
 
@@ -30,13 +31,17 @@ class ServoPanel : public Panel {
   void buildSwitches(QVBoxLayout* column);
   QPushButton* buttonFor(const QString& action, const QString& words);
   bool restart();
+  bool setRate(int rate_hz);
+  void rateChanged(int was_hz, int is_hz);
+  void tell(const QString& sentence, bool alarm);
   void measureRate(const servo::Snapshot& snapshot);
 
   PanelParts parts_;
   TimeSection* time_;
   SchedulingSection* scheduling_;
   LimitsSection* limits_;
-  QLabel* told_ = nullptr;  // what came of a restart
+  RateChooser* rate_ = nullptr;
+  QLabel* told_ = nullptr;  // what came of a restart, or of another rate
   QPointer<CheckDialog> check_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;

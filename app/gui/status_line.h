@@ -21,6 +21,8 @@ class StatusLine : public QWidget {
   void setFault(const QString& sentence);
   /// What is being recorded; empty: nothing is. needs_a_look: it should be seen to; tip: why.
   void setRecording(const QString& words, const QString& tip, bool needs_a_look);
+  /// The rate is another one: what was measured of the one before says nothing of it.
+  void measureAnew() { since_measured_.invalidate(); }
   /// Another arm, or none: after a replay has begun or ended.
   void presentDevice(bool is_recorded = false);
   /// What the simulated arm is made of: its name beside the arm's (empty: nothing is said), and where its figures come

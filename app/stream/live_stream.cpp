@@ -127,8 +127,13 @@ Result<LiveStream> LiveStream::open(const Address& address, int rate_hz) {
   if (!error) impl->socket.open(impl->target.protocol(), error);
   if (!error) impl->socket.non_blocking(true, error);
   if (error) return Problems{{"Live data cannot be sent to " + address.host + ": " + error.message() + "."}};
-  impl->every = std::max(1, (rate_hz + kMostMessages_hz - 1) / kMostMessages_hz);
-  return LiveStream(std::move(impl));
+  LiveStream stream(std::move(impl));
+  stream.setRate(rate_hz);
+  return stream;
+}
+
+void LiveStream::setRate(int rate_hz) {
+  impl_->every = std::max(1, (rate_hz + kMostMessages_hz - 1) / kMostMessages_hz);
 }
 
 void LiveStream::send(const servo::TickRecord& record) {

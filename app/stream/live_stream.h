@@ -34,6 +34,8 @@ class LiveStream {
   LiveStream& operator=(LiveStream&&) noexcept;
 
   void send(const servo::TickRecord& record);
+  /// The servo ticks so many times a second from now on.
+  void setRate(int rate_hz);
   std::int64_t sent() const;
   std::int64_t lost() const;
 

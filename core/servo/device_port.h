@@ -9,6 +9,9 @@
 
 namespace underact::servo {
 
+/// Ticks a second that a servo can be asked for.
+inline constexpr int kSlowest_hz = 100, kFastest_hz = 10'000;
+
 /// What the window says of a device.
 struct DeviceInfo {
   std::string title;  // "Simulated arm"
@@ -35,6 +38,12 @@ class DevicePort {
   virtual void cut() noexcept UNDERACT_REAL_TIME = 0;
   /// Opens the arm again after it was lost; the servo thread does not run. Problems: why it cannot be opened.
   virtual Problems reopen() { return {}; }
+  /// Why the servo cannot tick at another rate than the one the arm was opened for; empty: it can. The thread that owns
+  /// the arm.
+  virtual std::string fixedRate() const { return "This arm keeps the rate that it was opened with."; }
+  /// From the next read() on that many a second, and its clock goes on without a jump; the servo thread does not run.
+  /// Where fixedRate() says nothing against it.
+  virtual void setRate(int /*rate_hz*/) {}
   /// What writes zero force from outside this process, for an arm behind a file descriptor: a guard does so when the
   /// program dies. fd < 0: there is no such way.
   virtual LastWord lastWord() const { return {}; }

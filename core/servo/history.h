@@ -19,8 +19,10 @@ class History {
     next_ = next_ + 1 < ring_.size() ? next_ + 1 : 0;
     full_ = full_ || next_ == 0;
   }
-  void end(const Fault& fault, std::uint64_t revision, const LateTicks& late) noexcept UNDERACT_REAL_TIME {
+  void end(const Fault& fault, std::uint64_t revision, const LateTicks& late,
+           std::int64_t period_ns) noexcept UNDERACT_REAL_TIME {
     fault_ = fault;
+    period_ns_ = period_ns;
     revision_ = revision;
     late_ = late;
   }
@@ -31,6 +33,9 @@ class History {
   const Fault& fault() const { return fault_; }
   std::uint64_t revision() const { return revision_; }
   const LateTicks& late() const { return late_; }
+  /// Of the servo, then: its rate may be another one by now.
+  std::int64_t period_ns() const { return period_ns_; }
+  std::size_t room() const { return ring_.size(); }
   std::vector<TickRecord> inOrder() const;  // oldest first
 
  private:
@@ -40,6 +45,7 @@ class History {
   Fault fault_;
   std::uint64_t revision_ = 0;
   LateTicks late_;
+  std::int64_t period_ns_ = 0;
 };
 
 }  // namespace underact::servo

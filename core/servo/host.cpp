@@ -5,6 +5,7 @@
 #include <ctime>
 #include <deque>
 #include <map>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -17,6 +18,9 @@
 #include "core/servo/watchdog.h"
 
 namespace underact::servo {
+
+// Four times what the gate takes to let go.
+constexpr double kLongestRelease_s = 0.2;
 
 struct Host::Impl {
   Impl(std::unique_ptr<DevicePort> port, const HostOptions& wanted)
@@ -44,6 +48,31 @@ struct Host::Impl {
     if (guard) loop.beatInto(&guard->beats());
     thread.emplace(loop, options.rate_hz, options.scheduling);
     if (limit_ns > 0) watchdog.emplace(loop, *device, limit_ns);
+  }
+
+  bool pushes() { return loop.snapshot().mode == Mode::Running || loop.snapshot().mode == Mode::Stopping; }
+  /// The force ramps to zero. An arm that hangs is not waited for longer: then it is cut by its thread's end.
+  void letGo() {
+    send({Order::Stop});
+    if (!thread) {
+      const FlushDenormals flush;
+      for (auto left = static_cast<int>(kLongestRelease_s * options.rate_hz); left > 0 && pushes(); --left)
+        loop.tick({});
+      return;
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kLongestRelease_s);
+    while (pushes() && std::chrono::steady_clock::now() < end) {
+      flush();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  bool records() const { return tap && !tap->ended() && !tap->givenUp(); }
+  Problems mayTickAt(int rate_hz) const {
+    if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
+      return {{"The servo ticks 100 to 10000 times a second, not " + std::to_string(rate_hz) + ".", {}}};
+    if (records()) return {{"A session is recorded at one rate. Stop the recording, then change the rate.", {}}};
+    const std::string why = device->fixedRate();
+    return why.empty() ? Problems{} : Problems{{why, {}}};
   }
 
   /// In order, and never lost: what finds no room now goes out with the next call.
@@ -109,6 +138,7 @@ struct Host::Impl {
   bool started = false;
   bool hold_to_run = false;
   Timing timing;
+  std::int64_t timed_from = 0;  // the tick before the first one that timing is about
 };
 
 Host::Host(std::unique_ptr<DevicePort> device, const HostOptions& options)
@@ -172,6 +202,23 @@ Problems Host::restart() {
   return problems;
 }
 
+Problems Host::setRate(int rate_hz) {
+  if (rate_hz == rateHz()) return {};
+  Problems problems = impl_->mayTickAt(rate_hz);
+  if (!problems.empty()) return problems;
+  const bool was_running = running(), was_begun = impl_->thread.has_value();
+  impl_->letGo();
+  impl_->end();
+  impl_->options.rate_hz = rate_hz;
+  impl_->device->setRate(rate_hz);
+  impl_->loop.setPeriod(1'000'000'000 / rate_hz);
+  impl_->timing = Timing(rate_hz);
+  impl_->timed_from = impl_->loop.snapshot().ticks;
+  if (was_begun) begin();
+  if (was_running) start();
+  return {};
+}
+
 std::optional<FaultReport> Host::takeFault() {
   const History* history = impl_->loop.takeHistory();
   if (history == nullptr) return {};
@@ -183,7 +230,7 @@ std::optional<FaultReport> Host::takeFault() {
                      impl_->scene,
                      device(),
                      scheduling(),
-                     impl_->options.rate_hz,
+                     static_cast<int>(1'000'000'000 / history->period_ns()),  // exact for every rate there is
                      history->late()};
   impl_->loop.giveBack(history);
   return report;
@@ -200,7 +247,7 @@ const Snapshot& Host::snapshot() {
 
 void Host::drain(const std::function<void(const TickRecord&)>& row) {
   impl_->loop.drain([&](const TickRecord& record) {
-    impl_->timing.add(record);
+    if (record.tick > impl_->timed_from) impl_->timing.add(record);
     row(record);
   });
 }

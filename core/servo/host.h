@@ -37,7 +37,7 @@ struct FaultReport {
   scene::Description scene;             // as it was run
   DeviceInfo device;
   Scheduling scheduling;
-  int rate_hz = 0;
+  int rate_hz = 0;  // then
   LateTicks late;
 };
 
@@ -72,11 +72,16 @@ class Host {
   /// The servo thread ends and begins anew, the arm is asked to open itself again, the scene stays; the servo is
   /// stopped then, and Start goes on. Problems: why the arm did not open.
   Problems restart();
+  /// The servo ticks so many times a second from now on, 100 to 10000. It lets go first (the force ramps to zero, which
+  /// is waited for: 0.05 s), its thread ends and begins anew, and where it ran it starts again; what counts in ticks
+  /// begins anew (see Loop::setPeriod), and so does timing(). Manual clock: it ticks until it has let go. Problems: a
+  /// session is being recorded; the arm has one rate alone; no such rate. Then nothing was done.
+  Problems setRate(int rate_hz);
   /// The oldest fault that was not taken yet.
   std::optional<FaultReport> takeFault();
 
   const Snapshot& snapshot();
-  /// Lateness and tick times of what drain() has seen.
+  /// Lateness and tick times of what drain() has seen, at the present rate.
   const Timing& timing() const;
   /// Calls row() for every tick since the last call, in order. Call it about 30 times a second, or rows drop (counted).
   void drain(const std::function<void(const TickRecord&)>& row);

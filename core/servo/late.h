@@ -23,7 +23,7 @@ struct Wake {
   LateCause cause = LateCause::Woken;
 };
 
-/// Late ticks since the loop was made.
+/// Late ticks since the loop was made, or was given another period.
 struct LateTicks {
   std::int64_t total = 0;
   std::array<std::int64_t, kLateCauses> by_cause{};

@@ -1,6 +1,7 @@
 #include "core/servo/loop.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/servo/clock.h"
@@ -20,6 +21,17 @@ std::size_t ticksIn(std::int64_t time_ns, std::int64_t period_ns) {
   return static_cast<std::size_t>(std::max<std::int64_t>(time_ns / std::max<std::int64_t>(period_ns, 1), 1));
 }
 
+std::unique_ptr<boost::lockfree::spsc_queue<TickRecord>> roomForRows(std::int64_t period_ns) {
+  const std::size_t rows = std::max(kKeptAtLeast, ticksIn(kKept_ns, period_ns));
+  auto records = std::make_unique<boost::lockfree::spsc_queue<TickRecord>>(rows);
+  touchPages(*records);
+  return records;
+}
+
+History roomForASecond(std::int64_t period_ns) {
+  return History(ticksIn(1'000'000'000, period_ns));
+}
+
 unsigned bitsOf(const tick::TickInput& input) noexcept UNDERACT_REAL_TIME {
   return (input.has_sample ? kHadSample : 0U) | (input.engage ? kEngaged : 0U) | (input.restart ? kRestarted : 0U) |
          (input.late ? kLate : 0U);
@@ -35,12 +47,11 @@ Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns)
       history_(&histories_[0]),
       commands_(kCommands),
       retired_(kRetired),
-      records_(std::max(kKeptAtLeast, ticksIn(kKept_ns, period_ns))),
+      records_(roomForRows(period_ns)),
       full_(kHistories),
       spare_(kHistories) {
   current_->program.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
-  touchPages(records_);
-  for (History& history : histories_) history = History(ticksIn(1'000'000'000, period_ns));
+  for (History& history : histories_) history = roomForASecond(period_ns);
   for (std::size_t index = 1; index < kHistories; ++index) spare_.push(&histories_[index]);
 }
 
@@ -60,7 +71,8 @@ void Loop::reap() {
 }
 
 void Loop::drain(const std::function<void(const TickRecord&)>& row) {
-  records_.consume_all([&row](const TickRecord& record) { row(record); });
+  for (const TickRecord& record : std::exchange(left_, {})) row(record);
+  records_->consume_all([&row](const TickRecord& record) { row(record); });
 }
 
 const History* Loop::takeHistory() {
@@ -70,7 +82,23 @@ const History* Loop::takeHistory() {
 
 void Loop::giveBack(const History* history) {
   for (History& one : histories_) {
-    if (&one == history) spare_.push(&one);
+    if (&one != history) continue;
+    if (one.room() != ticksIn(1'000'000'000, period_ns_)) one = roomForASecond(period_ns_);
+    spare_.push(&one);
+  }
+}
+
+void Loop::setPeriod(std::int64_t period_ns) {
+  period_ns_ = period_ns;
+  late_ = {};
+  records_->consume_all([this](const TickRecord& record) { left_.push_back(record); });
+  records_ = roomForRows(period_ns);
+  *history_ = roomForASecond(period_ns);
+  std::vector<History*> spares;  // those that wait to be fetched stay as they are
+  spare_.consume_all([&spares](History* spare) { spares.push_back(spare); });
+  for (History* spare : spares) {
+    *spare = roomForASecond(period_ns);
+    spare_.push(spare);
   }
 }
 
@@ -167,7 +195,7 @@ void Loop::countLate(const Wake& wake) noexcept {
 /// The last second leaves with the fault that ended it; while three wait to be fetched, a fourth is let go.
 void Loop::remember(const Snapshot& snapshot) noexcept {
   const TickRecord record = recordOf(snapshot);
-  if (!records_.push(record)) ++dropped_;
+  if (!records_->push(record)) ++dropped_;
   history_->add(record);
   const bool faulted = snapshot.mode == Mode::Faulted;
   if (tap_ != nullptr) {
@@ -175,7 +203,7 @@ void Loop::remember(const Snapshot& snapshot) noexcept {
     tap_->add(record);
   }
   if (faulted && !was_faulted_) {
-    history_->end(snapshot.report.fault, snapshot.revision, late_);
+    history_->end(snapshot.report.fault, snapshot.revision, late_, period_ns_);
     History* spare = nullptr;
     if (spare_.pop(spare)) {
       full_.push(history_);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/servo/device_port.h"
 #include "core/servo/history.h"
@@ -60,6 +61,9 @@ class Loop {
   /// The history of the oldest fault that was not taken yet, or null; it is given back by giveBack().
   const History* takeHistory();
   void giveBack(const History* history);
+  /// Ticks come so far apart from now on. What counts in ticks begins anew: the last second, and late ticks; rows that
+  /// nobody has drained are kept. Not while it ticks; allocates.
+  void setPeriod(std::int64_t period_ns);
 
   // Any thread.
   /// Counts up with each tick: what a watchdog looks at.
@@ -99,9 +103,10 @@ class Loop {
   std::int64_t dropped_ = 0;
   std::int64_t read_ns_ = 0;
   Slot<Snapshot> snapshots_;
+  std::vector<TickRecord> left_;  // rows from before the last setPeriod(), for drain()
   boost::lockfree::spsc_queue<Command> commands_;
   boost::lockfree::spsc_queue<Instance*> retired_;
-  boost::lockfree::spsc_queue<TickRecord> records_;
+  std::unique_ptr<boost::lockfree::spsc_queue<TickRecord>> records_;
   boost::lockfree::spsc_queue<History*> full_, spare_;
 };
 

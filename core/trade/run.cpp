@@ -138,18 +138,30 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vecto
   return result;
 }
 
+namespace {
+
+/// At a place between two ticks; on one of them its own value, to the bit.
+Vec3 between(const std::vector<Vec3>& values, std::size_t tick, double share) {
+  if (share == 0.0) return values[tick];
+  return values[tick] + share * (values[tick + 1] - values[tick]);
+}
+
+}  // namespace
+
 Apart apart(const Run& coarse, const Run& fine) {
   Apart result;
   if (coarse.p_WT.empty() || fine.p_WT.empty()) return result;
-  const auto times = static_cast<std::size_t>(fine.rate_hz / coarse.rate_hz);
+  const auto coarse_hz = static_cast<std::size_t>(coarse.rate_hz), fine_hz = static_cast<std::size_t>(fine.rate_hz);
   double sum_m2 = 0.0, sum_N2 = 0.0;
   std::size_t count = 0;
   for (std::size_t tick = 0; tick < coarse.p_WT.size(); ++tick) {
-    const std::size_t other = (tick + 1) * times - 1;  // both begin a period after 0
-    if (other >= fine.p_WT.size()) break;
-    const double off_m = (coarse.p_WT[tick] - fine.p_WT[other]).norm();
+    // Both begin a period after 0. The rate of a servo may be one that the finer one is no multiple of.
+    const std::size_t other = (tick + 1) * fine_hz / coarse_hz - 1;
+    const double share = static_cast<double>((tick + 1) * fine_hz % coarse_hz) / static_cast<double>(coarse_hz);
+    if (other + (share > 0.0 ? 1 : 0) >= fine.p_WT.size()) break;
+    const double off_m = (coarse.p_WT[tick] - between(fine.p_WT, other, share)).norm();
     sum_m2 += off_m * off_m;
-    sum_N2 += (coarse.f_T_W[tick] - fine.f_T_W[other]).squaredNorm();
+    sum_N2 += (coarse.f_T_W[tick] - between(fine.f_T_W, other, share)).squaredNorm();
     result.most_m = std::max(result.most_m, off_m);
     ++count;
   }

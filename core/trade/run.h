@@ -61,7 +61,7 @@ struct Walk {
   std::vector<std::vector<double>> distance_m;
   std::vector<std::vector<Vec3>> rate_W;  // of the error, m/s; empty where no law damps
   std::vector<std::vector<bool>> acts;    // a target was there, and had been a tick before
-  Cost tick;  // of those in which a target acts
+  Cost tick;                              // of those in which a target acts
 };
 
 /// at_s: times of the ticks, rising; encoders: the joints come in steps.
@@ -70,7 +70,8 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vecto
 /// 0 to the bench's seconds, evenly.
 std::vector<double> timesOf(const Bench& bench, int rate_hz);
 
-/// How far two runs are apart at the times of the slower one. fine's rate is a multiple of coarse's.
+/// How far two runs are apart at the times of the slower one. Where fine has no tick at such a time it is on the line
+/// between its two: at 16 kHz and 30 m/s^2, the most that the hands do, that is off by 1.5e-5 mm.
 struct Apart {
   double rms_m = 0.0, most_m = 0.0;  // of the tips, root of the mean square and largest
   double rms_N = 0.0;                // of the forces

@@ -36,11 +36,13 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
 }
 
-Summary summaryOf(const Choice& choice, const Option& option, const std::vector<Row>& rows) {
+}  // namespace
+
+Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const std::string& option) {
   std::vector<double> p50, p99, costs, errors;
-  Summary summary{choice.key, option.name};
+  Summary summary{choice, option};
   for (const Row& row : rows) {
-    if (row.choice != choice.key || row.option != option.name) continue;
+    if (row.choice != choice || row.option != option) continue;
     p50.push_back(row.figures.cost.p50_ns);
     p99.push_back(row.figures.cost.p99_ns);
     costs.push_back(row.figures.cost_us_per_s);
@@ -53,13 +55,8 @@ Summary summaryOf(const Choice& choice, const Option& option, const std::vector<
   summary.p99_ns = quantile(p99, 0.5);
   summary.cost_us_per_s = quantile(costs, 0.5);
   summary.error = quantile(errors, 0.9);
-  Settings chosen;
-  option.choose(chosen);
-  summary.is_default = choice.same(chosen, Settings{});
   return summary;
 }
-
-}  // namespace
 
 std::vector<Row> measureRows(const Plan& plan, const Progress& goes_on) {
   std::vector<Row> rows;
@@ -98,7 +95,10 @@ std::vector<Summary> summaryOf(const std::vector<Row>& rows) {
   for (const Choice& choice : choices()) {
     std::vector<Summary> options;
     for (const Option& option : choice.options) {
-      const Summary summary = summaryOf(choice, option, rows);
+      Summary summary = summaryOf(rows, choice.key, option.name);
+      Settings chosen;
+      option.choose(chosen);
+      summary.is_default = choice.same(chosen, Settings{});
       if (summary.runs > 0) options.push_back(summary);
     }
     recommend(choice.bound, options);

@@ -58,6 +58,9 @@ inline constexpr double kSameCost = 0.1;
 /// cost is within kSameCost of the cheapest of these, the one with the least error, and of equals the first.
 std::vector<Summary> summaryOf(const std::vector<Row>& rows);
 
+/// One option of one choice over those of the rows that are of it; nothing marked. No runs: there are none.
+Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const std::string& option);
+
 /// The options marked as recommended by the same rule; of one choice.
 void recommend(double bound, std::vector<Summary>& options);
 

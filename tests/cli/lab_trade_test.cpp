@@ -67,7 +67,7 @@ TEST(LabTrade, AFolderGetsTablesAndPictures) {
 
 TEST(LabTrade, WhatIsNotKnownIsRefused) {
   EXPECT_EQ(runCli({"lab", "trade", "--choices", "rates"}).exit, Exit::Usage);
-  EXPECT_EQ(runCli({"lab", "trade", "--hands", "swep", "--scenes", scene("01_point")}).exit, Exit::BadInput);
+  EXPECT_EQ(runCli({"lab", "trade", "--hands", "swep", "--scenes", scene("01_point")}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lab", "trade", "--scenes", "/dev/null/nowhere.json"}).exit, Exit::File);
 }
 

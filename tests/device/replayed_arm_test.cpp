@@ -75,6 +75,32 @@ safety::GatedForce pushing() {
   return safety::gate({0.88}, state, asked, 0.001).force;
 }
 
+TEST(ReplayedArm, TakesTheRatesOfTheArmBehindItButNotDuringAReplay) {
+  Rig still;
+  EXPECT_NE(still.arm.fixedRate(), "") << "that arm has one alone";
+  SimulatedArm::Options options;
+  options.arm = *arm::findPreset(arm::kDefaultArm);
+  options.model = *sim::findArmModel("ideal");
+  ReplayedArm arm(std::make_unique<SimulatedArm>(options), 1000);
+  EXPECT_EQ(arm.fixedRate(), "");
+  arm::Sample sample;
+  arm.read(sample);
+  arm.setRate(4000);
+  arm.read(sample);
+  EXPECT_EQ(sample.time_ns, 1'250'000);
+  const auto recorded = recordingOf(40, 1000);
+  arm.replay(recorded);
+  EXPECT_NE(arm.fixedRate().find("replayed"), std::string::npos);
+  arm.play();
+  for (int read = 0; read < 5; ++read) arm.read(sample);
+  EXPECT_EQ(sample.q_rad[0], recorded->rows[1].q_rad[0]) << "a row of 1000 Hz is four ticks of 4000";
+  EXPECT_EQ(sample.time_ns, 1'250'000 + 5 * 250'000);
+  arm.replay(nullptr);
+  arm.read(sample);
+  EXPECT_EQ(sample.time_ns, 1'250'000 + 6 * 250'000);
+  EXPECT_EQ(arm.fixedRate(), "");
+}
+
 TEST(ReplayedArm, HandsEverythingThroughWhileNothingIsReplayed) {
   Rig rig;
   const arm::Sample sample = rig.read(3);

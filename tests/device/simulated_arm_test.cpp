@@ -66,6 +66,28 @@ TEST(SimulatedArm, EachReadIsOnePeriodLater) {
   }
 }
 
+TEST(SimulatedArm, AtAnotherRateItsTimeAndItsHandGoOn) {
+  EXPECT_EQ(SimulatedArm(optionsOf("ideal")).fixedRate(), "");
+  SimulatedArm arm(optionsOf("ideal"));
+  arm.follow(sim::builtInHand("sweep", 1).value());
+  arm::Sample sample;
+  std::int64_t time_ns = 0;
+  Vec3 p_WT = Vec3::Zero();
+  for (const int rate_hz : {1000, 250, 8000, 1000}) {
+    arm.setRate(rate_hz);
+    for (int read = 0; read < rate_hz; ++read) {
+      ASSERT_TRUE(arm.read(sample));
+      time_ns += 1'000'000'000 / rate_hz;
+      ASSERT_EQ(sample.time_ns, time_ns);
+      // 4 ms at 1 m/s, which the hand does not reach, and a step of the encoders.
+      if (time_ns > 4'000'000) {
+        ASSERT_LT((tipOf(sample) - p_WT).norm(), 0.0041);
+      }
+      p_WT = tipOf(sample);
+    }
+  }
+}
+
 TEST(SimulatedArm, LeftAloneItRestsWhereItStarted) {
   SimulatedArm arm(optionsOf("ideal"));
   arm::Sample sample;

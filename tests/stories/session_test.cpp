@@ -16,6 +16,7 @@
 
 #include "app/gui/replay/player.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/session_place.h"
 #include "app/gui/sessions/session_words.h"
@@ -316,7 +317,9 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     Document document(story.host());
     RecentFiles recent;
     Player player(story.host(), document, nullptr, &page);
-    auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), nullptr, player}, &page);
+    ServoRate rate(story.host(), &page);
+    auto* panel =
+        new SessionsPanel({story.host(), document, recent, actions, story.view(), nullptr, player, rate}, &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);

@@ -36,6 +36,9 @@ TEST(LiveStream, OfAFastServoSendsAThousandMessagesASecond) {
   for (record.tick = 1; record.tick <= 100; ++record.tick) live.value().send(record);
   EXPECT_EQ(live.value().sent(), 25);
   EXPECT_NE(listener.next().find("\"tick\":4,"), std::string::npos);
+  live.value().setRate(500);  // of a slow one every tick goes out
+  for (; record.tick <= 110; ++record.tick) live.value().send(record);
+  EXPECT_EQ(live.value().sent(), 25 + 10);
 }
 
 TEST(LiveStream, GoesOnWhereNobodyListens) {

@@ -27,6 +27,9 @@ class LiveData : public QObject {
   /// Sends to address from now on. Problems: there is no way to it; then what was sent before goes on.
   Problems sendTo(const stream::Address& address);
   void stop();
+  void setRate(int rate_hz) {
+    if (stream_) stream_->setRate(rate_hz);
+  }
   /// "live data to 127.0.0.1:9870"; empty: nothing is sent.
   QString where() const;
   /// How much went out, and whether another machine gets it.

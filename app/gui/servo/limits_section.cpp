@@ -71,6 +71,12 @@ void LimitsSection::add(const servo::TickRecord& record) {
   }
 }
 
+void LimitsSection::setRate(std::int64_t ticks, int was_hz, int is_hz) {
+  for (Limit& limit : limits_) {
+    if (limit.last_tick != 0) limit.last_tick = ticks - (ticks - limit.last_tick) * is_hz / was_hz;
+  }
+}
+
 void LimitsSection::present(const servo::Snapshot& snapshot, int rate_hz) {
   const tick::TickReport& report = snapshot.report;
   const double sent_N = report.force.f_T_W().norm();

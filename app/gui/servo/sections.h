@@ -49,6 +49,8 @@ class LimitsSection : public Section {
   explicit LimitsSection(QWidget* parent = nullptr);
   void add(const servo::TickRecord& record);
   void present(const servo::Snapshot& snapshot, int rate_hz);
+  /// From the tick `ticks` on they come at another rate: when a limit acted is kept in ticks.
+  void setRate(std::int64_t ticks, int was_hz, int is_hz);
   void setTheme(const Theme& theme);
 
  private:

@@ -45,10 +45,11 @@ TimeSection::TimeSection(QWidget* parent)
       percentiles_(new NumberTable(
           "panel.servo.times", {{"p50", "99999"}, {"p99", "99999"}, {"p99.9", "99999"}, {tr("max"), "999999"}}, this)),
       chart_(new LatenessChart(this)) {
-  rate_->addRow(tr("Rate asked"), tr("Ticks a second, as the program was told (--rate)."));
+  rate_->addRow(tr("Rate asked"), tr("Ticks a second, as chosen above or told to the program (--rate)."));
   rate_->addRow(tr("measured"), tr("Ticks a second by the clock on the wall."));
-  percentiles_->addRow(tr("late"), tr("How late ticks started since the servo was begun, µs. p99: 99 of 100 no later "
-                                      "than this."));
+  percentiles_->addRow(tr("late"),
+                       tr("How late ticks started since the servo was begun at this rate, µs. p99: 99 of 100 no later "
+                          "than this."));
   percentiles_->addRow(tr("last 10 s"), tr("How late the ticks of the last 10 s started, µs."));
   percentiles_->addRow(tr("tick"), tr("How long ticks took, from the sample to the force, µs."));
   late_->addRow(tr("Late ticks"), tr("Ticks that started a whole period late or more. They are not caught up."));

@@ -14,6 +14,7 @@
 
 #include "app/gui/document.h"
 #include "app/gui/kinematics/number_table.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/step/step_plot.h"
 #include "app/gui/value_row.h"
 #include "app/gui/words.h"
@@ -85,6 +86,10 @@ StepPanel::StepPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), 
   addCommands();
   connect(&parts_.document, &Document::opened, this, &StepPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &StepPanel::sceneEdited);
+  connect(&parts_.rate, &ServoRate::changed, this, [this] {  // it was measured at another one
+    measured_.reset();
+    refresh();
+  });
   sceneOpened();
 }
 

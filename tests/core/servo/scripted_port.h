@@ -26,10 +26,11 @@ class ScriptedPort final : public servo::DevicePort {
   std::function<Problems()> opens_again;
   std::int64_t period_ns = 1'000'000;
   double frozen_s = 0.0;
+  bool takes_rates = false;
 
   bool read(arm::Sample& sample) noexcept override {
     ++reads_;
-    sample.time_ns = reads_ * period_ns;
+    sample.time_ns = time_ns_ += period_ns;
     sample.q_rad = arm::reach(arm::findPreset("omni-thesis")->geometry, tip(reads_)).q_rad;
     return spoil ? spoil(reads_, sample) : true;
   }
@@ -40,12 +41,14 @@ class ScriptedPort final : public servo::DevicePort {
   }
   void cut() noexcept override { ++seen_.cuts; }
   servo::DeviceInfo info() const override { return {"Scripted", true, false, frozen_s}; }
+  std::string fixedRate() const override { return takes_rates ? std::string() : DevicePort::fixedRate(); }
+  void setRate(int rate_hz) override { period_ns = 1'000'000'000 / rate_hz; }
   Problems reopen() override { return opens_again ? opens_again() : Problems{}; }
 
  private:
   Seen& seen_;
   std::size_t keep_;
-  std::int64_t reads_ = 0;
+  std::int64_t reads_ = 0, time_ns_ = 0;
 };
 
 }  // namespace underact::test

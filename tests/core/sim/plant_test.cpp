@@ -69,8 +69,9 @@ TEST(Plant, FollowsTheStepResponseOfMassSpringAndDamper) {
   EXPECT_LE(stepError(plant, 50'000), omega * kSubstep_s);
 }
 
-TEST(Plant, HalvingTheSubstepHalvesTheError) {
-  const Plant plant = plantOf("ideal");
+TEST(Plant, ByTheMeanVelocityHalvingTheSubstepHalvesTheError) {
+  Plant plant = plantOf("ideal");
+  plant.integration = {Integrator::MeanVelocity, kMillisecond_ns};  // a call of advance() is one substep
   const double coarse = stepError(plant, 50'000), middle = stepError(plant, 25'000), fine = stepError(plant, 12'500);
   EXPECT_NEAR(coarse / middle, 2.0, 0.02);  // order 1: 2 + O(omega dt), omega dt = 0.003
   EXPECT_NEAR(middle / fine, 2.0, 0.01);
@@ -106,7 +107,7 @@ TEST(Plant, GoesInSubstepsOfTheLengthThatItIsTold) {
 
 TEST(Plant, ByTheEndVelocityAForceActsHalfASubstepEarly) {
   Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
-  plant.integration.integrator = Integrator::EndVelocity;
+  plant.integration = {Integrator::EndVelocity, 50'000};
   const PlantState state =
       advance(plant, restAt(plant, kMiddle), Vec3(0.1, 0.0, 0.0), stayAt(kMiddle), kMillisecond_ns);
   const double t_s = 1e-3;  // x = a t (t + dt) / 2 where it should be a t^2 / 2
@@ -238,7 +239,8 @@ TEST(Plant, APeriodIsItsSubsteps) {
   for (int tick = 0; tick < 100; ++tick) {
     const Vec3 f_T_W(0.3 * std::sin(0.1 * tick), 0.0, 0.5);
     whole = advance(plant, whole, f_T_W, wish, kMillisecond_ns + 10'000);  // 20 whole substeps and a short one
-    for (int part = 0; part < 20; ++part) parts = advance(plant, parts, f_T_W, wish, kSubstep_ns);
+    for (std::int64_t part_ns = 0; part_ns < kMillisecond_ns; part_ns += kSubstep_ns)
+      parts = advance(plant, parts, f_T_W, wish, kSubstep_ns);
     parts = advance(plant, parts, f_T_W, wish, 10'000);
     ASSERT_EQ(whole.p_WT, parts.p_WT);
     ASSERT_EQ(whole.v_WT, parts.v_WT);

@@ -1,0 +1,114 @@
+#include "app/gui/lab/choice_list.h"
+
+#include <QLabel>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/lab/lab_words.h"
+#include "app/gui/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+QString tipOf(const trade::Choice& choice) {
+  return QObject::tr("%1\nTimed: %2. Error: %3; root of the mean square.\nAllowed: %4, since that is %5.")
+      .arg(QString(choice.question), QString(choice.cost), QString(choice.error), errorText(choice.bound, choice.unit),
+           QString(choice.reason));
+}
+
+QString figuresOf(const trade::Choice& choice, const trade::Summary& now) {
+  return QObject::tr("%1 for %2, %3 in a second; error %4 of %5 allowed")
+      .arg(timeText(1e-3 * now.p50_ns), QString(choice.cost), timeText(now.cost_us_per_s),
+           errorText(now.error, choice.unit), errorText(choice.bound, choice.unit));
+}
+
+/// By words and a sign, and only then by colour.
+void mark(const trade::Standing& standing, const trade::Summary* now, ChoiceWords& words) {
+  const trade::Choice& choice = *standing.choice;
+  words.is_beyond = now != nullptr && now->error > choice.bound;
+  if (words.is_beyond) words.mark = QObject::tr("▲ The error is beyond what is allowed.");
+  const trade::Summary* best = recommendedOf(standing);
+  if (best == nullptr || (now != nullptr && now->option == best->option)) return;
+  const QString better = QObject::tr("→ Recommended: %1 (%2 in a second, error %3)")
+                             .arg(QString::fromStdString(best->option), timeText(best->cost_us_per_s),
+                                  errorText(best->error, choice.unit));
+  words.mark = words.is_beyond ? words.mark + ' ' + better : better;
+}
+
+void setText(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
+}  // namespace
+
+std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trade::Settings& now,
+                                     const std::vector<trade::Standing>& standings) {
+  std::vector<ChoiceWords> all;
+  for (const trade::Choice& choice : trade::choices()) {
+    if (!choice.applies(scene)) continue;
+    ChoiceWords words;
+    words.key = choice.key;
+    words.name = choiceName(choice);
+    words.value = QString::fromStdString(valueText(choice, scene, now));
+    words.tip = tipOf(choice);
+    const auto standing = std::find_if(standings.begin(), standings.end(),
+                                       [&](const trade::Standing& one) { return one.choice == &choice; });
+    if (standing != standings.end()) {
+      const trade::Summary* measured = measuredOf(*standing, now);
+      words.figures =
+          measured != nullptr ? figuresOf(choice, *measured) : QObject::tr("not measured: no hand has use for it");
+      mark(*standing, measured, words);
+    }
+    all.push_back(std::move(words));
+  }
+  return all;
+}
+
+ChoiceList::ChoiceList(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(8);
+}
+
+ChoiceList::Row ChoiceList::makeRow(const ChoiceWords& words) {
+  const QByteArray name = QString("panel.lab.choice.%1").arg(words.key).toUtf8();
+  Row row;
+  row.key = words.key;
+  row.all = new QWidget(this);
+  row.all->setObjectName(name);
+  row.all->setToolTip(words.tip);
+  row.all->setAccessibleName(words.name);
+  row.all->setAccessibleDescription(words.tip);
+  auto* column = new QVBoxLayout(row.all);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  row.value = toldLabel((name + ".value").constData(), words.name, "section", row.all);
+  row.figures = toldLabel((name + ".figures").constData(), tr("%1: cost and error").arg(words.name), "quiet", row.all);
+  row.mark = toldLabel((name + ".mark").constData(), tr("%1: advice").arg(words.name), "", row.all);
+  for (QLabel* label : {row.value, row.figures, row.mark}) column->addWidget(label);
+  column_->addWidget(row.all);
+  return row;
+}
+
+void ChoiceList::present(const std::vector<ChoiceWords>& words) {
+  const bool is_same = std::equal(rows_.begin(), rows_.end(), words.begin(), words.end(),
+                                  [](const Row& row, const ChoiceWords& one) { return row.key == one.key; });
+  if (!is_same) {
+    for (const Row& row : rows_) delete row.all;
+    rows_.clear();
+    for (const ChoiceWords& one : words) rows_.push_back(makeRow(one));
+  }
+  for (std::size_t index = 0; index < words.size(); ++index) {
+    const Row& row = rows_[index];
+    setText(row.value, tr("%1: %2").arg(words[index].name, words[index].value));
+    setText(row.figures, words[index].figures);
+    setText(row.mark, words[index].mark);
+    const QString role = words[index].is_beyond ? "amber-text" : "";
+    if (row.mark->property("role").toString() == role) continue;
+    row.mark->setProperty("role", role);
+    row.mark->style()->polish(row.mark);
+  }
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,44 @@
+#pragma once
+#include <QWidget>
+#include <vector>
+
+#include "core/trade/standing.h"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+/// What the Lab panel says of one choice.
+struct ChoiceWords {
+  QString key, name, value;  // "rate", "Servo rate", "1000 Hz"
+  QString figures;           // what it costs and how far it is off, of what is allowed; empty: not measured
+  QString mark;              // beyond the bound, or what is recommended; empty: all is well
+  bool is_beyond = false;
+  QString tip;
+};
+
+/// Of every choice that the scene offers, in the catalogue's order. standings: as measured; empty: not yet.
+std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trade::Settings& now,
+                                     const std::vector<trade::Standing>& standings);
+
+/// The choices of a scene, one below the other; labels are called panel.lab.choice.KEY.PART (value, figures, mark).
+class ChoiceList : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ChoiceList(QWidget* parent = nullptr);
+  void present(const std::vector<ChoiceWords>& words);
+
+ private:
+  struct Row {
+    QString key;
+    QWidget* all = nullptr;
+    QLabel *value = nullptr, *figures = nullptr, *mark = nullptr;
+  };
+  Row makeRow(const ChoiceWords& words);
+
+  QVBoxLayout* column_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace underact::gui

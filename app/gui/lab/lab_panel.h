@@ -1,0 +1,94 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/gui/lab/lab_run.h"
+#include "app/gui/panel.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class ChoiceList;
+class FrontChart;
+class MarkedSlider;
+
+/// What the scene's choices between speed and accuracy cost and how far they are off, measured in the background, and a
+/// slider along those ways to run it that nothing beats in both.
+class LabPanel : public Panel {
+  Q_OBJECT
+ public:
+  LabPanel(const PanelParts& parts, QWidget* parent);
+  ~LabPanel() override;
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
+
+ private:
+  // lab_panel_build.cpp
+  void build();
+  void buildMeasuring(QVBoxLayout* column);
+  void buildWalk(QVBoxLayout* column);
+  void connectWalk();
+  void addCommands();
+
+  // Measuring.
+  bool measure(const std::string& hand, double seconds);  // hand: empty for all
+  bool cancel();
+  void look();
+  void end(LabResult result);
+  void forget(const QString& why);
+  void sceneOpened();
+  void sceneEdited();
+  /// The scene is the one that was measured, but for what the Lab itself may choose.
+  bool isMeasuredScene(const LabOrder& order) const;
+
+  // Walking.
+  bool walkTo(int stop, bool rate_too);
+  bool putBack();
+  bool setRate(int rate_hz);
+  Problems setScene(const scene::Description& scene);
+  void beginGesture();
+  std::size_t pointAt(int stop) const { return front_[static_cast<std::size_t>(stop)]; }
+  trade::Settings now() const;
+  /// Of the points; none: another way is in effect.
+  std::optional<std::size_t> pointInEffect() const;
+
+  void refresh();
+  void refreshTick();
+  void refreshWalk();
+  void refreshDifferences();
+  void tell(const QString& sentence, bool alarm);
+  QString whatMeasuringDoes() const;
+  QString whatWasMeasured() const;
+  QString wordsOf(const std::optional<std::size_t>& chosen) const;
+  int stopBefore(std::size_t point) const;  // the dearest one on the front that is no dearer
+
+  PanelParts parts_;
+  std::unique_ptr<Background<LabResult>> run_;
+  LabOrder order_;                  // that is measured, or was
+  LabResult result_;                // nothing: not measured
+  std::vector<std::size_t> front_;  // of the points, the cheapest first: the slider's stops
+  bool stale_ = false;
+  int gesture_ = 0;
+  QElapsedTimer since_step_;
+  QTimer looks_;
+
+  QComboBox* hands_ = nullptr;
+  QSpinBox* seconds_ = nullptr;
+  QPushButton *measure_ = nullptr, *cancel_ = nullptr, *back_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel *told_ = nullptr, *tick_ = nullptr, *chosen_ = nullptr, *differences_ = nullptr;
+  FrontChart* chart_ = nullptr;
+  MarkedSlider* walk_ = nullptr;
+  ChoiceList* choices_ = nullptr;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,69 @@
+#include "app/gui/lab/lab_words.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace underact::gui {
+namespace {
+
+/// Three digits that count, without an exponent.
+QString shortText(double value) {
+  if (value == 0.0) return "0";
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  QString text = QString::number(value, 'f', std::clamp(2 - before, 0, 9));
+  if (text.contains('.')) {
+    while (text.endsWith('0')) text.chop(1);
+    if (text.endsWith('.')) text.chop(1);
+  }
+  return text;
+}
+
+struct Name {
+  const char *key, *name;
+};
+
+constexpr Name kNames[] = {{"rate", QT_TRANSLATE_NOOP("choice", "Servo rate")},
+                           {"simulation", QT_TRANSLATE_NOOP("choice", "Simulated arm")},
+                           {"search", QT_TRANSLATE_NOOP("choice", "Search")},
+                           {"solver", QT_TRANSLATE_NOOP("choice", "Solver")},
+                           {"steps", QT_TRANSLATE_NOOP("choice", "Solver's steps")},
+                           {"velocity", QT_TRANSLATE_NOOP("choice", "Velocity filter")},
+                           {"inverse", QT_TRANSLATE_NOOP("choice", "The arm's joints")},
+                           {"blocks", QT_TRANSLATE_NOOP("choice", "Recording's blocks")}};
+
+}  // namespace
+
+QString timeText(double us) {
+  if (us >= 1e6) return QObject::tr("%1 s").arg(shortText(1e-6 * us));
+  if (us >= 1e3) return QObject::tr("%1 ms").arg(shortText(1e-3 * us));
+  if (us >= 1.0) return QObject::tr("%1 µs").arg(shortText(us));
+  return QObject::tr("%1 ns").arg(shortText(1e3 * us));
+}
+
+QString lengthText(double mm) {
+  if (mm == 0.0) return QObject::tr("0 mm");
+  if (mm >= 0.1) return QObject::tr("%1 mm").arg(shortText(mm));
+  if (mm >= 1e-4) return QObject::tr("%1 µm").arg(shortText(1e3 * mm));
+  return QObject::tr("%1 nm").arg(shortText(1e6 * mm));
+}
+
+QString errorText(double error, const QString& unit) {
+  return unit == "mm" ? lengthText(error) : QString("%1 %2").arg(shortText(error), unit);
+}
+
+QString durationText(double seconds) {
+  if (seconds < 1.5) return QObject::tr("a second");
+  if (seconds < 90.0)
+    return QObject::tr("%1 s").arg(std::lround(seconds < 20.0 ? seconds : 5.0 * std::round(seconds / 5.0)));
+  return QObject::tr("%1 min").arg(std::lround(seconds / 60.0));
+}
+
+QString choiceName(const trade::Choice& choice) {
+  for (const Name& one : kNames) {
+    if (QString(one.key) == choice.key) return QCoreApplication::translate("choice", one.name);
+  }
+  return choice.key;  // one that has come since
+}
+
+}  // namespace underact::gui

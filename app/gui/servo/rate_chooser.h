@@ -1,0 +1,23 @@
+#pragma once
+#include <QWidget>
+
+class QComboBox;
+
+namespace underact::gui {
+
+/// The usual rates of the servo, and the present one where it is none of them.
+class RateChooser : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RateChooser(QWidget* parent = nullptr);
+  void present(int rate_hz);
+
+ signals:
+  void asked(int rate_hz);
+
+ private:
+  QComboBox* box_;
+  int shown_hz_ = 0;
+};
+
+}  // namespace underact::gui

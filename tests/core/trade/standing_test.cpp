@@ -1,0 +1,118 @@
+#include "core/trade/standing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace underact::trade {
+namespace {
+
+scene::Description ball(scene::LawType law = scene::LawType::P) {
+  scene::Description scene;
+  scene.title = "Ball";
+  scene.control.law = law;
+  scene.control.gains.kp_N_per_mm.setConstant(0.2);
+  scene.constraints.push_back({"ball", scene::Sphere{Vec3::Zero(), 50.0}, target::Side::Both, {}, {}});
+  return scene;
+}
+
+std::vector<NamedHand> sweep() {
+  return {{"sweep", sim::builtInHand("sweep", 1).value()}};
+}
+
+const Standing* find(const std::vector<Standing>& standings, std::string_view key) {
+  const auto found =
+      std::find_if(standings.begin(), standings.end(), [&](const Standing& one) { return one.choice->key == key; });
+  return found == standings.end() ? nullptr : &*found;
+}
+
+bool always(double) {
+  return true;
+}
+
+}  // namespace
+
+TEST(Standing, EachChoiceOfTheSceneIsThereAndWhatItHasIsMeasured) {
+  const scene::Description scene = ball();
+  const std::vector<Standing> standings = measureStandings(scene, sweep(), 0.3, 1000, always);
+  const Settings own = settingsOf(scene, 1000);
+  for (const Choice& choice : choices()) {
+    const Standing* standing = find(standings, choice.key);
+    ASSERT_EQ(standing != nullptr, choice.applies(scene)) << choice.key;
+    if (standing == nullptr) continue;
+    ASSERT_NE(measuredOf(*standing, own), nullptr) << choice.key;
+    const auto recommended = std::count_if(standing->options.begin(), standing->options.end(),
+                                           [](const Summary& one) { return one.is_recommended; });
+    EXPECT_LE(recommended, 1) << choice.key;
+    EXPECT_EQ(recommendedOf(*standing) != nullptr, recommended == 1);
+  }
+  EXPECT_EQ(find(standings, "velocity"), nullptr) << "a P law has no rate";
+  EXPECT_EQ(measuredOf(*find(standings, "rate"), own)->option, "1000 Hz");
+}
+
+TEST(Standing, ARateThatIsNoOptionIsMeasuredAsItIsAlsoWhereTheFinestIsNoMultipleOfIt) {
+  const scene::Description scene = ball();
+  const std::vector<Standing> standings = measureStandings(scene, sweep(), 0.3, 3000, always);
+  const Standing* rate = find(standings, "rate");
+  ASSERT_NE(rate, nullptr);
+  const Summary* own = measuredOf(*rate, settingsOf(scene, 3000));
+  ASSERT_NE(own, nullptr);
+  EXPECT_EQ(own->option, kAsItIs);
+  const auto errorAt = [&](int rate_hz) { return measuredOf(*rate, settingsOf(scene, rate_hz))->error; };
+  // The error falls with the rate: off by a tick of 16 kHz it would be that of 0.06 ms at the hand's 0.3 m/s.
+  EXPECT_LT(own->error, errorAt(1000));
+  EXPECT_GT(own->error, 0.25 * errorAt(8000));
+  EXPECT_EQ(valueText(*rate->choice, scene, settingsOf(scene, 3000)), "3000 Hz");
+  EXPECT_EQ(measuredOf(*rate, settingsOf(scene, 700)), nullptr);
+}
+
+TEST(Standing, AValueIsToldInWords) {
+  scene::Description scene = ball(scene::LawType::PD);
+  const auto choice = [](std::string_view key) {
+    return *std::find_if(choices().begin(), choices().end(), [&](const Choice& one) { return one.key == key; });
+  };
+  EXPECT_EQ(valueText(choice("rate"), scene, settingsOf(scene, 4000)), "4000 Hz");
+  EXPECT_EQ(valueText(choice("simulation"), scene, settingsOf(scene, 1000)), "trapezoidal, 200 us");
+  scene.control.velocity = scene::LowPassFilter{7.0};
+  EXPECT_NE(valueText(choice("velocity"), scene, settingsOf(scene, 1000)).find('7'), std::string::npos);
+  EXPECT_EQ(valueText(choice("inverse"), scene, settingsOf(scene, 1000)), "closed form");
+}
+
+TEST(Standing, EndsWhenItIsToldToWithWhatWasDone) {
+  double last = -1.0;
+  int calls = 0;
+  const std::vector<Standing> standings = measureStandings(ball(), sweep(), 0.05, 1000, [&](double share) {
+    EXPECT_GT(share, last);
+    EXPECT_LT(share, 1.0);
+    last = share;
+    return ++calls < 10;
+  });
+  EXPECT_EQ(calls, 10);
+  ASSERT_EQ(standings.size(), 1U);  // six rates, and the beginning of what follows
+  EXPECT_STREQ(standings[0].choice->key, "rate");
+}
+
+TEST(Apart, OnALineTwoRatesAgreeWhereverTheirTicksLie) {
+  const auto lineAt = [](int rate_hz) {
+    trade::Run run;
+    run.rate_hz = rate_hz;
+    for (int tick = 1; tick <= rate_hz; ++tick) {
+      run.p_WT.push_back(Vec3(0.3 * tick / rate_hz, 0.0, 0.0));
+      run.f_T_W.push_back(Vec3(0.0, 0.1 * tick / rate_hz, 0.0));
+    }
+    return run;
+  };
+  const trade::Run fine = lineAt(16'000);
+  for (const int rate_hz : {250, 1000, 3000, 7000, 10'000}) {
+    const Apart off = apart(lineAt(rate_hz), fine);
+    EXPECT_LT(off.most_m, 1e-15) << rate_hz;  // a few roundings of 0.3 m
+    EXPECT_LT(off.rms_N, 1e-15) << rate_hz;
+  }
+  trade::Run shifted = lineAt(3000);
+  for (Vec3& p_WT : shifted.p_WT) p_WT.y() += 0.002;
+  EXPECT_NEAR(apart(shifted, fine).rms_m, 0.002, 1e-15);
+}
+
+}  // namespace underact::trade
