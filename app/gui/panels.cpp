@@ -58,7 +58,7 @@ std::span<const PanelRow> panels() {
                          "How the tip follows a target that jumps: rise, settling, overshoot, poles, and the "
                          "arm measured beside the model."),
        make<StepPanel>, "scenes"},
-      {"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea, "Ctrl+Alt+M",
+      {"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Q",
        QT_TRANSLATE_NOOP("panel", "What each choice between speed and accuracy costs, and a slider along the best."),
        make<LabPanel>, "scenes"},
       {"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+N",
