@@ -18,9 +18,9 @@ struct Settings {
   int plot_axis = 0;
   bool energy_plot = true;
   bool hold_to_run = false;
-  QString arm_model;        // that is simulated, as its file says it; empty: the vendor's figures
+  QString arm_model;         // that is simulated, as its file says it; empty: the vendor's figures
   int servo_rate_hz = 1000;  // that was chosen last; the command line's goes first
-  bool has_pushed = false;  // a hand has pushed once: the first hint has done its work
+  bool has_pushed = false;   // a hand has pushed once: the first hint has done its work
 };
 
 /// From the user's settings; what is missing there is as above.

@@ -35,21 +35,29 @@ Settings oracleOf(Settings own) {
   return own;
 }
 
-/// The errors of one way over the hands, summed up; empty: a run ended early, or there is no such way.
+/// The middle one; of an even number the greater of both.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// One way in all the hands; empty: a run ended early, or there is no such way.
 std::optional<Point> measured(const std::vector<Bench>& benches, const std::vector<Run>& oracles, const Settings& way) {
   Point point;
   point.settings = way;
+  std::vector<double> errors_mm, errors_N;
   for (std::size_t hand = 0; hand < benches.size(); ++hand) {
     const Result<Run> one = run(benches[hand], way);
     if (!one || one.value().faulted) return std::nullopt;
     const Apart off = apart(one.value(), oracles[hand]);
-    const auto count = static_cast<double>(benches.size());
-    point.cost_us_per_s += 1e-3 * way.rate_hz * (one.value().tick.p50_ns + one.value().arm.p50_ns) / count;
-    point.error_mm += kMillimetrePerMetre * kMillimetrePerMetre * off.rms_m * off.rms_m / count;
-    point.error_N += off.rms_N * off.rms_N / count;
+    const double cost_ns = one.value().tick.p50_ns + one.value().arm.p50_ns;
+    point.cost_us_per_s += 1e-3 * way.rate_hz * cost_ns / static_cast<double>(benches.size());
+    errors_mm.push_back(kMillimetrePerMetre * off.rms_m);
+    errors_N.push_back(off.rms_N);
   }
-  point.error_mm = std::sqrt(point.error_mm);
-  point.error_N = std::sqrt(point.error_N);
+  point.error_mm = median(errors_mm);
+  point.error_N = median(errors_N);
   return point;
 }
 

@@ -9,10 +9,12 @@ namespace underact::trade {
 struct Point {
   Settings settings;
   double cost_us_per_s = 0.0;  // processor time of tick and simulated arm for a second, medians
-  double error_mm = 0.0;       // of the tip's way in the loop, root of the mean square over all hands
-  double error_N = 0.0;        // of the force
-  bool is_own = false;         // as the scene and the servo are now
-  bool on_front = false;       // nothing is both cheaper and more exact
+  // Root of the mean square over a run, the median over the hands: where a robot has two minima that are as good, one
+  // hand may come to the other one than the oracle, and says nothing of accuracy.
+  double error_mm = 0.0;  // of the tip's way in the loop
+  double error_N = 0.0;   // of the force
+  bool is_own = false;    // as the scene and the servo are now
+  bool on_front = false;  // nothing is both cheaper and more exact
 };
 
 /// The ways that are tried: each rate with each way to integrate the arm, and with each search, solver and filter that

@@ -94,15 +94,13 @@ const std::array<Row, 7> kRows{{
      }},
 }};
 
-/// Place, targets and P laws: nothing that another quantity adds.
+/// Place, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
 scene::Description bareOf(scene::Description scene) {
   eachControl(scene, [](scene::Control& control) {
     control.law = scene::LawType::P;
     control.gains.kd_N_s_per_mm.setZero();
     control.gains.ki_N_per_mm_s.setZero();
-    control.gains.kp_N_per_mm.setConstant(control.gains.kp_N_per_mm.maxCoeff());
     control.passivity = control::Passivity::Off;
-    control.space = tick::Space::Cartesian;
   });
   for (scene::Constraint& one : scene.constraints) {
     one.influence.reset();

@@ -115,7 +115,7 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("what", choices=("stability", "trade"))
     one.add_argument("--tables", type=Path, required=True, help="the folder of the tables")
     one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
-    one.add_argument("--width", type=float, default=7.0, help="inches: 3.5 (a column) or 7 (a page)")
+    one.add_argument("--width", type=float, default=7.0, help="inches: 3.5 or 7 (a page)")
 
     one = command(
         "figures",

@@ -59,7 +59,7 @@ def _nominal(axes) -> None:
 
 @style.styled
 def limits(rows: list[dict], key: str, width_in: float = 7.0) -> Figure:
-    """One map: simulated limits as points, eigenvalues as lines, the two formulas for the first variant."""
+    """One map: simulated limits as points, eigenvalues as lines, the formulas for one variant."""
     figure = style.new_figure(width_in, 0.5 * width_in)
     axes = figure.add_subplot()
     variants = groups([row for row in rows if row["map"] == key], "variant")
@@ -101,7 +101,7 @@ def limits(rows: list[dict], key: str, width_in: float = 7.0) -> Figure:
 
 @style.styled
 def labels(rows: list[dict], by: str, width_in: float = 7.0) -> Figure:
-    """What a push becomes in each cell of B and K, a small map for each value of the column `by`."""
+    """What a push becomes in each cell of B and K, a small map for each value of `by`."""
     variants = groups(rows, by)
     columns = min(3, len(variants))
     lines = -(-len(variants) // columns)
@@ -129,7 +129,9 @@ def labels(rows: list[dict], by: str, width_in: float = 7.0) -> Figure:
             axes.set_ylabel("K [N/m]")
         if index >= len(variants) - columns:
             axes.set_xlabel("B [N s/m]")
-    style.footer(figure, "green: comes to rest · amber ~: swings on · red ×: grows · p: passive")
+    style.footer(
+        figure, "green: comes to rest · amber ~: swings on · red ×: grows · p: passive"
+    )
     return figure
 
 

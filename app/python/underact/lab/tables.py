@@ -20,7 +20,7 @@ def _value(text: str) -> str | float | bool:
 
 
 def read(path: Path) -> list[dict]:
-    """The rows of a table; lines that begin with # are left out. Raises Unreadable, SessionError."""
+    """The rows of a table without its # lines. Raises Unreadable, SessionError."""
     try:
         with path.open(newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))

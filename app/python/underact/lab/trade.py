@@ -18,21 +18,19 @@ def _grid(width_in: float, count: int, columns: int, height: float) -> tuple[Fig
     return figure, [figure.add_subplot(lines, columns, index + 1) for index in range(count)]
 
 
-def _positive(values: list[float]) -> tuple[np.ndarray, float]:
-    """Values for a logarithmic axis: exact zeros stand a decade below the least of the others."""
+def _positive(values: list[float], floor: float) -> np.ndarray:
+    """Values for a logarithmic axis: exact zeros stand at the floor."""
     array = np.array(values, dtype=float)
-    above = array[array > 0.0]
-    floor = above.min() / 10.0 if len(above) else 1e-3
-    return np.where(array > 0.0, array, floor), floor
+    return np.where(array > 0.0, array, floor)
 
 
 @style.styled
 def choices(rows: list[dict], width_in: float = 7.0) -> Figure:
-    """Cost against error of each choice's options; the bound, the default and what is recommended."""
+    """Cost against error of each choice's options; bound, default and what is recommended."""
     by_choice = groups(rows, "choice")
     figure, all_axes = _grid(width_in, len(by_choice), 2, 0.36)
     for axes, (key, options) in zip(all_axes, by_choice.items()):
-        errors, floor = _positive([row["error"] for row in options])
+        errors = _positive([row["error"] for row in options], 0.1 * options[0]["bound"])
         costs = [row["us_per_s"] for row in options]
         axes.plot(costs, errors, "o", color=style.GREY, markersize=3)
         for row, cost, error in zip(options, costs, errors):
@@ -48,7 +46,8 @@ def choices(rows: list[dict], width_in: float = 7.0) -> Figure:
             if row["recommended"]:
                 axes.plot([cost], [error], "*", color=style.VERMILLION, markersize=7)
         axes.axhline(options[0]["bound"], color=style.GREEN, linewidth=0.8, linestyle="--")
-        axes.set_xscale("log")
+        if max(costs) > 3.0 * min(costs):  # else a logarithmic axis has no room for its numbers
+            axes.set_xscale("log")
         axes.set_yscale("log")
         axes.margins(0.15)
         zero = " (lowest: none)" if any(row["error"] == 0.0 for row in options) else ""
@@ -69,7 +68,7 @@ def fronts(rows: list[dict], width_in: float = 7.0) -> Figure:
     scenes = groups(rows, "scene")
     figure, all_axes = _grid(width_in, len(scenes), 4, 0.2)
     for index, (axes, (name, points)) in enumerate(zip(all_axes, scenes.items())):
-        errors, _ = _positive([row["error_mm"] for row in points])
+        errors = _positive([row["error_mm"] for row in points], 1e-6)
         costs = np.array([row["us_per_s"] for row in points], dtype=float)
         front = [row["on_front"] for row in points]
         axes.plot(costs, errors, ".", color="#BBBBBB", markersize=2)
@@ -90,7 +89,8 @@ def fronts(rows: list[dict], width_in: float = 7.0) -> Figure:
             axes.set_xlabel("us a second", fontsize=6.0)
     style.footer(
         figure,
-        "tick and simulated arm, all five hands · line: the front · square: as the scene is, at 1 kHz",
+        "tick and simulated arm, the median over five hands · line: the front · "
+        "square: as the scene is, at 1 kHz",
     )
     return figure
 
