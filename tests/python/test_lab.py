@@ -10,7 +10,8 @@ from pathlib import Path
 from underact.errors import SessionError, Unreadable
 from underact.lab import stability, tables, trade
 
-LIMITS = """map,variant,kd_N_s_per_m,simulated_N_per_m,exact_N_per_m,colgate_schenkel_N_per_m,gil_hulin_N_per_m
+HEAD = "map,variant,kd_N_s_per_m,simulated_N_per_m,exact_N_per_m,"
+LIMITS = HEAD + """colgate_schenkel_N_per_m,gil_hulin_N_per_m
 delay,"0 ticks",0,200,200.1,200,200
 delay,"0 ticks",0.5,1187,1187.2,0,1200
 delay,"1 tick",0,66.7,,200,66.7
