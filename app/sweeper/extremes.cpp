@@ -40,9 +40,11 @@ void readRows(Options& options, Plan& plan) {
       plan.rows.push_back(&row);
       found = true;
     }
-    if (!found)
-      options.note("only",
-                   "There is no row " + json::shown(wanted) + "; there are " + json::listed(known, "and") + ".");
+    if (found) continue;
+    const std::string near = json::nearestWord(wanted, known);
+    options.note("only",
+                 "There is no row " + json::shown(wanted) + "." +
+                     (near.empty() ? " `underact-cli lab extremes` tells them." : " Did you mean \"" + near + "\"?"));
   }
 }
 

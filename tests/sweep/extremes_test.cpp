@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include "core/extremes/catalogue.h"
+#include "tests/sweep/rig.h"
+
+namespace underact::test {
+namespace {
+
+TEST(SweepOfExtremes, HasTheWorstOfEachRowAndSeedAsTheLabHasIt) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv");
+  const Said said = sweepHere({"extremes", "--only", "shape_circle", "law_pid", "--seeds", "3", "--count", "200",
+                               "--threads", "2", "--out", out});
+  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const auto rows = table(out);
+  ASSERT_EQ(rows.size(), 1U + 2 * 3);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const extremes::Row* asked = extremes::findRow(row <= 3 ? "shape_circle" : "law_pid");
+    ASSERT_NE(asked, nullptr);
+    EXPECT_EQ(field(rows, row, "row"), asked->key);
+    const extremes::Worst worst = measure(*asked, std::stoull(field(rows, row, "seed")), 200);
+    EXPECT_EQ(std::stod(field(rows, row, "error_ulp")), worst.error_ulp);
+    EXPECT_EQ(field(rows, row, "cases"), std::to_string(worst.cases));
+    EXPECT_EQ(field(rows, row, "promise"), "kept");
+  }
+}
+
+TEST(SweepOfExtremes, ARowThatThereIsNotIsRefusedWithTheNearest) {
+  const ScratchFolder folder;
+  const Said said = sweepHere({"extremes", "--only", "shape_cirle", "--out", folder.file("r.csv")});
+  EXPECT_EQ(said.exit, cli::Exit::Usage);
+  EXPECT_NE(said.err.find("Did you mean \"shape_circle\"?"), std::string::npos) << said.err;
+}
+
+}  // namespace
+}  // namespace underact::test
