@@ -147,14 +147,18 @@ Problems addScene(const std::string& file, const stability::SceneWall& wall, boo
   return labels ? addSceneLabels(file, wall, tables) : Problems{};
 }
 
-/// Of a scene's first constraint that pulls.
+/// Of a scene's first constraint. What cannot be asked is told, and left out.
 void addSceneSteps(const std::string& file, scene::Description scene, bool labels, const Streams& streams,
                    std::vector<Step>& steps) {
   stability::SceneWall wall;
   wall.scene = std::move(scene);
   wall.constraint = wall.scene.constraints.front().name;
   const Result<stability::SceneTrial> soft = stability::tryScene(wall, kSoft_N_per_m);
-  if (soft && !soft.value().holds) {
+  if (!soft) {
+    print(from(file, soft.problems()), streams.err);
+    return;
+  }
+  if (!soft.value().holds) {
     streams.err << file << ": Nothing holds the tip there, so there is no limit to find; left out.\n";
     return;
   }
@@ -229,8 +233,8 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
   Tables tables;
   for (std::size_t done = 0; done < steps.value().size(); ++done) {
     if (interrupt.came()) {
-      streams.err << "Stopped before the end; the tables are not whole.\n";
-      break;
+      streams.err << "Stopped before the end; nothing is told, since a part would look like the whole.\n";
+      return Exit::BadInput;
     }
     const Problems problems = steps.value()[done](tables);
     if (!problems.empty()) return fail(problems, streams);
@@ -263,6 +267,7 @@ void addCellOptions(CLI::App& command, StabilityOptions& options) {
   cell("--stiffness_N_per_m", options.stiffness_N_per_m, "Say what a wall of this stiffness does, too", 0.0, 1e7);
   command.add_option("--filter", options.filter, "How the wall finds the velocity")
       ->group("One wall")
+      ->each([&options](const std::string&) { options.one_cell = true; })
       ->check(CLI::IsMember(kFilters))
       ->capture_default_str();
 }

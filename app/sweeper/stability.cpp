@@ -113,7 +113,7 @@ Result<Cells> make(Options& options) {
   const auto plan = std::make_shared<Plan>();
   readMaps(options, *plan);
   plan->draws = static_cast<std::size_t>(options.integer("draws", 0, kMostDraws));
-  plan->rates_hz = options.integers("rate_hz", 1, 100'000);
+  plan->rates_hz = options.integers("rate_hz", 1, 10'000);
   plan->mass_kg = options.range("mass_kg", 1e-6, 1e3);
   plan->damping_N_s_per_m = options.range("damping_N_s_per_m", 0.0, 1e4);
   plan->hand_stiffness_N_per_m = options.range("hand_stiffness_N_per_m", 0.0, 1e6);

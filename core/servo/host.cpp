@@ -214,8 +214,11 @@ Problems Host::setRate(int rate_hz) {
   impl_->loop.setPeriod(1'000'000'000 / rate_hz);
   impl_->timing = Timing(rate_hz);
   impl_->timed_from = impl_->loop.snapshot().ticks;
+  // What went wrong while the force was let go is no less a fault: then it takes a Start, as ever.
+  const bool went_well = !impl_->pushes() && impl_->loop.snapshot().mode != Mode::Faulted;
+  impl_->started = false;
   if (was_begun) begin();
-  if (was_running) start();
+  if (was_running && went_well) start();
   return {};
 }
 

@@ -77,7 +77,7 @@ SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, const
     const bool is_lost = report.fault.kind != FaultKind::None || report.held.size() != 1;
     const double off_m = is_lost ? kNotANumber : errorOf(report) - rest_m;
     result.least_energy_J = std::min(result.least_energy_J, is_lost ? 0.0 : report.held[0].energy_J);
-    farthest_m = std::max(farthest_m, std::abs(off_m));
+    farthest_m = is_lost ? kInfinity : std::max(farthest_m, std::abs(off_m));
     goes_on = watch.goesOn(off_m);
   }
   result.trial = watch.trial();

@@ -17,6 +17,8 @@ constexpr double kBeyond = 5.0;         // pushes: it will not come back
 constexpr double kAtRest = 1e-4;        // of the push
 constexpr double kSeconds = 0.5;        // before the first look, at least
 constexpr double kSwings = 6.0;         // of the stiffness alone, before the first look: more than one in a quarter
+constexpr double kMostTicks = 4e6;      // before the first look; what is slower than that is judged too soon
+constexpr double kLeast_N_per_m = 1e-2, kUsualLeast_N_per_m = 1.0;  // where the search begins
 constexpr int kLinearLooks = 256, kOtherLooks = 16;  // times as long it may take, while hardly anything changes
 
 }  // namespace
@@ -28,7 +30,7 @@ const char* name(Behaviour behaviour) {
 
 int ticksToSee(double mass_kg, double stiffness_N_per_m, double period_s) {
   const double swing_s = 2.0 * kPi * std::sqrt(mass_kg / stiffness_N_per_m);
-  return static_cast<int>(std::max(kSeconds, kSwings * swing_s) / period_s);
+  return static_cast<int>(std::min(std::max(kSeconds, kSwings * swing_s) / period_s, kMostTicks));
 }
 
 Watch::Watch(double push_m, const Rules& rules)
@@ -95,13 +97,17 @@ Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) 
         plant.model.encoders ? arm::tipPosition(plant.arm.geometry, shownAngles(plant, state)) : state.p_WT;
     asked[tick % (late + 1)] = control::force(law, memory, p_WP - p_WSeen, {wall.period_s(), false, false});
     state = advance(plant, state, asked[(tick + 1) % (late + 1)], wish, wall.period_ns);
-    if (!watch.goesOn(state.p_WT.x() - p_WP.x())) return watch.trial();
+    if (watch.goesOn(state.p_WT.x() - p_WP.x())) continue;
+    Trial trial = watch.trial();
+    trial.amplitude_m *= push_m / off_m;  // of a linear wall it goes with the push
+    return trial;
   }
 }
 
 double simulatedLimit(const SampledWall& wall, double share) {
   const auto is_calm = [&](double K) { return tryWall(wall, K).behaviour != Behaviour::Grows; };
-  return limitBySearch(is_calm, 1.0, kMostStiffness_N_per_m, share);
+  return limitBySearch(is_calm, is_calm(kUsualLeast_N_per_m) ? kUsualLeast_N_per_m : kLeast_N_per_m,
+                       kMostStiffness_N_per_m, share);
 }
 
 }  // namespace underact::stability

@@ -57,12 +57,12 @@ class Watch {
 /// Ticks before the first look, so that each quarter of them holds a swing: half a second at least.
 int ticksToSee(double mass_kg, double stiffness_N_per_m, double period_s);
 
-/// A trial in the simulated loop: the simulated arm under the program's own law, pushed along x. Linear walls from a
-/// micrometre, others from push_m: with friction the answer depends on it.
+/// A trial in the simulated loop: the simulated arm under the program's own law, pushed along x by push_m: with
+/// friction the answer depends on it. Linear walls are pushed by a micrometre, and their amplitude told as of push_m.
 Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m = 1e-3);
 
-/// The greatest K, N/m, to `share` of itself, up to which a trial does not grow: by doubling, then by halving. 0: none;
-/// kMostStiffness_N_per_m: all.
+/// The greatest K, N/m, to `share` of itself, up to which a trial does not grow: by doubling, then by halving. 0: below
+/// 0.01; kMostStiffness_N_per_m: all.
 double simulatedLimit(const SampledWall& wall, double share = 2e-3);
 
 /// The same search over anything that can be tried at a stiffness.

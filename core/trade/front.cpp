@@ -110,7 +110,7 @@ std::vector<Point> measurePoints(const scene::Description& scene, const std::vec
   for (const NamedHand& hand : hands) {
     benches.push_back({scene, hand.hand, seconds});
     Result<Run> oracle = run(benches.back(), oracleOf(own), true);
-    if (!oracle || !goes_on(0.0)) return points;
+    if (!oracle || oracle.value().faulted || !goes_on(0.0)) return points;
     oracles.push_back(std::move(oracle).value());
   }
   for (std::size_t index = 0; index < ways.size(); ++index) {

@@ -39,6 +39,8 @@ class Errors {
   std::size_t count_ = 0;
 };
 
+const Problems kEndedEarly{{"The run ended in a fault, and what it did before says nothing."}};
+
 Figures figuresOf(const Apart& apart, const Cost& cost, int rate_hz) {
   return {cost, 1e-3 * cost.p50_ns * rate_hz, kMillimetrePerMetre * apart.rms_m, kMillimetrePerMetre * apart.most_m};
 }
@@ -52,6 +54,7 @@ Result<Figures> measureRate(const Bench& bench, const Settings& settings) {
   const Result<Run> coarse = run(bench, settings);
   if (!fine) return fine.problems();
   if (!coarse) return coarse.problems();
+  if (fine.value().faulted || coarse.value().faulted) return kEndedEarly;
   return figuresOf(apart(coarse.value(), fine.value()), coarse.value().tick, settings.rate_hz);
 }
 
@@ -62,6 +65,7 @@ Result<Figures> measureSimulation(const Bench& bench, const Settings& settings) 
   const Result<Run> coarse = run(bench, settings);
   if (!fine) return fine.problems();
   if (!coarse) return coarse.problems();
+  if (fine.value().faulted || coarse.value().faulted) return kEndedEarly;
   return figuresOf(apart(coarse.value(), fine.value()), coarse.value().arm, settings.rate_hz);
 }
 
@@ -112,7 +116,9 @@ Result<Figures> measureVelocity(const Bench& bench, const Settings& settings) {
   const auto settled = static_cast<int>(kSettled_s * settings.rate_hz);
   Errors errors;
   for (std::size_t index = 0; index < felt.value().rate_W.size(); ++index) {
-    if (controlOf(bench.scene, index).space == tick::Space::Joint) continue;  // its rates are those of joints
+    const scene::Control& control = controlOf(bench.scene, index);
+    // Rates of joints are no rates of the tip, and a P law finds none.
+    if (control.space == tick::Space::Joint || control.law == scene::LawType::P) continue;
     const std::vector<Vec3>& e_W = exact.value().e_W[index];
     Vec3 last_W = Vec3::Zero();
     int even = 0;  // ticks of one motion, without a leap of the target
