@@ -139,7 +139,11 @@ Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
     kept.push_back({rows[index]->key, measured.worst.error_ulp, measured.worst.input});
   }
   progress.show(1.0);
-  if (interrupt.came()) streams.err << "Ended early; what is printed was measured.\n";
+  if (interrupt.came()) {
+    streams.err << "Ended early; what is printed was measured"
+                << (options.keep.empty() ? ".\n" : ", and nothing was kept: a part would look like the whole.\n");
+    if (!options.keep.empty()) return Exit::BadInput;
+  }
   if (!options.keep.empty()) {
     const Problems problems = writeText(options.keep, textOf(kept));
     print(problems, streams.err);

@@ -36,7 +36,9 @@
 
 namespace underact::gui {
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  identify_->end();  // while the document that it puts back is still there
+}
 
 void MainWindow::frame() {
   player_->look();

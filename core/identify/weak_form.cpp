@@ -9,9 +9,10 @@
 namespace underact::identify {
 namespace {
 
-constexpr double kLook_s = 0.005;     // over which a direction is told
-constexpr double kMoved_m = 0.11e-3;  // two encoder steps
-constexpr double kFade_s = 0.16;      // 8 time constants of the servo's way from one target to the next: 1 mN is left
+constexpr double kLook_s = 0.005;       // over which a direction is told
+constexpr double kMoved_m = 0.11e-3;    // two encoder steps
+constexpr double kFade_s = 0.16;        // 8 time constants of the servo's way from one target to the next: 1 mN is left
+constexpr std::size_t kLeastTicks = 3;  // of a block: each begins a third of it later
 constexpr std::size_t kLeastBlocks = 8, kLeastSprings = 6;
 constexpr double kLeastMass_kg = 1e-4;
 constexpr double kSure = 0.025;  // two deviations within 5 %: a stiffness less sure than that says nothing
@@ -67,6 +68,7 @@ std::vector<Block> blocksOf(std::span<const Window> windows, double seconds) {
   std::vector<Block> blocks;
   for (const Window& window : windows) {
     const auto length = static_cast<std::size_t>(std::lround(seconds / window.period_s));
+    if (length < kLeastTicks) continue;
     for (std::size_t from = 0; from + length < window.way_m.size(); from += length / 3) {
       const double sign = directionOf(window, from, from + length);
       if (sign != 0.0) blocks.push_back(blockOf(window, from, from + length, sign));

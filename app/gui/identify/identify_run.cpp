@@ -97,12 +97,13 @@ void IdentifyRun::stopped(const QString& why) {
 
 /// The scene, the hand and the servo are as they were.
 void IdentifyRun::letGo() {
-  person_.reset();
-  live_.reset();
-  measurement_.reset();
+  // First of all the force: the fit that goes on beside it may take a while to end.
   if (parts_.document.isTryingOut()) parts_.document.putBack();
-  parts_.view.followEdit(parts_.document.scene());
   if (!was_running_) parts_.host.stop();
+  person_.reset();
+  measurement_.reset();
+  live_.reset();
+  parts_.view.followEdit(parts_.document.scene());
 }
 
 void IdentifyRun::cancel() {

@@ -209,6 +209,18 @@ TEST(Press, OneWayOnlyIsRefused) {
   EXPECT_FALSE(pressOf(rows, -Vec3::UnitY(), kPeriod_s));
 }
 
+TEST(Blocks, AWindowOfTooFewTicksHasNone) {  // a light arm at a low rate: the step from block to block would be none
+  Window window;
+  window.period_s = 0.01;
+  window.way_m = {0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
+  window.target_m.assign(6, 0.1);
+  window.force_N.assign(6, 0.5);
+  window.friction_share.assign(6, 1.0);
+  window.is_cut.assign(6, false);
+  EXPECT_TRUE(blocksOf(std::vector{window}, 0.02).empty());
+  EXPECT_TRUE(blocksOf(std::vector{window}, 0.001).empty());
+}
+
 TEST(Mean, WeighsByVarianceAndCountsTheScatter) {
   const Estimate alike = meanOf({{1.0, 0.1}, {1.0, 0.1}, {1.0, 0.1}, {1.0, 0.1}});
   EXPECT_NEAR(alike.value, 1.0, 1e-15);
