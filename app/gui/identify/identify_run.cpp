@@ -44,6 +44,7 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
       given_->counts_per_turn = sim::countsOf(*given_->model.counts_per_turn, preset.counts_per_turn);
   }
   revision_ = parts_.host.revision();
+  rate_hz_ = parts_.host.rateHz();
   setState(State::Asks);
   return {};
 }
@@ -80,8 +81,15 @@ void IdentifyRun::goOn() {
   problems.empty() ? setState(State::Runs) : stopped(sentencesOf(problems));
 }
 
+/// Samples of two rates make no one measurement.
+QString IdentifyRun::whyNotAtThisRate() const {
+  if (parts_.host.rateHz() == rate_hz_) return {};
+  return tr("The servo's rate was changed meanwhile. Put it back to %1 Hz, or begin again.").arg(rate_hz_);
+}
+
 void IdentifyRun::repeat() {
   if (state_ != State::Stopped) return;
+  if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return setState(State::Stopped, why);
   startServo();
   revision_ = parts_.host.revision();
   fit_ = {};
@@ -127,6 +135,7 @@ void IdentifyRun::look(const servo::Snapshot& snapshot) {
   if (state_ == State::Asks && person_) return goOn();
   if (state_ != State::Runs) return;
   if (parts_.host.revision() != revision_) return stopped(tr("The scene was changed meanwhile."));
+  if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
   if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
   const Problems problems = measurement_->advance();
   if (!problems.empty()) return stopped(sentencesOf(problems));
@@ -145,7 +154,7 @@ void IdentifyRun::takeEvaluation() {
 }
 
 void IdentifyRun::evaluate() {
-  const int rate_hz = parts_.host.rateHz();
+  const int rate_hz = rate_hz_;
   evaluation_ = std::make_unique<Background<Result<identify::Identified>>>(
       [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState&) {
         return identify::evaluate(plan, recorded, rate_hz);

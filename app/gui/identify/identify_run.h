@@ -78,6 +78,7 @@ class IdentifyRun : public QObject {
   void startServo();
   void stopped(const QString& why);
   QString whyItStands(const servo::Snapshot& snapshot);
+  QString whyNotAtThisRate() const;
   void evaluate();
   void takeEvaluation();
   void letGo();
@@ -95,6 +96,7 @@ class IdentifyRun : public QObject {
   std::optional<identify::Identified> found_;
   std::optional<identify::Given> given_;
   std::uint64_t revision_ = 0;
+  int rate_hz_ = 0;         // of the servo when it began
   std::int64_t ticks_ = 0;  // of the last frame
   servo::Mode mode_ = servo::Mode::Idle;
   std::int64_t started_ticks_ = 0;  // when the servo was told to push

@@ -32,10 +32,13 @@ IdentifyTool::IdentifyTool(const IdentifyParts& parts, Actions& actions, QWidget
                                           parts_.in_use.useVendors();
                                           return true;
                                         });
-  const auto follow = [this, vendors] { vendors->setEnabled(parts_.in_use.isMeasured()); };
+  const auto follow = [this, vendors] {  // an arm that is being measured is not exchanged
+    vendors->setEnabled(parts_.in_use.isMeasured() && !run_.isAtWork());
+    actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm() && !run_.isAtWork());
+  };
   connect(&parts_.in_use, &ArmInUse::changed, this, follow);
+  connect(&run_, &IdentifyRun::changed, this, follow);
   follow();
-  actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm());
   // What the last page's buttons do, with a path in place of a file dialog.
   actions_.addCommand("identify.save", [this](const QVariantList& path) {
     return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveModel(path.value(0).toString());
