@@ -117,14 +117,24 @@ bool LabPanel::isMeasuredScene(const LabOrder& order) const {
   return scene::isSame(withSettings(parts_.document.scene(), own), withSettings(order.scene, own));
 }
 
+/// A rate that was tried here and that nobody chose to stay.
+bool LabPanel::hasTriedRate() const {
+  return !result_.standings.empty() && parts_.rate.hz() != order_.rate_hz && parts_.rate.chosen() != parts_.rate.hz();
+}
+
 void LabPanel::sceneOpened() {
   cancel();
-  if (run_ == nullptr) forget(whatMeasuringDoes());
+  if (run_ != nullptr) return;
+  // Another scene begins at the rate that was there before; where that is refused, it is told.
+  const Problems problems = hasTriedRate() ? parts_.rate.tryOut(order_.rate_hz) : Problems{};
+  const QString stays = problems.empty() ? QString() : tr(" The rate stays at %1 Hz. ").arg(parts_.rate.hz());
+  forget(whatMeasuringDoes() + stays + sentencesOf(problems));
 }
 
 void LabPanel::sceneEdited() {
   if (!result_.standings.empty() && !isMeasuredScene(order_)) {
-    forget(tr("The scene was changed: the figures were of another one and are gone. Measure again."));
+    const QString stays = hasTriedRate() ? tr(" The servo stays at %1 Hz.").arg(parts_.rate.hz()) : QString();
+    forget(tr("The scene was changed: the figures were of another one and are gone. Measure again.") + stays);
     return;
   }
   stale_ = true;

@@ -45,6 +45,7 @@ class LabPanel : public Panel {
   void look();
   void end(LabResult result);
   void forget(const QString& why);
+  bool hasTriedRate() const;
   void sceneOpened();
   void sceneEdited();
   /// The scene is the one that was measured, but for what the Lab itself may choose.
