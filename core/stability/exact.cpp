@@ -3,13 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "core/base/units.h"
 
 namespace underact::stability {
 namespace {
-
-constexpr double kNothing_N_per_m = 1e-6;  // what rounding leaves where there is no passive stiffness
 
 using Matrix = Eigen::MatrixXd;
 using Row = Eigen::RowVectorXd;
@@ -62,6 +61,13 @@ LinearFilter filterOf(const SampledWall& wall) {
     return lowPass(low_pass->time_constant_s, wall.period_s());
   if (const auto* settings = std::get_if<control::Kalman>(&wall.velocity)) return kalman(*settings, wall.period_s());
   return lowPass(0.0, wall.period_s());
+}
+
+/// dx/dt over x of a way x = z^n.
+std::complex<double> rateOf(const LinearFilter& filter, const std::complex<double>& z) {
+  const Eigen::MatrixXcd zI_A = z * Eigen::MatrixXcd::Identity(filter.b.size(), filter.b.size()) - filter.A;
+  const Eigen::VectorXcd memory = zI_A.partialPivLu().solve(filter.b.cast<std::complex<double>>());
+  return (filter.c.cast<std::complex<double>>() * memory)(0) + filter.d;
 }
 
 /// What a period makes of x, v and a force that is held.
@@ -128,32 +134,22 @@ std::optional<double> exactLimit(const SampledWall& wall) {
   return greatest([&](double K) { return spectralRadius(wall, std::max(K, 1e-3)) < 1.0; });
 }
 
-std::complex<double> impedanceOf(const SampledWall& wall, double stiffness_N_per_m, double omega_rad_per_s) {
-  const LinearFilter filter = filterOf(wall);
-  const std::complex<double> z = std::polar(1.0, omega_rad_per_s * wall.period_s());
-  const Eigen::MatrixXcd zI_A = z * Eigen::MatrixXcd::Identity(filter.b.size(), filter.b.size()) - filter.A;
-  const Eigen::VectorXcd memory = zI_A.partialPivLu().solve(filter.b.cast<std::complex<double>>());
-  const std::complex<double> rate = (filter.c.cast<std::complex<double>>() * memory)(0) + filter.d;
-  return (stiffness_N_per_m + wall.kd_N_s_per_m * rate) * std::pow(z, -wall.delay_ticks);
-}
-
-bool isPassive(const SampledWall& wall, double stiffness_N_per_m) {
+double passiveLimit(const SampledWall& wall) {
   constexpr int kFrequencies = 2000;
+  const LinearFilter filter = filterOf(wall);
   const double T = wall.period_s();
+  double limit = kMostStiffness_N_per_m;
   for (int n = 1; n <= kFrequencies; ++n) {
     const double omega = kPi / T * n / kFrequencies;
-    const std::complex<double> lag = 1.0 - std::polar(1.0, -omega * T);
-    const double needed =
-        0.5 * T / (1.0 - std::cos(omega * T)) * (lag * impedanceOf(wall, stiffness_N_per_m, omega)).real();
-    // At Nyquist the formula is an equality for the raw wall: what rounding makes of it is no activity.
-    if (!(wall.damping_N_s_per_m >= needed * (1.0 - 1e-12))) return false;
+    const std::complex<double> z = std::polar(1.0, omega * T);
+    // b >= T/2 / (1 - cos omega T) Re((1 - 1/z) H), H = (K + B rate) / z^d: what each of K and B asks of the damping.
+    const std::complex<double> asks =
+        0.5 * T / (1.0 - std::cos(omega * T)) * (1.0 - 1.0 / z) * std::pow(z, -wall.delay_ticks);
+    const double left = wall.damping_N_s_per_m - wall.kd_N_s_per_m * (asks * rateOf(filter, z)).real();
+    if (left < 0.0) return 0.0;
+    if (asks.real() > 0.0) limit = std::min(limit, left / asks.real());
   }
-  return true;
-}
-
-double passiveLimit(const SampledWall& wall) {
-  const double limit = greatest([&](double K) { return isPassive(wall, K); }).value_or(kMostStiffness_N_per_m);
-  return limit < kNothing_N_per_m ? 0.0 : limit;
+  return limit;
 }
 
 double colgateSchenkel(const SampledWall& wall) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <complex>
 #include <optional>
 
 #include "core/stability/wall.h"
@@ -18,15 +17,10 @@ std::optional<double> exactLimit(const SampledWall& wall);
 
 inline constexpr double kMostStiffness_N_per_m = 1e7;
 
-/// What the wall makes of a way x = exp(j omega t), sampled: F / x, N/m, its delay included.
-std::complex<double> impedanceOf(const SampledWall& wall, double stiffness_N_per_m, double omega_rad_per_s);
-
-/// Whether wall and damping together never give any hand more energy than it put in; the mass and the hand have no part
-/// in it. Friction and steps of the encoders are left out. Exact for a linear wall, on a grid of 2000 frequencies.
-/// Source: Colgate and Schenkel 1997, theorem 1.
-bool isPassive(const SampledWall& wall, double stiffness_N_per_m);
-
-/// The greatest passive K, N/m; 0 where there is none. Of a wall without delay and filter it is 2 (b - |B|) / T.
+/// The greatest K, N/m, up to which wall and damping together never give any hand more energy than it put in; the mass
+/// and the hand have no part in it. 0 where there is none. Friction and steps of the encoders are left out. Exact for a
+/// linear wall, its delay and its filter included, on a grid of 2000 frequencies; without both it is 2 (b - |B|) / T.
+/// Source: Colgate and Schenkel 1997, theorem 1, which is linear in K.
 double passiveLimit(const SampledWall& wall);
 
 /// The two formulas, N/m, 0 where they are below. K < 2 (b - |B|) / T: any passive hand, no delay.

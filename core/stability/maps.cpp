@@ -104,7 +104,7 @@ Limits limitsOf(const SampledWall& wall) {
 }
 
 Label labelOf(const SampledWall& wall, double stiffness_N_per_m) {
-  return {tryWall(wall, stiffness_N_per_m), isPassive(wall, stiffness_N_per_m)};
+  return {tryWall(wall, stiffness_N_per_m), stiffness_N_per_m <= passiveLimit(wall)};
 }
 
 std::span<const int> sceneRates_hz() {
