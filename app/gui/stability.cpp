@@ -6,22 +6,23 @@
 
 #include "core/base/units.h"
 #include "core/sim/hand.h"
+#include "core/stability/exact.h"
 
 namespace underact::gui {
-
-// The limit of a wall with one tick of delay is K T = (b + B) / 1.5 where B is small (Gil et al. 2009). The arm itself
-// has none of that delay in the simulation, so this errs on the calm side by a factor of three.
-constexpr double kHalfATickAndOneOfDelay = 1.5;
 
 // Gains of joints are as felt in the middle of the workspace along each joint's own way; the stiffest way of the tip in
 // the workspace is 7.5 times as stiff (guide, "Control in joint space": 3.74 N/mm of 0.5).
 constexpr double kStiffestByJoints = 7.5;
 
 double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rate_hz) {
-  const double period_s = 1.0 / rate_hz;
-  const double delayed = (hand_damping_N_s_per_m + kd_N_s_per_m) / (kHalfATickAndOneOfDelay * period_s);
-  const double passive = 2.0 * (hand_damping_N_s_per_m - std::abs(kd_N_s_per_m)) / period_s;
-  return std::max(0.0, std::min(delayed, passive));
+  stability::SampledWall wall;
+  wall.damping_N_s_per_m = hand_damping_N_s_per_m;
+  wall.kd_N_s_per_m = kd_N_s_per_m;
+  wall.period_ns = 1'000'000'000 / rate_hz;
+  const double passive = stability::colgateSchenkel(wall);
+  // The arm itself has none of that delay in the simulation, so this errs on the calm side by a factor of three.
+  wall.delay_ticks = 1;
+  return std::min(stability::gilHulin(wall), passive);
 }
 
 QString whyItMayBuzz(const scene::Control& control, int axis, int rate_hz) {
