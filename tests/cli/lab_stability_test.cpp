@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "tests/cli/session.h"
-#include "tests/core/mesh_file/some_meshes.h"
+#include "tests/support/scratch_folder.h"
 
 namespace underact::test {
 namespace {

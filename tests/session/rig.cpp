@@ -15,16 +15,6 @@
 
 namespace underact::test {
 
-ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "underact-session-XXXXXX").string();
-  path_ = mkdtemp(name.data());
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 std::vector<std::string> shippedScenes() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(UNDERACT_SOURCE) + "/scenes")) {

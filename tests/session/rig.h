@@ -9,21 +9,9 @@
 #include "core/servo/host.h"
 #include "core/tick/program.h"
 #include "tests/support/random.h"
+#include "tests/support/scratch_folder.h"
 
 namespace underact::test {
-
-/// A folder that is gone with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// All scenes that ship, by their paths.
 std::vector<std::string> shippedScenes();

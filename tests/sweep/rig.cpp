@@ -33,16 +33,6 @@ std::string contentOf(const fs::path& path) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder() {
-  std::string name = (fs::temp_directory_path() / "underact-sweep-XXXXXX").string();
-  path_ = mkdtemp(name.data());
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 Said sweepHere(std::vector<std::string> arguments) {
   std::istringstream in;
   std::ostringstream out, err;

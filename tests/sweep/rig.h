@@ -6,21 +6,9 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "tests/support/scratch_folder.h"
 
 namespace underact::test {
-
-/// A folder that is gone with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// What underact-sweep said, and how it ended.
 struct Said {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/triangles.h"
+#include "tests/support/scratch_folder.h"
 
 namespace underact::test {
 
@@ -39,20 +40,5 @@ std::string plyBinary(const mesh::Triangles& triangles, bool is_big = false);
 /// The bytes of numbers, the low one first.
 std::string bytesOf(const std::vector<float>& values);
 std::string bytesOf(std::uint32_t value);
-
-/// A folder that is gone with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string path() const { return path_.string(); }
-  /// Writes a file into it; its path.
-  std::string write(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace underact::test

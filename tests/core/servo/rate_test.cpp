@@ -5,11 +5,13 @@
 
 #include "core/servo/host.h"
 #include "tests/core/servo/scripted_port.h"
+#include "tests/support/comes.h"
 #include "tests/support/property.h"
 
 namespace underact::servo {
 namespace {
 
+using test::comes;
 using test::ScriptedPort;
 using namespace std::chrono_literals;
 
@@ -40,16 +42,6 @@ struct Rig {
   ScriptedPort::Seen seen;
   std::unique_ptr<Host> host;
 };
-
-template <class Condition>
-bool comes(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + 20s;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(2ms);
-  }
-  return true;
-}
 
 }  // namespace
 
