@@ -58,7 +58,8 @@ struct Hdf5File::Impl {
   std::vector<OpenTable> tables;
   bool writes = false, failed = false, full = false, elsewhere = false;
   SetAside set_aside;
-  Problems failure;  // the first
+  std::int64_t unflushed_bytes = 0;  // the library holds them in memory, and the file's size does not show them yet
+  Problems failure;                  // the first
 
   Problems fail(const std::string& sentence) {
     failed = true;
@@ -186,8 +187,8 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
 Problems Hdf5File::append(std::size_t table, const Block& block) {
   if (impl_->failed || block.rows == 0) return impl_->failure;
   quiet();
-  impl_->full =
-      impl_->full || !impl_->set_aside.forMore(static_cast<std::int64_t>(block.bytes.size()), impl_->descriptor());
+  impl_->unflushed_bytes += static_cast<std::int64_t>(block.bytes.size());
+  impl_->full = impl_->full || !impl_->set_aside.forMore(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
     return problemAt(impl_->path,
                      "The disk is full: the recording was stopped and is whole. Free some space, or record into "
@@ -226,6 +227,7 @@ Problems Hdf5File::flush() {
   if (impl_->failed) return impl_->failure;
   quiet();
   errno = 0;
+  impl_->unflushed_bytes = 0;
   return H5Fflush(impl_->file, H5F_SCOPE_GLOBAL) >= 0 ? Problems{} : impl_->fail("The recording stopped");
 }
 

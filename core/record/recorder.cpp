@@ -124,10 +124,14 @@ struct Recorder::Impl {
   }
 
   void finish() {
-    const bool in_order = problems.empty() || disk_full;
+    bool in_order = problems.empty() || disk_full;
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun) note({{"The servo did not tick: there is nothing in the recording.", {path}}});
-    if (in_order) note(writer.end({0, tap->dropped(), unixNow_ns(), reason}));
+    if (in_order) {
+      const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
+      if (!at_end.empty()) problems = at_end;  // whatever was said before, the end is not there
+      in_order = at_end.empty();
+    }
     if (!in_order) {
       writer.abandon();
       const Result<std::int64_t> whole = recover(path);
