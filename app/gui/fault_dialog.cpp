@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/plot/fault_plot.h"
+#include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 
 namespace underact::gui {
@@ -62,11 +63,7 @@ QWidget* FaultDialog::buildButtons() {
   row->setContentsMargins(0, 4, 0, 0);
   row->setSpacing(8);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
-    auto* made = new QPushButton(text, strip);
-    made->setObjectName(QString("dialog.fault.") + name);
-    made->setAccessibleName(QString(text).remove('&'));
-    made->setToolTip(tip);
-    made->setAutoDefault(false);  // Enter in a dialog that came by itself starts nothing
+    QPushButton* made = pushButton(QString("dialog.fault.") + name, text, tip, strip);
     row->addWidget(made);
     return made;
   };

@@ -118,10 +118,8 @@ void FeelPanel::buildGains(QVBoxLayout* column) {
     auto* rows = new QVBoxLayout(section);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(4);
-    auto* title = new QLabel(
+    QLabel* title = sectionTitle(
         QString("%1 %2").arg(QCoreApplication::translate("gain", gainKind(gain).name), gainKind(gain).key), section);
-    title->setProperty("role", "section");
-    title->setIndent(0);
     title->setToolTip(QCoreApplication::translate("gain", gainKind(gain).tip));
     rows->addWidget(title);
     for (int axis = 0; axis < 3; ++axis) {

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/gui/told_label.h"
 #include "app/gui/value_row.h"
 
 namespace underact::gui {
@@ -22,9 +23,7 @@ GuideSection::GuideSection(QWidget* parent)
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
-  auto* title = new QLabel(tr("Along the curve"), this);
-  title->setProperty("role", "section");
-  title->setIndent(0);
+  QLabel* title = sectionTitle(tr("Along the curve"), this);
   rows->addWidget(title);
   on_->setObjectName("panel.guide.on");
   on_->setAccessibleName(tr("A guide leads along the curve"));

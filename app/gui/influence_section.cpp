@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/told_label.h"
 #include "app/gui/value_row.h"
 
 namespace underact::gui {
@@ -17,9 +18,7 @@ InfluenceSection::InfluenceSection(QWidget* parent)
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
-  auto* title = new QLabel(tr("Influence t"), this);
-  title->setProperty("role", "section");
-  title->setIndent(0);
+  QLabel* title = sectionTitle(tr("Influence t"), this);
   title->setToolTip(
       tr("Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the point "
          "nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3)."));

@@ -3,6 +3,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "app/gui/told_label.h"
+
 namespace underact::gui {
 
 Readout::Readout(const QString& object_name, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
@@ -14,8 +16,7 @@ Readout::Readout(const QString& object_name, QWidget* parent) : QWidget(parent),
 }
 
 void Readout::addHeading(const QString& text) {
-  auto* heading = new QLabel(text, this);
-  heading->setProperty("role", "section");
+  QLabel* heading = sectionTitle(text, this);
   grid_->addWidget(heading, lines_++, 0, 1, 2);
 }
 

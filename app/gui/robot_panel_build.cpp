@@ -9,6 +9,7 @@
 
 #include "app/gui/chooser.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
 #include "app/gui/robot/sections.h"
 #include "app/gui/robot_panel.h"
 
@@ -66,20 +67,15 @@ void RobotPanel::build() {
   refusal_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   refusal_->hide();
   foot->addWidget(refusal_);
-  new_ = new QPushButton(tr("New robot"), this);
-  new_->setObjectName("panel.robot.add");
-  new_->setAccessibleName(tr("Add a robot to the scene"));
-  new_->setToolTip(tr("Adds a robot of one joint to the scene, beside what it has."));
-  remove_ = new QPushButton(tr("Remove robot"), this);
-  remove_->setObjectName("panel.robot.remove");
-  remove_->setAccessibleName(tr("Remove the robot that is shown from the scene"));
-  remove_->setToolTip(tr("Takes the robot that is shown out of the scene; something must stay to be held to."));
+  new_ =
+      pushButton("panel.robot.add", tr("New robot"), tr("Adds a robot of one joint to the scene, beside what it has."),
+                 this, tr("Add a robot to the scene"));
+  remove_ = pushButton("panel.robot.remove", tr("Remove robot"),
+                       tr("Takes the robot that is shown out of the scene; something must stay to be held to."), this,
+                       tr("Remove the robot that is shown from the scene"));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(4);
-  for (QPushButton* button : {new_, remove_}) {
-    button->setAutoDefault(false);
-    buttons->addWidget(button);
-  }
+  for (QPushButton* button : {new_, remove_}) buttons->addWidget(button);
   foot->addLayout(buttons);
   outer->addLayout(foot);
 }

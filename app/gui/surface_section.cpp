@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "app/gui/chooser.h"
+#include "app/gui/told_label.h"
 #include "app/gui/value_row.h"
 
 namespace underact::gui {
@@ -35,9 +36,7 @@ SurfaceSection::SurfaceSection(QWidget* parent)
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
-  auto* title = new QLabel(tr("Surface"), this);
-  title->setProperty("role", "section");
-  title->setIndent(0);
+  QLabel* title = sectionTitle(tr("Surface"), this);
   rows->addWidget(title);
   on_->setObjectName("panel.surface.friction");
   on_->setAccessibleName(tr("The surface has friction"));

@@ -15,4 +15,11 @@ QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWi
   return label;
 }
 
+QLabel* sectionTitle(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", "section");
+  label->setIndent(0);
+  return label;
+}
+
 }  // namespace underact::gui

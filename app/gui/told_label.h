@@ -10,4 +10,7 @@ namespace underact::gui {
 /// spoken: what a screen reader calls it; role: of the style sheet, "" for plain words.
 QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent);
 
+/// What stands above the rows of a part of a panel.
+QLabel* sectionTitle(const QString& text, QWidget* parent);
+
 }  // namespace underact::gui

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 #include "app/gui/words.h"
 #include "core/mesh_file/report.h"
@@ -109,10 +110,8 @@ void CurveDialog::buildButtons(QVBoxLayout* column, bool can_add) {
   row->setSpacing(8);
   row->addStretch(1);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(QString("dialog.curve.") + name);
-    made->setAccessibleName(QString(text).remove('&'));
-    made->setToolTip(tip);
+    QPushButton* made = pushButton(QString("dialog.curve.") + name, text, tip, this);
+    made->setAutoDefault(true);
     row->addWidget(made);
     return made;
   };

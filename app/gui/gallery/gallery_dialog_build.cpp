@@ -16,6 +16,7 @@
 
 #include "app/gui/gallery/figure_picture.h"
 #include "app/gui/gallery/gallery_dialog.h"
+#include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 
 namespace underact::gui {
@@ -143,11 +144,7 @@ QWidget* GalleryDialog::buildMaking() {
 }
 
 QPushButton* GalleryDialog::button(const char* name, const QString& text, const QString& tip, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(QString("dialog.figures.") + name);
-  made->setAccessibleName(QString(text).remove('&'));
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
+  QPushButton* made = pushButton(QString("dialog.figures.") + name, text, tip, parent);
   if (parent->layout() != nullptr) parent->layout()->addWidget(made);
   return made;
 }

@@ -15,6 +15,7 @@
 #include "app/gui/lab/front_chart.h"
 #include "app/gui/lab/lab_panel.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 #include "app/gui/value_row.h"
 #include "core/sim/hand_script.h"
@@ -25,21 +26,6 @@ namespace {
 constexpr int kProgressSteps = 1000;
 constexpr int kLookEvery_ms = 50;
 
-QPushButton* button(const char* name, const QString& text, const QString& spoken, const QString& tip, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  made->setAccessibleName(spoken);
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
-  return made;
-}
-
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setProperty("role", "section");
-  return label;
-}
-
 }  // namespace
 
 void LabPanel::build() {
@@ -49,7 +35,7 @@ void LabPanel::build() {
   column->setSpacing(4);
   buildMeasuring(column);
   buildWalk(column);
-  column->addWidget(heading(tr("What this scene offers"), content));
+  column->addWidget(sectionTitle(tr("What this scene offers"), content));
   column->addWidget(tick_ = toldLabel("panel.lab.tick", tr("What a tick is predicted to take"), "quiet", content));
   column->addSpacing(4);
   column->addWidget(choices_ = new ChoiceList(content));
@@ -70,10 +56,11 @@ void LabPanel::buildMeasuring(QVBoxLayout* column) {
   seconds_->setRange(2, 4);
   seconds_->setSuffix(tr(" s each"));
   seconds_->setFocusPolicy(Qt::StrongFocus);
-  measure_ = button("panel.lab.measure", tr("&Measure"), tr("Measure speed and accuracy of this scene"),
-                    tr("Measures cost and error of every choice, and the front of all ways to run this scene."), this);
-  cancel_ = button("panel.lab.cancel", tr("Cancel"), tr("Cancel the measurement"),
-                   tr("Ends the measurement; nothing is kept."), this);
+  measure_ = pushButton("panel.lab.measure", tr("&Measure"),
+                        tr("Measures cost and error of every choice, and the front of all ways to run this scene."),
+                        this, tr("Measure speed and accuracy of this scene"));
+  cancel_ = pushButton("panel.lab.cancel", tr("Cancel"), tr("Ends the measurement; nothing is kept."), this,
+                       tr("Cancel the measurement"));
   progress_ = new QProgressBar(this);
   progress_->setObjectName("panel.lab.progress");
   progress_->setAccessibleName(tr("Progress of the measurement"));
@@ -120,8 +107,9 @@ void LabPanel::buildWalk(QVBoxLayout* column) {
   column->addLayout(ends);
   chosen_ = toldLabel("panel.lab.chosen", tr("What is chosen"), "quiet", this);
   differences_ = toldLabel("panel.lab.differences", tr("What differs from how the scene was"), "", this);
-  back_ = button("panel.lab.back", tr("As it &was"), tr("As it was when it was measured"),
-                 tr("Puts scene and servo rate back to how they were when they were measured."), this);
+  back_ = pushButton("panel.lab.back", tr("As it &was"),
+                     tr("Puts scene and servo rate back to how they were when they were measured."), this,
+                     tr("As it was when it was measured"));
   column->addWidget(chosen_);
   column->addWidget(differences_);
   column->addWidget(back_, 0, Qt::AlignLeft);

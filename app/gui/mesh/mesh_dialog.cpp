@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
@@ -75,9 +76,7 @@ MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std
     if (const auto proposal = mesh_file::implausible(mesh_file::largestExtent(loaded.facts)))
       buildUnits(column, *proposal);
   }
-  auto* found = new QLabel(tr("What was found"), this);
-  found->setProperty("role", "section");
-  found->setIndent(0);
+  QLabel* found = sectionTitle(tr("What was found"), this);
   column->addWidget(found);
   report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(panelScroll(report_, this), 1);
@@ -149,10 +148,8 @@ void MeshDialog::buildButtons(QVBoxLayout* column, bool is_to_add, bool can_add)
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(QString("dialog.mesh.") + name);
-    made->setAccessibleName(QString(text).remove('&'));
-    made->setToolTip(tip);
+    QPushButton* made = pushButton(QString("dialog.mesh.") + name, text, tip, this);
+    made->setAutoDefault(true);
     row->addWidget(made);
     return made;
   };

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/push_button.h"
 #include "app/gui/robot/edit_table.h"
 #include "app/gui/robot/joint_fields.h"
 #include "app/gui/robot/sections.h"
@@ -12,12 +13,9 @@
 namespace underact::gui {
 namespace {
 
-QPushButton* button(const char* name, const QString& text, const QString& spoken, const QString& tip, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  made->setAccessibleName(spoken);
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
+QPushButton* narrowButton(const char* name, const QString& text, const QString& spoken, const QString& tip,
+                          QWidget* parent) {
+  QPushButton* made = pushButton(name, text, tip, parent, spoken);
   made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + 16);
   return made;
 }
@@ -37,14 +35,14 @@ ChainSection::ChainSection(QWidget* parent)
              "is one step back."),
           parent, "robot"),
       table_(new EditTable("panel.robot.joints", tr("Joints of the robot"), this)),
-      add_(button("panel.robot.joint.add", tr("Add"), tr("Add a joint after the selected one"),
-                  tr("A joint after the selected one, 8 at most."), this)),
-      remove_(button("panel.robot.joint.remove", tr("Remove"), tr("Remove the selected joint"),
-                     tr("Takes the selected joint away; one stays."), this)),
-      up_(button("panel.robot.joint.up", tr("Up"), tr("Move the selected joint towards the base"),
-                 tr("Towards the base."), this)),
-      down_(button("panel.robot.joint.down", tr("Down"), tr("Move the selected joint towards the tip"),
-                   tr("Towards the tip."), this)) {
+      add_(narrowButton("panel.robot.joint.add", tr("Add"), tr("Add a joint after the selected one"),
+                        tr("A joint after the selected one, 8 at most."), this)),
+      remove_(narrowButton("panel.robot.joint.remove", tr("Remove"), tr("Remove the selected joint"),
+                           tr("Takes the selected joint away; one stays."), this)),
+      up_(narrowButton("panel.robot.joint.up", tr("Up"), tr("Move the selected joint towards the base"),
+                       tr("Towards the base."), this)),
+      down_(narrowButton("panel.robot.joint.down", tr("Down"), tr("Move the selected joint towards the tip"),
+                         tr("Towards the tip."), this)) {
   table_->setColumnCount(kJointFields);
   for (int column = 0; column < kJointFields; ++column) {
     const auto field = static_cast<JointField>(column);

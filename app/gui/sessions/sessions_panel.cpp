@@ -15,6 +15,7 @@
 #include "app/gui/sessions/recording.h"
 #include "app/gui/sessions/session_list.h"
 #include "app/gui/sessions/session_words.h"
+#include "app/gui/told_label.h"
 
 namespace underact::gui {
 
@@ -28,8 +29,7 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   column->setSpacing(4);
   column->addWidget(record_ = new RecordSection(*recording_, parts_.actions, content));
   column->addWidget(buttons_ = new ButtonsSection(content));
-  auto* heading = new QLabel(tr("Recent sessions"), content);
-  heading->setProperty("role", "section");
+  QLabel* heading = sectionTitle(tr("Recent sessions"), content);
   column->addWidget(heading);
   column->addWidget(list_ = new SessionList(buildButtons(), content), 1);
   column->addWidget(job_ = new JobStrip(content));

@@ -12,6 +12,7 @@
 #include <QUrl>
 
 #include "app/gui/actions.h"
+#include "app/gui/push_button.h"
 #include "app/gui/sessions/job_strip.h"
 #include "app/gui/sessions/recording.h"
 #include "app/gui/sessions/session_list.h"
@@ -82,10 +83,7 @@ QWidget* SessionsPanel::buildButtons() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
-    auto* made = new QPushButton(text, strip);
-    made->setObjectName(QString("panel.sessions.") + name);
-    made->setAccessibleName(text);
-    made->setToolTip(tip);
+    QPushButton* made = pushButton(QString("panel.sessions.") + name, text, tip, strip);
     made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // all four may stand there
     row->addWidget(made);
     return made;

@@ -15,6 +15,7 @@
 #include "app/gui/gain_row.h"
 #include "app/gui/kinematics/number_table.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
 #include "app/gui/step/step_panel.h"
 #include "app/gui/step/step_plot.h"
 #include "core/lab/thesis_steps.h"
@@ -23,16 +24,6 @@ namespace underact::gui {
 namespace {
 
 constexpr const char* kKeys[] = {"kp", "kd", "ki", "mass", "damping"};
-
-QPushButton* button(const char* name, const QString& text, const QString& spoken, const QString& tip, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  made->setAccessibleName(spoken);
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
-  return made;
-}
-
 }  // namespace
 
 void StepPanel::build() {
@@ -145,16 +136,17 @@ void StepPanel::buildRows(QVBoxLayout* column) {
 }
 
 void StepPanel::buildMeasuring(QWidget* foot) {
-  auto* take = button("panel.step.take", tr("&Take gains"), tr("Take gains from the scene"),
-                      tr("Law and gains of the scene, those along x, into this panel."), this);
-  auto* give =
-      button("panel.step.give", tr("&Give gains"), tr("Give gains to the scene"),
-             tr("Law and gains of this panel into the scene, along x, y and z; one step back undoes it."), this);
+  auto* take = pushButton("panel.step.take", tr("&Take gains"),
+                          tr("Law and gains of the scene, those along x, into this panel."), this,
+                          tr("Take gains from the scene"));
+  auto* give = pushButton("panel.step.give", tr("&Give gains"),
+                          tr("Law and gains of this panel into the scene, along x, y and z; one step back undoes it."),
+                          this, tr("Give gains to the scene"));
   auto* measuring =
-      button("panel.step.measure", tr("&Measure the arm"), tr("Measure the simulated arm"),
-             tr("Moves the target of the scene's constraint by a step, on a simulated arm of its own with "
-                "these gains, and lays the tip's way over the model's. Nobody holds the stylus."),
-             this);
+      pushButton("panel.step.measure", tr("&Measure the arm"),
+                 tr("Moves the target of the scene's constraint by a step, on a simulated arm of its own with "
+                    "these gains, and lays the tip's way over the model's. Nobody holds the stylus."),
+                 this, tr("Measure the simulated arm"));
   step_mm_ = new QDoubleSpinBox(this);
   step_mm_->setObjectName("panel.step.size");
   step_mm_->setAccessibleName(tr("Length of the step, mm"));
