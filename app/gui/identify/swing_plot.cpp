@@ -1,20 +1,12 @@
 #include "app/gui/identify/swing_plot.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
-#include <QEvent>
-#include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
-#include "app/gui/view/gl_surface.h"
 
 namespace underact::gui {
 namespace {
@@ -38,23 +30,6 @@ void fill(std::span<PlotPoint> into, const std::vector<SwingPoint>& from) {
 }  // namespace
 
 struct SwingPlot::Impl {
-  explicit Impl(SwingPlot* owner) : plot(owner) {
-    surface = new GlSurface([this](QSize pixels) { before(pixels); },
-                            [this](QPainter& painter) { chart.paintWords(painter); }, plot);
-    actor->GetScene()->AddItem(chart.item());
-    surface->renderer().AddActor(actor);
-    actor->GetScene()->SetRenderer(&surface->renderer());
-    chart.reserve(kPoints);
-    draw({});
-  }
-
-  void before(QSize pixels) {
-    if (pixels == placed) return;
-    placed = pixels;
-    const double width = plot->width(), height = plot->height();
-    chart.setPlace({0.0, 0.0, width, height}, height, pixels.height() / std::max(1.0, height), plot->font());
-  }
-
   void draw(const SwingPicture& picture) {
     fill(chart.points(kTarget), picture.target);
     fill(chart.points(kMeasured), picture.measured);
@@ -77,36 +52,29 @@ struct SwingPlot::Impl {
     chart.setTitle(SwingPlot::tr("Tip along %1 [mm]").arg(QLatin1Char(picture.axis)));
     chart.setRange(from_s, to_s, least_mm - room_mm, most_mm + room_mm);
     chart.pointsChanged();
-    placed = {};  // the legend may have another name in it
   }
 
-  SwingPlot* plot;
-  GlSurface* surface = nullptr;
   Chart chart{
       SwingPlot::tr("Tip along x [mm]"),
       SwingPlot::tr("time [s]"),
       {{SwingPlot::tr("target"), 1.0F}, {SwingPlot::tr("measured"), 2.5F}, {SwingPlot::tr("fitted body"), 1.5F, true}}};
-  vtkNew<vtkContextActor> actor;
-  QSize placed;
 };
 
 SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
-    : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+    : ChartWidget(parent), impl_(std::make_unique<Impl>()) {
   setObjectName(object_name);
   setAccessibleName(tr("Swings of the tip"));
   setToolTip(
       tr("The tip is drawn to the target, and swings. The dashed line is how a mass with friction and damping "
          "moves under the force that was sent."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(impl_->surface);
+  impl_->chart.reserve(kPoints);
+  impl_->draw({});
+  hold(std::array{&impl_->chart});
   setTheme(Theme::light());
 }
 
-SwingPlot::~SwingPlot() {
-  delete impl_->surface;
-}
+SwingPlot::~SwingPlot() = default;
 
 QSize SwingPlot::minimumSizeHint() const {
   return {20 * fontMetrics().averageCharWidth(), 8 * fontMetrics().lineSpacing()};
@@ -115,25 +83,21 @@ QSize SwingPlot::minimumSizeHint() const {
 void SwingPlot::present(const SwingPicture& picture) {
   impl_->draw(picture);
   setAccessibleDescription(tr("%1 points along %2").arg(picture.measured.size()).arg(QLatin1Char(picture.axis)));
-  impl_->surface->update();
+  placeAnew();  // the legend may have another name in it
 }
 
 void SwingPlot::setTheme(const Theme& theme) {
-  impl_->surface->setBackground(theme.background);
+  setBackground(theme);
   impl_->chart.setColours(theme, {mixed(theme.background, theme.ink, 0.5), theme.constraint, theme.force_limited});
-  impl_->surface->update();
+  draw();
 }
 
-QImage SwingPlot::picture() {
-  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());
-  return impl_->surface->picture();
+std::vector<Chart*> SwingPlot::shown() const {
+  return {&impl_->chart};
 }
 
-void SwingPlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange) return;
-  impl_->placed = {};
-  impl_->surface->update();
+void SwingPlot::place(double scale) {
+  impl_->chart.setPlace(rect(), height(), scale, font());
 }
 
 }  // namespace underact::gui

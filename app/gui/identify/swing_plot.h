@@ -1,25 +1,24 @@
 #pragma once
-#include <QWidget>
 #include <memory>
 
 #include "app/gui/identify/swing_picture.h"
-#include "app/gui/theme.h"
+#include "app/gui/plot/chart_widget.h"
 
 namespace underact::gui {
 
 /// Swings against time: the target, the tip, and the body that was fitted. It moves when asked.
-class SwingPlot : public QWidget {
+class SwingPlot : public ChartWidget {
   Q_OBJECT
  public:
   SwingPlot(const QString& object_name, QWidget* parent);
   ~SwingPlot() override;
   void present(const SwingPicture& picture);
   void setTheme(const Theme& theme);
-  QImage picture();
   QSize minimumSizeHint() const override;
 
  protected:
-  void changeEvent(QEvent* event) override;
+  std::vector<Chart*> shown() const override;
+  void place(double scale) override;
 
  private:
   struct Impl;

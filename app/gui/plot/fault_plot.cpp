@@ -1,19 +1,12 @@
 #include "app/gui/plot/fault_plot.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
-#include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
-#include "app/gui/view/gl_surface.h"
 
 namespace underact::gui {
 namespace {
@@ -37,51 +30,22 @@ double greatestOf(std::span<const PlotPoint> points) {
 }  // namespace
 
 struct FaultPlot::Impl {
-  explicit Impl(FaultPlot* owner) : plot(owner) {
-    surface = new GlSurface([this](QSize pixels) { before(pixels); },
-                            [this](QPainter& painter) {
-                              force.paintWords(painter);
-                              lateness.paintWords(painter);
-                            },
-                            plot);
-    for (Chart* chart : {&force, &lateness}) actor->GetScene()->AddItem(chart->item());
-    surface->renderer().AddActor(actor);
-    actor->GetScene()->SetRenderer(&surface->renderer());
-  }
-
-  void before(QSize pixels) {
-    if (pixels == placed) return;
-    placed = pixels;
-    const double width = plot->width(), height = plot->height();
-    const double scale = pixels.height() / std::max(1.0, height);
-    force.setPlace({0.0, 0.0, 0.5 * width, height}, height, scale, plot->font());
-    lateness.setPlace({0.5 * width, 0.0, 0.5 * width, height}, height, scale, plot->font());
-  }
-
-  FaultPlot* plot;
-  GlSurface* surface = nullptr;
   Chart force{FaultPlot::tr("Force [N]"),
               FaultPlot::tr("time [s]"),
               {{FaultPlot::tr("asked"), 1.0F}, {FaultPlot::tr("sent"), 2.0F}}};
   Chart lateness{FaultPlot::tr("Lateness [µs]"), FaultPlot::tr("time [s]"), {{QString(), 1.5F}}};
-  vtkNew<vtkContextActor> actor;
-  QSize placed;
 };
 
-FaultPlot::FaultPlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+FaultPlot::FaultPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>()) {
   setObjectName("dialog.fault.plot");
   setAccessibleName(tr("The second before the fault"));
   setToolTip(tr("Force and lateness of the ticks before the fault, which is at the right edge."));
   setMinimumSize(240, 140);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(impl_->surface);
+  hold(std::array{&impl_->force, &impl_->lateness});
   setTheme(Theme::light());
 }
 
-FaultPlot::~FaultPlot() {
-  delete impl_->surface;
-}
+FaultPlot::~FaultPlot() = default;
 
 void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_hz) {
   Impl& my = *impl_;
@@ -102,15 +66,25 @@ void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_h
   my.lateness.setRange(-1.0, 0.0, 0.0, roundUp(kRoom * late_us));
   my.force.pointsChanged();
   my.lateness.pointsChanged();
-  my.surface->update();
+  draw();
 }
 
 void FaultPlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
-  my.surface->setBackground(theme.background);
+  setBackground(theme);
   my.force.setColours(theme, {mixed(theme.background, theme.ink, 0.55), theme.force});
   my.lateness.setColours(theme, {mixed(theme.background, theme.ink, 0.7)});
-  my.surface->update();
+  draw();
+}
+
+std::vector<Chart*> FaultPlot::shown() const {
+  return {&impl_->force, &impl_->lateness};
+}
+
+void FaultPlot::place(double scale) {
+  const double half = 0.5 * width(), high = height();
+  impl_->force.setPlace({0.0, 0.0, half, high}, high, scale, font());
+  impl_->lateness.setPlace({half, 0.0, half, high}, high, scale, font());
 }
 
 }  // namespace underact::gui

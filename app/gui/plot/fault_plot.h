@@ -1,15 +1,14 @@
 #pragma once
-#include <QWidget>
 #include <memory>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/plot/chart_widget.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
 
 /// The ticks before a fault: force asked and sent [N], and lateness [us], against the time before it. It does not move.
-class FaultPlot : public QWidget {
+class FaultPlot : public ChartWidget {
   Q_OBJECT
  public:
   explicit FaultPlot(QWidget* parent = nullptr);
@@ -17,6 +16,10 @@ class FaultPlot : public QWidget {
   /// Oldest first; the fault is at the last one.
   void setTicks(const std::vector<servo::TickRecord>& ticks, int rate_hz);
   void setTheme(const Theme& theme);
+
+ protected:
+  std::vector<Chart*> shown() const override;
+  void place(double scale) override;
 
  private:
   struct Impl;

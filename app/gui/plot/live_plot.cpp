@@ -1,14 +1,7 @@
 #include "app/gui/plot/live_plot.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
-#include <QEvent>
-#include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/gui/plot/chart.h"
@@ -41,31 +34,21 @@ double greatestOf(std::span<const PlotPoint> points) {
 
 struct LivePlot::Impl {
   explicit Impl(LivePlot* owner) : plot(owner) {
-    surface = new GlSurface([this](QSize pixels) { before(pixels); },
-                            [this](QPainter& painter) {
-                              for (const Chart* chart : shown()) chart->paintWords(painter);
-                            },
-                            plot);
-    for (Chart* chart : {&error, &force, &path, &angles, &energy}) actor->GetScene()->AddItem(chart->item());
     angles.item()->SetVisible(false);
     angles.setTickStep(45.0);
     angles.setRange(-PlotHistory::kSpan_s, 0.0, -180.0, 180.0);
-    surface->renderer().AddActor(actor);
-    actor->GetScene()->SetRenderer(&surface->renderer());
   }
 
-  void place(QSize pixels) {
+  void place(double scale) {
     const double width = plot->width(), height = plot->height();
-    const double scale = pixels.height() / std::max(1.0, height);
     double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
     const double against_time = 2.0 + (energy_shown ? 1.0 : 0.0) + (angles_shown ? 1.0 : 0.0);
     const double least = kLeastChart_lines * plot->fontMetrics().lineSpacing();
     letPathFit(against_time <= 2.0 || (width - path_width) / against_time >= least);
     if (!path_fits) path_width = 0.0;
     const double each = (width - path_width) / against_time;
-    const std::vector<Chart*> charts = shown();
     double left = 0.0;
-    for (Chart* chart : charts) {
+    for (Chart* chart : shown()) {
       const double wide = chart == &path ? path_width : each;
       chart->setPlace({left, 0.0, wide, height}, height, scale, plot->font());
       left += wide;
@@ -75,15 +58,10 @@ struct LivePlot::Impl {
     error.reserve(2 * (error.columns() + 2));
     force.reserve(2 * (force.columns() + 2));
     path.reserve(4 * (kPathGroups + 2));
-    placed = pixels;
+    data_changed = true;
   }
 
-  void before(QSize pixels) {
-    if (pixels != placed) {
-      place(pixels);
-      data_changed = true;
-    }
-    if (!data_changed) return;
+  void fill() {
     data_changed = false;
     const double now_s = history.newest_s();
     const std::size_t errors = thinByTime(history, &PlotRow::error_mm, error.columns(), error.points(0));
@@ -165,7 +143,6 @@ struct LivePlot::Impl {
   }
 
   LivePlot* plot;
-  GlSurface* surface = nullptr;
   PlotHistory history;
   Chart error{LivePlot::tr("Error [mm]"),
               LivePlot::tr("time [s]"),
@@ -188,32 +165,26 @@ struct LivePlot::Impl {
   PlotRange stored_range{kLeastEnergy_mJ}, active_range{kLeastActive_mJ};
   PlotRange error_range{kLeastError_mm}, force_range{kLeastForce_N}, away_range{kLeastAway_mm},
       along_range{kLeastForce_N};
-  vtkNew<vtkContextActor> actor;
   double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   int axis = 0;
   bool angles_shown = false;
   bool energy_shown = true;
   bool path_fits = true;
   bool data_changed = true;
-  QSize placed;
 };
 
-LivePlot::LivePlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+LivePlot::LivePlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName(QStringLiteral("plot.live"));
   setAccessibleName(tr("Live plots"));
   setAccessibleDescription(
       tr("Error and force over the last 10 seconds, and force against displacement along one axis."));
   setMinimumSize(240, 120);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(impl_->surface);
-  connect(impl_->surface, &GlSurface::drawn, this, &LivePlot::drawn);
+  hold(std::array{&impl_->error, &impl_->force, &impl_->path, &impl_->angles, &impl_->energy});
+  connect(&surface(), &GlSurface::drawn, this, &LivePlot::drawn);
   setTheme(Theme::light());
 }
 
-LivePlot::~LivePlot() {
-  delete impl_->surface;
-}
+LivePlot::~LivePlot() = default;
 
 void LivePlot::add(const servo::TickRecord& record, const RecordedBeside& recorded) {
   impl_->history.add(record, recorded);
@@ -221,7 +192,7 @@ void LivePlot::add(const servo::TickRecord& record, const RecordedBeside& record
 }
 
 void LivePlot::redraw() {
-  if (impl_->data_changed) impl_->surface->update();
+  if (impl_->data_changed) draw();
 }
 
 void LivePlot::clear() {
@@ -231,19 +202,19 @@ void LivePlot::clear() {
   impl_->stored_range.clear();
   impl_->active_range.clear();
   impl_->data_changed = true;
-  impl_->surface->update();
+  draw();
 }
 
 void LivePlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
-  my.surface->setBackground(theme.background);
+  setBackground(theme);
   my.error.setColours(theme, {theme.target, theme.ink});
   my.force.setColours(
       theme, {theme.force_limited, mixed(theme.background, theme.ink, 0.55), theme.force, theme.constraint, theme.ink});
   my.energy.setColours(theme, {theme.ink, theme.force_limited, theme.constraint});
   my.path.setColours(theme, {theme.force});
   my.angles.setColours(theme, {theme.orientation, theme.position, theme.target});
-  my.surface->update();
+  draw();
 }
 
 void LivePlot::setAxis(int axis) {
@@ -252,7 +223,7 @@ void LivePlot::setAxis(int axis) {
   impl_->away_range.clear();
   impl_->along_range.clear();
   impl_->data_changed = true;
-  impl_->surface->update();
+  draw();
 }
 
 int LivePlot::axis() const {
@@ -263,16 +234,14 @@ void LivePlot::showAngles(bool shown) {
   if (shown == impl_->angles_shown) return;
   impl_->angles_shown = shown;
   impl_->angles.item()->SetVisible(shown);
-  impl_->placed = {};  // the others give or take room
-  impl_->surface->update();
+  placeAnew();  // the others give or take room
 }
 
 void LivePlot::showEnergy(bool shown) {
   if (shown == impl_->energy_shown) return;
   impl_->energy_shown = shown;
   impl_->energy.item()->SetVisible(shown);
-  impl_->placed = {};
-  impl_->surface->update();
+  placeAnew();
 }
 
 bool LivePlot::showsEnergy() const {
@@ -286,25 +255,26 @@ bool LivePlot::showsAngles() const {
 void LivePlot::setForceLimit(double continuous_N) {
   impl_->limit_N = continuous_N;
   impl_->data_changed = true;
-  impl_->surface->update();
+  draw();
 }
 
-QImage LivePlot::picture() {
-  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());  // never shown: no layout has been at work
-  return impl_->surface->picture();
-}
 qint64 LivePlot::framesDrawn() const {
-  return impl_->surface->framesDrawn();
+  return surface().framesDrawn();
 }
 int LivePlot::glErrors() const {
-  return impl_->surface->errors();
+  return surface().errors();
 }
 
-void LivePlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange) return;
-  impl_->placed = {};
-  impl_->surface->update();
+std::vector<Chart*> LivePlot::shown() const {
+  return impl_->shown();
+}
+
+void LivePlot::place(double scale) {
+  impl_->place(scale);
+}
+
+void LivePlot::prepare(bool /*placed*/) {
+  if (impl_->data_changed) impl_->fill();
 }
 
 }  // namespace underact::gui

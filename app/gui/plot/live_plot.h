@@ -1,9 +1,8 @@
 #pragma once
-#include <QWidget>
 #include <memory>
 
+#include "app/gui/plot/chart_widget.h"
 #include "app/gui/plot/plot_history.h"
-#include "app/gui/theme.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
@@ -12,7 +11,7 @@ namespace underact::gui {
 /// force (thesis figure 4.3), as VTK charts; and, of a scene with an influence, of the angles of stylus, tip and target
 /// (thesis figure 5.7); and the energy in the constraints [mJ], marked where it is below zero. Every tick goes in; what
 /// is drawn is thinned to the widget's width by minimum and maximum, so that a spike of one tick is seen.
-class LivePlot : public QWidget {
+class LivePlot : public ChartWidget {
   Q_OBJECT
  public:
   explicit LivePlot(QWidget* parent = nullptr);
@@ -31,7 +30,6 @@ class LivePlot : public QWidget {
   bool showsEnergy() const;
   /// The line in the force plot, N.
   void setForceLimit(double continuous_N);
-  QImage picture();
   qint64 framesDrawn() const;
   int glErrors() const;
 
@@ -40,7 +38,9 @@ class LivePlot : public QWidget {
   void drawn(double frame_ms);  // after each picture: the time it took to draw
 
  protected:
-  void changeEvent(QEvent* event) override;
+  std::vector<Chart*> shown() const override;
+  void place(double scale) override;
+  void prepare(bool placed) override;
 
  private:
   struct Impl;

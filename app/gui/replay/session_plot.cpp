@@ -1,15 +1,8 @@
 #include "app/gui/replay/session_plot.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
-#include <QEvent>
 #include <QMouseEvent>
-#include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -52,18 +45,8 @@ void putLine(std::span<PlotPoint> points, double x, double from, double to) {
 
 struct SessionPlot::Impl {
   explicit Impl(SessionPlot* owner) : plot(owner) {
-    surface = new GlSurface([this](QSize pixels) { before(pixels); },
-                            [this](QPainter& painter) {
-                              for (const Chart* chart : shown()) chart->paintWords(painter);
-                            },
-                            plot);
-    surface->setAttribute(Qt::WA_TransparentForMouseEvents);
-    for (Chart* chart : all()) actor->GetScene()->AddItem(chart->item());
     angles.setTickStep(45.0);
     for (Chart* chart : {&force_lines, &error_lines}) chart->setTickStep(kStep_dB);
-    surface->renderer().AddActor(actor);
-    actor->GetScene()->SetRenderer(&surface->renderer());
-    showKind();
   }
 
   std::vector<Chart*> all() {
@@ -91,26 +74,18 @@ struct SessionPlot::Impl {
   void showKind() {
     for (Chart* chart : all()) chart->item()->SetVisible(false);
     for (Chart* chart : shown()) chart->item()->SetVisible(true);
-    placed = {};
-    surface->update();
   }
 
-  void before(QSize pixels) {
-    if (pixels != placed) {
-      place(pixels);
-      fill();
-    } else if (!cursor_changed) {
-      return;
-    }
+  void prepare(bool placed) {
+    if (placed) fill();
+    if (!placed && !cursor_changed) return;
     cursor_changed = false;
     putCursor();
     for (Chart* chart : shown()) chart->pointsChanged();
   }
 
-  void place(QSize pixels) {
-    placed = pixels;
+  void place(double scale) {
     const double width = plot->width(), height = plot->height();
-    const double scale = pixels.height() / std::max(1.0, height);
     const std::vector<Chart*> charts = shown();
     const double each = width / static_cast<double>(charts.size());
     double left = 0.0;
@@ -234,7 +209,6 @@ struct SessionPlot::Impl {
   }
 
   SessionPlot* plot;
-  GlSurface* surface = nullptr;
   std::shared_ptr<const SessionData> data;
   SessionPlotKind kind = SessionPlotKind::ErrorAndForce;
   double cursor_s = 0.0;
@@ -263,34 +237,30 @@ struct SessionPlot::Impl {
                {{QString(), 1.0F}, {SessionPlot::tr("stored"), 2.0F}, {QString(), 1.0F}}};
   Chart force_lines{SessionPlot::tr("Force [dB over 1 mN]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
   Chart error_lines{SessionPlot::tr("Error [dB over 1 µm]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
-  vtkNew<vtkContextActor> actor;
-  QSize placed;
 };
 
-SessionPlot::SessionPlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+SessionPlot::SessionPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName("panel.session.plot");
   setAccessibleName(tr("Plots of the whole session"));
   setMinimumSize(240, 96);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(impl_->surface);
+  hold(impl_->all());
+  surface().setAttribute(Qt::WA_TransparentForMouseEvents);
+  impl_->showKind();
   setTheme(Theme::light());
 }
 
-SessionPlot::~SessionPlot() {
-  delete impl_->surface;
-}
+SessionPlot::~SessionPlot() = default;
 
 void SessionPlot::setSession(std::shared_ptr<const SessionData> session) {
   impl_->data = std::move(session);
   impl_->cursor_s = 0.0;
-  impl_->placed = {};
-  impl_->surface->update();
+  placeAnew();
 }
 
 void SessionPlot::setKind(SessionPlotKind kind) {
   impl_->kind = kind;
   impl_->showKind();
+  placeAnew();
 }
 
 SessionPlotKind SessionPlot::kind() const {
@@ -301,13 +271,13 @@ void SessionPlot::setCursor(double time_s) {
   if (time_s == impl_->cursor_s) return;
   impl_->cursor_s = time_s;
   impl_->cursor_changed = true;
-  if (impl_->kind != SessionPlotKind::Spectrum) impl_->surface->update();
+  if (impl_->kind != SessionPlotKind::Spectrum) draw();
 }
 
 void SessionPlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
   const QColor quiet = mixed(theme.background, theme.ink, 0.55);
-  my.surface->setBackground(theme.background);
+  setBackground(theme);
   my.error.setColours(theme, {theme.target, theme.ink});
   my.force.setColours(theme, {quiet, theme.force, theme.ink});
   for (Chart& chart : my.along) chart.setColours(theme, {theme.force, theme.ink});
@@ -315,12 +285,7 @@ void SessionPlot::setTheme(const Theme& theme) {
   my.energy.setColours(theme, {theme.ink, theme.constraint, theme.ink});
   my.force_lines.setColours(theme, {theme.force});
   my.error_lines.setColours(theme, {theme.target});
-  my.surface->update();
-}
-
-QImage SessionPlot::picture() {
-  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());  // never shown: no layout has been at work
-  return impl_->surface->picture();
+  draw();
 }
 
 QPointF SessionPlot::placeOf(double time_s) const {
@@ -341,11 +306,16 @@ void SessionPlot::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-void SessionPlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange) return;
-  impl_->placed = {};
-  impl_->surface->update();
+std::vector<Chart*> SessionPlot::shown() const {
+  return impl_->shown();
+}
+
+void SessionPlot::place(double scale) {
+  impl_->place(scale);
+}
+
+void SessionPlot::prepare(bool placed) {
+  impl_->prepare(placed);
 }
 
 }  // namespace underact::gui

@@ -1,9 +1,8 @@
 #pragma once
-#include <QWidget>
 #include <memory>
 
+#include "app/gui/plot/chart_widget.h"
 #include "app/gui/replay/session_data.h"
-#include "app/gui/theme.h"
 
 namespace underact::gui {
 
@@ -12,7 +11,7 @@ enum class SessionPlotKind { ErrorAndForce, ForceAgainstDisplacement, Angles, En
 
 /// A whole session in charts, thinned to the widget's width by minimum and maximum, with a cursor where the replay is.
 /// A click into a chart against time asks to go there.
-class SessionPlot : public QWidget {
+class SessionPlot : public ChartWidget {
   Q_OBJECT
  public:
   explicit SessionPlot(QWidget* parent = nullptr);
@@ -23,7 +22,6 @@ class SessionPlot : public QWidget {
   SessionPlotKind kind() const;
   void setCursor(double time_s);
   void setTheme(const Theme& theme);
-  QImage picture();
   /// Where a time stands, logical pixels; of a kind against time.
   QPointF placeOf(double time_s) const;
 
@@ -33,7 +31,9 @@ class SessionPlot : public QWidget {
  protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void changeEvent(QEvent* event) override;
+  std::vector<Chart*> shown() const override;
+  void place(double scale) override;
+  void prepare(bool placed) override;
 
  private:
   struct Impl;

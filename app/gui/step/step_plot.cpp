@@ -1,20 +1,12 @@
 #include "app/gui/step/step_plot.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
-#include <QEvent>
-#include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
-#include "app/gui/view/gl_surface.h"
 #include "core/base/units.h"
 #include "core/lab/unit_step.h"
 
@@ -71,29 +63,6 @@ std::vector<Chart::Curve> timeCurves() {
 }  // namespace
 
 struct StepPlot::Impl {
-  explicit Impl(StepPlot* owner) : plot(owner) {
-    surface = new GlSurface([this](QSize pixels) { before(pixels); },
-                            [this](QPainter& painter) {
-                              time.paintWords(painter);
-                              plane.paintWords(painter);
-                            },
-                            plot);
-    for (Chart* chart : {&time, &plane}) actor->GetScene()->AddItem(chart->item());
-    surface->renderer().AddActor(actor);
-    actor->GetScene()->SetRenderer(&surface->renderer());
-    time.reserve(kPoints);
-    plane.reserve(kPoints);
-  }
-
-  void before(QSize pixels) {
-    if (pixels == placed) return;
-    placed = pixels;
-    const double width = plot->width(), height = plot->height(), upper = std::round(0.56 * height);
-    const double scale = pixels.height() / std::max(1.0, height);
-    time.setPlace({0.0, 0.0, width, upper}, height, scale, plot->font());
-    plane.setPlace({0.0, upper, width, height - upper}, height, scale, plot->font());
-  }
-
   void drawTime(const StepPicture& shown) {
     double least = 0.0, most = 0.0;
     const auto fill = [&](std::size_t curve, bool there, const auto& valueAt) {
@@ -186,32 +155,26 @@ struct StepPlot::Impl {
     plane.pointsChanged();
   }
 
-  StepPlot* plot;
-  GlSurface* surface = nullptr;
   Chart time{StepPlot::tr("Response to a step of 1"), StepPlot::tr("time [s]"), timeCurves()};
   Chart plane{StepPlot::tr("Imaginary part [rad/s]"),
               StepPlot::tr("real part [rad/s]"),
               {{QString(), 1.0F}, {StepPlot::tr("× pole"), 2.0F}, {StepPlot::tr("○ zero"), 1.5F}}};
-  vtkNew<vtkContextActor> actor;
-  QSize placed;
 };
 
-StepPlot::StepPlot(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+StepPlot::StepPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>()) {
   setObjectName("panel.step.plot");
   setAccessibleName(tr("Step response and poles"));
   setToolTip(
       tr("Above: the response to a step of 1. Below: poles and zeros in the s-plane; what lies left of the upright "
          "axis dies out, the faster the farther."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(impl_->surface);
+  impl_->time.reserve(kPoints);
+  impl_->plane.reserve(kPoints);
+  hold(std::array{&impl_->time, &impl_->plane});
   setTheme(Theme::light());
 }
 
-StepPlot::~StepPlot() {
-  delete impl_->surface;
-}
+StepPlot::~StepPlot() = default;
 
 QSize StepPlot::minimumSizeHint() const {
   return {240, 16 * fontMetrics().lineSpacing()};
@@ -220,32 +183,29 @@ QSize StepPlot::minimumSizeHint() const {
 void StepPlot::present(const StepPicture& picture) {
   impl_->drawTime(picture);
   impl_->drawPlane(picture);
-  impl_->placed = {};  // the legend has other names
   const std::optional<double>& overshoot = picture.metrics.overshoot_fraction;
   setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(100.0 * *overshoot, 0, 'f', 1) : tr("Nothing settles"));
-  impl_->surface->update();
+  placeAnew();  // the legend has other names
 }
 
 void StepPlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
-  my.surface->setBackground(theme.background);
+  setBackground(theme);
   my.time.setColours(theme,
                      {mixed(theme.background, theme.ink, 0.45), theme.constraint, theme.force_limited, theme.target,
                       theme.position, theme.force, theme.orientation, theme.ink, theme.force_limited});
   my.plane.setColours(theme, {mixed(theme.background, theme.ink, 0.6), theme.constraint, theme.target});
-  my.surface->update();
+  draw();
 }
 
-QImage StepPlot::picture() {
-  if (impl_->surface->size() != size()) impl_->surface->setGeometry(rect());
-  return impl_->surface->picture();
+std::vector<Chart*> StepPlot::shown() const {
+  return {&impl_->time, &impl_->plane};
 }
 
-void StepPlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange) return;
-  impl_->placed = {};
-  impl_->surface->update();
+void StepPlot::place(double scale) {
+  const double wide = width(), high = height(), upper = std::round(0.56 * high);
+  impl_->time.setPlace({0.0, 0.0, wide, upper}, high, scale, font());
+  impl_->plane.setPlace({0.0, upper, wide, high - upper}, high, scale, font());
 }
 
 }  // namespace underact::gui

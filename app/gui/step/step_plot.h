@@ -1,10 +1,9 @@
 #pragma once
-#include <QWidget>
 #include <complex>
 #include <memory>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/plot/chart_widget.h"
 #include "core/lab/curve.h"
 #include "core/lab/second_order_fit.h"
 #include "core/lab/transfer_function.h"
@@ -25,7 +24,7 @@ struct StepPicture {
 };
 
 /// Step responses against time, and below them the poles and zeros of the first in the s-plane. It moves when asked.
-class StepPlot : public QWidget {
+class StepPlot : public ChartWidget {
   Q_OBJECT
  public:
   static constexpr std::size_t kMostResponses = 6;
@@ -34,11 +33,11 @@ class StepPlot : public QWidget {
   ~StepPlot() override;
   void present(const StepPicture& picture);
   void setTheme(const Theme& theme);
-  QImage picture();
   QSize minimumSizeHint() const override;
 
  protected:
-  void changeEvent(QEvent* event) override;
+  std::vector<Chart*> shown() const override;
+  void place(double scale) override;
 
  private:
   struct Impl;
