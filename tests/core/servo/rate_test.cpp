@@ -43,6 +43,16 @@ struct Rig {
   std::unique_ptr<Host> host;
 };
 
+/// The next sample after spoilt was set is no number; once.
+std::function<void(ScriptedPort&)> spoiltBy(std::atomic<bool>& spoilt) {
+  return [&spoilt](ScriptedPort& port) {
+    port.spoil = [&spoilt](std::int64_t, arm::Sample& sample) {
+      if (spoilt.exchange(false)) sample.q_rad[2] = kNotANumber;
+      return true;
+    };
+  };
+}
+
 }  // namespace
 
 TEST(ServoRate, TheForceIsLetGoAndComesBackSoftlyAndTheTimeOfSamplesGoesOn) {
@@ -107,12 +117,7 @@ TEST(ServoRate, TimingIsOfThePresentRateAlone) {
 
 TEST(ServoRate, AFaultHoldsTheLastSecondOfTheRateThatItCameAt) {
   std::atomic<bool> spoilt{false};
-  Rig rig({1000, Clock::Manual}, [&spoilt](ScriptedPort& port) {
-    port.spoil = [&spoilt](std::int64_t, arm::Sample& sample) {
-      if (spoilt.exchange(false)) sample.q_rad[2] = kNotANumber;
-      return true;
-    };
-  });
+  Rig rig({1000, Clock::Manual}, spoiltBy(spoilt));
   rig.host->run(1500);
   spoilt = true;
   rig.host->run(1);
@@ -142,12 +147,7 @@ TEST(ServoRate, AFaultHoldsTheLastSecondOfTheRateThatItCameAt) {
 
 TEST(ServoRate, AFaultWhileTheForceIsLetGoTakesAStart) {
   std::atomic<bool> spoilt{false};
-  Rig rig({1000, Clock::Manual}, [&spoilt](ScriptedPort& port) {
-    port.spoil = [&spoilt](std::int64_t, arm::Sample& sample) {
-      if (spoilt.exchange(false)) sample.q_rad[2] = kNotANumber;
-      return true;
-    };
-  });
+  Rig rig({1000, Clock::Manual}, spoiltBy(spoilt));
   rig.host->run(1500);
   spoilt = true;  // the next sample is the first one of the release
   ASSERT_TRUE(rig.host->setRate(4000).empty());
