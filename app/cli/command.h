@@ -39,6 +39,10 @@ void addScene(CLI::App& program, const Streams& streams, Exit& exit);
 /// All commands, in the order of --help.
 std::span<const AddCommand> commands();
 
+/// Runs a grammar's commands: help, version and wrong usage are answered, and the results are out at the end, or it is
+/// said that they are not. arguments: without the program's name; exit: where the commands leave their exit status.
+Exit perform(CLI::App& program, std::vector<std::string> arguments, const Streams& streams, Exit& exit);
+
 /// The whole program. arguments: without the program's name.
 Exit execute(std::vector<std::string> arguments, const Streams& streams);
 

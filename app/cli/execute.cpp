@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <ostream>
+#include <utility>
 
 #include "app/cli/command.h"
 
@@ -15,14 +16,7 @@ std::span<const AddCommand> commands() {
   return kCommands;
 }
 
-Exit execute(std::vector<std::string> arguments, const Streams& streams) {
-  CLI::App program("Underact without a window: kinematics of arms, and what a scene does to the stylus.",
-                   "underact-cli");
-  program.set_version_flag("--version", std::string("underact-cli ") + kVersion, "Print the version and exit");
-  program.require_subcommand(1);
-  program.failure_message(CLI::FailureMessage::simple);
-  Exit exit = Exit::Well;
-  for (const AddCommand add : commands()) add(program, streams, exit);
+Exit perform(CLI::App& program, std::vector<std::string> arguments, const Streams& streams, Exit& exit) {
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     program.parse(std::move(arguments));
@@ -32,8 +26,19 @@ Exit execute(std::vector<std::string> arguments, const Streams& streams) {
   }
   streams.out.flush();
   if (streams.out) return exit;
-  streams.err << "underact-cli: the results could not be written.\n";
+  streams.err << program.get_name() << ": the results could not be written.\n";
   return Exit::File;
+}
+
+Exit execute(std::vector<std::string> arguments, const Streams& streams) {
+  CLI::App program("Underact without a window: kinematics of arms, and what a scene does to the stylus.",
+                   "underact-cli");
+  program.set_version_flag("--version", std::string("underact-cli ") + kVersion, "Print the version and exit");
+  program.require_subcommand(1);
+  program.failure_message(CLI::FailureMessage::simple);
+  Exit exit = Exit::Well;
+  for (const AddCommand add : commands()) add(program, streams, exit);
+  return perform(program, std::move(arguments), streams, exit);
 }
 
 }  // namespace underact::cli

@@ -2,9 +2,9 @@
 
 #include <underact/version.h>
 
-#include <algorithm>
 #include <memory>
 #include <ostream>
+#include <utility>
 
 #include "app/cli/json_object.h"
 #include "app/sweeper/catalogue.h"
@@ -107,17 +107,7 @@ Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Te
   for (const Kind& kind : kinds()) addKind(program, kind, setting);
   addFrom(program, setting);
   addList(program, setting);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
-  try {
-    program.parse(std::move(arguments));
-  } catch (const CLI::ParseError& error) {
-    // Help and version come this way, too, with 0.
-    exit = program.exit(error, streams.out, streams.err) == 0 ? Exit::Well : Exit::Usage;
-  }
-  streams.out.flush();
-  if (streams.out) return exit;
-  streams.err << "underact-sweep: the results could not be written.\n";
-  return Exit::File;
+  return cli::perform(program, std::move(arguments), streams, exit);
 }
 
 }  // namespace underact::sweep

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/sweeper/command.h"
 #include "app/sweeper/progress.h"
 #include "tests/cli/session.h"
 #include "tests/sweep/rig.h"
@@ -38,6 +39,18 @@ TEST(SweepCommand, SaysItsVersionAndWhetherItHasMpi) {
 TEST(SweepCommand, ListsTheKinds) {
   EXPECT_NE(sweepHere({"list"}).out.find("hands: What does the arm do"), std::string::npos);
   EXPECT_EQ(textAt(lines(sweepHere({"list", "--json"}).out).at(0), "kind"), "hands");
+}
+
+TEST(Programs, SayByTheirNamesThatTheirResultsCouldNotBeWritten) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  out.setstate(std::ios::badbit);  // as a pipe that nobody reads
+  const cli::Streams streams{in, out, err};
+  EXPECT_EQ(sweep::execute({"list"}, streams, nullptr), Exit::File);
+  EXPECT_EQ(err.str(), "underact-sweep: the results could not be written.\n");
+  err.str("");
+  EXPECT_EQ(cli::execute({"--version"}, streams), Exit::File);
+  EXPECT_EQ(err.str(), "underact-cli: the results could not be written.\n");
 }
 
 TEST(SweepCommand, NeedsAKindAndAPlaceForTheResult) {
