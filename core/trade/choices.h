@@ -22,6 +22,10 @@ struct Figures {
   double worst = 0.0;          // the largest of it
 };
 
+/// One option, as its settings say it, on the bench that this was made for. Problems: the scene has no such way, a run
+/// ended in a fault, or the hand never touches what the choice is about.
+using Measure = std::function<Result<Figures>(const Settings& settings)>;
+
 /// A choice that the program offers between speed and accuracy.
 struct Choice {
   const char* key;
@@ -34,8 +38,9 @@ struct Choice {
   std::vector<Option> options;
   bool (*applies)(const scene::Description& scene);
   bool (*same)(const Settings& a, const Settings& b);  // in what this choice is about
-  /// One option on one bench. Problems: the scene has no such way.
-  Result<Figures> (*measure)(const Bench& bench, const Settings& settings);
+  /// For one bench. What all options are held against is computed here, once. base: what they have in common, all but
+  /// what the choice is about.
+  Measure (*measureOn)(const Bench& bench, const Settings& base);
 };
 
 /// rate, simulation, search, solver, steps, velocity, inverse, blocks. Of float or double nothing offers a

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/trade/measures.h"
 
 namespace underact::trade {
 namespace {
-
-constexpr int kOracleRate_hz = 16'000;
 
 using Ways = std::vector<Settings>;
 
@@ -30,7 +29,7 @@ Settings oracleOf(Settings own) {
   own.rate_hz = kOracleRate_hz;
   own.simulation = {Integrator::Trapezoidal, scene::kShortestSubstep_us};
   own.search = Search::Global;
-  own.solver = {scene::SolverMethod::Iterative, 100, 1e-14};
+  own.solver = kOracleSolver;
   own.velocity = scene::RawFilter{};  // of exact angles
   return own;
 }

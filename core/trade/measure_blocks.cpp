@@ -31,10 +31,8 @@ class Scratch {
   std::filesystem::path path_;
 };
 
-}  // namespace
-
 /// A block is put together row by row, written, and handed to the system.
-Result<Figures> measureBlocks(const Bench& bench, const Settings& settings) {
+Result<Figures> figuresOf(const Bench& bench, const Settings& settings) {
   const Scratch scratch;
   record::SessionHeader header;
   header.rate_hz = settings.rate_hz;
@@ -62,6 +60,12 @@ Result<Figures> measureBlocks(const Bench& bench, const Settings& settings) {
   cost.p50_ns /= rows;
   cost.p99_ns /= rows;
   return Figures{cost, 1e-3 * cost.p50_ns * settings.rate_hz, settings.block_s, settings.block_s};
+}
+
+}  // namespace
+
+Measure blocksOn(const Bench& bench, const Settings&) {
+  return [bench](const Settings& settings) { return figuresOf(bench, settings); };
 }
 
 }  // namespace underact::trade

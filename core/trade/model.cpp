@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
-#include "core/arm/inverse.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
-#include "core/sim/plant.h"
 #include "core/tick/step.h"
 
 namespace underact::trade {
@@ -131,23 +128,14 @@ std::optional<tick::TickProgram> programWith(const scene::Description& bare, con
   return program;
 }
 
-std::vector<arm::JointAngles> wayOf(const Bench& bench) {
-  const sim::Plant plant = sim::makePlant(*arm::findPreset(bench.scene.arm), {}, bench.hand.hand);
-  std::vector<arm::JointAngles> way;
-  for (const double time_s : timesOf(bench, kRate_hz))
-    way.push_back(restAt(plant, wishAt(bench.hand, std::llround(1e9 * time_s)).p_WT).q_rad);
-  return way;
-}
-
-double medianTick_ns(const tick::TickProgram& program, const std::vector<arm::JointAngles>& way) {
+double medianTick_ns(const tick::TickProgram& program, const Way& way) {
   tick::TickState state = makeState(program);
   tick::TickReport report;
   tick::TickInput input;
   input.engage = input.restart = true;
   Stopwatch watch(way.size());
-  for (const arm::JointAngles& q_rad : way) {
-    input.sample.time_ns += 1'000'000'000 / kRate_hz;
-    input.sample.q_rad = q_rad;
+  for (const arm::Sample& sample : way) {
+    input.sample = sample;
     watch.time([&] { step(program, input, state, report); });
     input.restart = false;
   }
@@ -155,8 +143,7 @@ double medianTick_ns(const tick::TickProgram& program, const std::vector<arm::Jo
 }
 
 /// The median over rounds of each program's median.
-std::vector<double> inTurn_ns(const std::vector<const tick::TickProgram*>& programs,
-                              const std::vector<arm::JointAngles>& way) {
+std::vector<double> inTurn_ns(const std::vector<const tick::TickProgram*>& programs, const Way& way) {
   std::vector<std::vector<double>> all(programs.size());
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t index = 0; index < programs.size(); ++index)
@@ -185,7 +172,7 @@ Result<Model> modelOf(const Bench& bench) {
     each[row] = programWith(bare_scene, [row](const Row& one) { return &one == &kRows[row]; });
     if (each[row]) programs.push_back(&*each[row]);
   }
-  const std::vector<double> times_ns = inTurn_ns(programs, wayOf(bench));
+  const std::vector<double> times_ns = inTurn_ns(programs, wayOf(bench, timesOf(bench, kRate_hz), false));
   Model model{times_ns[0], times_ns[1], times_ns[2], {}};
   std::size_t next = 3;
   for (std::size_t row = 0; row < kRows.size(); ++row) {

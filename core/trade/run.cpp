@@ -109,15 +109,24 @@ Result<Run> run(const Bench& bench, const Settings& settings, bool exact) {
   return result;
 }
 
-Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vector<double>& at_s, bool encoders) {
+Way wayOf(const Bench& bench, const std::vector<double>& at_s, bool encoders) {
+  const sim::Plant plant = plantOf(bench, bench.scene, !encoders);
+  Way way(at_s.size());
+  for (std::size_t tick = 0; tick < at_s.size(); ++tick) {
+    way[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would be no time
+    way[tick].q_rad = jointsAt(plant, wishAt(bench.hand, nanosecondsAt(at_s[tick])));
+  }
+  return way;
+}
+
+Result<Walk> walk(const Bench& bench, const Settings& settings, const Way& way) {
   const scene::Description scene = withSettings(bench.scene, settings);
   const Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return program.problems();
-  const sim::Plant plant = plantOf(bench, scene, !encoders);
   tick::TickState state = makeState(program.value());
   tick::TickReport report;
   tick::TickInput input;
-  input.engage = true;
+  input.engage = input.restart = true;
   const std::size_t constraints = scene.constraints.size();
   Walk result;
   result.p_WP.resize(constraints);
@@ -125,12 +134,11 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vecto
   result.distance_m.resize(constraints);
   result.acts.resize(constraints);
   result.rate_W.resize(state.laws.size());
-  Stopwatch of_tick(at_s.size());
-  for (const double time_s : at_s) {
-    input.restart = input.sample.time_ns == 0;
-    input.sample.time_ns = nanosecondsAt(time_s) + 1;  // a first one at 0 would be no time
-    input.sample.q_rad = jointsAt(plant, wishAt(bench.hand, nanosecondsAt(time_s)));
+  Stopwatch of_tick(way.size());
+  for (const arm::Sample& sample : way) {
+    input.sample = sample;
     of_tick.time([&] { step(program.value(), input, state, report); });
+    input.restart = false;
     if (report.held.size() == constraints) add(report, state, result);
     if (!anyActs(report)) of_tick.forgetLast();
   }

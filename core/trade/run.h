@@ -53,6 +53,13 @@ struct Run {
 /// there is not, say).
 Result<Run> run(const Bench& bench, const Settings& settings, bool exact = false);
 
+/// The joints along a hand's way as the arm shows them, each with its time.
+using Way = std::vector<arm::Sample>;
+
+/// Where the hand itself is, as far as the arm follows. at_s: times of the ticks, rising; encoders: the joints come in
+/// steps.
+Way wayOf(const Bench& bench, const std::vector<double>& at_s, bool encoders);
+
 /// What the tick finds where the hand itself is, not the arm: the same places whatever is found.
 struct Walk {
   // Constraint by constraint, tick by tick:
@@ -64,8 +71,8 @@ struct Walk {
   Cost tick;                              // of those in which a target acts
 };
 
-/// at_s: times of the ticks, rising; encoders: the joints come in steps.
-Result<Walk> walk(const Bench& bench, const Settings& settings, const std::vector<double>& at_s, bool encoders);
+/// Problems: those of the scene with these settings.
+Result<Walk> walk(const Bench& bench, const Settings& settings, const Way& way);
 
 /// 0 to the bench's seconds, evenly.
 std::vector<double> timesOf(const Bench& bench, int rate_hz);

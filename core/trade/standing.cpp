@@ -4,15 +4,10 @@
 #include <string_view>
 
 #include "core/trade/front.h"
+#include "core/trade/measures.h"
 
 namespace underact::trade {
 namespace {
-
-/// One option to be measured, and the settings with which it is run.
-struct Entry {
-  std::string name;
-  Settings settings;
-};
 
 /// The scene's own way is run as the scene has it: "auto" is more than the closed form that it is like.
 std::vector<Entry> entriesOf(const Choice& choice, const Settings& base) {
@@ -82,16 +77,19 @@ std::vector<Standing> measureStandings(const scene::Description& scene, const st
     asked.push_back(&choice);
     cells += entriesOf(choice, base).size() * hands.size();
   }
+  const auto tell = [&] { return goes_on(static_cast<double>(done++) / static_cast<double>(cells)); };
   std::vector<Standing> standings;
   for (const Choice* choice : asked) {
     std::vector<Row> rows;
     Standing standing{choice, base, {}};
-    for (const Entry& entry : entriesOf(*choice, base)) {
-      for (const NamedHand& hand : hands) {
-        if (!goes_on(static_cast<double>(done++) / static_cast<double>(cells))) return standings;
-        const Result<Figures> figures = choice->measure({scene, hand.hand, seconds}, entry.settings);
-        if (figures) rows.push_back({scene.title, hand.name, choice->key, entry.name, figures.value()});
-      }
+    const std::vector<Entry> entries = entriesOf(*choice, base);
+    for (const NamedHand& hand : hands) {
+      const auto add = [&](const Entry& entry, const Figures& figures) {
+        rows.push_back({scene.title, hand.name, choice->key, entry.name, figures});
+      };
+      if (!measureEach(*choice, {scene, hand.hand, seconds}, base, entries, tell, add)) return standings;
+    }
+    for (const Entry& entry : entries) {
       const Summary summary = summaryOf(rows, choice->key, entry.name);
       if (summary.runs > 0) standing.options.push_back(summary);
     }

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trade/measures.h"
+
 namespace underact::trade {
 namespace {
 
-/// One run to be made.
+/// One choice on one scene in one hand.
 struct Cell {
   const NamedScene* scene;
   const NamedHand* hand;
   const Choice* choice;
-  const Option* option;
 };
 
 std::vector<Cell> cellsOf(const Plan& plan) {
@@ -23,12 +24,20 @@ std::vector<Cell> cellsOf(const Plan& plan) {
   for (const NamedScene& scene : plan.scenes) {
     for (const NamedHand& hand : plan.hands) {
       for (const Choice& choice : choices()) {
-        if (!is_asked(choice) || !choice.applies(scene.scene)) continue;
-        for (const Option& option : choice.options) cells.push_back({&scene, &hand, &choice, &option});
+        if (is_asked(choice) && choice.applies(scene.scene)) cells.push_back({&scene, &hand, &choice});
       }
     }
   }
   return cells;
+}
+
+std::vector<Entry> entriesOf(const Choice& choice, const Settings& base) {
+  std::vector<Entry> entries;
+  for (const Option& option : choice.options) {
+    entries.push_back({option.name, base});
+    option.choose(entries.back().settings);
+  }
+  return entries;
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -61,17 +70,17 @@ Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const
 std::vector<Row> measureRows(const Plan& plan, const Progress& goes_on) {
   std::vector<Row> rows;
   const std::vector<Cell> cells = cellsOf(plan);
-  for (std::size_t index = 0; index < cells.size(); ++index) {
-    if (!goes_on(static_cast<double>(index) / static_cast<double>(cells.size()))) break;
-    const Cell& cell = cells[index];
+  std::size_t runs = 0, done = 0;
+  for (const Cell& cell : cells) runs += cell.choice->options.size();
+  const auto tell = [&] { return goes_on(static_cast<double>(done++) / static_cast<double>(runs)); };
+  for (const Cell& cell : cells) {
     const Bench bench{cell.scene->scene, cell.hand->hand, plan.seconds};
     const Settings own = settingsOf(bench.scene, Settings{}.rate_hz);
-    Settings settings = own;
-    cell.option->choose(settings);
-    const Result<Figures> figures = cell.choice->measure(bench, settings);
-    if (!figures) continue;
-    rows.push_back({cell.scene->name, cell.hand->name, cell.choice->key, cell.option->name, figures.value(),
-                    cell.choice->same(own, settings)});
+    const auto add = [&](const Entry& entry, const Figures& figures) {
+      rows.push_back({cell.scene->name, cell.hand->name, cell.choice->key, entry.name, figures,
+                      cell.choice->same(own, entry.settings)});
+    };
+    if (!measureEach(*cell.choice, bench, own, entriesOf(*cell.choice, own), tell, add)) break;
   }
   return rows;
 }

@@ -26,10 +26,12 @@ const Choice& choice(const char* key) {
 /// Error by option.
 std::map<std::string, double> errorsOf(const char* key, const Bench& bench) {
   std::map<std::string, double> errors;
+  const Settings base = settingsOf(bench.scene, 1000);
+  const Measure measure = choice(key).measureOn(bench, base);
   for (const Option& option : choice(key).options) {
-    Settings settings = settingsOf(bench.scene, 1000);
+    Settings settings = base;
     option.choose(settings);
-    const Result<Figures> figures = choice(key).measure(bench, settings);
+    const Result<Figures> figures = measure(settings);
     if (figures) errors[option.name] = figures.value().error;
   }
   return errors;
@@ -110,7 +112,8 @@ TEST(Choices, TheArmsInverseIsExactInClosedFormAndConvergesByIteration) {
 
 TEST(Choices, WhatAHandNeverTouchesIsNotJudged) {
   const Bench bench = benchOf("09_wall", "still", 0.2);  // it is still on its way there
-  EXPECT_FALSE(choice("velocity").measure(bench, settingsOf(bench.scene, 1000)));
+  const Settings own = settingsOf(bench.scene, 1000);
+  EXPECT_FALSE(choice("velocity").measureOn(bench, own)(own));
 }
 
 TEST(Choices, ABlockOfARecordingIsWhatAKillLoses) {
