@@ -1,13 +1,12 @@
 #include "core/lab/search_trade.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+
+#include "core/lab/stopwatch.h"
 
 namespace underact::lab {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// An answer of a search, of whichever kind.
 struct Answer {
@@ -15,40 +14,25 @@ struct Answer {
   bool is_proved = false;
 };
 
-double microsecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
-
-/// The least that reading the clock twice takes.
-double clockCost_us() {
-  double least_us = 1e9;
-  for (int run = 0; run < 1000; ++run) least_us = std::min(least_us, microsecondsSince(Clock::now()));
-  return least_us;
-}
-
 /// ask(p_WT): with the search's memory of the last tick.
 template <class Ask>
 SearchFigures figuresOf(Search search, const std::vector<Vec3>& way, const std::vector<Answer>& nearest, Ask ask) {
   SearchFigures figures{search};
-  const double clock_us = clockCost_us();
-  std::vector<double> times_us;
-  times_us.reserve(way.size());
+  Stopwatch watch(way.size());
   double beside = 0.0, unproved = 0.0;
   for (std::size_t tick = 0; tick < way.size(); ++tick) {
-    const Clock::time_point start = Clock::now();
-    const Answer answer = ask(way[tick]);
-    times_us.push_back(std::max(0.0, microsecondsSince(start) - clock_us));
+    Answer answer;
+    watch.time([&] { answer = ask(way[tick]); });
     const double farther_m = answer.distance_m - nearest[tick].distance_m;
     figures.worst_m = std::max(figures.worst_m, farther_m);
     beside += farther_m > 1e-12 * (1.0 + nearest[tick].distance_m) ? 1.0 : 0.0;  // above the rounding of both
     unproved += answer.is_proved ? 0.0 : 1.0;
   }
   const auto count = static_cast<double>(way.size());
-  std::sort(times_us.begin(), times_us.end());
-  const auto at = [&](double share) { return times_us[static_cast<std::size_t>(share * (count - 1.0))]; };
-  figures.p50_us = at(0.5);
-  figures.p99_us = at(0.99);
-  figures.max_us = times_us.back();
+  const Cost cost = watch.cost();
+  figures.p50_us = 1e-3 * cost.p50_ns;
+  figures.p99_us = 1e-3 * cost.p99_ns;
+  figures.max_us = 1e-3 * cost.max_ns;
   figures.share_beside = beside / count;
   figures.share_unproved = unproved / count;
   return figures;

@@ -16,7 +16,7 @@ struct Option {
 
 /// What an option costs and how far it is off.
 struct Figures {
-  Cost cost;                   // of what the choice is about, ns; for each tick
+  lab::Cost cost;              // of what the choice is about, ns; for each tick
   double cost_us_per_s = 0.0;  // processor time for a second of the servo's
   double error = 0.0;          // root of the mean square over the run, in the choice's unit
   double worst = 0.0;          // the largest of it

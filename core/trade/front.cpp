@@ -1,7 +1,6 @@
 #include "core/trade/front.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/units.h"
 #include "core/trade/measures.h"
@@ -34,13 +33,6 @@ Settings oracleOf(Settings own) {
   return own;
 }
 
-/// The middle one; of an even number the greater of both.
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// One way in all the hands; empty: a run ended early, or there is no such way.
 std::optional<Point> measured(const std::vector<Bench>& benches, const std::vector<Run>& oracles, const Settings& way) {
   Point point;
@@ -55,8 +47,8 @@ std::optional<Point> measured(const std::vector<Bench>& benches, const std::vect
     errors_mm.push_back(kMillimetrePerMetre * off.rms_m);
     errors_N.push_back(off.rms_N);
   }
-  point.error_mm = median(errors_mm);
-  point.error_N = median(errors_N);
+  point.error_mm = lab::quantile(errors_mm, 0.5);
+  point.error_N = lab::quantile(errors_N, 0.5);
   return point;
 }
 

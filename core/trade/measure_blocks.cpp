@@ -43,7 +43,7 @@ Result<Figures> figuresOf(const Bench& bench, const Settings& settings) {
   Problems problems = writer.begin(1, 0, {}, bench.scene);
   const auto rows = static_cast<int>(settings.block_s * settings.rate_hz);
   const auto blocks = std::max(10, static_cast<int>(bench.seconds / settings.block_s));
-  Stopwatch watch(static_cast<std::size_t>(blocks));
+  lab::Stopwatch watch(static_cast<std::size_t>(blocks));
   servo::TickRecord record;
   for (int block = 0; block < blocks && problems.empty(); ++block) {
     watch.time([&] {
@@ -56,9 +56,8 @@ Result<Figures> figuresOf(const Bench& bench, const Settings& settings) {
   }
   writer.abandon();
   if (!problems.empty()) return problems;
-  Cost cost = watch.cost();
-  cost.p50_ns /= rows;
-  cost.p99_ns /= rows;
+  lab::Cost cost = watch.cost();
+  cost = {cost.p50_ns / rows, cost.p99_ns / rows, cost.max_ns / rows};
   return Figures{cost, 1e-3 * cost.p50_ns * settings.rate_hz, settings.block_s, settings.block_s};
 }
 

@@ -26,7 +26,7 @@ class Errors {
     ++count_;
   }
   /// Problems: nothing was added, so that nothing can be said.
-  Result<Figures> figures(const Cost& cost, int rate_hz) const {
+  Result<Figures> figures(const lab::Cost& cost, int rate_hz) const {
     if (count_ == 0) return Problems{{"The hand never touches what this is about."}};
     const double rms = std::sqrt(sum_ / static_cast<double>(count_));
     return Figures{cost, 1e-3 * cost.p50_ns * rate_hz, rms, worst_};
@@ -40,7 +40,7 @@ class Errors {
 const Problems kEndedEarly{{"The run ended in a fault, and what it did before says nothing."}};
 
 /// The tip's way against that of the finest run. cost: what of an option's own run is timed.
-Measure againstRun(const Bench& bench, const Settings& finest, Cost Run::*cost) {
+Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*cost) {
   return [bench, fine = run(bench, finest), cost](const Settings& settings) -> Result<Figures> {
     if (!fine) return fine.problems();
     if (fine.value().faulted) return kEndedEarly;
@@ -48,7 +48,7 @@ Measure againstRun(const Bench& bench, const Settings& finest, Cost Run::*cost) 
     if (!one) return one.problems();
     if (one.value().faulted) return kEndedEarly;
     const Apart off = apart(one.value(), fine.value());
-    const Cost& own = one.value().*cost;
+    const lab::Cost& own = one.value().*cost;
     return Figures{own, 1e-3 * own.p50_ns * settings.rate_hz, kMillimetrePerMetre * off.rms_m,
                    kMillimetrePerMetre * off.most_m};
   };
@@ -161,7 +161,7 @@ Measure inverseOn(const Bench& bench, const Settings& base) {
   return [geometry = preset.geometry, poses = std::move(poses), chain](const Settings& settings) {
     chain::NumericOptions options;
     options.max_steps = settings.inverse_steps;
-    Stopwatch watch(poses.size());
+    lab::Stopwatch watch(poses.size());
     Errors errors;
     arm::JointAngles q_rad{};
     for (const Pose& X_WT : poses) {

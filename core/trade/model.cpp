@@ -133,7 +133,7 @@ double medianTick_ns(const tick::TickProgram& program, const Way& way) {
   tick::TickReport report;
   tick::TickInput input;
   input.engage = input.restart = true;
-  Stopwatch watch(way.size());
+  lab::Stopwatch watch(way.size());
   for (const arm::Sample& sample : way) {
     input.sample = sample;
     watch.time([&] { step(program, input, state, report); });
@@ -150,10 +150,7 @@ std::vector<double> inTurn_ns(const std::vector<const tick::TickProgram*>& progr
       all[index].push_back(medianTick_ns(*programs[index], way));
   }
   std::vector<double> medians;
-  for (std::vector<double>& times : all) {
-    std::nth_element(times.begin(), times.begin() + kRounds / 2, times.end());
-    medians.push_back(times[kRounds / 2]);
-  }
+  for (const std::vector<double>& times : all) medians.push_back(lab::quantile(times, 0.5));
   return medians;
 }
 

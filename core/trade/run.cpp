@@ -1,7 +1,6 @@
 #include "core/trade/run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/arm/inverse.h"
@@ -49,33 +48,6 @@ bool anyActs(const tick::TickReport& report) {
 
 }  // namespace
 
-std::int64_t Stopwatch::now_ns() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-Stopwatch::Stopwatch(std::size_t times) : reading_ns_(1'000'000) {
-  times_ns_.reserve(times);
-  for (int n = 0; n < 1000; ++n) {
-    const std::int64_t start_ns = now_ns();
-    reading_ns_ = std::min(reading_ns_, now_ns() - start_ns);
-  }
-}
-
-void Stopwatch::add(std::int64_t took_ns) {
-  times_ns_.push_back(static_cast<double>(std::max<std::int64_t>(0, took_ns - reading_ns_)));
-}
-
-Cost Stopwatch::cost() const {
-  if (times_ns_.empty()) return {};
-  std::vector<double> sorted = times_ns_;
-  std::sort(sorted.begin(), sorted.end());
-  const auto at = [&](double share) {
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-  };
-  return {at(0.5), at(0.99)};
-}
-
 std::vector<double> timesOf(const Bench& bench, int rate_hz) {
   std::vector<double> times;
   for (int tick = 0; tick < static_cast<int>(bench.seconds * rate_hz); ++tick)
@@ -90,7 +62,7 @@ Result<Run> run(const Bench& bench, const Settings& settings, bool exact) {
   lab::Loop loop(plantOf(bench, scene, exact), wishAt(bench.hand, 0).p_WT, settings.rate_hz);
   tick::TickState state = makeState(program.value());
   const auto ticks = static_cast<std::size_t>(bench.seconds * settings.rate_hz);
-  Stopwatch of_tick(ticks), of_arm(ticks);
+  lab::Stopwatch of_tick(ticks), of_arm(ticks);
   Run result;
   result.rate_hz = settings.rate_hz;
   result.p_WT.reserve(ticks);
@@ -134,7 +106,7 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const Way& way) 
   result.distance_m.resize(constraints);
   result.acts.resize(constraints);
   result.rate_W.resize(state.laws.size());
-  Stopwatch of_tick(way.size());
+  lab::Stopwatch of_tick(way.size());
   for (const arm::Sample& sample : way) {
     input.sample = sample;
     of_tick.time([&] { step(program.value(), input, state, report); });

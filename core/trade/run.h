@@ -2,36 +2,12 @@
 #include <optional>
 #include <vector>
 
+#include "core/lab/stopwatch.h"
 #include "core/sim/hand_script.h"
 #include "core/tick/program.h"
 #include "core/trade/settings.h"
 
 namespace underact::trade {
-
-/// Times of one and the same piece of work, ns, by this machine, now.
-struct Cost {
-  double p50_ns = 0.0, p99_ns = 0.0;
-};
-
-/// Single times by the steady clock, what reading it takes off.
-class Stopwatch {
- public:
-  explicit Stopwatch(std::size_t times);
-  template <class Work>
-  void time(const Work& work) {
-    const std::int64_t start_ns = now_ns();
-    work();
-    add(now_ns() - start_ns);
-  }
-  void forgetLast() { times_ns_.pop_back(); }
-  Cost cost() const;
-
- private:
-  static std::int64_t now_ns();
-  void add(std::int64_t took_ns);
-  std::int64_t reading_ns_;
-  std::vector<double> times_ns_;
-};
 
 /// A scene and the hand that moves in it.
 struct Bench {
@@ -45,7 +21,7 @@ struct Run {
   int rate_hz = 1000;
   std::vector<Vec3> p_WT;   // where the tip truly was, tick by tick
   std::vector<Vec3> f_T_W;  // the force sent then
-  Cost tick, arm;           // of the servo's tick, and of the simulated arm, a period each
+  lab::Cost tick, arm;      // of the servo's tick, and of the simulated arm, a period each
   bool faulted = false;     // it ended early
 };
 
@@ -68,7 +44,7 @@ struct Walk {
   std::vector<std::vector<double>> distance_m;
   std::vector<std::vector<Vec3>> rate_W;  // of the error, m/s; empty where no law damps
   std::vector<std::vector<bool>> acts;    // a target was there, and had been a tick before
-  Cost tick;                              // of those in which a target acts
+  lab::Cost tick;                         // of those in which a target acts
 };
 
 /// Problems: those of the scene with these settings.

@@ -1,7 +1,6 @@
 #include "core/trade/table.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/trade/measures.h"
 
@@ -40,11 +39,6 @@ std::vector<Entry> entriesOf(const Choice& choice, const Settings& base) {
   return entries;
 }
 
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
-}
-
 }  // namespace
 
 Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const std::string& option) {
@@ -60,10 +54,10 @@ Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const
   }
   summary.runs = static_cast<int>(errors.size());
   if (summary.runs == 0) return summary;
-  summary.p50_ns = quantile(p50, 0.5);
-  summary.p99_ns = quantile(p99, 0.5);
-  summary.cost_us_per_s = quantile(costs, 0.5);
-  summary.error = quantile(errors, 0.9);
+  summary.p50_ns = lab::quantile(p50, 0.5);
+  summary.p99_ns = lab::quantile(p99, 0.5);
+  summary.cost_us_per_s = lab::quantile(costs, 0.5);
+  summary.error = lab::quantile(errors, 0.9);
   return summary;
 }
 

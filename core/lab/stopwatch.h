@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace underact::lab {
+
+/// Times of one and the same piece of work, ns, by this machine, now. None at all: 0.
+struct Cost {
+  double p50_ns = 0.0, p99_ns = 0.0, max_ns = 0.0;
+};
+
+/// Single times by the steady clock, what reading it takes off.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::size_t times);
+  template <class Work>
+  void time(const Work& work) {
+    const std::int64_t start_ns = now_ns();
+    work();
+    add(now_ns() - start_ns);
+  }
+  void forgetLast() { times_ns_.pop_back(); }
+  Cost cost() const;
+
+ private:
+  static std::int64_t now_ns();
+  void add(std::int64_t took_ns);
+  std::int64_t reading_ns_;
+  std::vector<double> times_ns_;
+};
+
+/// The least of the values that a share of them, above 0 up to 1, keep within; 0.5: the median, of an even number the
+/// smaller one of both in the middle. values: at least one.
+double quantile(std::vector<double> values, double share);
+
+}  // namespace underact::lab
