@@ -62,7 +62,7 @@ Exit oneCell(const StabilityOptions& options, const Streams& streams) {
   cell.addNumber("colgate_schenkel_N_per_m", limits.colgate_schenkel_N_per_m);
   cell.addNumber("gil_hulin_N_per_m", limits.gil_hulin_N_per_m);
   if (options.stiffness_N_per_m > 0.0) {
-    const stability::Label label = stability::labelOf(wall, options.stiffness_N_per_m);
+    const stability::Label label = stability::labelOf(wall, limits, options.stiffness_N_per_m);
     cell.addNumber("stiffness_N_per_m", options.stiffness_N_per_m);
     cell.addText("label", name(label.trial.behaviour));
     cell.addNumber("amplitude_mm", kMillimetrePerMetre * label.trial.amplitude_m);
@@ -83,8 +83,8 @@ struct Tables {
   Table scene_labels{{"scene", "rate_hz", "kd_N_s_per_m", "stiffness_N_per_m", "label", "passive", "least_energy_uJ"}};
 };
 
-void addLimits(const std::string& map, const std::string& variant, const SampledWall& wall, Tables& tables) {
-  const stability::Limits limits = stability::limitsOf(wall);
+void addLimits(const std::string& map, const std::string& variant, const SampledWall& wall,
+               const stability::Limits& limits, Tables& tables) {
   const Table::Field exact = limits.exact_N_per_m ? Table::Field(*limits.exact_N_per_m) : Table::Field();
   tables.limits.add({map, variant, std::int64_t{1'000'000'000} / wall.period_ns, std::int64_t{wall.delay_ticks},
                      wall.mass_kg, wall.damping_N_s_per_m, wall.hand_stiffness_N_per_m, wall.friction_N,
@@ -92,8 +92,9 @@ void addLimits(const std::string& map, const std::string& variant, const Sampled
                      limits.colgate_schenkel_N_per_m, limits.gil_hulin_N_per_m});
 }
 
-void addLabel(const std::string& map, const std::string& variant, const SampledWall& wall, double K, Tables& tables) {
-  const stability::Label label = stability::labelOf(wall, K);
+void addLabel(const std::string& map, const std::string& variant, const SampledWall& wall,
+              const stability::Limits& limits, double K, Tables& tables) {
+  const stability::Label label = stability::labelOf(wall, limits, K);
   tables.labels.add({map, variant, wall.kd_N_s_per_m, K, std::string(name(label.trial.behaviour)),
                      kMillimetrePerMetre * label.trial.amplitude_m, label.is_passive});
 }
@@ -107,9 +108,10 @@ void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>&
       SampledWall wall = variant.wall;
       wall.kd_N_s_per_m = kd;
       steps.push_back([key = std::string(map.key), name = variant.name, wall, labels](Tables& tables) {
-        addLimits(key, name, wall, tables);
+        const stability::Limits limits = stability::limitsOf(wall);
+        addLimits(key, name, wall, limits, tables);
         if (!labels) return Problems{};
-        for (const double K : stability::mapStiffnesses_N_per_m()) addLabel(key, name, wall, K, tables);
+        for (const double K : stability::mapStiffnesses_N_per_m()) addLabel(key, name, wall, limits, K, tables);
         return Problems{};
       });
     }
@@ -122,9 +124,12 @@ Problems from(const std::string& file, Problems problems) {
   return problems;
 }
 
-Problems addSceneLabels(const std::string& file, const stability::SceneWall& wall, Tables& tables) {
+/// nominal: the trial at the nominal stiffness, which is one of the cells.
+Problems addSceneLabels(const std::string& file, const stability::SceneWall& wall,
+                        const Result<stability::SceneTrial>& nominal, Tables& tables) {
   for (const double K : stability::sceneStiffnesses_N_per_m()) {
-    const Result<stability::SceneTrial> trial = stability::tryScene(wall, K);
+    const Result<stability::SceneTrial> trial =
+        K == stability::kNominal_N_per_m ? nominal : stability::tryScene(wall, K);
     if (!trial) return from(file, trial.problems());
     tables.scene_labels.add({std::filesystem::path(file).stem().string(), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
                              K, std::string(name(trial.value().trial.behaviour)), trial.value().is_passive,
@@ -144,7 +149,7 @@ Problems addScene(const std::string& file, const stability::SceneWall& wall, boo
                      std::string(joints ? "joint" : "cartesian"), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
                      limit.value(), std::string(name(nominal.value().trial.behaviour)), nominal.value().is_passive,
                      1e6 * nominal.value().least_energy_J});
-  return labels ? addSceneLabels(file, wall, tables) : Problems{};
+  return labels ? addSceneLabels(file, wall, nominal, tables) : Problems{};
 }
 
 /// Of a scene's first constraint. What cannot be asked is told, and left out.

@@ -104,11 +104,19 @@ std::optional<double> greatest(const IsWell& is_well) {
   return well;
 }
 
-}  // namespace
+/// All of a wall's loop but its stiffness.
+struct Loop {
+  const SampledWall& wall;
+  LinearFilter filter;
+  Mat3 period;
+};
 
-double spectralRadius(const SampledWall& wall, double stiffness_N_per_m) {
-  const LinearFilter filter = filterOf(wall);
-  const Mat3 period = motionOver(wall);
+Loop loopOf(const SampledWall& wall) {
+  return {wall, filterOf(wall), motionOver(wall)};
+}
+
+double radiusOf(const Loop& loop, double stiffness_N_per_m) {
+  const auto& [wall, filter, period] = loop;
   const Eigen::Index memory = filter.b.size(), size = 2 + memory + wall.delay_ticks;
   Row asked = Row::Zero(size);
   asked[0] = -stiffness_N_per_m - wall.kd_N_s_per_m * filter.d;
@@ -128,10 +136,16 @@ double spectralRadius(const SampledWall& wall, double stiffness_N_per_m) {
   return step.eigenvalues().cwiseAbs().maxCoeff();
 }
 
+}  // namespace
+
+double spectralRadius(const SampledWall& wall, double stiffness_N_per_m) {
+  return radiusOf(loopOf(wall), stiffness_N_per_m);
+}
+
 std::optional<double> exactLimit(const SampledWall& wall) {
   if (!wall.isLinear()) return std::nullopt;
   // Free, a mass keeps its place and is no swing: what counts begins with the least stiffness.
-  return greatest([&](double K) { return spectralRadius(wall, std::max(K, 1e-3)) < 1.0; });
+  return greatest([loop = loopOf(wall)](double K) { return radiusOf(loop, std::max(K, 1e-3)) < 1.0; });
 }
 
 double passiveLimit(const SampledWall& wall) {

@@ -103,8 +103,8 @@ Limits limitsOf(const SampledWall& wall) {
   return {simulatedLimit(wall), exactLimit(wall), passiveLimit(wall), colgateSchenkel(wall), gilHulin(wall)};
 }
 
-Label labelOf(const SampledWall& wall, double stiffness_N_per_m) {
-  return {tryWall(wall, stiffness_N_per_m), stiffness_N_per_m <= passiveLimit(wall)};
+Label labelOf(const SampledWall& wall, const Limits& limits, double stiffness_N_per_m) {
+  return {tryWall(wall, stiffness_N_per_m), stiffness_N_per_m <= limits.passive_N_per_m};
 }
 
 std::span<const int> sceneRates_hz() {

@@ -49,7 +49,7 @@ struct Label {
   Trial trial;
   bool is_passive = false;  // of the linear wall, for any hand
 };
-Label labelOf(const SampledWall& wall, double stiffness_N_per_m);
+Label labelOf(const SampledWall& wall, const Limits& limits, double stiffness_N_per_m);
 
 /// The rates and dampings at which scenes are asked.
 std::span<const int> sceneRates_hz();

@@ -59,12 +59,22 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
   return loop.arm().p_WT;
 }
 
-SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WRest,
-                  const Vec3& way_W, double stiffness_N_per_m) {
-  lab::Loop loop(plant, p_WRest, wall.rate_hz);
-  tick::TickState state = makeState(program);
-  double rest_m = 0.0;
-  for (int tick = ticksIn(kRamps_s, wall); tick-- > 0;) rest_m = errorOf(loop.tick(program, state));
+/// The tip where it rests, the gate's ramps done.
+struct AtRest {
+  lab::Loop loop;
+  tick::TickState state;
+  double error_m = 0.0;
+};
+
+AtRest atRest(const SceneWall& wall, const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WRest) {
+  AtRest rest{lab::Loop(plant, p_WRest, wall.rate_hz), makeState(program)};
+  for (int tick = ticksIn(kRamps_s, wall); tick-- > 0;) rest.error_m = errorOf(rest.loop.tick(program, rest.state));
+  return rest;
+}
+
+SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, AtRest rest, const Vec3& way_W,
+                  double stiffness_N_per_m) {
+  auto& [loop, state, rest_m] = rest;
   loop.nudge(kSpeed_m_per_s * way_W.normalized());
   const double swing_m = kSpeed_m_per_s * std::sqrt(wall.mass_kg / stiffness_N_per_m);
   const int least = ticksToSee(wall.mass_kg, stiffness_N_per_m, loop.period_s());
@@ -90,21 +100,18 @@ SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, const
 // first does not.
 const Vec3 kWays_W[]{{0.9, -0.5, 0.6}, {-0.9, 0.5, -0.6}, {1.0, 0.8, -0.6}};
 
-}  // namespace
-
-Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
-  const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
-  if (!one) return one.problems();
-  const scene::Description scene = withStiffness(one.value(), wall, stiffness_N_per_m);
-  Result<tick::TickProgram> program = scene::compile(scene);
+/// one: the scene with nothing but the constraint that is asked.
+Result<SceneTrial> tryOne(const SceneWall& wall, const scene::Description& one, double stiffness_N_per_m) {
+  Result<tick::TickProgram> program = scene::compile(withStiffness(one, wall, stiffness_N_per_m));
   if (!program) return program.problems();
   program.value().limits = lab::withoutLimits(program.value().limits);
-  const sim::Plant plant = plantOf(wall, scene);
+  const sim::Plant plant = plantOf(wall, one);
   const Result<Vec3> p_WRest = restingPlace(wall, program.value(), plant, stiffness_N_per_m);
   if (!p_WRest) return p_WRest.problems();
+  const AtRest rest = atRest(wall, program.value(), plant, p_WRest.value());
   SceneTrial worst;
   for (const Vec3& way_W : kWays_W) {
-    const SceneTrial trial = follow(wall, program.value(), plant, p_WRest.value(), way_W, stiffness_N_per_m);
+    const SceneTrial trial = follow(wall, program.value(), rest, way_W, stiffness_N_per_m);
     if (&way_W != &kWays_W[2]) worst.holds = worst.holds && trial.holds;
     worst.least_energy_J = std::min(worst.least_energy_J, trial.least_energy_J);
     worst.is_passive = worst.is_passive && trial.is_passive;
@@ -116,15 +123,29 @@ Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
   return worst;
 }
 
+}  // namespace
+
+Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
+  const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
+  if (!one) return one.problems();
+  return tryOne(wall, one.value(), stiffness_N_per_m);
+}
+
 Result<double> simulatedLimit(const SceneWall& wall, double share) {
   constexpr double kLeast_N_per_m = 10.0, kMost_N_per_m = 1e6;
+  const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
+  if (!one) return one.problems();
+  const Result<SceneTrial> soft = tryOne(wall, one.value(), kLeast_N_per_m);
+  if (!soft) return soft.problems();
+  if (!soft.value().holds)
+    return Problems{{"Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."}};
+  if (soft.value().trial.behaviour == Behaviour::Grows) return 0.0;
   Problems problems;
   const auto is_calm = [&](double K) {
-    const Result<SceneTrial> trial = tryScene(wall, K);
+    if (!problems.empty()) return false;  // all that follows would be the answer of another question
+    const Result<SceneTrial> trial = tryOne(wall, one.value(), K);
     if (!trial) problems = trial.problems();
-    if (trial && K == kLeast_N_per_m && !trial.value().holds)
-      problems = {{"Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."}};
-    return trial && problems.empty() && trial.value().trial.behaviour != Behaviour::Grows;
+    return trial && trial.value().trial.behaviour != Behaviour::Grows;
   };
   const double limit = limitBySearch(is_calm, kLeast_N_per_m, kMost_N_per_m, share);
   if (!problems.empty()) return problems;

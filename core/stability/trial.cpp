@@ -106,8 +106,9 @@ Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) 
 
 double simulatedLimit(const SampledWall& wall, double share) {
   const auto is_calm = [&](double K) { return tryWall(wall, K).behaviour != Behaviour::Grows; };
-  return limitBySearch(is_calm, is_calm(kUsualLeast_N_per_m) ? kUsualLeast_N_per_m : kLeast_N_per_m,
-                       kMostStiffness_N_per_m, share);
+  const bool is_usual = is_calm(kUsualLeast_N_per_m);
+  if (!is_usual && !is_calm(kLeast_N_per_m)) return 0.0;
+  return limitBySearch(is_calm, is_usual ? kUsualLeast_N_per_m : kLeast_N_per_m, kMostStiffness_N_per_m, share);
 }
 
 }  // namespace underact::stability

@@ -65,10 +65,9 @@ Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m =
 /// 0.01; kMostStiffness_N_per_m: all.
 double simulatedLimit(const SampledWall& wall, double share = 2e-3);
 
-/// The same search over anything that can be tried at a stiffness.
+/// The same search over anything that can be tried at a stiffness, and is calm at the least.
 template <class IsCalm>
 double limitBySearch(const IsCalm& is_calm, double least, double most, double share) {
-  if (!is_calm(least)) return 0.0;
   double calm = least, wild = 2.0 * least;
   while (is_calm(wild)) {
     calm = wild;

@@ -33,11 +33,12 @@ TEST(WallMaps, ACellSaysWhereTheLimitIsByEveryWayThereIs) {
 TEST(WallMaps, LabelsFollowTheLimit) {
   SampledWall wall;
   wall.kd_N_s_per_m = 0.5;  // limit 1187 N/m
-  EXPECT_EQ(labelOf(wall, 1000.0).trial.behaviour, Behaviour::Rest);
-  EXPECT_EQ(labelOf(wall, 1400.0).trial.behaviour, Behaviour::Grows);
-  EXPECT_FALSE(labelOf(wall, 1000.0).is_passive);  // calm by itself; a hand there is with which it is not
+  EXPECT_EQ(labelOf(wall, limitsOf(wall), 1000.0).trial.behaviour, Behaviour::Rest);
+  EXPECT_EQ(labelOf(wall, limitsOf(wall), 1400.0).trial.behaviour, Behaviour::Grows);
+  EXPECT_FALSE(
+      labelOf(wall, limitsOf(wall), 1000.0).is_passive);  // calm by itself; a hand there is with which it is not
   wall.kd_N_s_per_m = 0.0;
-  EXPECT_TRUE(labelOf(wall, 100.0).is_passive);
+  EXPECT_TRUE(labelOf(wall, limitsOf(wall), 100.0).is_passive);
 }
 
 }  // namespace
