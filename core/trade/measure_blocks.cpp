@@ -42,7 +42,7 @@ Result<Figures> figuresOf(const Bench& bench, const Settings& settings) {
   record::SessionWriter& writer = made.value();
   Problems problems = writer.begin(1, 0, {}, bench.scene);
   const auto rows = static_cast<int>(settings.block_s * settings.rate_hz);
-  const auto blocks = std::max(10, static_cast<int>(bench.seconds / settings.block_s));
+  const auto blocks = std::max(kFewestBlocks, static_cast<int>(bench.seconds / settings.block_s));
   lab::Stopwatch watch(static_cast<std::size_t>(blocks));
   servo::TickRecord record;
   for (int block = 0; block < blocks && problems.empty(); ++block) {

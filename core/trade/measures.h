@@ -17,6 +17,8 @@ inline constexpr int kOracleRate_hz = 16'000;  // a multiple of every rate that 
 inline constexpr double kOracleSubstep_us = 5.0;
 inline const scene::Solver kOracleSolver{scene::SolverMethod::Iterative, 100, 1e-14};
 
+inline constexpr int kFewestBlocks = 10;  // of a recording, however short the run
+
 /// One option to be measured, and the settings with which it is run.
 struct Entry {
   std::string name;

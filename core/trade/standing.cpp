@@ -1,9 +1,7 @@
 #include "core/trade/standing.h"
 
 #include <algorithm>
-#include <string_view>
 
-#include "core/trade/front.h"
 #include "core/trade/measures.h"
 
 namespace underact::trade {
@@ -22,17 +20,6 @@ std::vector<Entry> entriesOf(const Choice& choice, const Settings& base) {
   }
   if (!has_own) entries.push_back({kAsItIs, base});
   return entries;
-}
-
-// What a period of the simulated arm takes, with the hand and two looks at the clock, and a substep of it: from lab
-// trade's front of 05_circle, 373 us for 1000 periods of one substep with a tick of 275 ns, and 23 ns a substep more.
-constexpr double kArmPeriod_ns = 300.0, kArmSubstep_ns = 23.0;
-constexpr double kFinestRate_hz = 16'000.0, kFinestSubstep_us = 5.0;  // of the runs that others are compared with
-
-/// Of a second of one run.
-double workOf_ns(double rate_hz, double substep_us, double tick_ns) {
-  const double substeps = std::max(1.0, 1e6 / rate_hz / substep_us);
-  return rate_hz * (tick_ns + kArmPeriod_ns + kArmSubstep_ns * substeps);
 }
 
 }  // namespace
@@ -97,27 +84,6 @@ std::vector<Standing> measureStandings(const scene::Description& scene, const st
     standings.push_back(std::move(standing));
   }
   return standings;
-}
-
-double secondsToMeasure(const scene::Description& scene, std::size_t hands, double seconds, int rate_hz,
-                        double tick_ns) {
-  const Settings base = settingsOf(scene, rate_hz);
-  const double oracle_ns = workOf_ns(kFinestRate_hz, scene::kShortestSubstep_us, tick_ns);
-  double work_ns = oracle_ns;
-  for (const Settings& way : waysOf(scene, rate_hz))
-    work_ns += workOf_ns(way.rate_hz, way.simulation.substep_us, tick_ns);
-  for (const Choice& choice : choices()) {
-    if (!choice.applies(scene)) continue;
-    const auto entries = static_cast<double>(entriesOf(choice, base).size());
-    // Each entry of these two runs its own finest run beside it; the others walk, two times each, and measure little.
-    const bool is_rate = std::string_view(choice.key) == "rate";
-    const bool is_simulation = std::string_view(choice.key) == "simulation";
-    const double each_ns = is_rate         ? workOf_ns(kFinestRate_hz, base.simulation.substep_us, tick_ns)
-                           : is_simulation ? workOf_ns(rate_hz, kFinestSubstep_us, tick_ns)
-                                           : 2.0 * rate_hz * (tick_ns + kArmPeriod_ns);
-    work_ns += entries * each_ns;
-  }
-  return 1e-9 * seconds * static_cast<double>(hands) * work_ns;
 }
 
 }  // namespace underact::trade

@@ -28,9 +28,4 @@ std::string valueText(const Choice& choice, const scene::Description& scene, con
 std::vector<Standing> measureStandings(const scene::Description& scene, const std::vector<NamedHand>& hands,
                                        double seconds, int rate_hz, const Progress& goes_on);
 
-/// How long measurePoints() and measureStandings() take together on a machine like that of the figures in the guide, s:
-/// for a sentence that says "about".
-double secondsToMeasure(const scene::Description& scene, std::size_t hands, double seconds, int rate_hz,
-                        double tick_ns);
-
 }  // namespace underact::trade

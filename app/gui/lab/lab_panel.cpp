@@ -20,6 +20,7 @@
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/tick/cost.h"
+#include "core/trade/duration.h"
 
 namespace underact::gui {
 namespace {
@@ -96,8 +97,8 @@ void LabPanel::end(LabResult result) {
     front_.push_back(index);
   }
   if (front_.empty()) {
-    tell(tr("Every run of this scene ended in a fault, so there is no front to walk on. What could be measured stands "
-            "below. Softer gains may help."),
+    tell(tr("The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What "
+            "could be measured stands below. Softer gains may help."),
          true);
   } else {
     tell(whatWasMeasured(), false);

@@ -18,7 +18,7 @@ struct LabOrder {
 };
 
 struct LabResult {
-  std::vector<trade::Point> points;  // the cheapest first; none: every run ended in a fault
+  std::vector<trade::Point> points;  // the cheapest first; none: the finest run, or every other, ended in a fault
   std::vector<trade::Standing> standings;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/trade/front.h"
+
 namespace underact::trade {
 namespace {
 
@@ -92,6 +94,39 @@ TEST(Standing, EndsWhenItIsToldToWithWhatWasDone) {
   EXPECT_EQ(calls, 10);
   ASSERT_EQ(standings.size(), 1U);  // six rates, and the beginning of what follows
   EXPECT_STREQ(standings[0].choice->key, "rate");
+}
+
+/// 0.1 m in 5 ms: at 20 m/s the gate says that it is no hand.
+NamedHand leapingHand() {
+  sim::HandScript hand;
+  hand.hand = {0.01, 1e3, 1e6};
+  hand.path = {{0.0, Vec3(-0.05, 0.0, 0.05), Mat3::Identity(), false},
+               {0.1, Vec3(-0.05, 0.0, 0.05), Mat3::Identity(), false},
+               {0.105, Vec3(0.05, 0.0, 0.05), Mat3::Identity(), false}};
+  return {"leap", hand};
+}
+
+TEST(Standing, WhereEveryRunEndsInAFaultThereIsNoWayToRunTheSceneAndTheRestIsStillMeasured) {
+  const scene::Description scene = ball();
+  const std::vector<NamedHand> leap{leapingHand()}, both{sweep()[0], leapingHand()};
+  ASSERT_TRUE(run({scene, leap[0].hand, 0.3}, settingsOf(scene, 1000)).value().faulted);
+  double share = 0.0;
+  const Progress tell = [&](double now) {
+    share = now;
+    return true;
+  };
+  EXPECT_TRUE(measurePoints(scene, leap, 0.3, 1000, tell).empty());
+  EXPECT_TRUE(measurePoints(scene, both, 0.3, 1000, tell).empty()) << "one hand in which it faults is enough";
+  EXPECT_FALSE(measurePoints(scene, sweep(), 0.3, 1000, tell).empty());
+  const std::vector<Standing> standings = measureStandings(scene, leap, 0.3, 1000, tell);
+  ASSERT_EQ(standings.size(), 4U);  // what the panel's other rows say
+  EXPECT_GT(share, 0.9);            // of the figures that are not there, too
+  EXPECT_TRUE(find(standings, "rate")->options.empty());
+  EXPECT_TRUE(find(standings, "simulation")->options.empty());
+  EXPECT_EQ(recommendedOf(*find(standings, "rate")), nullptr);
+  EXPECT_EQ(measuredOf(*find(standings, "rate"), settingsOf(scene, 1000)), nullptr);
+  EXPECT_EQ(find(standings, "inverse")->options.size(), 6U);
+  EXPECT_EQ(find(standings, "blocks")->options.size(), 6U);
 }
 
 TEST(Apart, OnALineTwoRatesAgreeWhereverTheirTicksLie) {

@@ -129,6 +129,7 @@ TEST(Front, IsWhatNothingElseBeatsInBoth) {
       point.error_mm = static_cast<double>(random.below(20));
     }
     markFront(points);
+    EXPECT_FALSE(frontOf(points).empty());
     for (const Point& one : points) {
       bool beaten = false;
       for (const Point& other : points) {
