@@ -1,13 +1,11 @@
-#include <filesystem>
 #include <memory>
 #include <ostream>
 
-#include "app/cli/hands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/lab.h"
+#include "app/cli/lab_inputs.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/shipped.h"
 #include "app/cli/table.h"
 #include "core/trade/model.h"
 
@@ -38,26 +36,23 @@ void addModel(const std::string& scene, const trade::Model& model, Table& table)
 }
 
 Exit models(const ModelOptions& options, const Streams& streams) {
-  const Result<sim::HandScript> hand = findHand(options.hand, 1);
-  if (!hand) {
-    print(hand.problems(), streams.err);
-    return exitOfHand(options.hand, hand.problems());
-  }
-  const std::vector<std::string> files = options.scenes.empty() ? shippedScenes() : options.scenes;
+  Exit exit = Exit::Well;
+  const auto hands = labHands({options.hand}, 1, streams, exit);
+  if (!hands) return exit;
+  const auto scenes = labScenes(options.scenes, streams, exit);
+  if (!scenes) return exit;
   const Interrupt interrupt;
   Progress progress(streams);
   Table table{{"scene", "quantity", "what", "required", "ns"}};
-  for (std::size_t index = 0; index < files.size() && !interrupt.came(); ++index) {
-    Result<LoadedScene> loaded = loadScene(files[index], streams);
-    const Result<trade::Model> model = loaded
-                                           ? trade::modelOf({loaded.value().description, hand.value(), options.seconds})
-                                           : Result<trade::Model>(loaded.problems());
+  for (std::size_t index = 0; index < scenes->size() && !interrupt.came(); ++index) {
+    const trade::NamedScene& scene = (*scenes)[index];
+    const Result<trade::Model> model = trade::modelOf({scene.scene, hands->front().hand, options.seconds});
     if (!model) {
       print(model.problems(), streams.err);
       return exitOf(model.problems());
     }
-    addModel(std::filesystem::path(files[index]).stem().string(), model.value(), table);
-    progress.show(static_cast<double>(index + 1) / static_cast<double>(files.size()));
+    addModel(scene.name, model.value(), table);
+    progress.show(static_cast<double>(index + 1) / static_cast<double>(scenes->size()));
   }
   options.json ? table.printJson(streams.out) : table.printCsv(streams.out);
   return Exit::Well;

@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <ostream>
 
 #include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/lab.h"
+#include "app/cli/lab_folder.h"
 #include "app/cli/progress.h"
-#include "app/cli/python.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
 #include "app/cli/table.h"
@@ -211,25 +210,6 @@ void show(const Table& table, bool json, std::ostream& out) {
   if (!table.isEmpty()) json ? table.printJson(out) : table.printCsv(out);
 }
 
-Exit write(const Tables& tables, const StabilityOptions& options, const Streams& streams) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  fs::create_directories(options.out, error);
-  const std::pair<const char*, const Table*> files[]{{"stability_limits.csv", &tables.limits},
-                                                     {"stability_labels.csv", &tables.labels},
-                                                     {"stability_scenes.csv", &tables.scenes},
-                                                     {"stability_scene_labels.csv", &tables.scene_labels}};
-  for (const auto& [file_name, table] : files) {
-    if (table->isEmpty()) continue;
-    std::ofstream file(fs::path(options.out) / file_name, std::ios::binary);
-    table->printCsv(file);
-    if (file.flush()) continue;
-    streams.err << (fs::path(options.out) / file_name).string() << ": This could not be written.\n";
-    return Exit::File;
-  }
-  return runPython({"lab", "stability", "--tables", options.out, "--out", options.out}, streams);
-}
-
 Exit maps(const StabilityOptions& options, const Streams& streams) {
   const Result<std::vector<Step>> steps = stepsOf(options, streams);
   if (!steps) return fail(steps.problems(), streams);
@@ -245,7 +225,14 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
     if (!problems.empty()) return fail(problems, streams);
     progress.show(static_cast<double>(done + 1) / static_cast<double>(steps.value().size()));
   }
-  if (!options.out.empty()) return write(tables, options, streams);
+  if (!options.out.empty()) {
+    return fillFolder(options.out, "stability",
+                      {{"stability_limits.csv", &tables.limits},
+                       {"stability_labels.csv", &tables.labels},
+                       {"stability_scenes.csv", &tables.scenes},
+                       {"stability_scene_labels.csv", &tables.scene_labels}},
+                      streams);
+  }
   show(tables.limits, options.json, streams.out);
   show(tables.labels, options.json, streams.out);
   show(tables.scenes, options.json, streams.out);

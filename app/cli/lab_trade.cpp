@@ -1,22 +1,18 @@
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <ostream>
 
-#include "app/cli/hands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/lab.h"
+#include "app/cli/lab_folder.h"
+#include "app/cli/lab_inputs.h"
 #include "app/cli/progress.h"
-#include "app/cli/python.h"
-#include "app/cli/scene_file.h"
-#include "app/cli/shipped.h"
 #include "app/cli/table.h"
 #include "core/trade/front.h"
 
 namespace underact::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kLongest_s = 600.0;
 
@@ -74,34 +70,13 @@ void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& p
   }
 }
 
-/// Empty: a hand or a scene could not be read, which was told, and exit says how it was wrong.
+/// Empty: something could not be read, which was told, and exit says how it was wrong.
 std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& streams, Exit& exit) {
-  trade::Plan plan;
-  plan.choices = options.choices;
-  plan.seconds = options.seconds;
-  std::vector<std::string> hands = options.hands;
-  if (hands.empty()) {
-    for (const sim::BuiltInHand& hand : sim::builtInHands()) hands.emplace_back(hand.name);
-  }
-  for (const std::string& name : hands) {
-    Result<sim::HandScript> hand = findHand(name, options.seed);
-    if (!hand) {
-      print(hand.problems(), streams.err);
-      exit = exitOfHand(name, hand.problems());
-      return {};
-    }
-    plan.hands.push_back({fs::path(name).stem().string(), std::move(hand).value()});
-  }
-  for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
-    Result<LoadedScene> loaded = loadScene(file, streams);
-    if (!loaded) {
-      print(loaded.problems(), streams.err);
-      exit = exitOf(loaded.problems());
-      return {};
-    }
-    plan.scenes.push_back({fs::path(file).stem().string(), std::move(loaded).value().description});
-  }
-  return plan;
+  auto hands = labHands(options.hands, options.seed, streams, exit);
+  if (!hands) return {};
+  auto scenes = labScenes(options.scenes, streams, exit);
+  if (!scenes) return {};
+  return trade::Plan{std::move(*scenes), std::move(*hands), options.choices, options.seconds};
 }
 
 /// What is left of the work, told as it is done; each part has its share.
@@ -124,16 +99,22 @@ class Work {
   Progress progress_;
 };
 
-Tables measure(const trade::Plan& plan, const TradeOptions& options, const Interrupt& interrupt,
-               const Streams& streams) {
+/// What is to be told.
+struct Asked {
+  bool rows, fronts;
+  explicit Asked(const TradeOptions& options)
+      : rows(!options.out.empty() || options.table != "fronts"),
+        fronts(!options.out.empty() || options.table == "fronts") {}
+};
+
+Tables measure(const trade::Plan& plan, const Asked& asked, const Interrupt& interrupt, const Streams& streams) {
   Tables tables;
-  const bool all = !options.out.empty();
-  const bool rows = all || options.table != "fronts", fronts = all || options.table == "fronts";
   const auto scenes = static_cast<double>(plan.scenes.size());
-  Work work((rows ? scenes : 0.0) + (fronts ? scenes : 0.0), interrupt, streams);
-  if (rows) addRows(trade::measureRows(plan, work.part(scenes)), tables);
+  Work work((asked.rows ? scenes : 0.0) + (asked.fronts ? scenes : 0.0), interrupt, streams);
+  if (asked.rows) addRows(trade::measureRows(plan, work.part(scenes)), tables);
+  if (!asked.fronts || (asked.rows && tables.rows.isEmpty())) return tables;
   for (const trade::NamedScene& scene : plan.scenes) {
-    if (!fronts || interrupt.came()) break;
+    if (interrupt.came()) break;
     addFront(scene,
              trade::measurePoints(scene.scene, plan.hands, plan.seconds, trade::Settings{}.rate_hz, work.part(1.0)),
              tables);
@@ -141,19 +122,15 @@ Tables measure(const trade::Plan& plan, const TradeOptions& options, const Inter
   return tables;
 }
 
-Exit write(const Tables& tables, const TradeOptions& options, const Streams& streams) {
-  std::error_code error;
-  fs::create_directories(options.out, error);
-  const std::pair<const char*, const Table*> files[]{
-      {"trade_choices.csv", &tables.choices}, {"trade_rows.csv", &tables.rows}, {"trade_fronts.csv", &tables.fronts}};
-  for (const auto& [name, table] : files) {
-    std::ofstream file(fs::path(options.out) / name, std::ios::binary);
-    table->printCsv(file);
-    if (file.flush()) continue;
-    streams.err << (fs::path(options.out) / name).string() << ": This could not be written.\n";
-    return Exit::File;
-  }
-  return runPython({"lab", "trade", "--tables", options.out, "--out", options.out}, streams);
+/// Why there is nothing to tell; empty: there is.
+std::string whatIsMissing(const Tables& tables, const Asked& asked) {
+  if (asked.rows && tables.rows.isEmpty())
+    return "Nothing could be measured: the scenes have none of these choices, the hands never touch what they are "
+           "about, or every run ended in a fault.\n";
+  if (asked.fronts && tables.fronts.isEmpty())
+    return "No scene has a front: in one of the hands its finest run, or every other one, ended in a fault. "
+           "--table choices tells what can be measured nonetheless.\n";
+  return {};
 }
 
 Exit tradeOf(const TradeOptions& options, const Streams& streams) {
@@ -161,12 +138,22 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
   const std::optional<trade::Plan> plan = planOf(options, streams, exit);
   if (!plan) return exit;
   const Interrupt interrupt;
-  const Tables tables = measure(*plan, options, interrupt, streams);
-  if (interrupt.came()) {
-    streams.err << "Stopped before the end; nothing is told, since a part would look like the whole.\n";
+  const Asked asked(options);
+  const Tables tables = measure(*plan, asked, interrupt, streams);
+  const std::string sentence =
+      interrupt.came() ? "Stopped before the end; nothing is told, since a part would look like the whole.\n"
+                       : whatIsMissing(tables, asked);
+  if (!sentence.empty()) {
+    streams.err << sentence;
     return Exit::BadInput;
   }
-  if (!options.out.empty()) return write(tables, options, streams);
+  if (!options.out.empty()) {
+    return fillFolder(options.out, "trade",
+                      {{"trade_choices.csv", &tables.choices},
+                       {"trade_rows.csv", &tables.rows},
+                       {"trade_fronts.csv", &tables.fronts}},
+                      streams);
+  }
   const Table& table = options.table == "rows"     ? tables.rows
                        : options.table == "fronts" ? tables.fronts
                                                    : tables.choices;

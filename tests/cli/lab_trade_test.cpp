@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "tests/cli/session.h"
@@ -63,6 +65,52 @@ TEST(LabTrade, AFolderGetsTablesAndPictures) {
   for (const char* file : {"trade_choices.csv", "trade_rows.csv", "trade_fronts.csv", "trade_choices.svg",
                            "trade_choices.png", "trade_fronts.svg", "trade_fronts.png"})
     EXPECT_GT(std::filesystem::file_size(folder / file), 1000U) << file;
+}
+
+TEST(LabTrade, WhereNothingCanBeMeasuredItSaysSoAndLeavesTheFolderAlone) {
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = scratch.path(), old = folder / "trade_choices.csv";
+  std::ofstream(old) << "of another day\n";
+  for (const std::vector<std::string>& to :
+       {std::vector<std::string>{"--out", folder.string()}, std::vector<std::string>{}}) {
+    std::vector<std::string> words{"lab",    "trade",   "--scenes", scene("05_circle"), "--choices",
+                                   "search", "--hands", "still",    "--seconds",        "0.2"};
+    words.insert(words.end(), to.begin(), to.end());
+    const Outcome outcome = runCli(words);
+    EXPECT_EQ(outcome.exit, Exit::BadInput);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.find("Nothing could be measured: "), 0U) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  }
+  EXPECT_EQ(std::filesystem::file_size(old), 15U);
+  const auto is_one = [](const auto& files) { return std::distance(begin(files), end(files)) == 1; };
+  EXPECT_TRUE(is_one(std::filesystem::directory_iterator(folder)));
+}
+
+TEST(LabTrade, WhereEveryRunEndsInAFaultThereIsNoFrontButWhatElseCanBeMeasured) {
+  const ScratchFile leap(  // 0.1 m in 5 ms
+      R"({"underact_hand": 1, "hand": {"mass_kg": 0.01, "damping_N_s_per_m": 1000, "stiffness_N_per_m": 1e6},
+          "path": [{"t_s": 0, "p_mm": [-50, 0, 50]}, {"t_s": 0.1, "p_mm": [-50, 0, 50]},
+                   {"t_s": 0.105, "p_mm": [50, 0, 50]}]})",
+      "leap.json");
+  const auto tradeOf = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"lab",       "trade",     "--scenes",     scene("05_circle"), "--hands",
+                                   leap.path(), "--choices", "rate,inverse", "--seconds",        "0.2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return runCli(words);
+  };
+  const ScratchFolder scratch;
+  const std::filesystem::path made = std::filesystem::path(scratch.path()) / "made";
+  for (const Outcome& outcome : {tradeOf({"--table", "fronts"}), tradeOf({"--out", made.string()})}) {
+    EXPECT_EQ(outcome.exit, Exit::BadInput);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.find("No scene has a front: "), 0U) << outcome.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(made));
+  const Outcome choices = tradeOf({"--json"});
+  ASSERT_EQ(choices.exit, Exit::Well) << choices.err;
+  for (const json::Value& row : lines(choices.out)) EXPECT_EQ(textAt(row, "choice"), "inverse");
+  EXPECT_EQ(lines(choices.out).size(), 6U);
 }
 
 TEST(LabTrade, WhatIsNotKnownIsRefused) {

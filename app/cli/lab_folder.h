@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/table.h"
+
+namespace underact::cli {
+
+/// The tables by the names of their files, as CSV into the folder, and the pictures of `underact-cli lab KIND` beside
+/// them. A table without rows has no file. What could not be written or drawn is told.
+Exit fillFolder(const std::string& folder, const std::string& kind,
+                const std::vector<std::pair<std::string, const Table*>>& tables, const Streams& streams);
+
+}  // namespace underact::cli

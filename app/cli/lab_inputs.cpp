@@ -1,0 +1,55 @@
+#include "app/cli/lab_inputs.h"
+
+#include <filesystem>
+#include <ostream>
+
+#include "app/cli/hands.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/shipped.h"
+
+namespace underact::cli {
+namespace {
+
+std::string stemOf(const std::string& file) {
+  return std::filesystem::path(file).stem().string();
+}
+
+std::vector<std::string> builtInNames() {
+  std::vector<std::string> names;
+  for (const sim::BuiltInHand& hand : sim::builtInHands()) names.emplace_back(hand.name);
+  return names;
+}
+
+}  // namespace
+
+std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::string>& files, const Streams& streams,
+                                                        Exit& exit) {
+  std::vector<trade::NamedScene> scenes;
+  for (const std::string& file : files.empty() ? shippedScenes() : files) {
+    Result<LoadedScene> loaded = loadScene(file, streams);
+    if (!loaded) {
+      print(loaded.problems(), streams.err);
+      exit = exitOf(loaded.problems());
+      return {};
+    }
+    scenes.push_back({stemOf(file), std::move(loaded).value().description});
+  }
+  return scenes;
+}
+
+std::optional<std::vector<trade::NamedHand>> labHands(const std::vector<std::string>& names, std::uint64_t seed,
+                                                      const Streams& streams, Exit& exit) {
+  std::vector<trade::NamedHand> hands;
+  for (const std::string& name : names.empty() ? builtInNames() : names) {
+    Result<sim::HandScript> hand = findHand(name, seed);
+    if (!hand) {
+      print(hand.problems(), streams.err);
+      exit = exitOfHand(name, hand.problems());
+      return {};
+    }
+    hands.push_back({stemOf(name), std::move(hand).value()});
+  }
+  return hands;
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "core/trade/table.h"
+
+namespace underact::cli {
+
+// What a lab runs. Empty: one of them could not be read, which was told, and exit says how it was wrong.
+
+/// Scene files with their meshes; no file: those that ship.
+std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::string>& files, const Streams& streams,
+                                                        Exit& exit);
+
+/// Built-in hands and files; no name: all that are built in.
+std::optional<std::vector<trade::NamedHand>> labHands(const std::vector<std::string>& names, std::uint64_t seed,
+                                                      const Streams& streams, Exit& exit);
+
+}  // namespace underact::cli
