@@ -139,7 +139,8 @@ Exit identifyIt(const Options& options, const Streams& streams) {
     print(measured.problems(), streams.err);
     return Exit::BadInput;
   }
-  const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz);
+  const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz,
+                                        [&interrupt] { return interrupt.came(); });
   if (!found) {
     print(found.problems(), streams.err);
     return Exit::BadInput;

@@ -156,8 +156,8 @@ void IdentifyRun::takeEvaluation() {
 void IdentifyRun::evaluate() {
   const int rate_hz = rate_hz_;
   evaluation_ = std::make_unique<Background<Result<identify::Identified>>>(
-      [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState&) {
-        return identify::evaluate(plan, recorded, rate_hz);
+      [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState& work) {
+        return identify::evaluate(plan, recorded, rate_hz, [&work] { return work.cancelled.load(); });
       });
   letGo();
   setState(State::Evaluates);
@@ -211,9 +211,9 @@ void IdentifyRun::fitLive() {
     rows.insert(rows.end(), recorded[index].rows.begin(), recorded[index].rows.end());
   const int axis = measurement_->plan().stages[recorded.back().stage].axis;
   live_ = std::make_unique<Background<LiveFit>>(
-      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.host.rateHz()](WorkState&) {
+      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.host.rateHz()](WorkState& work) {
         const std::vector<identify::Window> windows = windowsOf(rows, Vec3::Unit(axis), period_s);
-        const Result<identify::BodyFit> fit = identify::fitBody(windows);
+        const Result<identify::BodyFit> fit = identify::fitBody(windows, [&work] { return work.cancelled.load(); });
         return fit ? LiveFit{first, pointsOf(windows, fit.value().way_m)} : LiveFit{first, {}};
       });
 }

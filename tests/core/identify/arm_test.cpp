@@ -162,6 +162,21 @@ TEST(SimulatedArm, AnArmWithoutMassIsRefusedInWords) {
   EXPECT_NE(found.problems().front().sentence.find("hardly moved"), std::string::npos);
 }
 
+TEST(SimulatedArm, AnEvaluationEndsWhereverItIsTold) {
+  const Measured done = measured(armOf(0.045, 0.26, 0.1), "omni-thesis", 1000);
+  int asked = 0;
+  ASSERT_TRUE(evaluate(done.plan, done.recorded, 1000, [&] { return ++asked < 0; }));
+  const int all = asked;
+  EXPECT_GT(all, 1000) << "some 5000 in 0.15 s are as it should be";
+  for (const int when : {1, all / 3, all / 2, all - 8, all - 3, all}) {  // in the fits, the counts, and after them
+    asked = 0;
+    const Result<Identified> found = evaluate(done.plan, done.recorded, 1000, [&] { return ++asked >= when; });
+    ASSERT_FALSE(static_cast<bool>(found)) << when;
+    EXPECT_EQ(found.problems().size(), 1U) << when;
+    EXPECT_EQ(asked, when) << "it went on";
+  }
+}
+
 TEST(SimulatedArm, TheSameSeedGivesTheSameBits) {
   const Identified a = identified({"omni-thesis", 1000, 0.045, 0.26, 0.1});
   const Identified b = identified({"omni-thesis", 1000, 0.045, 0.26, 0.1});
