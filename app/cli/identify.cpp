@@ -140,7 +140,8 @@ Exit identifyIt(const Options& options, const Streams& streams) {
     return Exit::BadInput;
   }
   if (const Fault& fault = measured.value().fault; fault.kind != FaultKind::None) {
-    print({{whatHappened(fault) + " The servo let go, and the measurement ended. A higher rate may help."}}, streams.err);
+    print({{whatHappened(fault) + " The servo let go, and the measurement ended. A higher rate may help."}},
+          streams.err);
     return Exit::Fault;
   }
   const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz,
