@@ -40,7 +40,6 @@ Result<SimulatedMeasurement> measureSimulated(SimulatedArm::Options options, con
   });
   host.start();
   arm::JointAngles q_rad{};
-  Fault fault;
   while (measurement.state() != Measurement::State::Done) {
     person.act(measurement, q_rad);
     Problems problems = measurement.go();
@@ -51,10 +50,11 @@ Result<SimulatedMeasurement> measureSimulated(SimulatedArm::Options options, con
     });
     if (problems.empty()) problems = measurement.advance();
     if (!problems.empty()) return problems;
-    if (host.snapshot().mode == servo::Mode::Faulted) return Problems{{describe(host.snapshot().report.fault)}};
+    if (host.snapshot().mode == servo::Mode::Faulted)
+      return SimulatedMeasurement{std::move(plan).value(), {}, host.snapshot().report.fault};
     if (progress && !progress(measurement.share())) return Problems{{"The measurement was ended."}};
   }
-  return SimulatedMeasurement{std::move(plan).value(), measurement.recorded()};
+  return SimulatedMeasurement{std::move(plan).value(), measurement.recorded(), {}};
 }
 
 }  // namespace underact::device

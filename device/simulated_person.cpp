@@ -21,13 +21,17 @@ double depthAt(double t_s) {
   return 0.5 * (1.0 - std::cos(2.0 * kPi * t_s / kPress_s));
 }
 
+bool isSame(const sim::HandWish& a, const sim::HandWish& b) {
+  return a.p_WT == b.p_WT && a.v_WT == b.v_WT && a.R_WT == b.R_WT && a.turns == b.turns;
+}
+
 }  // namespace
 
 SimulatedPerson::SimulatedPerson(SimulatedArm& arm, const arm::Preset& preset)
     : arm_(arm), geometry_(preset.geometry), before_(arm.wished()) {}
 
 SimulatedPerson::~SimulatedPerson() {
-  arm_.wish(before_);
+  if (own_ && isSame(arm_.wished(), *own_)) arm_.wish(before_);
   arm_.holdStylus(true);
 }
 
@@ -56,6 +60,7 @@ void SimulatedPerson::act(const identify::Measurement& measurement, const arm::J
     wish.turns = true;
   }
   arm_.wish(wish);
+  own_ = wish;
 }
 
 }  // namespace underact::device

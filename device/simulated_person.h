@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "core/arm/preset.h"
 #include "core/identify/measurement.h"
 #include "device/simulated_arm.h"
@@ -11,7 +13,8 @@ class SimulatedPerson {
  public:
   /// Both must outlive it; preset: of the arm.
   SimulatedPerson(SimulatedArm& arm, const arm::Preset& preset);
-  ~SimulatedPerson();  // takes the stylus again, and wants what it wanted before
+  ~SimulatedPerson();  // takes the stylus again, and wants what it wanted before, unless somebody else's wish came
+                       // since
   SimulatedPerson(const SimulatedPerson&) = delete;
   SimulatedPerson& operator=(const SimulatedPerson&) = delete;
   /// Often, between two ticks; q_rad: as the arm last showed them.
@@ -21,7 +24,8 @@ class SimulatedPerson {
   SimulatedArm& arm_;
   arm::Geometry geometry_;
   sim::HandWish before_;
-  Mat3 R_WT_ = Mat3::Identity();  // before it is turned
+  std::optional<sim::HandWish> own_;  // the last one
+  Mat3 R_WT_ = Mat3::Identity();      // before it is turned
   bool turning_ = false;
 };
 

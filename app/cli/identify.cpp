@@ -139,7 +139,13 @@ Exit identifyIt(const Options& options, const Streams& streams) {
     print(measured.problems(), streams.err);
     return Exit::BadInput;
   }
-  const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz);
+  if (const Fault& fault = measured.value().fault; fault.kind != FaultKind::None) {
+    print({{whatHappened(fault) + " The servo let go, and the measurement ended. A higher rate may help."}},
+          streams.err);
+    return Exit::Fault;
+  }
+  const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz,
+                                        [&interrupt] { return interrupt.came(); });
   if (!found) {
     print(found.problems(), streams.err);
     return Exit::BadInput;

@@ -128,7 +128,7 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
     return;
   }
   q_rad_ = q_rad;
-  if (visibleRegion().isEmpty() || !isDue(snapshot)) return;  // behind another tab it is visible, and not seen
+  if (!isSeen() || !isDue(snapshot)) return;
   const KinematicsNow now = kinematicsNow(geometry_, limits_, q_rad);
   joints_->setMovable(parts_.player.isOpen()  ? tr("A recording moves the arm: close the session, then the sliders do.")
                       : parts_.arm == nullptr ? tr("A real arm is moved by hand: these only show where it is.")

@@ -224,8 +224,9 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    Panel* panel =
-        row.make(PanelParts{parts_.host, *document_, *recent_, *actions_, *view_, parts_.arm, *player_, *rate_}, dock);
+    const PanelParts parts{parts_.host, *document_, *recent_, *actions_,   *view_,
+                           parts_.arm,  *player_,   *rate_,   *arm_in_use_};
+    Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
     dock->setWidget(panel);

@@ -11,6 +11,7 @@ class SimulatedArm;
 namespace underact::gui {
 
 class Actions;
+class ArmInUse;
 class Document;
 class Player;
 class RecentFiles;
@@ -27,6 +28,7 @@ struct PanelParts {
   device::SimulatedArm* arm;  // the arm behind the host, where it is the simulated one; else null
   Player& player;
   ServoRate& rate;
+  ArmInUse& arm_in_use;  // what a simulated arm is made of
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

@@ -86,7 +86,7 @@ void RobotPanel::refresh() {
 }
 
 void RobotPanel::present(const servo::Snapshot& snapshot) {
-  if (robot() == nullptr || visibleRegion().isEmpty()) return;
+  if (robot() == nullptr || !isSeen()) return;
   if (snapshot.revision != parts_.host.revision() || index_ >= snapshot.report.held.size()) return;
   const std::int64_t now_ns = snapshot.report.sample.time_ns;
   if (shown_ns_ >= 0 && std::abs(now_ns - shown_ns_) < kBetween_ns) return;

@@ -104,7 +104,8 @@ Own guessOf(const Window& window) {
 
 class Fit {
  public:
-  Fit(std::span<const Window> windows, const Body& guess) : windows_(windows) {
+  Fit(std::span<const Window> windows, const Body& guess, const std::function<bool()>& stop)
+      : windows_(windows), stop_(&stop) {
     shared_ << guess.mass_kg, guess.friction_N, guess.damping_N_s_per_m, guess.bias_N;
     for (const Window& window : windows) own_.push_back(guessOf(window));
     squares_ = squaresOf(shared_, own_);
@@ -113,11 +114,14 @@ class Fit {
     double caution = 1e-3;
     for (rounds_ = 1; rounds_ <= kMostRounds; ++rounds_) {
       normals_.clear();
-      for (std::size_t index = 0; index < windows_.size(); ++index)
+      for (std::size_t index = 0; index < windows_.size(); ++index) {
+        if (isStopped()) return;
         normals_.push_back(normalOf(shared_, windows_[index], own_[index]));
+      }
       bool better = false;
       double gain = 0.0;
       for (; !better && caution < 1e12; caution *= better ? 0.1 : 10.0) {
+        if (isStopped()) return;
         gain = tryStep(caution);
         better = gain >= 0.0;
       }
@@ -126,6 +130,7 @@ class Fit {
     }
   }
   double squares() const { return squares_; }
+  bool wasStopped() const { return was_stopped_; }
   BodyFit result() const;
 
  private:
@@ -136,8 +141,14 @@ class Fit {
     return squares;
   }
   double tryStep(double caution);
+  bool isStopped() {
+    was_stopped_ = *stop_ && (*stop_)();
+    return was_stopped_;
+  }
 
   std::span<const Window> windows_;
+  const std::function<bool()>* stop_;
+  bool was_stopped_ = false;
   Shared shared_;
   std::vector<Own> own_;
   std::vector<Normal> normals_;
@@ -205,7 +216,7 @@ BodyFit Fit::result() const {
 
 }  // namespace
 
-Result<BodyFit> fitBody(std::span<const Window> windows) {
+Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<bool()>& stop) {
   const std::vector<Block> blocks = blocksOf(windows);
   const std::optional<Body> guess = firstGuess(blocks);
   if (!guess)
@@ -216,8 +227,9 @@ Result<BodyFit> fitBody(std::span<const Window> windows) {
   for (const double share : kStarts) {
     Body start = *guess;
     start.friction_N *= share;
-    Fit fit(windows, start);
+    Fit fit(windows, start, stop);
     fit.run();
+    if (fit.wasStopped()) return Problems{{"The fit was ended."}};
     if (!best || fit.squares() < best->squares()) best = std::move(fit);
   }
   BodyFit fit = best->result();

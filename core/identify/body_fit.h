@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct BodyFit {
 /// bias, which all windows share, and over the place and the velocity with which each begins. Levenberg and Marquardt,
 /// each window's own two unknowns eliminated. The uncertainty is the larger one of that from the residual, and of that
 /// from how windows differ (each a cluster), which counts residuals that hang together. Problems: too little motion to
-/// begin with; it does not come to an end.
-Result<BodyFit> fitBody(std::span<const Window> windows);
+/// begin with; it does not come to an end; it was stopped. stop: asked window by window, true ends it early; may be
+/// empty.
+Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<bool()>& stop = {});
 
 }  // namespace underact::identify

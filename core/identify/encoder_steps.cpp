@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arm/conventions.h"
 #include "core/base/units.h"
 
 namespace underact::identify {
@@ -82,20 +81,11 @@ std::optional<Estimate> stepOf(std::span<const double> signal) {
   return {};
 }
 
-std::array<std::optional<Estimate>, 6> countsOf(std::span<const Row> rows) {
-  std::array<std::vector<double>, 6> angles;
-  for (const Row& row : rows) {
-    const arm::JointAngles device_rad = arm::deviceFromDh(row.q_rad);
-    for (std::size_t joint = 0; joint < 6; ++joint) angles[joint].push_back(device_rad[joint]);
-  }
-  std::array<std::optional<Estimate>, 6> counts;
-  for (std::size_t joint = 0; joint < 6; ++joint) {
-    const std::optional<Estimate> step_rad = stepOf(angles[joint]);
-    if (!step_rad) continue;
-    const double count = 2.0 * kPi / step_rad->value;
-    counts[joint] = Estimate{count, count * step_rad->uncertainty / step_rad->value};
-  }
-  return counts;
+std::optional<Estimate> countOf(std::span<const double> angles_rad) {
+  const std::optional<Estimate> step_rad = stepOf(angles_rad);
+  if (!step_rad) return {};
+  const double count = 2.0 * kPi / step_rad->value;
+  return Estimate{count, count * step_rad->uncertainty / step_rad->value};
 }
 
 Vec3 restNoise(std::span<const Row> rows) {

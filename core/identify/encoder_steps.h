@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,9 +12,8 @@ namespace underact::identify {
 /// decide. Estimate: of the step, in the signal's unit. None: too few changes, or they are no multiples of one step.
 std::optional<Estimate> stepOf(std::span<const double> signal);
 
-/// Counts per turn of each joint of the device (turret, thigh, shin from the base, gimbal). None: the joint hardly
-/// moved, or its angles come in no steps.
-std::array<std::optional<Estimate>, 6> countsOf(std::span<const Row> rows);
+/// Counts per turn of a joint of the device from its angles. None: it hardly moved, or they come in no steps.
+std::optional<Estimate> countOf(std::span<const double> angles_rad);
 
 /// Root mean square of the tip about its mean, per axis, m. rows: in which it is at rest.
 Vec3 restNoise(std::span<const Row> rows);

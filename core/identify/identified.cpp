@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arm/conventions.h"
 #include "core/base/units.h"
 
 namespace underact::identify {
 namespace {
+
+const Problems kStopped{{"The evaluation was ended."}};
 
 /// The rows of all stages of that kind, in order.
 template <class Chosen>
@@ -22,12 +25,13 @@ std::string placeWords(std::size_t place, int axis) {
   return std::string("Along ") + "xyz"[axis] + " at place " + std::to_string(place + 1) + ": ";
 }
 
-Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int axis, double period_s) {
+Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int axis, double period_s,
+                            const std::function<bool()>& stops) {
   AxisSwings swings;
   swings.place = place;
   swings.axis = axis;
   swings.windows = windowsOf(rows, Vec3::Unit(axis), period_s);
-  Result<BodyFit> fit = fitBody(swings.windows);
+  Result<BodyFit> fit = fitBody(swings.windows, stops);
   if (!fit) {
     Problems problems = fit.problems();
     for (Problem& problem : problems) problem.sentence = placeWords(place, axis) + problem.sentence;
@@ -37,6 +41,42 @@ Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int
   swings.stiffness =
       swingStiffness(rows, Vec3::Unit(axis), period_s, swings.fit.body, kNewtonPerMetre * kSwing_N_per_mm);
   return swings;
+}
+
+/// All swings, axis by axis at each place. stops: true ends it; what is there then is a part.
+Problems addSwings(const Plan& plan, const std::vector<Recorded>& recorded, const std::function<bool()>& stops,
+                   Identified& found) {
+  Problems problems;
+  for (std::size_t place = 0; place < plan.places_W.size(); ++place) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (stops()) return problems;
+      const auto isOne = [&](const Stage& stage) {
+        return stage.kind == StageKind::Swing && stage.place == place && stage.axis == axis;
+      };
+      Result<AxisSwings> swings = swingsOf(rowsOf(plan, recorded, isOne), place, axis, 1.0 / found.rate_hz, stops);
+      if (swings)
+        found.swings.push_back(std::move(swings).value());
+      else
+        problems.insert(problems.end(), swings.problems().begin(), swings.problems().end());
+    }
+  }
+  return problems;
+}
+
+/// stops: true ends it; what is there then is a part.
+std::array<std::optional<Estimate>, 6> countsOf(const std::vector<Recorded>& recorded,
+                                                const std::function<bool()>& stops) {
+  std::array<std::vector<double>, 6> angles_rad;
+  for (const Recorded& one : recorded) {
+    if (stops()) return {};
+    for (const Row& row : one.rows) {
+      const arm::JointAngles device_rad = arm::deviceFromDh(row.q_rad);
+      for (std::size_t joint = 0; joint < 6; ++joint) angles_rad[joint].push_back(device_rad[joint]);
+    }
+  }
+  std::array<std::optional<Estimate>, 6> counts;
+  for (std::size_t joint = 0; joint < 6 && !stops(); ++joint) counts[joint] = countOf(angles_rad[joint]);
+  return counts;
 }
 
 /// Over all places along an axis, or (axis below 0) over all there is.
@@ -76,36 +116,28 @@ Estimate meanOf(const std::vector<Estimate>& estimates) {
   return {mean, std::sqrt(std::max(1.0 / weights, scatter))};
 }
 
-Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz) {
+Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz,
+                            const std::function<bool()>& stop) {
+  bool is_stopped = false;
+  const std::function<bool()> stops = [&] { return is_stopped = is_stopped || (stop && stop()); };
   Identified found;
-  Problems problems;
   const double period_s = 1.0 / rate_hz;
   found.rate_hz = rate_hz;
   found.arm = plan.stages.front().scene.arm;
   found.places_W = plan.places_W;
-  for (std::size_t place = 0; place < plan.places_W.size(); ++place) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Result<AxisSwings> swings =
-          swingsOf(rowsOf(plan, recorded,
-                          [&](const Stage& stage) {
-                            return stage.kind == StageKind::Swing && stage.place == place && stage.axis == axis;
-                          }),
-                   place, axis, period_s);
-      if (swings)
-        found.swings.push_back(std::move(swings).value());
-      else
-        problems.insert(problems.end(), swings.problems().begin(), swings.problems().end());
-    }
-  }
+  const Problems problems = addSwings(plan, recorded, stops, found);
+  if (is_stopped) return kStopped;
   if (!problems.empty()) return problems;
   average(found);
   const auto rowsOfKind = [&](StageKind kind) {
     return rowsOf(plan, recorded, [kind](const Stage& stage) { return stage.kind == kind; });
   };
-  found.counts_per_turn = countsOf(rowsOf(plan, recorded, [](const Stage&) { return true; }));
+  found.counts_per_turn = countsOf(recorded, stops);
+  if (stops()) return kStopped;
   found.rest_noise_m = restNoise(rowsOfKind(StageKind::Rest));
   const std::vector<Row> pressed = rowsOfKind(StageKind::Press);
   found.slow_noise_m = slowNoise(pressed, period_s);
+  if (stops()) return kStopped;
   Result<Press> press = pressOf(pressed, kPressAlong_W, period_s);
   if (press)
     found.press = std::move(press).value();

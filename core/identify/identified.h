@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct Identified {
   std::array<Estimate, 3> friction_N;
   std::array<Estimate, 3> damping_N_s_per_m;
   Estimate mean_mass_kg, mean_friction_N, mean_damping_N_s_per_m;  // over all axes, as a model has them
-  std::array<std::optional<Estimate>, 6> counts_per_turn;
+  std::array<std::optional<Estimate>, 6> counts_per_turn;  // of the device: turret, thigh, shin from the base, gimbal
   Vec3 rest_noise_m = Vec3::Zero();
   Vec3 slow_noise_m = Vec3::Zero();
   std::optional<Press> press;  // asked: kPress_N_per_mm
@@ -39,8 +40,10 @@ struct Identified {
 };
 
 /// Evaluates a measurement that is done. Problems: along some axis nothing can be told; without mass and friction there
-/// is no result. Cost: some 0.1 s for each place at 1 kHz.
-Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz);
+/// is no result; it was stopped. stop: asked often, true ends it early; may be empty. Cost: some 0.1 s for each place
+/// at 1 kHz.
+Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz,
+                            const std::function<bool()>& stop = {});
 
 /// Means of several estimates, each as much as its variance says, with what they scatter counted in.
 Estimate meanOf(const std::vector<Estimate>& estimates);

@@ -83,6 +83,18 @@ TEST(IdentifyCommand, RefusesInWords) {
   EXPECT_EQ(runCli({"identify", "--out", "/nowhere/at/all.json"}).exit, cli::Exit::File);
 }
 
+TEST(IdentifyCommand, AFaultOfTheServoHasItsOwnExitStatus) {
+  const ScratchFile light(R"({"underact_arm_model": 1, "name": "light", "title": "Light",
+    "provenance": {"device": "a test", "date": "2026-11-22"}, "mass_kg": 0.0005, "friction_N": 0})",
+                          "light_arm.json");
+  // Half a gram on 100 N/m swings 70 times a second: a servo of 100 Hz throws it.
+  const Outcome outcome = runCli({"identify", "--arm-model", light.path(), "--rate", "100"});
+  EXPECT_EQ(outcome.exit, cli::Exit::Fault) << outcome.err;
+  EXPECT_NE(outcome.err.find("m/s"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("press"), std::string::npos) << "there is nothing to press: " << outcome.err;
+  EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+}
+
 TEST(IdentifyCommand, AnArmModelIsANameOrAFileEverywhere) {
   const Outcome name =
       runCli({"run", shipped("01_point.json"), "--hand", "still", "--seconds", "0.1", "--fast", "--arm-model", "idea"});

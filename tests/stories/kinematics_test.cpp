@@ -333,6 +333,19 @@ TEST(KinematicsStory, NoNumberIsCutAtTheUsualTextNorAtTwiceIt) {
   QApplication::setFont(usual);
 }
 
+TEST(KinematicsStory, ItIsSeenWhereOpaqueChildrenCoverAllOfIt) {
+  Lesson story;
+  auto* const panel = story.find("panel.kinematics");
+  QWidget cover(panel);
+  cover.setAttribute(Qt::WA_OpaquePaintEvent);
+  cover.setGeometry(panel->rect());
+  cover.show();
+  ASSERT_TRUE(panel->visibleRegion().isEmpty());
+  const double before_deg = story.number("dh.1.3");
+  story.moveJoint(1, 20.0);
+  EXPECT_GT(std::abs(story.number("dh.1.3") - before_deg), 5.0);
+}
+
 TEST(KinematicsStory, LayersAndThePanelAreRemembered) {
   {
     Lesson story;

@@ -70,6 +70,18 @@ TEST(LabStory, BeforeItIsMeasuredItSaysWhatMeasuringDoesAndWhatTheSceneOffers) {
   EXPECT_TRUE(story.text("tick").contains("predicted"));
 }
 
+TEST(LabStory, ThatItsArmIsTheVendorsIsSaidWhereAnotherOneIsSimulated) {
+  const QString arm = temporaryFile("unheeded.json", R"({"underact_arm_model": 1, "name": "heavy", "title": "Heavy",
+    "provenance": {"device": "a bench", "date": "2026-11-22"}, "mass_kg": 0.12, "friction_N": 0.05})");
+  Lab story;
+  EXPECT_FALSE(story.text("told").contains("vendor"));
+  ASSERT_TRUE(story.perform("arm.open", arm));
+  EXPECT_TRUE(story.text("told").contains("vendor's figures, not those of “heavy”"))
+      << story.text("told").toStdString();
+  ASSERT_TRUE(story.perform("arm.vendor"));
+  EXPECT_FALSE(story.text("told").contains("vendor"));
+}
+
 TEST(LabStory, TheFrontIsWalkedFromTheCheapestToTheMostExactAndBack) {
   Lab story;
   const scene::Description own = story.scene();

@@ -294,6 +294,19 @@ TEST(RobotStory, TheReadoutSaysWhatTheSolverFoundAndWhichJointStandsAtALimit) {
   EXPECT_NEAR(story.now().theta[0], -3.0 * std::acos(-1.0) / 180.0, 1e-6);
 }
 
+TEST(RobotStory, ItIsSeenWhereOpaqueChildrenCoverAllOfIt) {
+  Robot story("16_one_joint_robot");
+  auto* const panel = story.find("panel.robot");
+  QWidget cover(panel);
+  cover.setAttribute(Qt::WA_OpaquePaintEvent);
+  cover.setGeometry(panel->rect());
+  cover.show();
+  ASSERT_TRUE(panel->visibleRegion().isEmpty());
+  const QString before = story.readout("Joint q1");
+  story.hold({0.050, 0.0, 0.0}, Vec3(1.0, 0.35, 0.0));
+  EXPECT_NE(story.readout("Joint q1"), before);
+}
+
 TEST(RobotStory, TheShapePanelSaysWhatTheRobotIsAndOpensItsJoints) {
   Story story("23_two_beams");
   QStringList texts;

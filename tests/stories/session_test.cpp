@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gui/identify/arm_in_use.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/servo/servo_rate.h"
@@ -318,8 +319,9 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     RecentFiles recent;
     Player player(story.host(), document, nullptr, &page);
     ServoRate rate(story.host(), &page);
-    auto* panel =
-        new SessionsPanel({story.host(), document, recent, actions, story.view(), nullptr, player, rate}, &page);
+    ArmInUse arm_in_use(nullptr, {}, &page);
+    auto* panel = new SessionsPanel(
+        {story.host(), document, recent, actions, story.view(), nullptr, player, rate, arm_in_use}, &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);

@@ -94,6 +94,29 @@ TEST(StepStory, TheArmIsMeasuredAsTheCommandLineMeasuresIt) {
   EXPECT_EQ(story.cell(kRise, kMeasured), "");  // it was measured with another stiffness
 }
 
+TEST(StepStory, AnArmThatWasMeasuredIsTheOneThatIsStepped) {
+  const QString arm = temporaryFile("stepped.json", R"({"underact_arm_model": 1, "name": "heavy", "title": "Heavy",
+    "provenance": {"device": "a bench", "date": "2026-11-22"},
+    "mass_kg": 0.12, "friction_N": 0.05, "damping_N_s_per_m": 2.0})");
+  StepLab story;
+  ASSERT_TRUE(story.perform("step.measure"));
+  EXPECT_NE(story.cell(kRise, kMeasured), "");
+  ASSERT_TRUE(story.perform("arm.open", arm));
+  EXPECT_EQ(story.cell(kRise, kMeasured), "") << "it was of another arm";
+  EXPECT_EQ(story.find<QDoubleSpinBox>("panel.step.mass.number")->value(), 0.12);
+  EXPECT_EQ(story.find<QDoubleSpinBox>("panel.step.damping.number")->value(), 2.0);
+  story.find<QCheckBox>("panel.step.limits")->setChecked(false);
+  ASSERT_TRUE(story.perform("step.measure"));
+  EXPECT_TRUE(story.text("note").contains("“heavy”")) << story.text("note").toStdString();
+  EXPECT_TRUE(story.text("note").contains("0.05 N")) << "its friction: " << story.text("note").toStdString();
+  const QJsonObject wanted = commandLine({"--arm-model", arm, "--no-limits"});
+  EXPECT_NEAR(story.number(kRise, kMeasured), wanted["rise_10_90_s"].toDouble(), 1e-4);
+  EXPECT_NEAR(story.number(kOvershoot, kMeasured), 100.0 * wanted["overshoot_fraction"].toDouble(), 0.01);
+  ASSERT_TRUE(story.perform("arm.vendor"));
+  EXPECT_EQ(story.find<QDoubleSpinBox>("panel.step.mass.number")->value(), 0.045);
+  EXPECT_EQ(story.find<QDoubleSpinBox>("panel.step.damping.number")->value(), 0.0);
+}
+
 TEST(StepStory, GainsGoToTheSceneInOneStepBack) {
   StepLab story("11_soft_and_stiff_axes");
   const scene::Gains own = story.control().gains;

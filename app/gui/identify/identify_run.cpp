@@ -16,21 +16,26 @@ using identify::Measurement;
 using identify::StageKind;
 
 IdentifyRun::IdentifyRun(const IdentifyParts& parts, QObject* parent) : QObject(parent), parts_(parts) {
-  connect(&parts_.document, &Document::opened, this, &IdentifyRun::cancel);
+  connect(&parts_.document, &Document::opened, this,
+          [this] { end(tr("Another scene was opened, so the measurement was ended.")); });
+  // Before it is read: what the player finds then, and puts back at last, must be the window's own.
+  connect(&parts_.player, &Player::loading, this,
+          [this] { end(tr("A recording was opened, so the measurement was ended.")); });
+  connect(&parts_.in_use, &ArmInUse::changed, this,
+          [this] { end(tr("Another arm is simulated now, so the measurement was ended.")); });
 }
 
 IdentifyRun::~IdentifyRun() = default;
 
 Problems IdentifyRun::begin(identify::Wanted wanted) {
   cancel();
-  if (!parts_.document.isOpen()) return Problems{{"Open a scene first: it is there again afterwards."}};
-  if (parts_.player.isOpen()) return Problems{{"A recording is replayed. Close it first."}};
-  if (parts_.document.isTryingOut()) return Problems{{"Another measurement is at work. End it first."}};
-  if (parts_.host.holdToRun()) return Problems{{"Hold to run is on, and the hand has to let go. Switch it off first."}};
-  wanted.arm = parts_.arm != nullptr ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
+  Problems problems = whyNotNow();
+  if (!problems.empty()) return problems;
+  wanted.arm = armNow();
   Result<identify::Plan> plan = identify::makePlan(wanted);
   if (!plan) return plan.problems();
   was_running_ = parts_.host.running();
+  is_own_start_ = is_begun_ = has_pushed_ = false;
   found_.reset();
   given_.reset();
   fit_ = {};
@@ -44,9 +49,28 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
       given_->counts_per_turn = sim::countsOf(*given_->model.counts_per_turn, preset.counts_per_turn);
   }
   revision_ = parts_.host.revision();
-  rate_hz_ = parts_.host.rateHz();
   setState(State::Asks);
   return {};
+}
+
+/// Empty: it can begin, or go on.
+Problems IdentifyRun::whyNotNow() const {
+  if (!parts_.document.isOpen()) return Problems{{"Open a scene first: it is there again afterwards."}};
+  if (parts_.player.isOpen() || parts_.player.isLoading())
+    return Problems{{"A recording is replayed. Close it first."}};
+  if (parts_.document.isTryingOut() && !hasOwnScene())
+    return Problems{{"Another measurement is at work. End it first."}};
+  if (parts_.host.holdToRun()) return Problems{{"Hold to run is on, and the hand has to let go. Switch it off first."}};
+  return {};
+}
+
+std::string IdentifyRun::armNow() const {
+  return parts_.arm != nullptr ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
+}
+
+/// What is tried out is of this measurement.
+bool IdentifyRun::hasOwnScene() const {
+  return measurement_ && parts_.document.isTryingOut() && parts_.host.revision() == revision_;
 }
 
 Result<std::uint64_t> IdentifyRun::put(const scene::Description& scene) {
@@ -62,20 +86,26 @@ Result<std::uint64_t> IdentifyRun::put(const scene::Description& scene) {
 void IdentifyRun::startServo() {
   started_ticks_ = ticks_;
   has_pushed_ = mode_ == servo::Mode::Running;
-  if (!has_pushed_) parts_.host.start();
+  if (has_pushed_) return;
+  parts_.host.start();
+  is_own_start_ = true;
 }
 
 /// Empty: it pushes, or was told so less than a second ago.
-QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) {
-  if (snapshot.mode == servo::Mode::Running) has_pushed_ = true;
+QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
   const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.host.rateHz();
   if (snapshot.mode == servo::Mode::Running || waits) return {};
-  if (snapshot.mode == servo::Mode::Faulted) return QString::fromStdString(describe(snapshot.report.fault));
+  if (snapshot.mode == servo::Mode::Faulted)
+    return tr("%1 Force is off. When that is mended, press “Repeat this part”.")
+        .arg(QString::fromStdString(whatHappened(snapshot.report.fault)));
   return tr("The servo was stopped.");
 }
 
 void IdentifyRun::goOn() {
   if (state_ != State::Asks) return;
+  if (!is_begun_) rate_hz_ = parts_.host.rateHz();
+  if (!mayGoOn()) return;
+  is_begun_ = true;
   startServo();
   const Problems problems = measurement_->go();
   problems.empty() ? setState(State::Runs) : stopped(sentencesOf(problems));
@@ -84,12 +114,24 @@ void IdentifyRun::goOn() {
 /// Samples of two rates make no one measurement.
 QString IdentifyRun::whyNotAtThisRate() const {
   if (parts_.host.rateHz() == rate_hz_) return {};
-  return tr("The servo's rate was changed meanwhile. Put it back to %1 Hz, or begin again.").arg(rate_hz_);
+  return tr("The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.").arg(rate_hz_);
+}
+
+/// What begin() asked, once more. false: it is stopped, or has ended.
+bool IdentifyRun::mayGoOn() {
+  if (armNow() != measurement_->plan().stages.front().scene.arm) {
+    end(tr("The scene is for another arm now, so the measurement was ended."));
+    return false;
+  }
+  const Problems problems = whyNotNow();
+  const QString why = problems.empty() ? whyNotAtThisRate() : sentencesOf(problems);
+  if (!why.isEmpty()) stopped(why);
+  return why.isEmpty();
 }
 
 void IdentifyRun::repeat() {
-  if (state_ != State::Stopped) return;
-  if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return setState(State::Stopped, why);
+  if (state_ != State::Stopped || !mayGoOn()) return;
+  is_begun_ = true;
   startServo();
   revision_ = parts_.host.revision();
   fit_ = {};
@@ -103,15 +145,24 @@ void IdentifyRun::stopped(const QString& why) {
   setState(State::Stopped, why);
 }
 
-/// The scene, the hand and the servo are as they were.
+/// It cannot go on, only begin again.
+void IdentifyRun::end(const QString& why) {
+  if (!measurement_) return;
+  letGo();
+  setState(State::Failed, why);
+}
+
+/// Puts back what it has changed itself: the scene, the servo, the hand.
 void IdentifyRun::letGo() {
   // First of all the force: the fit that goes on beside it may take a while to end.
-  if (parts_.document.isTryingOut()) parts_.document.putBack();
-  if (!was_running_) parts_.host.stop();
+  if (hasOwnScene()) {
+    parts_.document.putBack();
+    parts_.view.followEdit(parts_.document.scene());
+  }
+  if (is_own_start_ && !was_running_) parts_.host.stop();
   person_.reset();
   measurement_.reset();
   live_.reset();
-  parts_.view.followEdit(parts_.document.scene());
 }
 
 void IdentifyRun::cancel() {
@@ -129,14 +180,20 @@ void IdentifyRun::add(const servo::TickRecord& record) {
 void IdentifyRun::look(const servo::Snapshot& snapshot) {
   ticks_ = snapshot.ticks;
   mode_ = snapshot.mode;
+  has_pushed_ = has_pushed_ || mode_ == servo::Mode::Running;
+  if (has_pushed_ && mode_ != servo::Mode::Running) is_own_start_ = false;  // whoever starts it again wants it so
   if (evaluation_) return takeEvaluation();
   if (!measurement_) return;
   if (person_) person_->act(*measurement_, q_rad_);
+  if (state_ != State::Runs && state_ != State::Asks) return;
+  if (state_ == State::Runs && parts_.host.revision() != revision_)
+    return stopped(tr("The scene was changed meanwhile."));
+  if (is_begun_) {
+    if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
+    if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
+  }
   if (state_ == State::Asks && person_) return goOn();
-  if (state_ != State::Runs) return;
-  if (parts_.host.revision() != revision_) return stopped(tr("The scene was changed meanwhile."));
-  if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
-  if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
+  if (state_ == State::Asks) return;
   const Problems problems = measurement_->advance();
   if (!problems.empty()) return stopped(sentencesOf(problems));
   if (measurement_->state() == Measurement::State::Done) return evaluate();
@@ -156,8 +213,8 @@ void IdentifyRun::takeEvaluation() {
 void IdentifyRun::evaluate() {
   const int rate_hz = rate_hz_;
   evaluation_ = std::make_unique<Background<Result<identify::Identified>>>(
-      [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState&) {
-        return identify::evaluate(plan, recorded, rate_hz);
+      [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState& work) {
+        return identify::evaluate(plan, recorded, rate_hz, [&work] { return work.cancelled.load(); });
       });
   letGo();
   setState(State::Evaluates);
@@ -211,9 +268,9 @@ void IdentifyRun::fitLive() {
     rows.insert(rows.end(), recorded[index].rows.begin(), recorded[index].rows.end());
   const int axis = measurement_->plan().stages[recorded.back().stage].axis;
   live_ = std::make_unique<Background<LiveFit>>(
-      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.host.rateHz()](WorkState&) {
+      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.host.rateHz()](WorkState& work) {
         const std::vector<identify::Window> windows = windowsOf(rows, Vec3::Unit(axis), period_s);
-        const Result<identify::BodyFit> fit = identify::fitBody(windows);
+        const Result<identify::BodyFit> fit = identify::fitBody(windows, [&work] { return work.cancelled.load(); });
         return fit ? LiveFit{first, pointsOf(windows, fit.value().way_m)} : LiveFit{first, {}};
       });
 }

@@ -27,13 +27,13 @@ struct IdentifyParts {
   device::SimulatedArm* arm = nullptr;  // behind the host, where it is the simulated one
 };
 
-/// A measurement of the arm at hand. Its scenes are tried out in the document's place; whatever ends it, the scene that
-/// was there before is back.
+/// A measurement of the arm at hand. Its scenes are tried out in the document's place; whatever ends it, what it
+/// changed itself is as it was before: scene, servo and hand. What somebody else has changed since is left as it is.
 class IdentifyRun : public QObject {
   Q_OBJECT
  public:
   /// Asks: the hand has to do something, then goOn(). Stopped: by a fault or a person; repeat() goes on. Evaluates: all
-  /// is recorded. Done: found() is there. Failed: why() says why nothing was found.
+  /// is recorded. Done: found() is there. Failed: why() says why nothing was found; begin() is the way on.
   enum class State { Idle, Asks, Runs, Stopped, Evaluates, Done, Failed };
 
   IdentifyRun(const IdentifyParts& parts, QObject* parent);
@@ -41,9 +41,10 @@ class IdentifyRun : public QObject {
 
   /// In place of what there is. Problems: why it cannot begin.
   Problems begin(identify::Wanted wanted);
+  // What begin() asks is asked again: where it does not hold any more, it stops and says so.
   void goOn();
   void repeat();
-  /// The scene from before is back; nothing is kept.
+  /// Nothing is kept.
   void cancel();
   void add(const servo::TickRecord& record);
   /// Each frame. It may put a scene into effect: the snapshot of the host is no longer there then.
@@ -77,8 +78,13 @@ class IdentifyRun : public QObject {
   Result<std::uint64_t> put(const scene::Description& scene);
   void startServo();
   void stopped(const QString& why);
-  QString whyItStands(const servo::Snapshot& snapshot);
+  void end(const QString& why);
+  Problems whyNotNow() const;
+  QString whyItStands(const servo::Snapshot& snapshot) const;
   QString whyNotAtThisRate() const;
+  bool mayGoOn();
+  bool hasOwnScene() const;
+  std::string armNow() const;
   void evaluate();
   void takeEvaluation();
   void letGo();
@@ -96,12 +102,14 @@ class IdentifyRun : public QObject {
   std::optional<identify::Identified> found_;
   std::optional<identify::Given> given_;
   std::uint64_t revision_ = 0;
-  int rate_hz_ = 0;         // of the servo when it began
+  int rate_hz_ = 0;         // of the servo when the first stage began
   std::int64_t ticks_ = 0;  // of the last frame
   servo::Mode mode_ = servo::Mode::Idle;
   std::int64_t started_ticks_ = 0;  // when the servo was told to push
   bool has_pushed_ = false;         // and it has since
-  bool was_running_ = false;
+  bool is_begun_ = false;           // a stage has been put into effect
+  bool was_running_ = false;        // the servo, before
+  bool is_own_start_ = false;       // it runs because it was started here
   arm::JointAngles q_rad_{};
   QString why_;
 };

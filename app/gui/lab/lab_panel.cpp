@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/gui/document.h"
+#include "app/gui/identify/arm_in_use.h"
 #include "app/gui/lab/choice_list.h"
 #include "app/gui/lab/front_chart.h"
 #include "app/gui/lab/lab_words.h"
@@ -39,6 +40,7 @@ LabPanel::LabPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), pa
   connect(&parts_.document, &Document::opened, this, &LabPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &LabPanel::sceneEdited);
   connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });
+  connect(&parts_.arm_in_use, &ArmInUse::changed, this, &LabPanel::armChanged);
   forget(whatMeasuringDoes());
 }
 
@@ -284,8 +286,9 @@ void LabPanel::tell(const QString& sentence, bool alarm) {
 
 QString LabPanel::whatWasMeasured() const {
   return tr("Measured: %1 ways to run this scene, %2 of them on the front.")
-      .arg(result_.points.size())
-      .arg(front_.size());
+             .arg(result_.points.size())
+             .arg(front_.size()) +
+         whichArm();
 }
 
 QString LabPanel::whatMeasuringDoes() const {
@@ -296,7 +299,23 @@ QString LabPanel::whatMeasuringDoes() const {
       trade::secondsToMeasure(scene, hands, seconds_->value(), parts_.rate.hz(), predictedTick_ns(scene));
   return tr("Nothing is measured yet. Measure runs this scene on a simulated arm of its own, in every way that it can "
             "be run, and lays what each costs against how far it is off: about %1 here. Window and servo go on.")
-      .arg(durationText(about_s));
+             .arg(durationText(about_s)) +
+         whichArm();
+}
+
+/// Empty where it is the one that everybody would think of.
+QString LabPanel::whichArm() const {
+  if (!parts_.arm_in_use.isMeasured()) return {};
+  return tr(" The arm that is simulated here has the vendor's figures, not those of “%1”.")
+      .arg(QString::fromStdString(parts_.arm_in_use.model().name));
+}
+
+void LabPanel::armChanged() {
+  if (run_ != nullptr) return;
+  if (!front_.empty())
+    tell(whatWasMeasured(), false);
+  else if (result_.standings.empty())
+    tell(whatMeasuringDoes(), false);
 }
 
 void LabPanel::setTheme(const Theme& theme) {

@@ -67,6 +67,8 @@ class LabPanel : public Panel {
   void refreshWalk();
   void refreshDifferences();
   void tell(const QString& sentence, bool alarm);
+  void armChanged();
+  QString whichArm() const;
   QString whatMeasuringDoes() const;
   QString whatWasMeasured() const;
   QString wordsOf(const std::optional<std::size_t>& chosen) const;

@@ -89,7 +89,7 @@ void SessionPanel::show() {
 
 void SessionPanel::present(const servo::Snapshot&) {
   if (!parts_.player.isOpen() || ++frame_ % kFramesAPlot != 0) return;
-  if (visibleRegion().isEmpty()) return;  // behind another tab it is visible, and not seen
+  if (!isSeen()) return;
   plot_->setCursor(parts_.player.secondsAt(parts_.player.row()));
 }
 

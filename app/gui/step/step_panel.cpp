@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/gui/document.h"
+#include "app/gui/identify/arm_in_use.h"
 #include "app/gui/kinematics/number_table.h"
 #include "app/gui/servo/servo_rate.h"
 #include "app/gui/step/step_plot.h"
@@ -80,12 +81,13 @@ lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
 }  // namespace
 
 StepPanel::StepPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
-  held_.mass_kg = sim::findArmModel(sim::kDefaultArmModel)->mass_kg;
   held_.kp_N_per_m = 500.0;
   build();
+  takeArm();
   addCommands();
   connect(&parts_.document, &Document::opened, this, &StepPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &StepPanel::sceneEdited);
+  connect(&parts_.arm_in_use, &ArmInUse::changed, this, &StepPanel::takeArm);
   connect(&parts_.rate, &ServoRate::changed, this, [this] {  // it was measured at another one
     measured_.reset();
     refresh();
@@ -101,6 +103,14 @@ double& StepPanel::valueOf(int quantity) {
 
 const scene::Control& StepPanel::control() const {
   return scene::controlOf(parts_.document.scene(), index_);
+}
+
+/// The mass that moves and what slows it are the arm's, until a slider says otherwise.
+void StepPanel::takeArm() {
+  held_.mass_kg = parts_.arm_in_use.model().mass_kg;
+  held_.damping_N_s_per_m = parts_.arm_in_use.model().damping_N_s_per_m;
+  measured_.reset();
+  refresh();
 }
 
 void StepPanel::listConstraints() {
@@ -186,9 +196,9 @@ bool StepPanel::measure() {
   lab::StepSetup setup;
   setup.step_m = kMetrePerMillimetre * step_mm_->value();
   setup.constraint = scene.constraints[index_].name;
-  setup.arm = *sim::findArmModel(sim::kDefaultArmModel);
+  setup.arm = parts_.arm_in_use.model();
   setup.arm.mass_kg = held_.mass_kg;
-  setup.hand.damping_N_s_per_m = held_.damping_N_s_per_m;
+  setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // a hand's, too: at rest it slows as the arm's own does
   setup.rate_hz = parts_.host.rateHz();
   setup.limits = limits_->isChecked();
   Result<lab::ArmStep> step = lab::measureStep(withControl(scene, index_, withGains(control(), law_, held_)), setup);
@@ -238,9 +248,11 @@ QString StepPanel::noteOnMeasured() const {
     return tr("The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure "
               "without the limits.")
         .arg(step.limited_ticks);
-  return tr("Measured along %1. The model has no friction; the arm has %2 N.")
+  const QString arm = QString::fromStdString(parts_.arm_in_use.model().name);
+  return tr("Measured along %1%3. The model has no friction; the arm has %2 N.")
       .arg(step.axis == lab::Axis::Held ? tr("the direction in which it holds") : QString(name(step.axis)))
-      .arg(step.friction_N, 0, 'f', 2);
+      .arg(step.friction_N, 0, 'f', 2)
+      .arg(parts_.arm_in_use.isMeasured() ? tr(" on “%1”").arg(arm) : QString());
 }
 
 void StepPanel::refresh() {
@@ -267,7 +279,7 @@ void StepPanel::refresh() {
   const bool open = !parts_.document.scene().constraints.empty();
   const scene::Gains gains = open ? control().gains : scene::Gains{};
   const double own[] = {gains.kp_N_per_mm.x(), gains.kd_N_s_per_mm.x(), gains.ki_N_per_mm_s.x(),
-                        sim::findArmModel(sim::kDefaultArmModel)->mass_kg, 0.0};
+                        parts_.arm_in_use.model().mass_kg, parts_.arm_in_use.model().damping_N_s_per_m};
   for (int quantity = 0; quantity < kQuantities; ++quantity) {
     const double unit = quantity <= kKi ? kNewtonPerMetre : 1.0;
     rows_[static_cast<std::size_t>(quantity)]->present(valueOf(quantity) / unit, own[quantity]);

@@ -37,6 +37,7 @@ class StepPanel : public Panel {
   void buildMeasuring(QWidget* foot);
   void addCommands();
 
+  void takeArm();
   void sceneOpened();
   void sceneEdited();
   void listConstraints();

@@ -102,7 +102,7 @@ void StepPanel::buildRows(QVBoxLayout* column) {
               3,
               100.0};
     if (quantity == kDamping)
-      return {tr("What slows the tip besides the law: a hand's damping: m x'' + b x' + kp x = kp r."),
+      return {tr("What slows the tip besides the law, the arm's own damping and a hand's: m x'' + b x' + kp x = kp r."),
               "N s/m",
               10,
               200,

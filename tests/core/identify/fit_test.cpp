@@ -87,6 +87,20 @@ TEST(BodyFit, AMotionThatNoBodyMakesIsRefused) {
   EXPECT_FALSE(fitBody(windowsOf(rows, Vec3::UnitX(), kPeriod_s)));
 }
 
+TEST(BodyFit, IsAskedWindowByWindowWhetherItGoesOnAndEndsAtTheFirstNo) {
+  const std::vector<Window> windows = windowsOf(swingsOf({0.08, 0.15, 0.5, 0.0}, kStep_m), Vec3::UnitX(), kPeriod_s);
+  int asked = 0;
+  const Result<BodyFit> whole = fitBody(windows, [&] { return ++asked < 0; });
+  ASSERT_TRUE(static_cast<bool>(whole));
+  EXPECT_GT(asked, static_cast<int>(3 * windows.size())) << "three beginnings, a round each at least";
+  const int all = asked;
+  for (const int when : {1, 2, all / 2, all}) {
+    asked = 0;
+    EXPECT_FALSE(fitBody(windows, [&] { return ++asked >= when; }));
+    EXPECT_EQ(asked, when) << "it went on";
+  }
+}
+
 TEST(Windows, NoneGoesOverAGapAndRestsAreLeftOut) {
   std::vector<Row> rows = swingsOf({0.045, 0.26, 0.4, 0.0}, 0.0, 2);
   for (std::size_t row = 100; row < rows.size(); ++row) rows[row].time_ns += 5'000'000;

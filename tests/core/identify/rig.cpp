@@ -26,6 +26,7 @@ Measured measured(const sim::ArmModel& model, const std::string& preset, int rat
   options.rate_hz = rate_hz;
   auto done = device::measureSimulated(options, wanted, 1, {});
   EXPECT_TRUE(static_cast<bool>(done));
+  EXPECT_EQ(done.value().fault.kind, FaultKind::None);
   return {std::move(done.value().plan), std::move(done.value().recorded)};
 }
 
