@@ -1,3 +1,5 @@
+#include "app/sweeper/command.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/sweeper/command.h"
 #include "app/sweeper/progress.h"
 #include "tests/cli/session.h"
 #include "tests/sweep/rig.h"

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <fstream>
+#include <thread>
 
+#include "tests/support/comes.h"
 #include "tests/sweep/rig.h"
 
 // What only a process has: kills, signals, disks that fill up, and other ranks. No sanitizer knows what a fork of
@@ -10,17 +14,11 @@
 namespace underact::test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr const char* kSeconds = "5";
-#else
-constexpr const char* kSeconds = "30";  // some 0.06 s a cell, so that a kill finds some of them done
-#endif
-constexpr int kCells = 24;
+constexpr std::size_t kCells = 200;
 
-/// What is run, whatever runs it: two cells a draw.
-std::string sweepTo(const std::string& out, const std::string& draws = "12") {
-  return sweepProgram() + " hands --scene '" + scene("02_sphere.json") + "' '" + scene("12_line_pid.json") +
-         "' --draws " + draws + " --seconds " + kSeconds + " --out '" + out + "'";
+/// What is run, whatever runs it.
+std::string sweepTo(const std::string& out) {
+  return gatedProgram() + " gated --out '" + out + "'";
 }
 
 class SweepProcess : public testing::Test {
@@ -34,59 +32,92 @@ class SweepProcess : public testing::Test {
   static void TearDownTestSuite() { delete whole_; }
   static std::string expected() { return textOf(whole_->file("r.csv")); }
 
-  std::string said() const { return textOf(said_); }
+  std::string said() const { return contentOf(said_); }
+  /// The command, in which cells from so many on wait until more are let in.
+  std::string gated(std::size_t open, const std::string& command) const {
+    letIn(open);
+    return "env UNDERACT_TEST_GATE='" + gate_ + "' " + command;
+  }
+  void letIn(std::size_t open) const { std::ofstream(gate_) << open; }
+  /// Lets in one after the other until the process ends; its exit status. For signals of which nobody sees when they
+  /// have arrived: some 2 s pass before the last cell is let in.
+  int letInUntilTheEnd(Process& process, std::size_t open) const {
+    while (open < kCells && !process.hasEnded()) {
+      letIn(++open);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return process.wait();
+  }
   /// Runs to the end; the exit status.
   int run(const std::string& command) const { return Process(command, said_).wait(); }
-  /// The same sweep to its end, which is the same to the byte, and what was done before is not done again.
-  void expectToGoOn(const std::string& command) const {
-    const std::size_t before = cellsIn(out_);
+  /// The same sweep to its end, which is the same to the byte, and what was done before is not done again. before: how
+  /// many that is; one more, at most, for each thread that ran.
+  void expectToGoOn(const std::string& command, std::size_t before, std::size_t ran = 0) const {
+    EXPECT_TRUE(comes([&] { return isFree(out_); }));
     EXPECT_FALSE(std::filesystem::exists(out_));
-    EXPECT_GT(before, 0U);
+    const std::size_t done = cellsIn(out_);
+    EXPECT_GE(done, before);
+    EXPECT_LE(done, before + ran);
+    EXPECT_LT(done, kCells);
     EXPECT_EQ(run(command), 0) << said();
-    EXPECT_EQ(runNow(said_), kCells - static_cast<int>(before)) << said();
+    EXPECT_EQ(runNow(said_), static_cast<int>(kCells - done)) << said();
     EXPECT_TRUE(textOf(out_) == expected());
     EXPECT_FALSE(std::filesystem::exists(out_ + ".part"));
   }
 
   ScratchFolder folder_;
-  std::string out_ = folder_.file("r.csv"), said_ = folder_.file("said");
+  std::string out_ = folder_.file("r.csv"), said_ = folder_.file("said"), gate_ = folder_.file("gate");
   static inline ScratchFolder* whole_ = nullptr;
 };
 
 TEST_F(SweepProcess, KilledAndStartedAgainGivesTheSameBytes) {
-  Process process(sweepTo(out_) + " --threads 2", said_);
-  ASSERT_TRUE(waitForCells(out_, 4));
+  Process process(gated(4, sweepTo(out_) + " --threads 2"), said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
   kill(process.pid(), SIGKILL);
   EXPECT_EQ(process.wait(), -SIGKILL);
-  expectToGoOn(sweepTo(out_) + " --threads 3");
+  expectToGoOn(sweepTo(out_) + " --threads 3", 4);
 }
 
 TEST_F(SweepProcess, AskedToEndEndsInOrderAndSaysHowToGoOn) {
   for (const int signal : {SIGTERM, SIGINT}) {
-    Process process(sweepTo(out_) + " --threads 2", said_);
-    ASSERT_TRUE(waitForCells(out_, 4));
+    Process process(gated(4, sweepTo(out_) + " --threads 2"), said_);
+    ASSERT_TRUE(waitForCells(out_, 4)) << said();
     kill(process.pid(), signal);
+    ASSERT_TRUE(comes([&] { return said().find("the cells that run are waited for") != std::string::npos; }));
+    EXPECT_FALSE(process.hasEnded());
+    letIn(kCells);
     EXPECT_EQ(process.wait(), 4) << said();
-    EXPECT_NE(said().find("of 24 cells are done and kept in"), std::string::npos) << said();
+    EXPECT_NE(said().find("of 200 cells are done and kept in"), std::string::npos) << said();
     EXPECT_NE(said().find("The same command goes on"), std::string::npos) << said();
-    expectToGoOn(sweepTo(out_));
+    expectToGoOn(sweepTo(out_), 4, 2);
     std::filesystem::remove(out_);
   }
+}
+
+TEST_F(SweepProcess, AskedTwiceWaitsForNoCell) {
+  Process process(gated(4, sweepTo(out_) + " --threads 2"), said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
+  kill(process.pid(), SIGTERM);
+  ASSERT_TRUE(comes([&] { return said().find("A second signal ends at once") != std::string::npos; }));
+  kill(process.pid(), SIGTERM);
+  EXPECT_EQ(process.wait(), -SIGTERM) << said();
+  expectToGoOn(sweepTo(out_), 4);
 }
 
 TEST_F(SweepProcess, OnAFullDiskKeepsWhatItHasAndGoesOn) {
   EXPECT_EQ(run("sh -c 'ulimit -f 4; exec \"$@\"' sh " + sweepTo(out_)), 4);  // blocks of 512 bytes
   EXPECT_NE(said().find("takes no more: File too large"), std::string::npos) << said();
-  expectToGoOn(sweepTo(out_));
+  expectToGoOn(sweepTo(out_), 1, kCells);
 }
 
 TEST_F(SweepProcess, OfTheSameResultIsRefusedASecondTime) {
-  Process first(sweepTo(out_) + " --threads 1", said_);
-  ASSERT_TRUE(waitForCells(out_, 1));
+  Process first(gated(1, sweepTo(out_) + " --threads 1"), said_);
+  ASSERT_TRUE(waitForCells(out_, 1)) << said();
   const std::string second_said = folder_.file("said too");
   Process second(sweepTo(out_), second_said);
   EXPECT_EQ(second.wait(), 4);
   EXPECT_NE(textOf(second_said).find("Another underact-sweep is at work"), std::string::npos);
+  letIn(kCells);
   EXPECT_EQ(first.wait(), 0);
   EXPECT_TRUE(textOf(out_) == expected());
 }
@@ -97,9 +128,11 @@ bool hasBegunMpi(pid_t pid) {
 }
 
 TEST_F(SweepProcess, AloneBeginsNoMpi) {
-  Process process("env -i PATH=/nowhere " + sweepTo(out_), said_);
+  letIn(1);
+  Process process("env -i PATH=/nowhere UNDERACT_TEST_GATE='" + gate_ + "' " + sweepTo(out_), said_);
   ASSERT_TRUE(waitForCells(out_, 1)) << said();
   EXPECT_FALSE(hasBegunMpi(process.pid()));
+  letIn(kCells);
   EXPECT_EQ(process.wait(), 0) << said();
   EXPECT_TRUE(textOf(out_) == expected());
 }
@@ -120,58 +153,63 @@ class SweepRanks : public SweepProcess {};
 TEST_F(SweepRanks, OneAndFourGiveTheSameBytes) {
   for (const int ranks : {1, 4}) {
     EXPECT_EQ(run(mpirun(ranks) + sweepTo(out_)), 0) << said();
-    EXPECT_EQ(runNow(said_), kCells) << said();
+    EXPECT_EQ(runNow(said_), static_cast<int>(kCells)) << said();
     EXPECT_TRUE(textOf(out_) == expected()) << ranks << " ranks";
     std::filesystem::remove(out_);
   }
 }
 
+TEST_F(SweepRanks, OfHandsGiveTheBytesOfThreads) {
+  const std::string threads = folder_.file("threads.csv");
+  const std::string command = sweepProgram() + " hands --scene '" + scene("02_sphere.json") + "' '" +
+                              scene("12_line_pid.json") + "' --draws 6 --seconds 1 --out ";
+  EXPECT_EQ(run(command + "'" + threads + "' --threads 2"), 0) << said();
+  EXPECT_EQ(run(mpirun(3) + command + "'" + out_ + "'"), 0) << said();
+  EXPECT_TRUE(textOf(out_) == textOf(threads));
+}
+
 TEST_F(SweepRanks, OneOfThemKilledAndStartedAgainWithAnotherNumberGiveTheSameBytes) {
   for (const int rank : {2, 0}) {
-    Process process(mpirun(3) + sweepTo(out_), said_);
+    Process process(gated(4, mpirun(3) + sweepTo(out_)), said_);
     ASSERT_TRUE(waitForCells(out_, 4)) << said();
     const pid_t pid = rankOf(process.pid(), rank);
     ASSERT_GT(pid, 0);
     EXPECT_TRUE(hasBegunMpi(pid));
     kill(pid, SIGKILL);
     EXPECT_NE(process.wait(), 0);
-    expectToGoOn(mpirun(rank == 0 ? 2 : 4) + sweepTo(out_));
+    expectToGoOn(mpirun(rank == 0 ? 2 : 4) + sweepTo(out_), 4);
     std::filesystem::remove(out_);
   }
 }
 
 TEST_F(SweepRanks, AllKilledAndGoneOnWithOnThreadsGiveTheSameBytes) {
-  Process process(mpirun(2) + sweepTo(out_), said_);
+  Process process(gated(4, mpirun(2) + sweepTo(out_)), said_);
   ASSERT_TRUE(waitForCells(out_, 4)) << said();
   std::vector<pid_t> ranks;
   for (const int rank : {0, 1}) ranks.push_back(rankOf(process.pid(), rank));
   kill(process.pid(), SIGKILL);
   for (const pid_t rank : ranks) kill(rank, SIGKILL);
   EXPECT_EQ(process.wait(), -SIGKILL);
-  expectToGoOn(sweepTo(out_) + " --threads 2");
+  expectToGoOn(sweepTo(out_) + " --threads 2", 4);
 }
 
 TEST_F(SweepRanks, OneOfThemAskedToEndEndsAllInOrder) {
-  Process process(mpirun(3) + sweepTo(out_), said_);
+  Process process(gated(4, mpirun(3) + sweepTo(out_)), said_);
   ASSERT_TRUE(waitForCells(out_, 4)) << said();
   const pid_t pid = rankOf(process.pid(), 1);
   ASSERT_GT(pid, 0);
   kill(pid, SIGTERM);
-  EXPECT_EQ(process.wait(), 4) << said();
+  EXPECT_EQ(letInUntilTheEnd(process, 4), 4) << said();
   EXPECT_NE(said().find("The same command goes on"), std::string::npos) << said();
-  expectToGoOn(mpirun(2) + sweepTo(out_));
+  expectToGoOn(mpirun(2) + sweepTo(out_), 4, kCells);
 }
 
 TEST_F(SweepRanks, AllAskedToEndByMpirunKeepWhatIsDone) {  // it tells them a second later, and kills them another later
-  const std::string command = sweepTo(out_, "40");
-  Process process(mpirun(2) + command, said_);
+  Process process(gated(4, mpirun(2) + sweepTo(out_)), said_);
   ASSERT_TRUE(waitForCells(out_, 4)) << said();
   kill(process.pid(), SIGTERM);
   EXPECT_NE(process.wait(), 0);
-  const std::size_t before = cellsIn(out_);
-  EXPECT_FALSE(std::filesystem::exists(out_));
-  EXPECT_EQ(run(command), 0) << said();
-  EXPECT_EQ(runNow(said_), 80 - static_cast<int>(before)) << said();
+  expectToGoOn(sweepTo(out_), 4);
 }
 
 TEST_F(SweepRanks, OneWithoutTheFilesEndsAllWithASentence) {
@@ -179,15 +217,14 @@ TEST_F(SweepRanks, OneWithoutTheFilesEndsAllWithASentence) {
   std::filesystem::create_directories(elsewhere);
   std::filesystem::create_directories(here);
   std::filesystem::copy_file(scene("02_sphere.json"), here + "/s.json");
-  const std::string command = sweepProgram() + " hands --scene s.json --draws 40 --seconds 10 --out '" + out_ + "'";
+  const std::string command = sweepProgram() + " hands --scene s.json --draws 40 --seconds 0.1 --out '" + out_ + "'";
   const std::string all =
       mpirun(1) + "--wdir '" + here + "' " + command + " : -n 1 --wdir '" + elsewhere + "' " + command;
   EXPECT_EQ(run(all), 1);
   EXPECT_NE(said().find("Rank 1: s.json: error: The file cannot be opened"), std::string::npos) << said();
   std::filesystem::copy_file(scene("12_line_pid.json"), elsewhere + "/s.json");
   EXPECT_EQ(run(all), 1);
-  EXPECT_NE(said().find("Rank 1 runs another version of the program, or sees other files"), std::string::npos)
-      << said();
+  EXPECT_NE(said().find("Rank 1 runs another version of the program, or sees other files"), std::string::npos) << said();
 }
 
 TEST_F(SweepRanks, ThatCannotBeginSaySoOnce) {

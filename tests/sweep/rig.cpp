@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,11 +27,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kPatience = 60s;
 
-std::string contentOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 Said sweepHere(std::vector<std::string> arguments) {
@@ -45,6 +41,10 @@ std::string sweepProgram() {
   return std::string("'") + UNDERACT_BINARY + "/underact-sweep'";
 }
 
+std::string gatedProgram() {
+  return std::string("'") + UNDERACT_GATED_SWEEP + "'";
+}
+
 Process::Process(const std::string& command, const std::string& said) {
   const std::string whole = "exec " + command + " >'" + said + "' 2>&1 </dev/null";
   pid_ = fork();
@@ -55,24 +55,28 @@ Process::Process(const std::string& command, const std::string& said) {
 }
 
 Process::~Process() {
-  if (pid_ <= 0) return;
+  if (pid_ <= 0 || status_) return;
   kill(-pid_, SIGKILL);
   kill(pid_, SIGKILL);
   waitpid(pid_, nullptr, 0);
 }
 
+bool Process::hasEnded() {
+  int status = 0;
+  if (!status_ && waitpid(pid_, &status, WNOHANG) != 0) status_ = status;
+  return status_.has_value();
+}
+
 int Process::wait() {
   const auto end = std::chrono::steady_clock::now() + kPatience;
-  int status = 0;
-  while (waitpid(pid_, &status, WNOHANG) == 0) {
+  while (!hasEnded()) {
     if (std::chrono::steady_clock::now() > end) {
       ADD_FAILURE() << "The program does not end.";
       return -1;
     }
     std::this_thread::sleep_for(2ms);
   }
-  pid_ = -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : -WTERMSIG(*status_);
 }
 
 pid_t rankOf(pid_t mpirun, int rank) {
@@ -83,8 +87,8 @@ pid_t rankOf(pid_t mpirun, int rank) {
     pid_t pid = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
     if (error != std::errc() || end != name.data() + name.size()) continue;
-    if (contentOf(entry.path() / "status").find(parent) == std::string::npos) continue;
-    if (contentOf(entry.path() / "environ").find(mark) != std::string::npos) return pid;
+    if (contentOf((entry.path() / "status").string()).find(parent) == std::string::npos) continue;
+    if (contentOf((entry.path() / "environ").string()).find(mark) != std::string::npos) return pid;
   }
   return -1;
 }
@@ -104,10 +108,23 @@ bool waitForCells(const std::string& result, std::size_t cells) {
   return true;
 }
 
+bool isFree(const std::string& result) {
+  const int fd = open(sweep::journalOf(result).c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return true;
+  const bool is_free = flock(fd, LOCK_EX | LOCK_NB) == 0;
+  close(fd);
+  return is_free;
+}
+
 int runNow(const std::string& said) {
   std::smatch found;
   const std::string text = contentOf(said);
   return std::regex_search(text, found, std::regex(" cells, ([0-9]+) of them run now")) ? std::stoi(found[1]) : -1;
+}
+
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string textOf(const std::string& path) {

@@ -2,6 +2,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct Said {
 /// The program in this process.
 Said sweepHere(std::vector<std::string> arguments);
 
-/// The path of underact-sweep, in quotes.
+/// The path of underact-sweep, in quotes; and that of the same program with the kind of tests/gated_sweep alone.
 std::string sweepProgram();
+std::string gatedProgram();
 
 /// A command of the shell that runs beside the test; what is left of it dies with the object.
 class Process {
@@ -33,9 +35,11 @@ class Process {
   pid_t pid() const { return pid_; }
   /// Waits for its end, a minute at most. Its exit status; of one that a signal ended, minus the signal.
   int wait();
+  bool hasEnded();
 
  private:
   pid_t pid_ = -1;
+  std::optional<int> status_;  // as waitpid() has it
 };
 
 /// The child of mpirun that is this rank; -1: there is none.
@@ -47,10 +51,15 @@ bool waitForCells(const std::string& result, std::size_t cells);
 /// Cells in the journal of a result; 0 where there is none.
 std::size_t cellsIn(const std::string& result);
 
+/// Whether nobody holds the journal of a result: a process that was killed may take a moment to end.
+bool isFree(const std::string& result);
+
 /// How many cells a program says it has run, in the file of its messages; -1: it does not say.
 int runNow(const std::string& said);
 
+/// What is in a file that must be there; and in one that need not.
 std::string textOf(const std::string& path);
+std::string contentOf(const std::string& path);
 std::string scene(const std::string& name);
 
 /// The lines of a result below its header, each cut at its commas; the columns first.
