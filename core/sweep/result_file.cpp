@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargest = std::size_t{8} << 30U;
+const std::string kGoOn = "Move it away, and give the same command again: the cells are kept.";
 
 Problems problemAt(const std::string& path, const std::string& sentence) {
   return {{sentence, {path, 0, 0, {}}}};
@@ -42,11 +43,36 @@ int writeAll(int fd, std::string_view text) {
   return fsync(fd) == 0 ? 0 : errno;
 }
 
+/// Makes way for the file `beside`, where a program that was killed has left a part of text. Problems: it is something
+/// else.
+Problems removeTorn(const std::string& beside, std::string_view text) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(beside, ignored))) return {};
+  const bool is_plain = fs::is_regular_file(fs::symlink_status(beside, ignored));
+  const Result<std::string> found = is_plain ? json::readTextFile(beside, "a part of a result", kLargest) : Problems{};
+  if (!found || !text.starts_with(found.value()))
+    return problemAt(
+        beside, "The result is to be written here first, but something else is here, and is not overwritten. " + kGoOn);
+  unlink(beside.c_str());
+  return {};
+}
+
+/// from gets the name `to`, if nothing has it; errno of what went wrong, 0: nothing.
+int nameAnew(const std::string& from, const std::string& to) {
+  if (link(from.c_str(), to.c_str()) == 0) {
+    unlink(from.c_str());
+    return 0;
+  }
+  if (errno == EEXIST) return EEXIST;
+  // File systems without second names, as memory cards have them.
+  return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0 ? 0 : errno;
+}
+
 }  // namespace
 
 Result<bool> isThere(const Sweep& sweep, const std::string& path) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) return false;
+  if (!fs::exists(fs::symlink_status(path, ignored))) return false;
   if (!fs::is_regular_file(path, ignored)) return problemAt(path, "This is no plain file; choose another --out.");
   const Result<std::string> text = json::readTextFile(path, "a result", kLargest);
   if (!text) return text.problems();
@@ -64,16 +90,20 @@ Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& pa
   std::string text = sweep.header;
   for (const auto& [cell, row] : rows) text += row + "\n";
   const std::string beside = path + ".new";
-  const int fd = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  Problems in_the_way = removeTorn(beside, text);
+  if (!in_the_way.empty()) return in_the_way;
+  const int fd = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   int error = fd < 0 ? errno : writeAll(fd, text);
   if (fd >= 0 && close(fd) != 0 && error == 0) error = errno;
   // On the disk before it has its name: a name without content would pass for a result.
-  if (error == 0 && std::rename(beside.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) error = nameAnew(beside, path);
+  if (fd >= 0 && error != 0) unlink(beside.c_str());
   if (error == 0) {
     keepNames(fs::path(path).parent_path());  // before anybody removes the journal
     return {};
   }
-  unlink(beside.c_str());
+  if (error == EEXIST)
+    return problemAt(path, "Something else has come here while the sweep ran, and is not overwritten. " + kGoOn);
   return problemAt(path, "The result cannot be written: " + std::generic_category().message(error) +
                              ". Its cells are kept: make room, and give the same command again.");
 }

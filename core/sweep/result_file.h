@@ -11,8 +11,8 @@ namespace underact::sweep {
 /// overwritten.
 Result<bool> isThere(const Sweep& sweep, const std::string& path);
 
-/// Writes the header and all rows in the order of the cells; path has all of it, or what it had. Problems: it cannot be
-/// written.
+/// Writes the header and all rows in the order of the cells, into a file that is not there yet; path has all of it, or
+/// what it had. Problems: it cannot be written; something has come to be at path, or at path.new, where it is first.
 Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& path);
 
 }  // namespace underact::sweep

@@ -122,6 +122,20 @@ TEST_F(SweepProcess, OfTheSameResultIsRefusedASecondTime) {
   EXPECT_TRUE(textOf(out_) == expected());
 }
 
+TEST_F(SweepProcess, OverwritesNothingThatComesWhileItRuns) {
+  Process process(gated(4, sweepTo(out_)), said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
+  std::ofstream(out_) << "a letter";
+  letIn(kCells);
+  EXPECT_EQ(process.wait(), 4);
+  EXPECT_NE(said().find("is not overwritten"), std::string::npos) << said();
+  EXPECT_EQ(textOf(out_), "a letter");
+  std::filesystem::remove(out_);
+  EXPECT_EQ(run(sweepTo(out_)), 0) << said();
+  EXPECT_EQ(runNow(said_), 0) << said();
+  EXPECT_TRUE(textOf(out_) == expected());
+}
+
 /// Whether a process has loaded any of the parts with which Open MPI begins.
 bool hasBegunMpi(pid_t pid) {
   return textOf("/proc/" + std::to_string(pid) + "/maps").find("/mca_") != std::string::npos;
