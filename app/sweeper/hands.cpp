@@ -13,6 +13,7 @@
 #include "core/base/units.h"
 #include "core/json/text.h"
 #include "core/json/text_file.h"
+#include "core/mesh/surface.h"
 #include "core/record/tick_figures.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
@@ -165,6 +166,12 @@ void remember(const std::string& path, Cells& cells) {
   if (text) cells.files.emplace_back(path, checksumOf(text.value()));
 }
 
+/// The file, and what the reading program made of it, which is a program of its own.
+void rememberMesh(const scene::Mesh& mesh, Cells& cells) {
+  cells.files.emplace_back(mesh.file, mesh.loaded_checksum);
+  if (mesh.surface) cells.files.emplace_back(mesh.file + " as read", checksumOf(std::to_string(mesh.surface->mark)));
+}
+
 void readScenes(const std::vector<std::string>& paths, Plan& plan, Cells& cells, Problems& problems) {
   for (const std::string& path : paths) {
     remember(path, cells);
@@ -176,8 +183,7 @@ void readScenes(const std::vector<std::string>& paths, Plan& plan, Cells& cells,
     const Result<tick::TickProgram> program = scene::loadAndCompile(scene.value());
     if (!program) append(problems, program.problems());
     for (const scene::Constraint& constraint : scene.value().constraints) {
-      if (const auto* mesh = std::get_if<scene::Mesh>(&constraint.shape))
-        cells.files.emplace_back(mesh->file, mesh->loaded_checksum);
+      if (const auto* mesh = std::get_if<scene::Mesh>(&constraint.shape)) rememberMesh(*mesh, cells);
       if (const auto* curve = std::get_if<scene::Curve>(&constraint.shape))
         remember(scene::pathOf(curve->file, scene.value()), cells);
     }

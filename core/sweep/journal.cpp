@@ -62,7 +62,7 @@ std::string refusal(std::string_view first, std::size_t fingerprint) {
   const std::size_t words = kFirst.size() + fingerprint + 1;
   const bool is_known = first.starts_with(kFirst) && first.size() > words;
   const std::string whose = is_known ? "another sweep (" + std::string(first.substr(words, first.size() - words - 1)) +
-                                           "), or other options or files"
+                                           "), or of another build, other options or files"
                                      : "no sweep that can be known";
   return "This journal is of " + whose + ". Choose another --out, or remove the journal, and its cells with it.";
 }

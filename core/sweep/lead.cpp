@@ -81,7 +81,7 @@ class Leader {
     switch (report.word) {
       case Word::Hello:
         if (report.text != sweep_.fingerprint)
-          fail({{rankOf(from) + " runs another version of the program, or sees other files or options."}});
+          fail({{rankOf(from) + " runs another build of the program, or sees other files or options."}});
         break;
       case Word::Done:
         wanted_[static_cast<std::size_t>(from)] += report.wants;

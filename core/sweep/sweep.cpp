@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/random.h"
+#include "core/sweep/build.h"
 #include "core/sweep/checksum.h"
 
 namespace underact::sweep {
@@ -19,6 +20,7 @@ std::string headerOf(const Kind& kind, const Options& options, std::uint64_t see
     text += "# " + name + ": " + value + "\n";
   };
   add("version", kVersion);
+  add("build", buildOf());
   add("kind", kind.key);
   add("question", kind.question);
   add("seed", std::to_string(seed));

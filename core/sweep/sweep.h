@@ -8,7 +8,7 @@
 
 namespace underact::sweep {
 
-/// A sweep: its cells, and all that its result depends on besides the program's code.
+/// A sweep: its cells, and all that its result depends on.
 struct Sweep {
   std::string kind;
   std::uint64_t seed = 0;

@@ -136,6 +136,31 @@ TEST_F(SweepProcess, OverwritesNothingThatComesWhileItRuns) {
   EXPECT_TRUE(textOf(out_) == expected());
 }
 
+/// A copy of the program that is another build as its linker would say: a bit of its build id differs.
+std::string otherBuild(const std::string& to) {
+  std::string bytes = contentOf(UNDERACT_GATED_SWEEP);
+  const std::string mark("\3\0\0\0GNU\0", 8);  // the kind of the note, and its owner
+  const std::size_t at = bytes.find(mark);
+  EXPECT_NE(at, std::string::npos);
+  if (at != std::string::npos) bytes[at + mark.size()] = static_cast<char>(bytes[at + mark.size()] ^ 1);
+  std::ofstream(to, std::ios::binary) << bytes;
+  std::filesystem::permissions(to, std::filesystem::perms::owner_all);
+  return "'" + to + "'";
+}
+
+TEST_F(SweepProcess, OfAnotherBuildOfTheSameVersionIsNotGoneOnWith) {
+  Process process(gated(4, sweepTo(out_)), said_);
+  ASSERT_TRUE(waitForCells(out_, 4)) << said();
+  kill(process.pid(), SIGKILL);
+  EXPECT_EQ(process.wait(), -SIGKILL);
+  const std::string other = otherBuild(folder_.file("other"));
+  EXPECT_EQ(run(other + " gated --out '" + out_ + "'"), 4);
+  EXPECT_NE(said().find("or of another build"), std::string::npos) << said();
+  expectToGoOn(sweepTo(out_), 4);
+  EXPECT_EQ(run(other + " gated --out '" + out_ + "'"), 4) << "nor is its result taken for that of the other";
+  EXPECT_NE(said().find("is not overwritten"), std::string::npos) << said();
+}
+
 /// Whether a process has loaded any of the parts with which Open MPI begins.
 bool hasBegunMpi(pid_t pid) {
   return textOf("/proc/" + std::to_string(pid) + "/maps").find("/mca_") != std::string::npos;
@@ -238,7 +263,7 @@ TEST_F(SweepRanks, OneWithoutTheFilesEndsAllWithASentence) {
   EXPECT_NE(said().find("Rank 1: s.json: error: The file cannot be opened"), std::string::npos) << said();
   std::filesystem::copy_file(scene("12_line_pid.json"), elsewhere + "/s.json");
   EXPECT_EQ(run(all), 1);
-  EXPECT_NE(said().find("Rank 1 runs another version of the program, or sees other files"), std::string::npos) << said();
+  EXPECT_NE(said().find("Rank 1 runs another build of the program, or sees other files"), std::string::npos) << said();
 }
 
 TEST_F(SweepRanks, ThatCannotBeginSaySoOnce) {

@@ -89,7 +89,7 @@ TEST_F(JournalFile, OfAnotherSweepIsRefusedAndStays) {
   add(someSweep({}, 2), {0, 1});
   const std::string before = text();
   EXPECT_EQ(refusal(sweep_), std::string("This journal is of another sweep (kind some, seed 2, version ") + kVersion +
-                                 "), or other options or files. Choose "
+                                 "), or of another build, other options or files. Choose "
                                  "another --out, or remove the journal, and its cells with it.");
   EXPECT_EQ(text(), before);
   EXPECT_EQ(opened(someSweep({}, 2)).rows().size(), 2U);

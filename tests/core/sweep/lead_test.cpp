@@ -189,7 +189,7 @@ TEST_F(Led, EndsWhenARankHasAnotherSweep) {
   ranks.start(1, other);
   const Outcome outcome = ranks.leadAlone(sweep, kept);
   ASSERT_EQ(outcome.problems.size(), 1U);
-  EXPECT_NE(outcome.problems.front().sentence.find("another version"), std::string::npos);
+  EXPECT_NE(outcome.problems.front().sentence.find("another build"), std::string::npos);
 }
 
 TEST_F(Led, EndsWhenALetterIsNone) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/sweep/build.h"
 #include "core/sweep/checksum.h"
 #include "tests/core/sweep/some_sweep.h"
 
@@ -55,6 +56,7 @@ TEST(Fingerprint, ChangesWithAllThatTheResultDependsOn) {
 
 TEST(Header, SaysWhatWasRun) {
   const std::string header = someSweep({}, 7).header;
+  EXPECT_NE(header.find("# build: " + buildOf() + "\n"), std::string::npos) << header;
   for (const char* line : {"# kind: some\n", "# seed: 7\n", "# file: 0123 a file\n", "# cells: 20\n",
                            "\ncell,seed,half,seed_again,word\n", "\"cells\": [\"20\"]"}) {
     EXPECT_NE(header.find(line), std::string::npos) << line << " in\n" << header;
