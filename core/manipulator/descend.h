@@ -10,9 +10,9 @@ struct Descent {
   bool converged = false;   // left is within the tolerance
 };
 
-/// For robots of 3 cm to 30 m: damping and `left` add what turns to what slides as if 1 rad were 1 m.
 /// Goes down from `at` (evaluated there) to the nearest local minimum of the energy, and leaves `at` there; at most
-/// max_steps steps, each at most half a radian or a quarter of the reach. Limits of joints are kept. Deterministic.
+/// max_steps steps, each at most half a radian or a quarter of the reach. Limits of joints are kept. Deterministic. A
+/// robot and a stylus of another scale take the same steps in it.
 /// Cost: an evaluation and a system of the joints for each step; 0 steps where `at` is a minimum already.
 /// Source: Levenberg 1944, Marquardt 1963; damping as Nielsen 1999 (IMM-REP-1999-05); the second-order term since where
 /// the residual stays large, as it does here, Gauss and Newton's own step stalls (errata section 6, 5.17b).

@@ -125,6 +125,7 @@ void curvature(const Manipulator& m, const Energy& at, bool second_order, Hessia
   for (std::size_t i = 0; i < count; ++i) v[i] = linear(at, i), w[i] = angular(at, i);
   H.size = count;
   spread.fill(0.0);
+  Values mixed{};  // of a joint that turns and one that slides: another unit
   for (std::size_t i = 0; i < count; ++i) {
     // The later joint's tip is carried round the earlier one's axis; a sliding one has none.
     Row row{m.kp_N_per_m.cwiseProduct(v[i]), Vec3::Zero(), at.f_W.cross(w[i]), Vec3::Zero()};
@@ -132,12 +133,18 @@ void curvature(const Manipulator& m, const Energy& at, bool second_order, Hessia
     for (std::size_t j = i; j < count; ++j) {
       const double rest = second_order ? row.rest(v[j], w[j]) : 0.0;
       H.a[j][i] = row.kept(v[j], w[j]) + rest;
-      spread[i] += std::abs(rest);
-      if (i != j) spread[j] += std::abs(rest);
+      Values& sum = m.chain.joints[i].type == m.chain.joints[j].type ? spread : mixed;
+      sum[i] += std::abs(rest);
+      if (i != j) sum[j] += std::abs(rest);
     }
     const double own = row.kept(v[i], w[i]) + m.spring[i];
     H.a[i][i] += m.spring[i];
     spread[i] += own;
+  }
+  // Where i turns and j slides, |2 x_i x_j| <= reach x_i^2 + x_j^2 / reach.
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_turning = m.chain.joints[i].type == chain::JointType::Revolute;
+    spread[i] += is_turning ? mixed[i] * m.reach_m : mixed[i] / m.reach_m;
   }
 }
 

@@ -28,7 +28,8 @@ void evaluate(const Manipulator& manipulator, const Pose& X_WT, const Values& th
               Energy& at) noexcept UNDERACT_REAL_TIME;
 
 /// d2V/dtheta2, its lower half. spread: for each joint what bounds its row: J^T K J's diagonal and the size of the
-/// second-order terms, so that H + diag(spread) is positive definite. second_order false: J^T K J alone.
+/// second-order terms, 1 rad of what turns being the reach of what slides, so that H + diag(spread) is positive
+/// definite in any unit of length. second_order false: J^T K J alone.
 /// Source: errata section 6; the derivative of a serial chain's Jacobian is dJ_j/dtheta_i = w_i x J_j for i <= j.
 void curvature(const Manipulator& manipulator, const Energy& at, bool second_order, Hessian& H,
                Values& spread) noexcept UNDERACT_REAL_TIME;

@@ -128,6 +128,41 @@ TEST(Descend, NoStepGoesUpOrBeyondALimit) {
   }
 }
 
+TEST(Descend, OfAThousandTimesTheSizeTakesTheSameStepsInIt) {  // by a power of two, so that every bit is the same
+  constexpr double kTimes = 1024.0;
+  test::property::Random random(test::property::Seed{20070624});
+  int mixed = 0;
+  for (int i = 0; i < test::property::sweep(100, 10'000); ++i) {
+    chain::Chain chain = test::anyChain(random, 2 + random.below(7));
+    const Orientation orientation = test::kOrientations[random.below(3)];
+    const Manipulator m = iterative(chain, orientation);
+    const Pose X_WT = test::anyPose(random, 0.2);
+    Energy at = energyAt(m, X_WT, test::anyPlace(random, m));
+    Values start = at.theta;
+    std::size_t slides = 0;
+    for (std::size_t j = 0; j < chain.joints.size(); ++j) {
+      chain::Joint& joint = chain.joints[j];
+      joint.p_WJ *= kTimes;
+      if (joint.type != chain::JointType::Prismatic) continue;
+      joint.min *= kTimes, joint.max *= kTimes, start[j] *= kTimes;
+      ++slides;
+    }
+    if (slides > 0 && slides < chain.joints.size()) ++mixed;
+    chain.X_WT_home.translation() *= kTimes;
+    Pose X_WT_large = X_WT;
+    X_WT_large.translation() *= kTimes;
+    Manipulator large = iterative(chain, orientation);
+    large.kp_N_per_m = m.kp_N_per_m / (kTimes * kTimes);  // the same energy
+    Energy there = energyAt(large, X_WT_large, start);
+    EXPECT_EQ(descend(large, X_WT_large, 20, there).steps, descend(m, X_WT, 20, at).steps) << i;
+    for (std::size_t j = 0; j < chain.joints.size(); ++j) {
+      const bool slid = chain.joints[j].type == chain::JointType::Prismatic;
+      ASSERT_EQ(there.theta[j], slid ? kTimes * at.theta[j] : at.theta[j]) << i << ", joint " << j;
+    }
+  }
+  EXPECT_GT(mixed, 30);
+}
+
 TEST(Descend, AtItsMinimumItTakesNoStep) {
   const Manipulator m = iterative(test::planarArm({0.05, 0.04}), Orientation::None);
   const Pose X_WT = test::tipAt({0.12, 0, 0.01});
