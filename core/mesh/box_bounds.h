@@ -22,7 +22,8 @@ struct alignas(16) BoxBounds {
 [[gnu::always_inline]] inline BoxBounds boundsOf(const Node& node, const Vec3& q_M,
                                                  double limit) noexcept UNDERACT_REAL_TIME {
   constexpr float kNearer = 1.0F - 0x1p-18F, kUp = 1.0F + 0x1p-17F;
-  const float most = kUp * static_cast<float>(limit);
+  constexpr double kLeast = 0x1p-120;  // below it floats hold nothing, and nothing would be nearer
+  const float most = kUp * static_cast<float>(limit > kLeast ? limit : kLeast);
   BoxBounds bounds;
 #if defined(__SSE2__)  // the same operations, four at a time
   // Four floats are read where three are meant; those after them are of the node, too.

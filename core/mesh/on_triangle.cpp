@@ -57,7 +57,8 @@ OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, 
   // Twice the areas of q's foot with each edge, times |normal|: all above 0 where the foot is inside.
   const double share_b = aq.cross(ac).dot(normal), share_c = ab.cross(aq).dot(normal);
   const double whole = normal.squaredNorm();
-  const double share_a = whole - share_b - share_c;
+  // Of a needle, what is left over is the rounding of the two others, as long as its length over its width.
+  const double share_a = is_thin ? (c - b).cross(q - b).dot(normal) : whole - share_b - share_c;
   if (share_a > 0.0 && share_b > 0.0 && share_c > 0.0) {
     // A sliver's shares are off by the rounding of its area, many times over; the way along a good normal is not.
     const Vec3 p = is_thin ? Vec3(q - (aq.dot(normal) / whole) * normal)

@@ -32,7 +32,8 @@ struct Hit {
 inline constexpr int kMostVisits = 4000;
 
 /// The point of the surface nearest to q_M, any finite point. Exact in doubles where is_proved: within 1e-15 of the
-/// largest coordinate; not from further off than 1e6 of the mesh's sizes. Cost: bounded by kMostVisits.
+/// largest coordinate; not from further off than 1e6 of the mesh's sizes. Local: within the same no farther than from
+/// the face of the last tick, nor from the faces that meet its own at the hit. Cost: bounded by kMostVisits.
 Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M,
                  SearchState& state) noexcept UNDERACT_REAL_TIME;
 
