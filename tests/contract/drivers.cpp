@@ -1,0 +1,12 @@
+#include "tests/contract/drivers.h"
+
+namespace underact::test {
+
+std::vector<Driver> drivers() {
+  return {
+      {"simulated", simulatedFarSide},
+      {"replayed", replayedFarSide},
+  };
+}
+
+}  // namespace underact::test
