@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "device/openhaptics/openhaptics_arm.h"
 #include "device/simulated_arm.h"
 
 namespace underact::device {
@@ -21,7 +22,10 @@ std::vector<Found> lookForSimulated() {
 }
 
 // A kind of arm a line.
-constexpr std::array kRows{Row{"simulated", "Simulated arm", openSimulated, lookForSimulated}};
+constexpr std::array kRows{
+    Row{"simulated", "Simulated arm", openSimulated, lookForSimulated},
+    Row{"openhaptics", "Touch, Omni (vendor's driver)", openhaptics::openRow, openhaptics::lookRow},
+};
 
 }  // namespace
 

@@ -50,8 +50,10 @@ class DevicePort {
   /// Why the servo cannot tick at another rate than the one the arm was opened for; empty: it can. The thread that owns
   /// the arm.
   virtual std::string fixedRate() const { return "This arm keeps the rate that it was opened with."; }
+  /// Why it cannot tick at that rate, where fixedRate() leaves a choice that is not free; empty: it can.
+  virtual std::string refusesRate(int /*rate_hz*/) const { return fixedRate(); }
   /// From the next read() on that many a second, and its clock goes on without a jump; the servo thread does not run.
-  /// Where fixedRate() says nothing against it.
+  /// Where refusesRate() says nothing against it.
   virtual void setRate(int /*rate_hz*/) {}
   /// What writes zero force from outside this process, for an arm behind a file descriptor: a guard does so when the
   /// program dies. fd < 0: there is no such way.

@@ -48,7 +48,7 @@ struct Host::Impl {
     const auto limit_ns = static_cast<std::int64_t>(1e9 * options.watchdog_s);
     if (limit_ns > 0) guard = Guard::start(device->lastWord(), limit_ns, options.guard_program, no_guard);
     if (guard) loop.beatInto(&guard->beats());
-    driven = Driven::start(loop, *device, options.rate_hz);
+    driven = Driven::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
     if (limit_ns > 0) watchdog.emplace(loop, *device, limit_ns);
   }
@@ -75,7 +75,7 @@ struct Host::Impl {
     if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
       return {{"The servo ticks 100 to 10000 times a second, not " + std::to_string(rate_hz) + ".", {}}};
     if (records()) return {{"A session is recorded at one rate. Stop the recording, then change the rate.", {}}};
-    const std::string why = device->fixedRate();
+    const std::string why = device->refusesRate(rate_hz);
     return why.empty() ? Problems{} : Problems{{why, {}}};
   }
 
