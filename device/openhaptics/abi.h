@@ -20,7 +20,6 @@ using Callback = std::uint32_t (*)(void*);
 inline constexpr std::uint32_t kCallbackDone = 0, kCallbackContinue = 1;
 using Scheduled = unsigned long;  // a callback that was scheduled; 8 bytes on 64-bit Linux, 4 on Windows
 inline constexpr std::uint16_t kMaxPriority = 65535;
-inline constexpr std::uint32_t kWaitCheckStatus = 0;
 
 /// What can be asked for: state, facts about the arm, limits, and force.
 enum Parameter : std::uint32_t {

@@ -4,6 +4,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <thread>
 
 #include "core/arm/conventions.h"
@@ -33,6 +35,14 @@ bool waitFor(std::chrono::milliseconds longest, const Condition& condition) {
   return true;
 }
 
+/// Kept for as long as the process lives; one for each time that an arm is opened.
+Ticket* newTicket() {
+  static std::mutex mutex;
+  static std::deque<Ticket>* const all = new std::deque<Ticket>;
+  const std::scoped_lock lock(mutex);
+  return &all->emplace_back();
+}
+
 }  // namespace
 
 Frames::Frames(const Calls& hd, const arm::Preset& arm)
@@ -40,21 +50,28 @@ Frames::Frames(const Calls& hd, const arm::Preset& arm)
   standing_.begin();
 }
 
-std::uint32_t Frames::callback(void* self) {
-  Frames& frames = *static_cast<Frames*>(self);
-  frames.is_at_work_.store(true);
-  frames.count_.fetch_add(1, std::memory_order_release);
-  frames.began_ns_.store(servo::monotonicNow_ns(), std::memory_order_relaxed);
-  if (frames.standing_.stopped()) {
-    frames.rest();
-  } else {
-    frames.frame();
-  }
-  frames.is_at_work_.store(false);
-  return kCallbackContinue;
+std::uint32_t Frames::callback(void* ticket) {
+  Ticket& the = *static_cast<Ticket*>(ticket);
+  the.is_at_work.store(true);
+  Frames* const frames = the.frames.load();
+  if (frames != nullptr) frames->run();
+  the.is_at_work.store(false);
+  return frames != nullptr ? kCallbackContinue : kCallbackDone;
 }
 
-void Frames::begin(Handle device) {
+void Frames::run() noexcept {
+  count_.fetch_add(1, std::memory_order_release);
+  began_ns_.store(servo::monotonicNow_ns(), std::memory_order_relaxed);
+  if (standing_.stopped()) {
+    rest();
+  } else {
+    frame();
+  }
+}
+
+Ticket* Frames::begin(Handle device) {
+  ticket_ = newTicket();
+  ticket_->frames.store(this);
   device_ = device;
   standing_.begin();
   exchange_.cut();
@@ -67,6 +84,7 @@ void Frames::begin(Handle device) {
   could_push_ = inkwell_works_ = is_docked_ = is_wrong_arm_ = false;
   off_frames_ = without_sample_ = 0;
   farewells_ = kFarewells;
+  return ticket_;
 }
 
 void Frames::attach(servo::Ticks* ticks) noexcept {
@@ -81,8 +99,10 @@ void Frames::close() noexcept {
                 [this] { return zeros_.load() >= 2 || (standing_.stopped() && farewells_.load() == 0); });
 }
 
-bool Frames::isIdle() const noexcept {
-  return waitFor(std::chrono::seconds(1), [this] { return !is_at_work_.load(); });
+bool Frames::retire() noexcept {
+  if (ticket_ == nullptr) return true;
+  ticket_->frames.store(nullptr);
+  return waitFor(std::chrono::seconds(1), [this] { return !ticket_->is_at_work.load(); });
 }
 
 void Frames::frame() noexcept {

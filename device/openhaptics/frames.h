@@ -13,24 +13,33 @@
 
 namespace underact::device::openhaptics {
 
+class Frames;
+
+/// What the library's scheduler is given in place of the frames themselves: it may call once more than it should, and a
+/// ticket is never freed.
+struct Ticket {
+  std::atomic<Frames*> frames{nullptr};  // null: it has come back
+  std::atomic<bool> is_at_work{false};
+};
+
 /// What the library's scheduler calls once a period: a frame. It reads the arm, has the servo tick, sends the force.
 /// All that it touches is in here, so that a call that never comes back holds on to nothing else.
 class Frames {
  public:
   Frames(const Calls& hd, const arm::Preset& arm);
 
-  /// For the scheduler; self: a Frames.
-  static std::uint32_t callback(void* self);
+  /// For the scheduler; ticket: a Ticket.
+  static std::uint32_t callback(void* ticket);
 
   // The thread that owns the arm.
   /// Another opening of it, before it is scheduled.
-  void begin(Handle device);
+  Ticket* begin(Handle device);
   /// The servo's tick is called in each frame from now on; null: no more, and none is at work when it returns.
   void attach(servo::Ticks* ticks) noexcept;
   /// From the next frame on the force is zero, whatever is written. Waits for such a frame, 0.1 s at most.
   void close() noexcept;
-  /// No frame is at work; waits, for 1 s at most. false: one has not come back.
-  bool isIdle() const noexcept;
+  /// The ticket is worth nothing any more. Waits for a frame that is at work, 1 s at most. false: it has not come back.
+  bool retire() noexcept;
   /// Frames begun.
   std::int64_t count() const noexcept { return count_.load(std::memory_order_acquire); }
   /// When the last one began.
@@ -45,6 +54,7 @@ class Frames {
   const Standing& standing() const noexcept { return standing_; }
 
  private:
+  void run() noexcept;
   struct Seen {
     arm::Sample sample;
     std::uint32_t pressed = 0;
@@ -71,8 +81,9 @@ class Frames {
   Exchange exchange_;
   Standing standing_;
 
+  Ticket* ticket_ = nullptr;
   std::atomic<servo::Ticks*> ticks_{nullptr};
-  std::atomic<bool> is_ticking_{false}, is_at_work_{false}, closes_{false}, known_{false};
+  std::atomic<bool> is_ticking_{false}, closes_{false}, known_{false};
   std::atomic<std::int64_t> count_{0}, began_ns_{0}, zeros_{0};  // zeros: frames of zero force since close()
 
   // The scheduler's thread, once begun.

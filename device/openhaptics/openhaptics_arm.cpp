@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kFrozen_s = 0.5;  // encoder steps are 0.05 mm: no hand is so still
 constexpr std::int64_t kSilence_ns = 500'000'000;
+constexpr std::uint32_t kAlreadyOpen = 0x301;
 constexpr const char* kStandsStill =
     "The clock of the arm's driver stands still: it has not called for half a second. Restart the servo; if that does "
     "not help, end the program.";
@@ -70,8 +71,8 @@ Problems OpenHapticsArm::connect() {
   Problems problems = initialise();
   keepNumbersPlain();
   if (!problems.empty()) return problems;
-  frames_->begin(device_);
-  Result<Scheduled> scheduled = Scheduler::theOne().join(hd_, rate_hz_, Frames::callback, frames_.get());
+  Ticket* const ticket = frames_->begin(device_);
+  Result<Scheduled> scheduled = Scheduler::theOne().join(hd_, rate_hz_, Frames::callback, ticket);
   if (scheduled) {
     scheduled_ = scheduled.value();
     is_open_ = true;
@@ -89,8 +90,14 @@ Problems OpenHapticsArm::initialise() {
   std::uint32_t worst = 0;
   for (const char* const name : names) {
     (void)drain(hd_);
-    const Handle device = hd_.hdInitDevice(name);
-    const Drained drained = drain(hd_);
+    Handle device = hd_.hdInitDevice(name);
+    Drained drained = drain(hd_);
+    if (drained.code == kAlreadyOpen && Scheduler::theOne().users() == 0) {  // by nobody in this process: left over
+      hd_.hdDisableDevice(hd_.hdGetCurrentDevice());
+      (void)drain(hd_);
+      device = hd_.hdInitDevice(name);
+      drained = drain(hd_);
+    }
     if (device != kNoHandle && drained.worst == Severity::None) {
       device_ = device;
       break;
@@ -133,8 +140,8 @@ void OpenHapticsArm::disconnect() {
   if (is_open_) {
     frames_->close();
     Scheduler::theOne().leave(hd_, scheduled_);
-    hangs_ = !frames_->isIdle();
   }
+  hangs_ = !frames_->retire();
   is_open_ = false;
   if (device_ != kNoHandle && !hangs_) {
     hd_.hdMakeCurrentDevice(device_);

@@ -62,7 +62,6 @@ void Scheduler::leave(const Calls& hd, Scheduled scheduled) {
   const std::scoped_lock lock(mutex());
   if (users_ == 1) hd.hdStopScheduler();
   hd.hdUnschedule(scheduled);
-  if (users_ > 1) (void)hd.hdWaitForCompletion(scheduled, kWaitCheckStatus);
   (void)drain(hd);
   users_ = std::max(users_ - 1, 0);
 }

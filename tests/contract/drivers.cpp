@@ -6,6 +6,7 @@ std::vector<Driver> drivers() {
   return {
       {"simulated", simulatedFarSide},
       {"replayed", replayedFarSide},
+      {"openhaptics", openHapticsFarSide},
   };
 }
 

@@ -9,5 +9,6 @@ namespace underact::test {
 // A driver a function; each in a file of its own.
 std::unique_ptr<FarSide> simulatedFarSide(std::string& why);
 std::unique_ptr<FarSide> replayedFarSide(std::string& why);
+std::unique_ptr<FarSide> openHapticsFarSide(std::string& why);
 
 }  // namespace underact::test
