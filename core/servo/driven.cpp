@@ -67,7 +67,10 @@ void Driven::standIn() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!wake_.wait_for(lock, pause, [this] { return ends_; })) {
     const std::int64_t now_ns = monotonicNow_ns();
-    if (now_ns - heard_ns_.load(std::memory_order_relaxed) >= patience_ns_) tickOnce(now_ns);
+    const std::int64_t silence_ns = now_ns - heard_ns_.load(std::memory_order_relaxed);
+    if (silence_ns < patience_ns_) continue;
+    loop_.stoodStill(silence_ns);  // these ticks keep the watchdog quiet
+    tickOnce(now_ns);
   }
 }
 

@@ -82,6 +82,7 @@ Ticket* Frames::begin(Handle device) {
   began_ns_ = servo::monotonicNow_ns();
   quiet_until_ns_ = 0;
   could_push_ = inkwell_works_ = is_docked_ = is_wrong_arm_ = false;
+  is_output_on_ = true;  // whoever opened it has switched it on
   off_frames_ = without_sample_ = 0;
   farewells_ = kFarewells;
   return ticket_;
@@ -122,6 +123,7 @@ void Frames::frame() noexcept {
   send(f_T_W);
   hd_.hdEndFrame(device_);
   judge(drain(hd_), false, now_ns);
+  switchOutput(now_ns >= quiet_until_ns_ && !standing_.stopped());
   if (closes_.load()) zeros_.fetch_add(1);
   known_.store(true, std::memory_order_release);
 }
@@ -223,6 +225,12 @@ void Frames::send(const Vec3& f_T_W) noexcept {
   hd_.hdSetDoublev(kCurrentForce, force_N.data());
 }
 
+void Frames::switchOutput(bool on) noexcept {
+  if (on == is_output_on_) return;
+  is_output_on_ = on;
+  on ? hd_.hdEnable(kForceOutput) : hd_.hdDisable(kForceOutput);
+}
+
 /// A stopped arm: zero until it was taken without an error, then nothing more is asked of it. The servo ticks on, so
 /// that it knows and says so.
 void Frames::rest() noexcept {
@@ -232,6 +240,7 @@ void Frames::rest() noexcept {
     hd_.hdBeginFrame(device_);
     send(Vec3::Zero());
     hd_.hdEndFrame(device_);
+    switchOutput(false);
     if (drain(hd_).worst == Severity::None) farewells_.store(0);
   }
   tick();

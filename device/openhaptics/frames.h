@@ -72,6 +72,8 @@ class Frames {
   void watchDeviation(double off_m) noexcept;
   void judge(const Drained& drained, bool of_sample, std::int64_t now_ns) noexcept;
   void send(const Vec3& f_T_W) noexcept;
+  /// Where the driver makes errors of forces, zero is said in another way, too: by its switch.
+  void switchOutput(bool on) noexcept;
   void rest() noexcept;
   void tick() noexcept;
 
@@ -93,6 +95,7 @@ class Frames {
   Calibration calibration_;
   std::int64_t opened_ns_ = 0, last_ns_ = 0, quiet_until_ns_ = 0;
   std::uint32_t epoch_ = 0;
+  bool is_output_on_ = true;
   bool could_push_ = false;     // in the frame before
   bool inkwell_works_ = false;  // its switch has shown a stylus outside
   bool is_docked_ = false;

@@ -55,17 +55,17 @@ class OpenHapticsArmTest : public testing::Test {
     close();
     if (far != nullptr) far->reset();
   }
-  static Result<std::unique_ptr<OpenHapticsArm>> tryToOpen(int rate_hz = 1000) {
-    return OpenHapticsArm::open({*arm::findPreset(arm::kDefaultArm), rate_hz, ""});
+  static Result<std::unique_ptr<OpenHapticsArm>> tryToOpen(int at_hz) {
+    return OpenHapticsArm::open({*arm::findPreset(arm::kDefaultArm), at_hz, ""});
   }
   void open() {
-    Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen();
+    Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen(rate_hz);
     ASSERT_TRUE(opened) << opened.problems().front().sentence;
     arm = std::move(opened).value();
   }
   void drive() {
     pusher = std::make_unique<Pusher>(*arm);
-    ASSERT_TRUE(arm->drive(*pusher, 1000)) << arm->trouble();
+    ASSERT_TRUE(arm->drive(*pusher, rate_hz)) << arm->trouble();
   }
   void openAndPush() {
     open();
@@ -92,6 +92,7 @@ class OpenHapticsArmTest : public testing::Test {
     return test::comes([&] { return pusher->ticks >= from + periods; });
   }
 
+  int rate_hz = 1000;
   test::hd::Control* far = nullptr;
   std::unique_ptr<OpenHapticsArm> arm;
   std::unique_ptr<Pusher> pusher;

@@ -54,6 +54,7 @@ const std::vector<Row> kCalls{
 
 class EveryCall : public OpenHapticsArmTest, public testing::WithParamInterface<Row> {
  protected:
+  EveryCall() { rate_hz = 4000; }  // what is waited for is counted in periods
   /// One of each kind; with a soak, all there are.
   static std::vector<std::uint32_t> codes() {
     if (test::sweep(0, 1) == 0) return {0x101, 0x203, 0x302, 0xABCD};
@@ -70,8 +71,8 @@ class EveryCall : public OpenHapticsArmTest, public testing::WithParamInterface<
   /// What a fault has left behind does not last: the next opening is as the first. After a library that would not let
   /// the arm go, that takes a second attempt.
   void expectWell(std::uint32_t code) {
-    Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen();
-    if (!opened) opened = tryToOpen();
+    Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen(rate_hz);
+    if (!opened) opened = tryToOpen(rate_hz);
     ASSERT_TRUE(opened) << GetParam().call << std::hex << " 0x" << code << ": " << opened.problems().front().sentence;
     arm = std::move(opened).value();
     drive();
@@ -87,7 +88,7 @@ TEST_P(EveryCall, ThatFailsWhileTheArmIsOpenedIsAProblemOrIsBorne) {
   for (const std::uint32_t code : codes()) {
     for (const Extent extent : {Extent::Once, Extent::Lasting}) {
       far->inject(GetParam().call, 1, code, extent);
-      Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen();
+      Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen(rate_hz);
       if (opened) {
         arm = std::move(opened).value();
       } else {
@@ -155,7 +156,7 @@ TEST_F(OpenHapticsArmTest, TheTableOfCallsIsTheWholeOfThem) {
   openAndPush();
   close();
   far->inject("hdInitDevice", 1, 0x300, Extent::Lasting);
-  EXPECT_FALSE(tryToOpen());
+  EXPECT_FALSE(tryToOpen(rate_hz));
   for (const Row& row : kCalls) EXPECT_EQ(far->calls(row.call) > 0, row.is_used) << row.call;
 }
 

@@ -6,14 +6,13 @@ namespace underact::device::openhaptics {
 
 TEST_F(OpenHapticsArmTest, InAStormOfErrorsAndNonsenseNoForceIsBlindOrBad) {
   const std::int64_t frames = test::sweep(10'000, 1'000'000);
+  rate_hz = 4000;
   std::int64_t seen = 0, without_sample = 0, stops = 0, failures = 0;
   for (std::uint64_t seed = 1; seen < frames; ++seed) {
     far->reset();
-    Result<std::unique_ptr<OpenHapticsArm>> opened = OpenHapticsArm::open({*arm::findPreset("omni-thesis"), 4000, ""});
-    ASSERT_TRUE(opened) << opened.problems().front().sentence;
-    arm = std::move(opened).value();
-    pusher = std::make_unique<Pusher>(*arm);
-    ASSERT_TRUE(arm->drive(*pusher, 4000));
+    open();
+    ASSERT_NE(arm, nullptr);
+    drive();
     ASSERT_TRUE(ticksOn(50));
     far->storm(true, seed);
     ASSERT_TRUE(ticksOn(400));
@@ -21,7 +20,7 @@ TEST_F(OpenHapticsArmTest, InAStormOfErrorsAndNonsenseNoForceIsBlindOrBad) {
     arm->endDrive();
     if (!arm->trouble().empty()) ++stops;
     if (!arm->reopen().empty()) ++failures;  // in the storm: it may fail, and must not crash
-    if (arm->drive(*pusher, 4000)) (void)ticksOn(100);
+    if (arm->drive(*pusher, rate_hz)) (void)ticksOn(100);
     (void)arm->listing();
     EXPECT_EQ(far->badForces(), 0) << seed;
     EXPECT_EQ(far->blindForces(), 0) << seed;

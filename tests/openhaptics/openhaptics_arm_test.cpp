@@ -233,7 +233,7 @@ TEST_F(OpenHapticsArmTest, TicksAtTheRatesThatItsDriverTakesAndSaysWhichTheseAre
 
 TEST_F(OpenHapticsArmTest, ASecondOpeningIsRefusedAndLeavesTheFirstAlone) {
   openAndPush();
-  const Result<std::unique_ptr<OpenHapticsArm>> second = tryToOpen();
+  const Result<std::unique_ptr<OpenHapticsArm>> second = tryToOpen(rate_hz);
   ASSERT_FALSE(second);
   EXPECT_TRUE(contains(second.problems().front().sentence, "open already")) << second.problems().front().sentence;
   EXPECT_TRUE(pushesSoon()) << arm->trouble();

@@ -37,9 +37,11 @@ void Arm::advance(std::int64_t period_ns) {
   state = sim::advance(plant, state, f_T_W, wish, period_ns);
 }
 
-std::array<double, 6> Arm::deviceAngles() const {
+std::array<double, 6> Arm::deviceAngles() {
+  if (frozen) return shown_;
   std::array<double, 6> angles = arm::deviceFromDh(sim::shownAngles(plant, state));
-  if (!frozen && periods / kTremorPeriods % 2 == 1) angles[0] += kTurn_rad / plant.arm.counts_per_turn[0];
+  if (periods / kTremorPeriods % 2 == 1) angles[0] += kTurn_rad / plant.arm.counts_per_turn[0];
+  shown_ = angles;
   return angles;
 }
 

@@ -12,7 +12,7 @@ class Control {
   // The arm.
   virtual void placeTip(double x_m, double y_m, double z_m) = 0;
   virtual void holdButtons(int bits) = 0;
-  virtual void freeze(bool on) = 0;  // no tremor of the encoders
+  virtual void freeze(bool on) = 0;  // the last sample, for ever
   virtual void plug(bool in) = 0;
   virtual void dock(bool in) = 0;  // the stylus in the inkwell
   /// status: 0x5000 and on; style: 1, 2, 4.

@@ -96,7 +96,8 @@ HD_API void hdBeginFrame(std::uint32_t /*device*/) {
 }
 HD_API void hdEndFrame(std::uint32_t /*device*/) {
   Call call("hdEndFrame");
-  if (!call.fails()) call.the.endFrame();
+  if (call.fails()) call.the.dropForce();
+  call.the.endFrame();
 }
 HD_API ErrorInfo hdGetError() {
   Call call("hdGetError");

@@ -31,7 +31,7 @@ class Arm {
  public:
   Arm();
   void advance(std::int64_t period_ns);
-  std::array<double, 6> deviceAngles() const;  // through its encoders, with a tremor of one step
+  std::array<double, 6> deviceAngles();  // through its encoders, with a tremor of one step
   /// mm, by the lengths and the device's own angles; written down once more, not taken from core/arm.
   static std::array<double, 3> position_mm(const std::array<double, 6>& angles);
 
@@ -39,8 +39,11 @@ class Arm {
   sim::PlantState state;
   sim::HandWish wish;
   Vec3 f_T_W = Vec3::Zero();
-  bool frozen = false;
+  bool frozen = false;  // the last angles, for ever
   std::int64_t periods = 0;
+
+ private:
+  std::array<double, 6> shown_{};
 };
 
 using Callback = std::uint32_t (*)(void*);
@@ -83,6 +86,7 @@ class Library final : public Control {
   void disable();
   void beginFrame();
   void endFrame();
+  void dropForce() { has_pending_ = false; }
   void setForce(const double* force_N);
   void switchForce(bool on);
   bool forceIsOn() const { return force_is_on_; }
