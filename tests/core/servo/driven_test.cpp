@@ -23,7 +23,7 @@ class ClockedPort final : public DevicePort {
   struct Clock {
     std::atomic<bool> halted{false}, has_one{true};
     std::atomic<int> rate_hz{0}, drives{0}, rate_set_hz{0};
-    std::atomic<std::thread::id> thread{};
+    std::atomic<std::thread::id> thread{}, read_in{};
     std::atomic<std::int64_t> pause_ns{0};  // once, before the next tick
     std::atomic<bool> is_read_hanging{false};
   };
@@ -34,6 +34,7 @@ class ClockedPort final : public DevicePort {
     // Without its clock it has no new sample.
     if (clock_.halted) return false;
     while (clock_.is_read_hanging) std::this_thread::sleep_for(1ms);
+    clock_.read_in = std::this_thread::get_id();
     return inner_.read(sample);
   }
   void write(const safety::GatedForce& force) noexcept override { inner_.write(force); }
@@ -101,6 +102,7 @@ TEST_F(DrivenServo, TicksInTheThreadOfTheArmAndSaysSo) {
   pushOn();
   EXPECT_EQ(clock.drives, 1);
   EXPECT_EQ(clock.rate_hz, 1000);
+  EXPECT_EQ(clock.read_in.load(), clock.thread.load());
   EXPECT_EQ(host->scheduling().name, "by the arm's own clock");
 }
 
