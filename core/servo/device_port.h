@@ -63,8 +63,8 @@ class DevicePort {
   virtual bool drive(Ticks& /*ticks*/, int /*rate_hz*/) { return false; }
   /// No tick() is at work any more when it returns.
   virtual void endDrive() {}
-  /// What the arm's side says is wrong, in the user's words and with a way out, where read() gives no sample or no force
-  /// goes out; empty: nothing. Any thread; not the tick.
+  /// What the arm's side says is wrong, in the user's words and with a way out, where read() gives no sample or no
+  /// force goes out; empty: nothing. Any thread; not the tick.
   virtual std::string trouble() const { return {}; }
   /// Any thread.
   virtual DeviceInfo info() const = 0;

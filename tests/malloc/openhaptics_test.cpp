@@ -28,7 +28,7 @@ Calls quietLibrary() {
     for (int i = 0; i < (parameter == kTransform ? 16 : 6); ++i) values[i] = questions % 101 == 0 ? 1e300 : 0.1;
   };
   hd.hdSetDoublev = [](std::uint32_t, const double*) {};
-  hd.hdCheckCalibration = []() -> std::uint32_t { return questions % 5 == 0 ? 0x5001 : kCalibrated; };
+  hd.hdCheckCalibration = []() -> std::uint32_t { return questions % 5 == 0 ? kCalibrationNeedsUpdate : kCalibrated; };
   hd.hdCheckCalibrationStyle = []() -> std::uint32_t { return kInkwell; };
   hd.hdUpdateCalibration = [](std::uint32_t) {};
   return hd;
