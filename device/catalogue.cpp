@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "device/openhaptics/openhaptics_arm.h"
 #include "device/simulated_arm.h"
 
 namespace underact::device {
@@ -16,7 +17,15 @@ Result<std::unique_ptr<servo::DevicePort>> openSimulated(const Request& request)
   return std::unique_ptr<servo::DevicePort>(std::make_unique<SimulatedArm>(options));
 }
 
-constexpr std::array<Row, 1> kRows{Row{"simulated", "Simulated arm", openSimulated}};
+std::vector<Found> lookForSimulated() {
+  return {{"Simulated arm", "", {}}};
+}
+
+// A kind of arm a line.
+constexpr std::array kRows{
+    Row{"simulated", "Simulated arm", openSimulated, lookForSimulated},
+    Row{"openhaptics", "Touch, Omni (vendor's driver)", openhaptics::openRow, openhaptics::lookRow},
+};
 
 }  // namespace
 
@@ -26,7 +35,20 @@ std::span<const Row> catalogue() {
 
 const Row* findDevice(std::string_view key) {
   const auto* const found = std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return key == row.key; });
-  return found == kRows.end() ? nullptr : found;
+  return found == kRows.end() ? nullptr : &*found;
+}
+
+Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Request request) {
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  const Row* const row = findDevice(name.substr(0, colon));
+  if (row == nullptr) {
+    std::string known;
+    for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
+    return Problems{
+        {"There is no arm of the kind \"" + std::string(name.substr(0, colon)) + "\". There are: " + known + ".", {}}};
+  }
+  if (colon < name.size()) request.address = name.substr(colon + 1);
+  return row->open(request);
 }
 
 }  // namespace underact::device

@@ -1,7 +1,9 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/arm/preset.h"
 #include "core/base/result.h"
@@ -15,6 +17,20 @@ struct Request {
   arm::Preset arm;
   sim::ArmModel model;  // of a simulated one
   int rate_hz = 1000;
+  std::string address;  // which one, where there may be several: see Found::address; empty: the first
+};
+
+/// Something that an arm needs and that is not there.
+struct Missing {
+  std::string sentence;
+  std::string command;  // that mends it, for a terminal; empty: there is none
+};
+
+/// An arm that is there, or a driver that could be.
+struct Found {
+  std::string title;             // "WoodenHaptics, serial 0042"
+  std::string address;           // serial number, path, or HOST:PORT
+  std::vector<Missing> missing;  // empty: it can be opened
 };
 
 /// A kind of arm that a person can choose.
@@ -23,11 +39,17 @@ struct Row {
   const char* name;  // "Simulated arm": what the window shows
   /// The arm, open. Problems: why it cannot be, and what to do.
   Result<std::unique_ptr<servo::DevicePort>> (*open)(const Request& request);
+  /// What is plugged in of this kind, and what is missing to use it. Opens nothing; may take some 10 ms.
+  std::vector<Found> (*look)();
 };
 
 std::span<const Row> catalogue();
 
 /// The row of that key, or null.
 const Row* findDevice(std::string_view key);
+
+/// Opens what "KEY" or "KEY:ADDRESS" names ("wooden:0042", "remote:127.0.0.1:7878"). Problems: there is no such kind,
+/// with those that there are; or it cannot be opened.
+Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Request request);
 
 }  // namespace underact::device

@@ -28,6 +28,9 @@ class ReplayedArm final : public servo::DevicePort {
   void cut() noexcept UNDERACT_REAL_TIME override { inner_->cut(); }
   Problems reopen() override { return inner_->reopen(); }
   servo::LastWord lastWord() const override { return inner_->lastWord(); }
+  bool drive(servo::Ticks& ticks, int rate_hz) override { return inner_->drive(ticks, rate_hz); }
+  void endDrive() override { inner_->endDrive(); }
+  std::string trouble() const override { return inner_->trouble(); }
   servo::DeviceInfo info() const override;
   std::string fixedRate() const override;
   void setRate(int rate_hz) override;

@@ -26,6 +26,15 @@ struct LastWord {
   std::string bytes;
 };
 
+/// What an arm with a clock of its own calls once a period.
+class Ticks {
+ public:
+  virtual void tick() noexcept UNDERACT_REAL_TIME = 0;
+
+ protected:
+  ~Ticks() = default;
+};
+
 /// An arm. Constructed open, destroyed closed, both outside the servo thread.
 class DevicePort {
  public:
@@ -41,12 +50,22 @@ class DevicePort {
   /// Why the servo cannot tick at another rate than the one the arm was opened for; empty: it can. The thread that owns
   /// the arm.
   virtual std::string fixedRate() const { return "This arm keeps the rate that it was opened with."; }
+  /// Why it cannot tick at that rate, where fixedRate() leaves a choice that is not free; empty: it can.
+  virtual std::string refusesRate(int /*rate_hz*/) const { return fixedRate(); }
   /// From the next read() on that many a second, and its clock goes on without a jump; the servo thread does not run.
-  /// Where fixedRate() says nothing against it.
+  /// Where refusesRate() says nothing against it.
   virtual void setRate(int /*rate_hz*/) {}
   /// What writes zero force from outside this process, for an arm behind a file descriptor: a guard does so when the
   /// program dies. fd < 0: there is no such way.
   virtual LastWord lastWord() const { return {}; }
+  /// An arm whose driver has a scheduler of its own drives the servo: from now until endDrive() it calls tick() once a
+  /// period, in its thread, and the servo's own thread steps aside. false: it has none. The thread that owns the arm.
+  virtual bool drive(Ticks& /*ticks*/, int /*rate_hz*/) { return false; }
+  /// No tick() is at work any more when it returns.
+  virtual void endDrive() {}
+  /// What the arm's side says is wrong, in the user's words and with a way out, where read() gives no sample or no
+  /// force goes out; empty: nothing. Any thread; not the tick.
+  virtual std::string trouble() const { return {}; }
   /// Any thread.
   virtual DeviceInfo info() const = 0;
 };

@@ -12,6 +12,7 @@
 #include "core/base/denormals.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
+#include "core/servo/driven.h"
 #include "core/servo/guard.h"
 #include "core/servo/loop.h"
 #include "core/servo/thread.h"
@@ -39,6 +40,7 @@ struct Host::Impl {
   void end() {
     watchdog.reset();
     thread.reset();
+    driven.reset();
     loop.beatInto(nullptr);
     guard.reset();
   }
@@ -46,15 +48,17 @@ struct Host::Impl {
     const auto limit_ns = static_cast<std::int64_t>(1e9 * options.watchdog_s);
     if (limit_ns > 0) guard = Guard::start(device->lastWord(), limit_ns, options.guard_program, no_guard);
     if (guard) loop.beatInto(&guard->beats());
-    thread.emplace(loop, options.rate_hz, options.scheduling);
+    driven = Driven::start(loop, *device, options.rate_hz, limit_ns);
+    if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
     if (limit_ns > 0) watchdog.emplace(loop, *device, limit_ns);
   }
 
+  bool ticksByItself() const { return thread.has_value() || driven != nullptr; }
   bool pushes() { return loop.snapshot().mode == Mode::Running || loop.snapshot().mode == Mode::Stopping; }
   /// The force ramps to zero. An arm that hangs is not waited for longer: then it is cut by its thread's end.
   void letGo() {
     send({Order::Stop});
-    if (!thread) {
+    if (!ticksByItself()) {
       const FlushDenormals flush;
       for (auto left = static_cast<int>(kLongestRelease_s * options.rate_hz); left > 0 && pushes(); --left)
         loop.tick({});
@@ -71,7 +75,7 @@ struct Host::Impl {
     if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
       return {{"The servo ticks 100 to 10000 times a second, not " + std::to_string(rate_hz) + ".", {}}};
     if (records()) return {{"A session is recorded at one rate. Stop the recording, then change the rate.", {}}};
-    const std::string why = device->fixedRate();
+    const std::string why = device->refusesRate(rate_hz);
     return why.empty() ? Problems{} : Problems{{why, {}}};
   }
 
@@ -115,7 +119,7 @@ struct Host::Impl {
       for (const auto& [number, kept] : scenes) tap->announce(number, kept);
     }
     send(command);
-    if (!thread) loop.takeUpCommands();
+    if (!ticksByItself()) loop.takeUpCommands();
   }
   /// A recorder that is behind is waited for; one that is gone is not.
   void waitForRoom(std::size_t ticks) const {
@@ -126,8 +130,9 @@ struct Host::Impl {
   std::unique_ptr<DevicePort> device;
   Loop loop;
   std::unique_ptr<Guard> guard;
-  std::string no_guard;  // why there is none
-  std::optional<Thread> thread;
+  std::string no_guard;          // why there is none
+  std::optional<Thread> thread;  // one of these two ticks
+  std::unique_ptr<Driven> driven;
   std::optional<Watchdog> watchdog;
   std::deque<Command> backlog;
   scene::Description scene;
@@ -194,7 +199,7 @@ bool Host::holdToRun() const {
 }
 
 Problems Host::restart() {
-  const bool was_begun = impl_->thread.has_value();
+  const bool was_begun = impl_->ticksByItself();
   stop();
   impl_->end();
   Problems problems = impl_->device->reopen();
@@ -206,7 +211,7 @@ Problems Host::setRate(int rate_hz) {
   if (rate_hz == rateHz()) return {};
   Problems problems = impl_->mayTickAt(rate_hz);
   if (!problems.empty()) return problems;
-  const bool was_running = running(), was_begun = impl_->thread.has_value();
+  const bool was_running = running(), was_begun = impl_->ticksByItself();
   impl_->letGo();
   impl_->end();
   impl_->options.rate_hz = rate_hz;
@@ -232,6 +237,7 @@ std::optional<FaultReport> Host::takeFault() {
                      std::move(last_second),
                      impl_->scene,
                      device(),
+                     trouble(),
                      scheduling(),
                      static_cast<int>(1'000'000'000 / history->period_ns()),  // exact for every rate there is
                      history->late()};
@@ -256,9 +262,7 @@ void Host::drain(const std::function<void(const TickRecord&)>& row) {
 }
 
 void Host::begin() {
-  if (impl_->options.clock == Clock::Thread && !impl_->thread) {
-    impl_->begin();
-  }
+  if (impl_->options.clock == Clock::Thread && !impl_->ticksByItself()) impl_->begin();
 }
 
 void Host::run(std::int64_t ticks) {
@@ -284,8 +288,8 @@ int Host::rateHz() const {
 }
 
 Scheduling Host::scheduling() const {
-  if (impl_->thread) {
-    Scheduling granted = impl_->thread->scheduling();
+  if (impl_->ticksByItself()) {
+    Scheduling granted = impl_->thread ? impl_->thread->scheduling() : Scheduling{"by the arm's own clock", "", {}};
     granted.also.push_back(impl_->guard ? "guarded by a process of its own" : "no guard: " + impl_->no_guard);
     return granted;
   }
@@ -302,6 +306,10 @@ int Host::maxLate() const {
 
 DeviceInfo Host::device() const {
   return impl_->device->info();
+}
+
+std::string Host::trouble() const {
+  return impl_->device->trouble();
 }
 
 }  // namespace underact::servo

@@ -36,6 +36,7 @@ struct FaultReport {
   std::vector<TickRecord> last_second;  // up to and with the tick that found it, oldest first
   scene::Description scene;             // as it was run
   DeviceInfo device;
+  std::string trouble;  // what the arm's side said of it, see DevicePort::trouble()
   Scheduling scheduling;
   int rate_hz = 0;  // then
   LateTicks late;
@@ -102,6 +103,8 @@ class Host {
   /// After so many late ticks in a row the force is let go.
   int maxLate() const;
   DeviceInfo device() const;
+  /// What the arm's side says is wrong now; empty: nothing.
+  std::string trouble() const;
 
  private:
   struct Impl;

@@ -1,0 +1,77 @@
+#include "core/servo/driven.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/denormals.h"
+#include "core/servo/clock.h"
+
+namespace underact::servo {
+namespace {
+
+constexpr std::int64_t kPatience_ns = 100'000'000;
+constexpr int kLooksInPatience = 5;
+
+}  // namespace
+
+std::unique_ptr<Driven> Driven::start(Loop& loop, DevicePort& device, int rate_hz, std::int64_t patience_ns) {
+  std::unique_ptr<Driven> driven(new Driven(loop, device, rate_hz, patience_ns));
+  if (!device.drive(*driven, rate_hz)) return nullptr;
+  driven->stand_in_ = std::thread(&Driven::standIn, driven.get());
+  return driven;
+}
+
+Driven::Driven(Loop& loop, DevicePort& device, int rate_hz, std::int64_t patience_ns)
+    : loop_(loop),
+      device_(device),
+      period_ns_(1'000'000'000 / rate_hz),
+      patience_ns_(patience_ns > 0 ? patience_ns : kPatience_ns),
+      heard_ns_(monotonicNow_ns()) {}
+
+Driven::~Driven() {
+  if (!stand_in_.joinable()) return;  // it has never driven
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ends_ = true;
+  }
+  wake_.notify_one();
+  stand_in_.join();
+  device_.endDrive();
+  loop_.release();
+}
+
+void Driven::tick() noexcept {
+  const std::int64_t now_ns = monotonicNow_ns();
+  heard_ns_.store(now_ns, std::memory_order_relaxed);
+  tickOnce(now_ns);
+}
+
+void Driven::tickOnce(std::int64_t now_ns) noexcept {
+  if (is_ticking_.exchange(true, std::memory_order_acquire)) return;  // the other one is at it
+  const FlushDenormals flush;  // the thread may be the arm's: as it was, afterwards
+  Wake wake;
+  if (before_ns_ != 0) {
+    // Early by what the tick before was late.
+    const std::int64_t lateness_ns = std::max<std::int64_t>(0, now_ns - before_ns_ - period_ns_);
+    wake.lateness_ns = lateness_ns;
+    wake.left_out = lateness_ns / period_ns_;
+    wake.cause = LateCause::Device;
+  }
+  before_ns_ = now_ns;
+  loop_.tick(wake);
+  is_ticking_.store(false, std::memory_order_release);
+}
+
+void Driven::standIn() {
+  const std::chrono::nanoseconds pause(patience_ns_ / kLooksInPatience);
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!wake_.wait_for(lock, pause, [this] { return ends_; })) {
+    const std::int64_t now_ns = monotonicNow_ns();
+    const std::int64_t silence_ns = now_ns - heard_ns_.load(std::memory_order_relaxed);
+    if (silence_ns < patience_ns_) continue;
+    loop_.stoodStill(silence_ns);  // these ticks keep the watchdog quiet
+    tickOnce(now_ns);
+  }
+}
+
+}  // namespace underact::servo

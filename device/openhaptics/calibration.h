@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "device/openhaptics/abi.h"
+
+namespace underact::device::openhaptics {
+
+/// The arm's calibration as its driver sees it: zero force until it is done.
+class Calibration {
+ public:
+  /// styles: bits of CalibrationStyle that the arm knows.
+  explicit Calibration(std::uint32_t styles = kInkwell) noexcept;
+
+  /// Looks, and has the driver take up a calibration that is ready for it. pressed: a button went down, by which a
+  /// person says that the arm stands in its reset position. Inside a frame; the errors that it makes stay for the
+  /// caller.
+  void look(const Calls& hd, bool pressed) noexcept;
+
+  bool done() const noexcept { return status_ == kCalibrated; }
+  std::uint32_t status() const noexcept { return status_; }
+  std::uint32_t style() const noexcept { return style_; }
+
+ private:
+  std::uint32_t styles_;
+  std::uint32_t style_;
+  std::uint32_t status_ = 0;  // not known yet: not done
+};
+
+/// What a person has to do; empty where it is done.
+std::string calibrationSentence(std::uint32_t status, std::uint32_t style);
+
+}  // namespace underact::device::openhaptics

@@ -1,0 +1,86 @@
+#include "device/openhaptics/errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace underact::device::openhaptics {
+namespace {
+
+struct Row {
+  std::uint32_t code;
+  Severity severity;
+  const char* sentence;
+};
+
+constexpr const char* kRefused = "The arm's driver refused a question that it should know. Report the arm's model.";
+
+// Codes: section 4 of the facts. Force errors are those that the vendor's own helper calls so, and 0x202, which it
+// leaves out.
+constexpr std::array kRows{
+    Row{0x000, Severity::None, ""},
+    Row{0x100, Severity::Question, kRefused},
+    Row{0x101, Severity::Question, kRefused},
+    Row{0x102, Severity::Question, kRefused},
+    Row{0x103, Severity::Question, kRefused},
+    Row{0x104, Severity::Stop, "The arm's driver does not know the arm any more. Restart the servo."},
+    Row{0x200, Severity::Force, "The arm's motors are warm, so its driver cuts the force. Let the arm rest."},
+    Row{0x201, Severity::Force, "The force was more than the arm gives, so its driver cut it. Make the scene softer."},
+    Row{0x202, Severity::Force, "The force rose faster than the arm allows, so its driver cut it. Make it softer."},
+    Row{0x203, Severity::Force, "The stylus moved faster than the arm allows, so its driver cut the force."},
+    Row{0x204, Severity::Force, "The arm's driver cut the force. Start again; if that lasts, restart the servo."},
+    Row{0x300, Severity::Stop, "The arm reports a fault of its own. Switch it off and on, then restart the servo."},
+    Row{0x301, Severity::Stop, "The arm is open already, here or in another program. Close that first."},
+    Row{0x302, Severity::Stop, "The arm does not answer. Check its cable and its power, then restart the servo."},
+    Row{0x303, Severity::Stop,
+        "The arm cannot be reached the way its driver is set up. Run the vendor's setup, then restart the servo."},
+    Row{0x304, Severity::Stop, "The clock of the arm's driver failed. Restart the servo."},
+    Row{0x400, Severity::Stop, "The arm's driver lost its place in a frame. Restart the servo."},
+    Row{0x401, Severity::Stop, "The arm's driver lost its place in a frame. Restart the servo."},
+    Row{0x402, Severity::Stop, "The arm's driver could not finish a frame. Restart the servo."},
+    Row{0x500, Severity::Stop, "The arm's driver refused its clock to us. Restart the servo."},
+    Row{0x501, Severity::Stop, "The clock of the arm's driver is full. Close other programs of it, restart the servo."},
+    Row{0x600, Severity::Stop, "The arm's driver has no licence that is valid. Run the vendor's setup."},
+    Row{kEndlessErrors, Severity::Stop,
+        "The arm's driver reports errors without end. End the program and start again."},
+    Row{kNotANumberSent, Severity::Question, "The arm sends angles that are no numbers. Restart the servo."},
+};
+
+const Row* find(std::uint32_t code) noexcept {
+  const auto* const row = std::find_if(kRows.begin(), kRows.end(), [code](const Row& one) { return one.code == code; });
+  return row == kRows.end() ? nullptr : row;
+}
+
+constexpr int kMostErrors = 64;  // more than any frame has calls
+
+}  // namespace
+
+Severity severityOf(std::uint32_t code) noexcept {
+  const Row* const row = find(code);
+  return row != nullptr ? row->severity : Severity::Stop;
+}
+
+Drained drain(const Calls& hd) noexcept {
+  Drained drained;
+  while (drained.count < kMostErrors) {
+    const std::uint32_t code = hd.hdGetError().code;
+    if (code == 0) return drained;
+    ++drained.count;
+    const Severity severity = severityOf(code);
+    if (severity > drained.worst) {
+      drained.worst = severity;
+      drained.code = code;
+    }
+  }
+  return {Severity::Stop, kEndlessErrors, drained.count};
+}
+
+std::string sentenceOf(std::uint32_t code) {
+  if (const Row* const row = find(code)) return row->sentence;
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "The arm's driver reports the unknown error 0x%X. Restart the servo.",
+                static_cast<unsigned>(code));
+  return text.data();
+}
+
+}  // namespace underact::device::openhaptics

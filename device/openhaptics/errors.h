@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "device/openhaptics/abi.h"
+
+namespace underact::device::openhaptics {
+
+/// What an error of the library asks for. Question: the one value that was asked for is not there. Force: the force
+/// goes to zero, and the arm goes on. Stop: it does not. In this order, the worst last.
+enum class Severity : std::uint8_t { None, Question, Force, Stop };
+
+// Beyond the library's own codes.
+inline constexpr std::uint32_t kEndlessErrors = 0x10001;  // its stack of errors has no end
+inline constexpr std::uint32_t kNotANumberSent = 0x10002;
+
+/// A code that nobody knows is a Stop.
+Severity severityOf(std::uint32_t code) noexcept;
+
+/// What the stack of errors held.
+struct Drained {
+  Severity worst = Severity::None;
+  std::uint32_t code = 0;  // the first of the worst
+  int count = 0;
+};
+
+/// Empties the stack; one that has no end is a Stop. The thread that made the calls.
+Drained drain(const Calls& hd) noexcept;
+
+/// What happened and what to do, for a person.
+std::string sentenceOf(std::uint32_t code);
+
+}  // namespace underact::device::openhaptics

@@ -1,0 +1,108 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+
+#include "core/arm/preset.h"
+#include "core/servo/device_port.h"
+#include "device/openhaptics/abi.h"
+#include "device/openhaptics/calibration.h"
+#include "device/openhaptics/capabilities.h"
+#include "device/openhaptics/errors.h"
+#include "device/openhaptics/exchange.h"
+#include "device/openhaptics/standing.h"
+
+namespace underact::device::openhaptics {
+
+class Frames;
+
+/// What the library's scheduler is given in place of the frames themselves: it may call once more than it should, and a
+/// ticket is never freed.
+struct Ticket {
+  std::atomic<Frames*> frames{nullptr};  // null: it has come back
+  std::atomic<bool> is_at_work{false};
+};
+
+/// What the library's scheduler calls once a period: a frame. It reads the arm, has the servo tick, sends the force.
+/// All that it touches is in here, so that a call that never comes back holds on to nothing else.
+class Frames {
+ public:
+  Frames(const Calls& hd, const arm::Preset& arm);
+
+  /// For the scheduler; ticket: a Ticket.
+  static std::uint32_t callback(void* ticket);
+
+  // The thread that owns the arm.
+  /// Another opening of it, before it is scheduled.
+  Ticket* begin(Handle device);
+  /// The servo's tick is called in each frame from now on; null: no more, and none is at work when it returns.
+  void attach(servo::Ticks* ticks) noexcept;
+  /// From the next frame on the force is zero, whatever is written. Waits for such a frame, 0.1 s at most.
+  void close() noexcept;
+  /// The ticket is worth nothing any more. Waits for a frame that is at work, 1 s at most. false: it has not come back.
+  bool retire() noexcept;
+  /// Frames begun.
+  std::int64_t count() const noexcept { return count_.load(std::memory_order_acquire); }
+  /// When the last one began.
+  std::int64_t began_ns() const noexcept { return began_ns_.load(std::memory_order_relaxed); }
+  /// Null until the first frame has ended.
+  const Capabilities* capabilities() const noexcept {
+    return known_.load(std::memory_order_acquire) ? &capabilities_ : nullptr;
+  }
+
+  Exchange& exchange() noexcept { return exchange_; }
+  Standing& standing() noexcept { return standing_; }
+  const Standing& standing() const noexcept { return standing_; }
+
+ private:
+  void run() noexcept;
+  struct Seen {
+    arm::Sample sample;
+    std::uint32_t pressed = 0;
+    bool is_fresh = false;
+    double off_m = 0.0;  // the arm's own place of the tip from the model's
+  };
+  void frame() noexcept;
+  void learn() noexcept;
+  Seen look(std::int64_t now_ns) noexcept;
+  /// What the frame is to send; zero for any reason there is.
+  Vec3 force(const Seen& seen, std::int64_t now_ns) noexcept;
+  bool mayPush(std::int64_t now_ns) const noexcept;
+  void watchCalibration(bool pressed) noexcept;
+  void watchInkwell() noexcept;
+  void watchDeviation(double off_m) noexcept;
+  void judge(const Drained& drained, bool of_sample, std::int64_t now_ns) noexcept;
+  void send(const Vec3& f_T_W) noexcept;
+  /// Where the driver makes errors of forces, zero is said in another way, too: by its switch.
+  void switchOutput(bool on) noexcept;
+  void rest() noexcept;
+  void tick() noexcept;
+
+  const Calls& hd_;
+  const arm::Geometry geometry_;
+  const double preset_force_N_;
+  Exchange exchange_;
+  Standing standing_;
+
+  Ticket* ticket_ = nullptr;
+  std::atomic<servo::Ticks*> ticks_{nullptr};
+  std::atomic<bool> is_ticking_{false}, closes_{false}, known_{false};
+  std::atomic<std::int64_t> count_{0}, began_ns_{0}, zeros_{0};  // zeros: frames of zero force since close()
+
+  // The scheduler's thread, once begun.
+  Handle device_ = kNoHandle;
+  Capabilities capabilities_;
+  double cap_N_ = 0.0;
+  Calibration calibration_;
+  std::int64_t opened_ns_ = 0, last_ns_ = 0, quiet_until_ns_ = 0;
+  std::uint32_t epoch_ = 0;
+  bool is_output_on_ = true;
+  bool could_push_ = false;     // in the frame before
+  bool inkwell_works_ = false;  // its switch has shown a stylus outside
+  bool is_docked_ = false;
+  bool is_wrong_arm_ = false;
+  int off_frames_ = 0;  // in a row on the other side of the limit
+  int without_sample_ = 0;
+  std::atomic<int> farewells_{0};  // frames of zero force that a stopped arm still gets
+};
+
+}  // namespace underact::device::openhaptics

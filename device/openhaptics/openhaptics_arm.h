@@ -1,0 +1,72 @@
+#pragma once
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/arm/preset.h"
+#include "core/servo/device_port.h"
+#include "device/catalogue.h"
+#include "device/openhaptics/capabilities.h"
+#include "device/openhaptics/frames.h"
+
+namespace underact::device::openhaptics {
+
+/// An Omni, Touch or Touch X behind the vendor's driver, whose scheduler is the clock. It runs from opening to closing,
+/// with zero force while nobody drives. Never tried on an arm.
+class OpenHapticsArm final : public servo::DevicePort {
+ public:
+  struct Options {
+    arm::Preset arm;  // whose lengths the tip is compared with, and whose force is the limit where the driver has none
+    int rate_hz = 1000;
+    std::string address;  // the driver's name of it; empty: the names that it mostly has
+  };
+  /// Problems: no driver, no arm, no such rate; with a way out.
+  static Result<std::unique_ptr<OpenHapticsArm>> open(const Options& options);
+  ~OpenHapticsArm() override;
+
+  bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
+  void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
+  /// Heeded by the next frame. Where the driver's clock stands still, there is nothing in this process that could.
+  void cut() noexcept UNDERACT_REAL_TIME override;
+  Problems reopen() override;
+  std::string fixedRate() const override;
+  std::string refusesRate(int rate_hz) const override;
+  void setRate(int rate_hz) override;
+  bool drive(servo::Ticks& ticks, int rate_hz) override;
+  void endDrive() override;
+  std::string trouble() const override;
+  servo::DeviceInfo info() const override;
+
+  /// What the driver says of the arm, a line each.
+  std::vector<std::string> listing() const;
+  /// Force errors since it was made.
+  std::int64_t forceErrors() const { return frames_->standing().forceErrors(); }
+
+ private:
+  OpenHapticsArm(const Calls& hd, const Options& options);
+  Problems connect();
+  Problems initialise();
+  Problems awaitFirstFrame();
+  void disconnect();
+  void say(const Problems& problems);
+
+  const Calls& hd_;
+  const Options options_;
+  std::unique_ptr<Frames> frames_;
+  Handle device_ = kNoHandle;
+  Scheduled scheduled_ = 0;
+  bool is_open_ = false;
+  bool hangs_ = false;  // a frame has not come back from the driver
+  int rate_hz_;
+
+  mutable std::mutex mutex_;  // of what follows; never in the tick
+  std::string trouble_;
+  Capabilities capabilities_;
+};
+
+/// For the catalogue.
+Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request);
+std::vector<Found> lookRow();
+
+}  // namespace underact::device::openhaptics

@@ -1,0 +1,87 @@
+#include "device/openhaptics/standing.h"
+
+#include <array>
+#include <cstdio>
+
+#include "device/openhaptics/calibration.h"
+#include "device/openhaptics/errors.h"
+
+namespace underact::device::openhaptics {
+namespace {
+
+constexpr std::int64_t kShown_ns = 2'000'000'000;  // long enough to be read
+constexpr int kManyPeriods = 20;                   // as many as the gate bears
+constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm is some 0.1 mm off its own model
+
+template <class... Values>
+std::string written(const char* format, Values... values) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+}  // namespace
+
+void Standing::begin() noexcept {
+  stop_ = 0;
+  calibration_ = kCalibrated;
+  docked_ = false;
+  off_m_ = 0.0;
+  wrong_ = false;
+  force_error_ns_ = 0;
+  without_sample_ = 0;
+}
+
+void Standing::stop(std::uint32_t code) noexcept {
+  std::uint32_t none = 0;
+  stop_.compare_exchange_strong(none, code, std::memory_order_acq_rel);
+}
+
+void Standing::calibration(std::uint32_t status, std::uint32_t style) noexcept {
+  calibration_.store(std::uint64_t{style} << 32 | status, std::memory_order_relaxed);
+}
+
+void Standing::deviation(double off_m, bool wrong) noexcept {
+  off_m_.store(off_m, std::memory_order_relaxed);
+  wrong_.store(wrong, std::memory_order_relaxed);
+}
+
+void Standing::forceError(std::uint32_t code, int count, std::int64_t now_ns) noexcept {
+  force_errors_.fetch_add(count, std::memory_order_relaxed);
+  force_code_.store(code, std::memory_order_relaxed);
+  force_error_ns_.store(now_ns, std::memory_order_relaxed);
+}
+
+void Standing::withoutSample(int periods, std::uint32_t code) noexcept {
+  without_sample_.store(periods, std::memory_order_relaxed);
+  sample_code_.store(code, std::memory_order_relaxed);
+}
+
+std::string Standing::sentence(std::int64_t now_ns, const std::string& arm) const {
+  if (const std::uint32_t code = stop_.load(std::memory_order_acquire)) return sentenceOf(code);
+  const std::uint64_t calibration = calibration_.load(std::memory_order_relaxed);
+  const auto status = static_cast<std::uint32_t>(calibration), style = static_cast<std::uint32_t>(calibration >> 32);
+  if (status != kCalibrated) return calibrationSentence(status, style);
+  if (without_sample_.load(std::memory_order_relaxed) >= kManyPeriods) return sentenceOf(sample_code_);
+  if (docked_.load(std::memory_order_relaxed))
+    return "The stylus is in the inkwell, so the arm gives no force. Take it out.";
+  const double off_m = off_m_.load(std::memory_order_relaxed);
+  if (wrong_.load(std::memory_order_relaxed)) {
+    return written(
+        "The arm says that its tip is %.0f mm from where the arm \"%s\" of the scene has it, so it gets no "
+        "force: the force would point elsewhere. Choose the arm that it is.",
+        1e3 * off_m, arm.c_str());
+  }
+  const std::int64_t at_ns = force_error_ns_.load(std::memory_order_relaxed);
+  if (at_ns != 0 && now_ns - at_ns < kShown_ns)
+    return sentenceOf(force_code_) + written(" %lld times so far.", static_cast<long long>(forceErrors()));
+  if (off_m > kWorthAWord_m) {
+    return written(
+        "The arm says that its tip is %.0f mm from where the arm \"%s\" of the scene has it. Choose the arm "
+        "that it is, or shapes are felt elsewhere than they are shown.",
+        1e3 * off_m, arm.c_str());
+  }
+  return {};
+}
+
+}  // namespace underact::device::openhaptics

@@ -1,0 +1,14 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "tests/contract/far_side.h"
+
+namespace underact::test {
+
+// A driver a function; each in a file of its own.
+std::unique_ptr<FarSide> simulatedFarSide(std::string& why);
+std::unique_ptr<FarSide> replayedFarSide(std::string& why);
+std::unique_ptr<FarSide> openHapticsFarSide(std::string& why);
+
+}  // namespace underact::test
