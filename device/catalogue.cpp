@@ -4,6 +4,7 @@
 #include <array>
 
 #include "device/simulated_arm.h"
+#include "device/wooden/wooden.h"
 
 namespace underact::device {
 namespace {
@@ -21,7 +22,8 @@ std::vector<Found> lookForSimulated() {
 }
 
 // A kind of arm a line.
-constexpr std::array kRows{Row{"simulated", "Simulated arm", openSimulated, lookForSimulated}};
+constexpr std::array kRows{Row{"simulated", "Simulated arm", openSimulated, lookForSimulated},
+                           Row{"wooden", "WoodenHaptics (HID)", openWooden, lookForWooden}};
 
 }  // namespace
 
