@@ -6,7 +6,7 @@
 namespace underact::device {
 namespace {
 
-constexpr int kAsks = 20, kAsk_ms = 50;
+constexpr int kAsks = 30, kAsk_ms = 30;
 
 Problems problem(std::string sentence) {
   return {{std::move(sentence), {}}};

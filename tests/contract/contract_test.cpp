@@ -80,6 +80,7 @@ TEST_P(Contract, SamplesAreRadiansOfTheArmInTimeThatRises) {
 }
 
 TEST_P(Contract, TheButtonNearerToTheTipIsBitZero) {
+  if (!far->hasButton()) GTEST_SKIP() << "this arm has no button";
   const std::unique_ptr<servo::DevicePort> arm = opened();
   for (const bool held : {true, false, true}) {
     far->holdButton(held);

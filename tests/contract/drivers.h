@@ -9,5 +9,8 @@ namespace underact::test {
 // A driver a function; each in a file of its own.
 std::unique_ptr<FarSide> simulatedFarSide(std::string& why);
 std::unique_ptr<FarSide> replayedFarSide(std::string& why);
+std::unique_ptr<FarSide> woodenV1FarSide(std::string& why);
+std::unique_ptr<FarSide> woodenV2FarSide(std::string& why);
+std::unique_ptr<FarSide> woodenTeensyFarSide(std::string& why);
 
 }  // namespace underact::test
