@@ -80,8 +80,11 @@ class HidapiBus final : public HidBus {
   }
 
   Result<std::unique_ptr<HidPipe>> open(const HidNode& node) override {
-    const std::scoped_lock lock(hidapiMutex());
-    auto pipe = std::make_unique<HidapiPipe>(node.path);
+    std::unique_ptr<HidapiPipe> pipe;  // its end takes the same lock
+    {
+      const std::scoped_lock lock(hidapiMutex());
+      pipe = std::make_unique<HidapiPipe>(node.path);
+    }
     if (pipe->isOpen()) return std::unique_ptr<HidPipe>(std::move(pipe));
     if (!mayOpen(node))
       return Problems{{"You may not open " + node.path + ". This, in a terminal, allows it: " + udevCommand(node), {}}};

@@ -11,6 +11,9 @@
 namespace underact::device {
 namespace {
 
+// A computer that is held up for a moment is no trouble of the arm's.
+constexpr std::int64_t kSilent_ns = 100'000'000;
+constexpr int kSilentReads = 20;                              // in a row; after more, the gate gives up
 constexpr int kRead_ms = 5;                                   // a thread that is to end is asked that often
 constexpr std::int64_t kBetweenCalibrations_ns = 50'000'000;  // until the arm has answered the last one
 
@@ -64,6 +67,7 @@ Problems WoodenArm::connect() {
   is_lost_ = !isWoodenPosture(woodenJoints(*model_, *wiring_, line.value().first.counts));
   take(line.value().first);
   loss_ = Loss::None;
+  missed_ = 0;
   reader_ = std::thread(&WoodenArm::readAll, this);
   writer_ = std::thread(&WoodenArm::writeAll, this);
   return {};
@@ -145,12 +149,20 @@ std::int64_t WoodenArm::staleAfter_ns() const noexcept {
   return std::max(kStale_ns, kStalePeriods * period_ns_.load(std::memory_order_relaxed));
 }
 
+bool WoodenArm::isSilent() const {
+  return servo::monotonicNow_ns() - came_ns_ > kSilent_ns || missed_ >= kSilentReads;
+}
+
 bool WoodenArm::read(arm::Sample& sample) noexcept {
   const std::int64_t half_ns = period_ns_.load(std::memory_order_relaxed) / 2;
   came_.waitFor(half_ns);
   const Taken& taken = taken_.latest();
   const std::int64_t now_ns = servo::monotonicNow_ns();
-  if (loss_.load(std::memory_order_acquire) != Loss::None || now_ns - taken.time_ns > staleAfter_ns()) return false;
+  if (loss_.load(std::memory_order_acquire) != Loss::None || now_ns - taken.time_ns > staleAfter_ns()) {
+    missed_.fetch_add(1, std::memory_order_relaxed);
+    return false;
+  }
+  missed_.store(0, std::memory_order_relaxed);
   q_rad_ = woodenJoints(*model_, *wiring_, taken.counts);
   is_reached_ = true;
   sample.q_rad = q_rad_;
@@ -196,7 +208,7 @@ servo::LastWord WoodenArm::lastWord() const {
 std::string WoodenArm::trouble() const {
   if (loss_ != Loss::None)
     return "The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart.";
-  if (servo::monotonicNow_ns() - came_ns_ > staleAfter_ns())
+  if (isSilent())
     return "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of its board, or plug it in "
            "anew, and press Restart.";
   const std::scoped_lock lock(words_mutex_);

@@ -62,6 +62,7 @@ class WoodenArm final : public servo::DevicePort {
   void take(const WoodenReport& report);
   void writeAll();
   std::int64_t staleAfter_ns() const noexcept;
+  bool isSilent() const;
 
   HidBus& bus_;
   const WoodenChoice choice_;
@@ -85,6 +86,7 @@ class WoodenArm final : public servo::DevicePort {
   std::atomic<bool> calibrates_{false};  // it has asked for that
   std::atomic<Loss> loss_{Loss::None};
   std::atomic<std::int64_t> came_ns_{0};  // the newest report
+  std::atomic<int> missed_{0};            // reads in a row that had none
   // The reader's.
   std::uint64_t reports_ = 0;
   std::uint32_t epoch_ = 0;
