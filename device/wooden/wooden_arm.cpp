@@ -1,6 +1,8 @@
 #include "device/wooden/wooden_arm.h"
 
 #include <algorithm>
+#include <future>
+#include <utility>
 
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
@@ -68,9 +70,24 @@ Problems WoodenArm::connect() {
   take(line.value().first);
   loss_ = Loss::None;
   missed_ = 0;
-  reader_ = std::thread(&WoodenArm::readAll, this);
-  writer_ = std::thread(&WoodenArm::writeAll, this);
+  start(reader_, "underact-in", &WoodenArm::readAll);
+  start(writer_, "underact-out", &WoodenArm::writeAll);
   return {};
+}
+
+/// As urgent as the servo, which waits for what these threads bring. Returns when the system has answered to that.
+void WoodenArm::start(std::thread& thread, const char* name, void (WoodenArm::*work)()) {
+  std::promise<void> answered;
+  std::future<void> answer = answered.get_future();
+  const int rate_hz = static_cast<int>(1'000'000'000 / period_ns_);
+  const auto run = [this, name, work, rate_hz](std::promise<void> asked) {
+    servo::platform::nameThread(name);
+    servo::platform::askForRealTime({}, rate_hz);
+    asked.set_value();
+    (this->*work)();
+  };
+  thread = std::thread(run, std::move(answered));
+  answer.wait();
 }
 
 void WoodenArm::disconnect() {
@@ -98,7 +115,6 @@ void WoodenArm::lose(Loss loss) {
 }
 
 void WoodenArm::readAll() {
-  servo::platform::nameThread("underact-hid-in");
   std::array<std::uint8_t, kLongestWoodenReport> bytes{};
   while (!ends_ && loss_ == Loss::None) {
     const int size = pipe_->read(bytes, kRead_ms);
@@ -123,7 +139,6 @@ void WoodenArm::take(const WoodenReport& report) {
 }
 
 void WoodenArm::writeAll() {
-  servo::platform::nameThread("underact-hid-out");
   std::uint64_t said = wanted_.latest().number;  // what was wanted of a line that broke is not said on this one
   std::int64_t said_ns = 0, calibrated_ns = 0;
   while (!ends_ && loss_ == Loss::None) {

@@ -56,6 +56,7 @@ class WoodenArm final : public servo::DevicePort {
   };
   WoodenArm(HidBus& bus, WoodenChoice choice, const arm::Geometry& arm, int rate_hz);
   Problems connect();
+  void start(std::thread& thread, const char* name, void (WoodenArm::*work)());
   void disconnect();
   void lose(Loss loss);
   void readAll();

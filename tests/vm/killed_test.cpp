@@ -67,20 +67,24 @@ class InTheMachine : public testing::Test {
 
 TEST_F(InTheMachine, AKilledProgramLeavesZeroByTheGuardsWord) {
   push(UNDERACT_GUARD);
-  const std::int64_t taken = firmware_.currentsTaken();
   kill();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  const std::int64_t pushes = firmware_.pushes(), taken = firmware_.currentsTaken();
   EXPECT_TRUE(comes([&] { return !hasCurrent(); }));
-  // Not by the board's own watchdog, which says nothing: zero came as a report.
-  EXPECT_GT(firmware_.currentsTaken(), taken);
+  EXPECT_TRUE(comes([&] { return firmware_.currentsTaken() - taken > firmware_.pushes() - pushes; }))
+      << "it was the board's own watchdog, and no zero came";
 }
 
 TEST_F(InTheMachine, WithoutAGuardTheBoardsOwnWatchdogEndsTheForce) {
-  push("");
-  const std::int64_t killed_ns = servo::monotonicNow_ns();
-  kill();
-  EXPECT_TRUE(hasCurrent()) << "what the test above would see if there were no guard";
+  for (int round = 0; round < 5 && !hasCurrent(); ++round) {  // a busy machine may hold it up just then
+    push("");
+    kill();
+  }
+  ASSERT_TRUE(hasCurrent()) << "what the test above would see if there were no guard";
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // what was under way has come
+  const std::int64_t taken = firmware_.currentsTaken();
   EXPECT_TRUE(comes([&] { return !hasCurrent(); }));
-  EXPECT_GE(servo::monotonicNow_ns() - killed_ns, 400'000'000);
+  EXPECT_EQ(firmware_.currentsTaken(), taken);
 }
 
 TEST_F(InTheMachine, WhoMayNotOpenItIsToldTheCommand) {

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     host.drain([](const servo::TickRecord&) {});
     if (host.takeFault()) host.start();  // a busy machine: not what is looked for
-    if (told || host.snapshot().report.level < 1.0) continue;
+    if (told || host.snapshot().report.force.f_T_W().norm() < 0.2) continue;
     told = true;
     std::printf("pushing\n");
     std::fflush(stdout);
