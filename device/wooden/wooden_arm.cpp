@@ -1,6 +1,7 @@
 #include "device/wooden/wooden_arm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <utility>
 
@@ -15,7 +16,9 @@ namespace {
 
 // A computer that is held up for a moment is no trouble of the arm's.
 constexpr std::int64_t kSilent_ns = 100'000'000;
-constexpr int kSilentReads = 20;                              // in a row; after more, the gate gives up
+constexpr int kSilentReads = 20;  // in a row; after more, the gate gives up
+// Steps of 0.05 mm at the tip: a hand that holds the arm passes one many times a second.
+constexpr double kFrozen_s = 1.0;
 constexpr int kRead_ms = 5;                                   // a thread that is to end is asked that often
 constexpr std::int64_t kBetweenCalibrations_ns = 50'000'000;  // until the arm has answered the last one
 
@@ -24,7 +27,9 @@ std::int64_t periodOf(int rate_hz) {
 }
 
 bool isSame(const arm::Geometry& a, const arm::Geometry& b) {
-  return a.upper_m == b.upper_m && a.fore_m == b.fore_m && a.p_WB == b.p_WB;
+  constexpr double kAlike_m = 1e-9;  // one was read from mm
+  return std::abs(a.upper_m - b.upper_m) < kAlike_m && std::abs(a.fore_m - b.fore_m) < kAlike_m &&
+         (a.p_WB - b.p_WB).norm() < kAlike_m;
 }
 
 }  // namespace
@@ -233,7 +238,7 @@ std::string WoodenArm::trouble() const {
 
 servo::DeviceInfo WoodenArm::info() const {
   const std::scoped_lock lock(words_mutex_);
-  return {title_, false, true};
+  return {title_, false, true, kFrozen_s};
 }
 
 }  // namespace underact::device

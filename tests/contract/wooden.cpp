@@ -25,11 +25,10 @@ class WoodenFarSide final : public FarSide {
   void plugIn() override { bus_.plugIn(); }
   void freeze(bool on) override { firmware_.freeze(on); }
   double ownWatchdog_s() const override { return 0.5; }
-  // Half a step of each of its encoders, at 0.22 to 0.31 m: 0.03, 0.03 and 0.04 mm.
+  // Half a step of each of its encoders, at 0.22 to 0.31 m, and one step of tremor: 0.08, 0.03 and 0.04 mm.
   double resolution_m() const override { return 1e-4; }
   // Half a mA of each motor: with 0.321 N m/A 2.6e-3 N m about the upright, at 0.28 m; far less of the others.
   double forceResolution_N() const override { return 0.02; }
-  bool mustMove() const override { return false; }
 
  private:
   WoodenFirmware firmware_;

@@ -14,6 +14,7 @@ constexpr double kCounts = 2000.0;                        // a turn of a motor
 constexpr std::int64_t kWatchdog_ns = 500'000'000;
 constexpr double kInertia_kg_m2 = 0.008, kDamping_N_m_s = 0.05;  // 0.2 kg at 0.2 m; made up
 constexpr double kStep_s = 1e-4;
+constexpr std::int64_t kTremor_ns = 50'000'000;
 
 // Where the counters stand in a posture, and what a current does, by protocol.
 std::array<double, 3> countSigns(int protocol) {
@@ -118,6 +119,11 @@ void WoodenFirmware::receive(std::span<const std::uint8_t> report, std::int64_t 
     return;
   }
   for (std::size_t body = 0; body < 3; ++body) currents_mA_[body] = wordAt(report, body);
+  for (std::size_t body = 0; body < 3 && said_ns_ >= 0; ++body) {
+    if (std::abs(currents_mA_[body] - then_mA_[body]) <= 5) continue;
+    reactions_ns_.push_back(time_ns - said_ns_);
+    said_ns_ = -1;
+  }
   ++taken_;
   pushes_ += currents_mA_ != std::array<int, 3>{} ? 1 : 0;
 }
@@ -126,12 +132,18 @@ std::vector<std::uint8_t> WoodenFirmware::report(std::int64_t time_ns) {
   const std::scoped_lock lock(mutex_);
   moveUntil(time_ns);
   std::vector<std::uint8_t> bytes(built_.report_bytes, 0);
-  const std::array<int, 3> counts = countsNow();
+  std::array<int, 3> counts = countsNow();
+  counts[0] += static_cast<int>(time_ns / kTremor_ns % 2);  // no hand is still
   for (std::size_t body = 0; body < 3; ++body) setWord(bytes, body, counts[body]);
   if (built_.protocol == 2) {
     setWord(bytes, 3, button_ ? 10'000 : 0);
     setWord(bytes, 6, wants_calibration_ ? 1 : 0);
   }
+  if (is_placed_) {
+    said_ns_ = time_ns;
+    then_mA_ = currents_mA_;
+  }
+  is_placed_ = false;
   if (!is_frozen_ || frozen_.empty()) frozen_ = bytes;
   return frozen_;
 }
@@ -145,6 +157,7 @@ void WoodenFirmware::placeTip(const Vec3& p_WT) {
   }
   rate_ = {};
   is_held_ = true;
+  is_placed_ = true;
 }
 
 void WoodenFirmware::letGo() {
@@ -201,6 +214,11 @@ std::int64_t WoodenFirmware::currentsTaken() const {
 std::int64_t WoodenFirmware::pushes() const {
   const std::scoped_lock lock(mutex_);
   return pushes_;
+}
+
+std::vector<std::int64_t> WoodenFirmware::reactions_ns() const {
+  const std::scoped_lock lock(mutex_);
+  return reactions_ns_;
 }
 
 double WoodenFirmware::joules() const {

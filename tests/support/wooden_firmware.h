@@ -44,6 +44,9 @@ class WoodenFirmware {
   std::int64_t currentsTaken() const;  // reports with currents
   std::int64_t pushes() const;         // of them, with a current that is not 0
   double joules() const;               // what the motors have done since it was let go
+  /// From each report that said first that the tip was placed elsewhere to the first other current (by more than 5 mA)
+  /// that came after it.
+  std::vector<std::int64_t> reactions_ns() const;
 
  private:
   Vec3 tipOf(const std::array<double, 3>& body_rad) const;
@@ -64,6 +67,10 @@ class WoodenFirmware {
   double joules_ = 0.0;
   bool has_heard_ = false, is_held_ = true, button_ = false, wants_calibration_ = false, is_frozen_ = false;
   std::vector<std::uint8_t> frozen_;
+  bool is_placed_ = false;     // no report has said so yet
+  std::int64_t said_ns_ = -1;  // when one did; -1: none, or it was answered
+  std::array<int, 3> then_mA_{};
+  std::vector<std::int64_t> reactions_ns_;
 };
 
 }  // namespace underact::test
