@@ -5,6 +5,7 @@
 
 #include "device/openhaptics/openhaptics_arm.h"
 #include "device/simulated_arm.h"
+#include "device/wooden/wooden.h"
 
 namespace underact::device {
 namespace {
@@ -25,6 +26,7 @@ std::vector<Found> lookForSimulated() {
 constexpr std::array kRows{
     Row{"simulated", "Simulated arm", openSimulated, lookForSimulated},
     Row{"openhaptics", "Touch, Omni (vendor's driver)", openhaptics::openRow, openhaptics::lookRow},
+    Row{"wooden", "WoodenHaptics (HID)", openWooden, lookForWooden},
 };
 
 }  // namespace

@@ -10,5 +10,10 @@ namespace underact::test {
 std::unique_ptr<FarSide> simulatedFarSide(std::string& why);
 std::unique_ptr<FarSide> replayedFarSide(std::string& why);
 std::unique_ptr<FarSide> openHapticsFarSide(std::string& why);
+std::unique_ptr<FarSide> woodenV1FarSide(std::string& why);
+std::unique_ptr<FarSide> woodenV2FarSide(std::string& why);
+std::unique_ptr<FarSide> woodenTeensyFarSide(std::string& why);
+std::unique_ptr<FarSide> woodenUhidV1FarSide(std::string& why);
+std::unique_ptr<FarSide> woodenUhidV2FarSide(std::string& why);
 
 }  // namespace underact::test

@@ -25,6 +25,8 @@ class FarSide {
 
   virtual void placeTip(const Vec3& p_WT) = 0;
   virtual void holdButton(bool held) = 0;
+  /// false: an arm that has none; holdButton() does nothing then.
+  virtual bool hasButton() const { return true; }
   /// false: an arm that nobody can unplug.
   virtual bool hasCable() const { return true; }
   /// The cable is pulled, the other end is gone, the driver's library reports a lost device.

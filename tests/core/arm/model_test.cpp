@@ -48,12 +48,12 @@ TEST(Model, EachShippedFileCanBeReadAndIsFoundByItsName) {
   }
   EXPECT_EQ(models().size(), files);
   EXPECT_EQ(std::size(kArmFiles), files);
-  EXPECT_EQ(presets().size(), 2U);  // omni-thesis, touch-measured
+  EXPECT_EQ(presets().size(), 3U);  // omni-thesis, touch-measured, woodenhaptics
 }
 
 TEST(Model, TheTableOfTheThesisIsItsStraightLineCode) {  // two derivations: rows of the table, and eq. 3.5 and 3.6
   test::Random random(test::Seed{20070441});
-  for (const char* name : {"omni-thesis", "touch-measured"}) {
+  for (const char* name : {"omni-thesis", "touch-measured", "woodenhaptics"}) {
     const Model& model = *findModel(name);
     const std::optional<Geometry> geometry = omniGeometry(model);
     ASSERT_TRUE(geometry);

@@ -193,7 +193,7 @@ TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
   scene.constraints.push_back({"", Box{}, target::Side::Both, {}, {}});
   EXPECT_EQ(problemOf(scene),
             R"(0:0: title: The title is empty; a few words tell people what they will feel.
-0:0: arm: The arm "stylus" is not known. There are "omni-thesis" and "touch-measured".
+0:0: arm: The arm "stylus" is not known. There are "omni-thesis", "touch-measured" and "woodenhaptics".
 0:0: control.kp_N_per_mm[0]: This is no finite number; a double holds at most about 1.8e308.
 3:5: constraints[0].center_mm[1]: This is no finite number; a double holds at most about 1.8e308.
 3:5: constraints[0].center_mm[2]: This must lie within 1e6 mm (1 km); here it is 2e+06.

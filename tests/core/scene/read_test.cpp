@@ -129,7 +129,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 })")),
       R"(2:21: underact_scene: The scene is of version 2, and this program, older than the scene, reads version 1. Use a newer Underact.
 3:12: title: The title is empty; a few words tell people what they will feel.
-4:10: arm: The arm "omnni" is not known. There are "omni-thesis" and "touch-measured".
+4:10: arm: The arm "omnni" is not known. There are "omni-thesis", "touch-measured" and "woodenhaptics".
 5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
 5:43: control.kp_N_per_mm: A gain must be 0 or above, or the arm pushes away; here it is -1.
 5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "space", "velocity" and "passivity".

@@ -1,0 +1,121 @@
+#include <hidapi/hidapi.h>
+
+#include <array>
+#include <cstdio>
+#include <mutex>
+
+#include "device/wooden/hid_bus.h"
+
+#ifdef __linux__
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace underact::device {
+namespace {
+
+/// hidapi's list and its opening keep what went wrong in one place for all threads.
+std::mutex& hidapiMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::string narrow(const wchar_t* text) {
+  std::string narrowed;
+  for (; text != nullptr && *text != L'\0'; ++text) narrowed += *text < 0x7F ? static_cast<char>(*text) : '?';
+  return narrowed;
+}
+
+class HidapiPipe final : public HidPipe {
+ public:
+  // Opened twice: a device keeps the text of its last error, which read and write both free, so that one handle shared
+  // by two threads would be freed twice when the cable is pulled.
+  explicit HidapiPipe(const std::string& path)
+      : reads_(::hid_open_path(path.c_str())), writes_(::hid_open_path(path.c_str())) {
+#ifdef __linux__
+    guard_fd_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+#endif
+  }
+  ~HidapiPipe() override {
+    const std::scoped_lock lock(hidapiMutex());
+    if (reads_ != nullptr) ::hid_close(reads_);
+    if (writes_ != nullptr) ::hid_close(writes_);
+#ifdef __linux__
+    if (guard_fd_ >= 0) ::close(guard_fd_);
+#endif
+  }
+  bool isOpen() const {
+    return reads_ != nullptr && writes_ != nullptr;
+  }
+
+  int read(std::span<std::uint8_t> report, int time_ms) override {
+    return ::hid_read_timeout(reads_, report.data(), report.size(), time_ms);
+  }
+  bool write(std::span<const std::uint8_t> report) override {
+    return ::hid_write(writes_, report.data(), report.size()) >= 0;
+  }
+  int guardFd() const override {
+    return guard_fd_;
+  }
+
+ private:
+  hid_device* reads_;
+  hid_device* writes_;
+  int guard_fd_ = -1;
+};
+
+class HidapiBus final : public HidBus {
+ public:
+  std::vector<HidNode> nodes() override {
+    const std::scoped_lock lock(hidapiMutex());
+    std::vector<HidNode> found;
+    hid_device_info* const all = ::hid_enumerate(0, 0);
+    for (const hid_device_info* one = all; one != nullptr; one = one->next) {
+      if (one->path == nullptr) continue;
+      found.push_back(
+          {one->vendor_id, one->product_id, one->usage_page, one->usage, one->path, narrow(one->serial_number)});
+    }
+    ::hid_free_enumeration(all);
+    return found;
+  }
+
+  Result<std::unique_ptr<HidPipe>> open(const HidNode& node) override {
+    std::unique_ptr<HidapiPipe> pipe;  // its end takes the same lock
+    {
+      const std::scoped_lock lock(hidapiMutex());
+      pipe = std::make_unique<HidapiPipe>(node.path);
+    }
+    if (pipe->isOpen()) return std::unique_ptr<HidPipe>(std::move(pipe));
+    if (!mayOpen(node))
+      return Problems{{"You may not open " + node.path + ". This, in a terminal, allows it: " + udevCommand(node), {}}};
+    return Problems{{node.path + " cannot be opened. Plug the arm in anew.", {}}};
+  }
+
+  bool mayOpen([[maybe_unused]] const HidNode& node) const override {
+#ifdef __linux__
+    return ::access(node.path.c_str(), R_OK | W_OK) == 0;
+#else
+    return true;
+#endif
+  }
+};
+
+}  // namespace
+
+std::string udevCommand(const HidNode& node) {
+  std::array<char, 16> vendor{}, product{};
+  std::snprintf(vendor.data(), vendor.size(), "%04x", node.vendor);
+  std::snprintf(product.data(), product.size(), "%04x", node.product);
+  const std::string v(vendor.data()), p(product.data());
+  // Before 73-seat-late.rules, which is what heeds uaccess.
+  return "echo 'KERNEL==\"hidraw*\", ATTRS{idVendor}==\"" + v + "\", ATTRS{idProduct}==\"" + p +
+         "\", TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/70-underact-" + v + "-" + p +
+         ".rules && sudo udevadm control --reload && sudo udevadm trigger";
+}
+
+HidBus& hidapiBus() {
+  static HidapiBus bus;
+  return bus;
+}
+
+}  // namespace underact::device

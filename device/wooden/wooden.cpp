@@ -1,0 +1,40 @@
+#include "device/wooden/wooden.h"
+
+#include <algorithm>
+
+#include "device/wooden/wooden_arm.h"
+
+namespace underact::device {
+
+Result<std::unique_ptr<servo::DevicePort>> openWooden(const Request& request) {
+  Result<std::unique_ptr<WoodenArm>> arm =
+      WoodenArm::open(hidapiBus(), readWoodenAddress(request.address), request.arm.geometry, request.rate_hz);
+  if (!arm) return arm.problems();
+  return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
+}
+
+std::vector<Found> lookForWooden() {
+  return lookForWooden(hidapiBus());
+}
+
+std::vector<Found> lookForWooden(HidBus& bus) {
+  const std::vector<HidNode> nodes = woodenNodes(bus);
+  std::vector<Found> found;
+  for (const HidNode& node : nodes) {
+    const WoodenId& id = *findWoodenId(node.vendor, node.product);
+    // Boards that were given no serial number of their own all have the same.
+    const auto alike =
+        std::count_if(nodes.begin(), nodes.end(), [&](const HidNode& other) { return other.serial == node.serial; });
+    const bool has_serial = !node.serial.empty() && alike == 1;
+    Found one{id.board, has_serial ? node.serial : node.path, {}};
+    one.title += (has_serial ? ", serial " : ", ") + one.address;
+    if (id.is_shared) one.title += ": perhaps a WoodenHaptics arm";
+    if (!bus.mayOpen(node))
+      one.missing.push_back(
+          {"You may not open " + node.path + ": the system's rules give it to nobody.", udevCommand(node)});
+    found.push_back(std::move(one));
+  }
+  return found;
+}
+
+}  // namespace underact::device
