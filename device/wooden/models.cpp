@@ -84,7 +84,7 @@ const WoodenWiring& woodenWiring(WoodenProtocol protocol) {
   return protocol == WoodenProtocol::V1 ? kV1 : kV2;
 }
 
-arm::Geometry woodenGeometry(const WoodenModel& model) {
+arm::Geometry woodenGeometry(const WoodenModel& model) noexcept {
   const auto& [foot_m, upper_m, fore_m] = model.length_m;
   const auto& [x_m, y_m, z_m] = model.origin_m;
   return {upper_m, fore_m, Vec3(-y_m, foot_m - z_m, -x_m)};  // x_W is the source's y, y_W its z, z_W its x

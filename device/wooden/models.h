@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/arm/preset.h"
+#include "core/base/real_time.h"
 #include "device/wooden/report.h"
 
 namespace underact::device {
@@ -57,6 +58,6 @@ struct WoodenWiring {
 const WoodenWiring& woodenWiring(WoodenProtocol protocol);
 
 /// The arm's lengths as those of core/arm: an Omni of another size. See woodenJoints().
-arm::Geometry woodenGeometry(const WoodenModel& model);
+arm::Geometry woodenGeometry(const WoodenModel& model) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::device
