@@ -24,6 +24,7 @@
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand_script.h"
+#include "device/catalogue.h"
 #include "device/simulated_arm.h"
 
 namespace underact::cli {
@@ -32,6 +33,7 @@ namespace {
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
 constexpr std::chrono::milliseconds kPause{20};
 constexpr double kLongest_s = 1e6;
+constexpr const char* kSimulated = "simulated";
 
 struct RunOptions {
   std::string scene;
@@ -48,7 +50,9 @@ struct RunOptions {
   std::string fault_file;
   std::string space;  // empty: the scene's
   std::string arm_model{sim::kDefaultArmModel};
+  std::string device{kSimulated};
   servo::SchedulingWanted scheduling;
+  bool isSimulated() const { return device == kSimulated; }
 };
 
 /// "name: sentence" a line, for --help.
@@ -110,11 +114,12 @@ void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt) {
 }
 
 /// Has the summary tell of every fault, and keeps the first in a file where one was asked for.
-Problems tellFaults(servo::Host& host, Run& run, const std::string& file) {
+Problems tellFaults(servo::Host& host, Run& run, const std::string& file, const Streams& streams) {
   Problems problems;
   bool first = run.summary().faulted();  // one that came after the last tick asked for is none of this run
   while (const std::optional<servo::FaultReport> report = host.takeFault()) {
     run.tell(*report);
+    if (!report->trouble.empty()) streams.err << report->trouble << '\n';
     if (first && !file.empty())
       problems = record::writeFaultFile(record::faultText(*report, record::wordsOf(report->fault)), file);
     first = false;
@@ -124,9 +129,18 @@ Problems tellFaults(servo::Host& host, Run& run, const std::string& file) {
 
 struct Prepared {
   LoadedScene scene;
-  sim::HandScript hand;
+  sim::HandScript hand;  // these two of the simulated arm
   sim::ArmModel model;
 };
+
+/// Empty: the options go together.
+std::string wrongIn(const RunOptions& options) {
+  if (options.isSimulated())
+    return options.hand.empty() ? "--hand: somebody has to hold the simulated arm. Give a built-in hand, or a file."
+                                : "";
+  if (!options.hand.empty()) return "--hand: an arm that is none of the simulation's is held by you. Leave it out.";
+  return options.fast ? "--fast: an arm that is none of the simulation's has its own time. Leave it out." : "";
+}
 
 /// The scene with every control in that space; empty: as it is.
 Result<LoadedScene> inSpace(LoadedScene loaded, const std::string& space) {
@@ -156,6 +170,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = Exit::BadInput;
     return {};
   }
+  if (!options.isSimulated()) return Prepared{std::move(in_space).value(), {}, {}};
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) {
     print(hand.problems(), streams.err);
@@ -171,7 +186,11 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
   return Prepared{std::move(in_space).value(), std::move(hand).value(), std::move(model).value()};
 }
 
-std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const Prepared& prepared) {
+Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, const Prepared& prepared) {
+  if (!options.isSimulated()) {
+    const arm::Preset& preset = *arm::findPreset(prepared.scene.description.arm);
+    return device::openDevice(options.device, {preset, {}, options.rate_hz, {}});
+  }
   device::SimulatedArm::Options arm;
   arm.arm = *arm::findPreset(prepared.scene.description.arm);
   arm.model = prepared.model;
@@ -180,14 +199,14 @@ std::unique_ptr<device::SimulatedArm> makeArm(const RunOptions& options, const P
   arm.integration = integrationOf(prepared.scene.description.simulation);
   auto simulated = std::make_unique<device::SimulatedArm>(arm);
   simulated->follow(prepared.hand);
-  return simulated;
+  return std::unique_ptr<servo::DevicePort>(std::move(simulated));
 }
 
 /// A session that nobody named says what was run.
 record::SessionWords wordsOf(const RunOptions& options) {
   record::SessionWords words = options.words;
   if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
-  if (words.notes.empty()) {
+  if (words.notes.empty() && options.isSimulated()) {
     words.notes =
         "Hand " + options.hand + ", seed " + std::to_string(options.seed) + ", arm model " + options.arm_model + ".";
   }
@@ -220,15 +239,21 @@ Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& 
 }
 
 Exit runScene(const RunOptions& options, const Streams& streams) {
+  if (const std::string wrong = wrongIn(options); !wrong.empty()) {
+    streams.err << wrong << '\n';
+    return Exit::Usage;
+  }
   Exit exit = Exit::Well;
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
   const Interrupt interrupt;
-  servo::Host host(makeArm(options, *prepared), {.rate_hz = options.rate_hz,
-                                                 .clock = options.fast ? servo::Clock::Manual : servo::Clock::Thread,
-                                                 .scheduling = options.scheduling,
-                                                 .max_late = options.max_late});
+  Result<std::unique_ptr<servo::DevicePort>> arm = makeArm(options, *prepared);
+  if (!arm) return fail(arm.problems(), Exit::Fault, streams);
+  servo::Host host(std::move(arm).value(), {.rate_hz = options.rate_hz,
+                                            .clock = options.fast ? servo::Clock::Manual : servo::Clock::Thread,
+                                            .scheduling = options.scheduling,
+                                            .max_late = options.max_late});
   const Problems problems = host.load(prepared->scene.description);
   if (!problems.empty()) {
     print(problems, streams.err);
@@ -245,7 +270,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
   }
-  const Problems unkept = tellFaults(host, run, options.fault_file);
+  const Problems unkept = tellFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
   streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling}).text() << '\n';
   Problems unwritten = run.closeRecording();
@@ -264,10 +289,11 @@ std::string checkSeconds(const std::string& text) {
 }  // namespace
 
 void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand("run", "Run a scene on the simulated arm, held by a scripted hand");
+  CLI::App* command =
+      program.add_subcommand("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm");
   const auto options = std::make_shared<RunOptions>();
   command->add_option("scene", options->scene, "Scene file")->required();
-  command->add_option("--hand", options->hand, "A built-in hand, or a hand file")->required();
+  command->add_option("--hand", options->hand, "A built-in hand, or a hand file: who holds the simulated arm");
   command->add_option("--seconds", options->seconds, "How long, by the arm's clock")
       ->required()
       ->check(CLI::Validator(checkSeconds, "", "seconds"));
@@ -299,6 +325,10 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
                       "Where the servo stops by a fault, write it here, with its last second of ticks");
   command->add_option("--space", options->space, "Where the control works, in place of what the scene says")
       ->check(CLI::IsMember({"cartesian", "joint"}));
+  command
+      ->add_option("--device", options->device,
+                   "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it pushes at once")
+      ->capture_default_str();
   addArmModelOption(*command, options->arm_model);
   addSchedulingOptions(*command, options->scheduling);
   command->footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
