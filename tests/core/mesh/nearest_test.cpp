@@ -22,14 +22,6 @@ using test::Seed;
 // Promised to users: 1e-12 of the largest coordinate, of the mesh as loaded or of the point asked about.
 constexpr double kExact = 1e-12;
 
-/// How many points are asked about; fewer where every access is checked, ten times as slowly.
-int draws(int sampled, int full) {
-#ifdef __SANITIZE_ADDRESS__
-  sampled /= 10;
-#endif
-  return test::sweep(sampled, full);
-}
-
 std::vector<OddMesh> everyMesh() {
   std::vector<OddMesh> all = test::oddMeshes();
   for (const int faces : {1000, 20000}) {
@@ -137,20 +129,20 @@ class EveryMesh : public testing::TestWithParam<OddMesh> {
 };
 
 TEST_P(EveryMesh, IsSearchedExactlyAsAWhole) {
-  const std::vector<Vec3> asked = queries(one_, draws(2000, 100000), 20070614);
+  const std::vector<Vec3> asked = queries(one_, test::dearSweep(2000, 100000), 20070614);
   const int proved = sweep(one_, {Search::Global, Search::Hybrid}, asked);
   EXPECT_TRUE(proved == 2 * static_cast<int>(asked.size()) || mayLackProof(one_.mesh.name)) << proved;
 }
 
 TEST_P(EveryMesh, IsSearchedExactlyAlongAHandsPath) {
-  const std::vector<Vec3> path = handPath(draws(2000, 100000), 20070615);
+  const std::vector<Vec3> path = handPath(test::dearSweep(2000, 100000), 20070615);
   const int proved = sweep(one_, {Search::Hybrid}, path);
   EXPECT_TRUE(proved == static_cast<int>(path.size()) || mayLackProof(one_.mesh.name)) << proved;
 }
 
 TEST_P(EveryMesh, IsTheSameByHybridAndByGlobalSearch) {
   SearchState hybrid_state, global_state;
-  for (const Vec3& q_M : handPath(draws(2000, 20000), 20070616)) {
+  for (const Vec3& q_M : handPath(test::dearSweep(2000, 20000), 20070616)) {
     const Hit hybrid = nearestPoint(*one_.surface, Search::Hybrid, q_M, hybrid_state);
     const Hit global = nearestPoint(*one_.surface, Search::Global, q_M, global_state);
     if (!hybrid.is_proved || !global.is_proved) continue;
@@ -159,7 +151,7 @@ TEST_P(EveryMesh, IsTheSameByHybridAndByGlobalSearch) {
 }
 
 TEST_P(EveryMesh, IsNotSaidToBeProvedByALocalSearchThatIsWrong) {
-  const int count = draws(2000, 20000);
+  const int count = test::dearSweep(2000, 20000);
   sweep(one_, {Search::Local}, handPath(count, 20070617));
   sweep(one_, {Search::Local}, queries(one_, count, 20070618));  // from anywhere to anywhere: mostly no proof
 }
@@ -189,7 +181,7 @@ TEST_P(EveryMesh, TellsInsideFromOutsideWhereItPartsSpace) {
   if (!one_.mesh.parts_space) return;
   SearchState state;
   int inside = 0, outside = 0;
-  for (const Vec3& q_M : queries(one_, draws(1000, 20000), 20070621)) {
+  for (const Vec3& q_M : queries(one_, test::dearSweep(1000, 20000), 20070621)) {
     const Hit hit = nearestPoint(*one_.surface, Search::Global, q_M, state);
     // Corners' normals are floats, good to 1e-7: nearer to the surface than that of its size a side is none.
     if (!hit.is_proved || std::sqrt(hit.squared) < 1e-6 * one_.mm) continue;
