@@ -38,6 +38,7 @@ inline constexpr double kFarthestTip_m = 1e6;
 
 /// The point of the curve nearest to p_WT, m, any finite point. Where is_proved its distance is the least within 2^-43
 /// of the largest coordinate (tip or curve) and 1e-13 of itself, of a polyline within 2^-49 of the largest coordinate.
+/// Local: within the same no farther than from the last piece, nor from those beside the one it is on.
 /// Of equals the one from the last piece stays, so that a tremble about a tie throws nobody about. The first local
 /// search is a global one. A tip that is not finite: the curve's begin, not proved, not unique; the state stays.
 /// Cost: bounded by kMostVisits; past it the best so far counts, and is_proved is false.

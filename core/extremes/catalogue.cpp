@@ -9,9 +9,9 @@ namespace underact::extremes {
 const std::vector<Row>& catalogue() {
   static const std::vector<Row> kAll = [] {
     std::vector<Row> all;
-    for (const auto& part :
-         {baseRows, shapeRows, weightedShapeRows, meshRows, curveRows, influenceRows, armRows, armSolverRows, chainRows,
-          chainSolverRows, manipulatorRows, lawRows, filterRows, gateRows, plantRows, tickRows, driftRows}) {
+    for (const auto& part : {baseRows, shapeRows, weightedShapeRows, meshRows, meshWalkRows, curveRows, influenceRows,
+                             armRows, armSolverRows, chainRows, chainSolverRows, manipulatorRows, angleRows, lawRows,
+                             filterRows, gateRows, plantRows, tickRows, driftRows}) {
       const std::span<const Row> rows = part();
       all.insert(all.end(), rows.begin(), rows.end());
     }

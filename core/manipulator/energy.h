@@ -23,7 +23,8 @@ struct Energy {
 using Hessian = SymmetricSystem<kMaxJoints>;
 
 /// X_WT: the stylus. theta: a value for each joint. Energy and slopes within 64 ulp of (kp length^2 + ko + springs)
-/// times the sum of the angles, 1 rad at least, length that of all there is. Not finite in, not finite out.
+/// times the sum of the angles, 1 rad at least, length that of all there is; of Angle the ko's share as in the guide's
+/// robot_angle. Not finite in, not finite out.
 void evaluate(const Manipulator& manipulator, const Pose& X_WT, const Values& theta,
               Energy& at) noexcept UNDERACT_REAL_TIME;
 

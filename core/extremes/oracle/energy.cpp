@@ -2,6 +2,17 @@
 
 namespace underact::extremes::oracle {
 
+Real turnAbout(const Real3& axis, const Real3& from, const Real3& to) {
+  const Real3 a = unit(axis), across = without(from, a);
+  return atan2(dot(a, cross(across, to)), dot(across, to));
+}
+
+Real weightAbout(const Real3& axis, const Real3& stylus) {
+  const Real off = atan2(norm(cross(axis, stylus)), Real(abs(dot(axis, stylus))));
+  const Real share = clamped(off / (piReal() / 36), 0, 1);
+  return share * share * (3 - 2 * share);
+}
+
 Real energyOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, const std::vector<Real>& theta) {
   const ChainPose tip = chainPose(manipulator.chain, theta);
   const Real3 off = tip.p_WT - real(X_WT.translation());
@@ -14,6 +25,10 @@ Real energyOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, con
   } else if (manipulator.orientation == manipulator::Orientation::Full) {
     const Real angle = angleOf(stylus, tip.R_WT);
     twice += manipulator.ko_N_m_per_rad * angle * angle;
+  } else if (manipulator.orientation == manipulator::Orientation::Angle) {
+    const Real3 axis = real(manipulator.chain.joints[manipulator.turning].axis_W);
+    const Real angle = turnAbout(axis, stylus[2], tip.R_WT[2]);
+    twice += weightAbout(axis, stylus[2]) * manipulator.ko_N_m_per_rad * angle * angle;
   }
   for (std::size_t i = 0; i < theta.size(); ++i) {
     const Real bent = theta[i] - manipulator.rest[i];

@@ -67,6 +67,14 @@ Nearest onTriangle(const Real3& a, const Real3& b, const Real3& c, const Real3& 
   return isLeftOf(a, b) && isLeftOf(b, c) && isLeftOf(c, a) ? foot : best;
 }
 
+Real shareOfSphere(const Real3& a, const Real3& b, const Real3& c, const Real3& q) {
+  const Real3 x = a - q, y = b - q, z = c - q;
+  const Real lx = norm(x), ly = norm(y), lz = norm(z);
+  const Real volume = dot(x, cross(y, z));
+  const Real along = lx * ly * lz + dot(x, y) * lz + dot(y, z) * lx + dot(z, x) * ly;
+  return atan2(volume, along) / (2 * piReal());
+}
+
 Nearest onParallelogram(const Real3& c, const Real3& u, const Real3& v, const Real3& q) {
   const Real3 first = c - u - v, second = c + u - v, third = c + u + v, fourth = c - u + v;
   return nearer(onTriangle(first, second, third, q), onTriangle(first, third, fourth, q));

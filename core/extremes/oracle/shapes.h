@@ -24,6 +24,9 @@ Real offAxis(const Real3& p_WC, const Real3& axis_W, const Real3& p_WT);
 Nearest onSegment(const Real3& a, const Real3& b, const Real3& q);
 /// Of a triangle, one without area among them.
 Nearest onTriangle(const Real3& a, const Real3& b, const Real3& c, const Real3& q);
+/// The solid angle, over 4 pi, that a triangle takes of the sphere about q, positive where its normal points away: the
+/// sum over a closed surface is 1 inside and 0 outside. Source: van Oosterom and Strackee 1983.
+Real shareOfSphere(const Real3& a, const Real3& b, const Real3& c, const Real3& q);
 /// Of the parallelogram c + s u + t v, s and t in [-1, 1].
 Nearest onParallelogram(const Real3& c, const Real3& u, const Real3& v, const Real3& q);
 /// Of the surface of a solid c + sum of s_i edge_i, s_i in [-1, 1]: the nearest of six faces.

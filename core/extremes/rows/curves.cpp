@@ -43,6 +43,12 @@ Drawn drawCurve(Input& input, curve::Kind kind) {
   return drawn;
 }
 
+/// The distance of p from a straight piece.
+Real toStraight(const curve::Curve& curve, std::int32_t piece, const Real3& p) {
+  const auto at = static_cast<std::size_t>(piece);
+  return oracle::onSegment(real(curve.controls_W[at]), real(curve.controls_W[at + 1]), p).distance;
+}
+
 Outcome judgePolyline(Input& input) {
   const Drawn drawn = drawCurve(input, curve::Kind::Polyline);
   if (!drawn.curve) return {0.0, true};  // fewer than two different points
@@ -51,11 +57,10 @@ Outcome judgePolyline(Input& input) {
   const curve::Nearest got =
       asTheServo([&] { return nearestPoint(*drawn.curve, curve::Search::Hybrid, drawn.p_WT, state); });
   if (!got.p_WP.allFinite() || !got.is_proved) return {kInfinity, false};
-  const std::vector<Vec3>& points = drawn.curve->controls_W;
   const auto distanceOf = [&](const Real3& p) {
-    Real best = oracle::onSegment(real(points[0]), real(points[1]), p).distance;
-    for (std::size_t i = 2; i < points.size(); ++i)
-      best = std::min(best, oracle::onSegment(real(points[i - 1]), real(points[i]), p).distance);
+    Real best = toStraight(*drawn.curve, 0, p);
+    for (std::int32_t piece = 1; piece < curve::pieceCount(*drawn.curve); ++piece)
+      best = std::min(best, toStraight(*drawn.curve, piece, p));
     return best;
   };
   const Real3 tip = real(drawn.p_WT);
@@ -130,11 +135,62 @@ Outcome judgeSpline(Input& input) {
   return {worst, false};
 }
 
-constexpr std::array<Row, 2> kRows{{
+/// Along the curve from a piece: on the piece that it says, as far as it says, no farther than from the piece where it
+/// began, and no farther than from the pieces beside the one where it ends.
+Outcome judgeLocal(Input& input, curve::Kind kind) {
+  const Drawn drawn = drawCurve(input, kind);
+  if (!drawn.curve || drawn.p_WT.norm() > curve::kFarthestTip_m) return {0.0, true};
+  const curve::Curve& curve = *drawn.curve;
+  const std::int32_t pieces = curve::pieceCount(curve);
+  const auto from = static_cast<std::int32_t>(input.choice("from", static_cast<std::size_t>(pieces)));
+  curve::SearchState state{from};
+  const curve::Nearest got = asTheServo([&] { return nearestPoint(curve, curve::Search::Local, drawn.p_WT, state); });
+  if (!got.p_WP.allFinite() || got.piece < 0 || got.piece >= pieces) return {kInfinity, false};
+  const Real3 tip = real(drawn.p_WT), found = real(got.p_WP);
+  const auto pieceAt = [&](std::int32_t piece) {
+    return powersOf(&curve.controls_W[3 * static_cast<std::size_t>(piece)]);
+  };
+  const bool is_straight = kind == curve::Kind::Polyline;
+  const auto toPiece = [&](std::int32_t piece) {
+    return is_straight ? toStraight(curve, piece, tip) : toCubic(pieceAt(piece), tip);
+  };
+  const Real off = is_straight ? toStraight(curve, got.piece, found) : norm(pieceAt(got.piece).at(got.u) - found);
+  const Real distance = norm(found - tip);
+  const Real scale = drawn.largest_m + (is_straight ? Real(0) : Real(Real(1e-13) * distance / ldexp(Real(1), -43)));
+  double worst = std::max(ulpsOf(off, drawn.largest_m), ulpsOf(got.distance_m, distance, drawn.largest_m));
+  const auto compareWith = [&](std::int32_t piece) {
+    const Real farther = distance - toPiece(piece);
+    if (farther > 0) worst = std::max(worst, ulpsOf(farther, scale));
+  };
+  compareWith(from);
+  for (const std::int32_t by : {-1, 0, 1}) {
+    const std::int32_t beside = got.piece + by;
+    if (beside >= 0 && beside < pieces) {
+      compareWith(beside);
+    } else if (curve.is_closed) {
+      compareWith(beside < 0 ? pieces - 1 : 0);
+    }
+  }
+  return {worst, false};
+}
+
+Outcome judgeLocalPolyline(Input& input) {
+  return judgeLocal(input, curve::Kind::Polyline);
+}
+Outcome judgeLocalSpline(Input& input) {
+  return judgeLocal(input, curve::Kind::Spline);
+}
+
+constexpr std::array<Row, 4> kRows{{
     {"curve_polyline", Kind::Shape, "Path of straight lines: nearest point",
      "ulp of the largest coordinate: off the path, farther than the nearest, distance", 8, 2, judgePolyline},
     {"curve_spline", Kind::Shape, "Path of cubics: nearest point",
      "ulp of the largest coordinate, and 1e-13 of the distance (farther than the nearest)", 512, 30, judgeSpline},
+    {"curve_local", Kind::Shape, "Path of straight lines, searched along it from any piece",
+     "ulp of the largest coordinate: off the piece, distance, farther than the first piece and those beside the last",
+     8, 2, judgeLocalPolyline},
+    {"curve_local_spline", Kind::Shape, "Path of cubics, searched along it from any piece",
+     "ulp of the largest coordinate, and 1e-13 of the distance (farther than those pieces)", 512, 15, judgeLocalSpline},
 }};
 
 }  // namespace

@@ -27,6 +27,7 @@ std::array<Vec3, 3> drawTriangle(Input& input, double size, const Vec3& about) {
     if (dice.one(3))
       return asFloats(a + dice.between(-1.0, 2.0) * (b - a) + size * dice.closeness() * dice.direction());
     if (dice.one(8)) return b;
+    if (dice.one(6)) return asFloats(b + size * dice.closeness() * dice.direction());  // a needle
     return asFloats(a + dice.inBox(size));
   });
   return {a, b, c};
@@ -36,7 +37,8 @@ std::array<Vec3, 3> drawTriangle(Input& input, double size, const Vec3& about) {
 Vec3 drawPoint(Input& input, const std::array<Vec3, 3>& corners, double size) {
   return input.vector("q", [&](Dice& dice) {
     const double u = dice.one(3) ? 0.0 : dice.between(-0.5, 1.5), v = dice.one(3) ? 0.0 : dice.between(-0.5, 1.5);
-    const Vec3 place = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+    const Vec3 place = dice.one(4) ? corners[dice.below(3)]
+                                   : Vec3(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]));
     if (dice.one(6)) return dice.oddPlaceAbout(corners[0], Vec3::UnitX(), size);
     return Vec3(place + (dice.one(2) ? size * dice.closeness() : dice.scale()) * dice.direction());
   });

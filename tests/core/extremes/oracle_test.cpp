@@ -116,6 +116,39 @@ TEST(Oracle, ChainsAndTheirEnergyByHand) {
   EXPECT_LE(abs(oracle::energyOf(m, X_WT, {0, 2}) - 45), kExact);
 }
 
+TEST(Oracle, AnglesAboutAnAxisByHand) {
+  const Real3 up{0, 0, 2};
+  EXPECT_LE(abs(oracle::turnAbout(up, {1, 0, 5}, {0, 3, -1}) - piReal() / 2), kExact);
+  EXPECT_LE(abs(oracle::turnAbout(up, {0, 3, -1}, {1, 0, 5}) + piReal() / 2), kExact);
+  EXPECT_LE(abs(oracle::weightAbout(up, {0, 0, -1})), kExact);
+  EXPECT_LE(abs(oracle::weightAbout(up, {1, 0, 1}) - 1), kExact);
+  const Real half = piReal() / 72;  // half of 5 degrees
+  EXPECT_LE(abs(oracle::weightAbout(up, {sin(half), 0, cos(half)}) - Real(1) / 2), kExact);
+  manipulator::Manipulator m;
+  m.chain.joints = {{chain::JointType::Revolute, Vec3::UnitZ(), Vec3::Zero()}};
+  m.chain.X_WT_home.linear() << 0, 0, 1, 0, -1, 0, 1, 0, 0;  // z of V along x
+  m.chain.X_WT_home.translation() = Vec3(1, 0, 0);
+  m.orientation = manipulator::Orientation::Angle;
+  m.kp_N_per_m.setZero();
+  m.ko_N_m_per_rad = 2.0;
+  Pose X_WT = Pose::Identity();
+  X_WT.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;  // z of the stylus along y
+  EXPECT_LE(abs(oracle::energyOf(m, X_WT, {0}) - piReal() * piReal() / 4), kExact);
+  EXPECT_LE(abs(oracle::energyOf(m, X_WT, {piReal()}) - piReal() * piReal() / 4), kExact);
+}
+
+TEST(Oracle, InsideAndOutsideByHand) {
+  const Real3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  EXPECT_LE(abs(oracle::shareOfSphere(x, y, z, o) - Real(1) / 8), kExact) << "an octant";
+  const auto turns = [&](const Real3& q) {
+    return Real(oracle::shareOfSphere(x, y, z, q) + oracle::shareOfSphere(o, y, x, q) +
+                oracle::shareOfSphere(o, z, y, q) + oracle::shareOfSphere(o, x, z, q));
+  };
+  EXPECT_LE(abs(turns({0.2, 0.2, 0.2}) - 1), kExact);
+  EXPECT_LE(abs(turns({0.5, 0.5, 0.5})), kExact);
+  EXPECT_LE(abs(turns({-0.001, 0.2, 0.2})), kExact);
+}
+
 TEST(Oracle, SystemsByCramersRule) {
   const std::array<Real3, 3> columns{Real3{2, 0, 0}, Real3{0, 4, 0}, Real3{1, 0, 5}};
   expectAt(oracle::solved(columns, {4, 8, 10}), {1, 2, 2});

@@ -29,12 +29,14 @@ TEST(KeptCases, KeepTheirPromiseWithTheErrorTheyHad) {
   for (const Kept& kept : keptCases()) {
     const Row* const row = findRow(kept.key);
     ASSERT_NE(row, nullptr) << kept.key << " is no row any more: make tests/golden/extremes.csv anew";
+    seen.insert(kept.key);
+    // An hour of ticks takes seconds, of some rows ten; a part of it is asked below.
+    if (row->kind == Kind::Drift && !test::isSoak()) continue;
     const Result<Outcome> again = judgeAgain(*row, kept.input);
     ASSERT_TRUE(again) << describe(again.problems()[0]);
     EXPECT_LE(again.value().error_ulp, row->promised_ulp) << kept.key << ": " << wordsOf(*row, kept.input);
     // The same bits are asked and answered on every machine. Where a mend makes it better, the cases are made anew.
     EXPECT_DOUBLE_EQ(again.value().error_ulp, kept.error_ulp) << kept.key << ": " << wordsOf(*row, kept.input);
-    seen.insert(kept.key);
   }
   for (const Row& row : catalogue()) EXPECT_TRUE(seen.contains(row.key)) << row.key << " has no kept case";
 }
@@ -52,7 +54,7 @@ TEST(Guide, HasARowForEachRowWithItsPromise) {
 }
 
 TEST(Sweep, EveryRowKeepsItsPromise) {
-  const int count = test::sweep(300, 20'000);
+  const int count = test::dearSweep(300, 20'000);
   for (const Row& row : catalogue()) {
     if (row.kind == Kind::Drift) continue;
     Worst worst;
@@ -69,7 +71,7 @@ TEST(Sweep, HoursOfTicksKeepTheirPromise) {
     for (const Kept& kept : keptCases()) {
       if (kept.key != row.key) continue;
       std::vector<double> input = kept.input;
-      input.at(0) = test::sweep(360'000, 14'400'000);  // six minutes, or four hours, at 1 kHz
+      input.at(0) = test::dearSweep(360'000, 14'400'000);  // six minutes, or four hours, at 1 kHz
       const Result<Outcome> outcome = judgeAgain(row, input);
       ASSERT_TRUE(outcome) << row.key;
       EXPECT_LE(outcome.value().error_ulp, row.promised_ulp) << row.key << ": " << wordsOf(row, input);
@@ -86,7 +88,7 @@ TEST(StrangeTick, NoSceneThatShipsIsMovedByWhatNoArmSends) {
     const Result<tick::TickProgram> program = scene::loadAndCompile(scene.value());
     ASSERT_TRUE(program) << entry.path() << ": " << describe(program.problems()[0]);
     ++scenes;
-    for (std::uint64_t draw = 0; draw < static_cast<std::uint64_t>(test::sweep(12, 2000)); ++draw) {
+    for (std::uint64_t draw = 0; draw < static_cast<std::uint64_t>(test::dearSweep(12, 2000)); ++draw) {
       Input input(caseSeed(20071202, draw));
       const Outcome outcome = judgeStrangeTick(program.value(), input);
       ASSERT_LE(outcome.error_ulp, 4.0) << entry.path() << ": " << input.words();
