@@ -19,7 +19,8 @@ constexpr std::int64_t kSilent_ns = 100'000'000;
 constexpr int kSilentReads = 20;  // in a row; after more, the gate gives up
 // Steps of 0.05 mm at the tip: a hand that holds the arm passes one many times a second.
 constexpr double kFrozen_s = 1.0;
-constexpr int kRead_ms = 5;                                   // a thread that is to end is asked that often
+constexpr int kMostRefused = 5;  // messages in a row that the arm did not take: one may be lost on its way
+constexpr int kRead_ms = 5;      // a thread that is to end is asked that often
 constexpr std::int64_t kBetweenCalibrations_ns = 50'000'000;  // until the arm has answered the last one
 
 std::int64_t periodOf(int rate_hz) {
@@ -100,7 +101,6 @@ void WoodenArm::disconnect() {
   wrote_.ring();
   if (reader_.joinable()) reader_.join();
   if (writer_.joinable()) writer_.join();
-  if (pipe_) pipe_->write(currentsMessage(format_, {}).span());
   pipe_.reset();
 }
 
@@ -146,6 +146,7 @@ void WoodenArm::take(const WoodenReport& report) {
 void WoodenArm::writeAll() {
   std::uint64_t said = wanted_.latest().number;  // what was wanted of a line that broke is not said on this one
   std::int64_t said_ns = 0, calibrated_ns = 0;
+  int refused = 0;
   while (!ends_ && loss_ == Loss::None) {
     const std::int64_t quiet_ns = kQuietPeriods * period_ns_;
     wrote_.waitFor(quiet_ns);
@@ -160,9 +161,11 @@ void WoodenArm::writeAll() {
       message = calibrationMessage(format_, wiring_->home_counts);
       calibrated_ns = now_ns;
     }
-    if (!pipe_->write(message.span())) return lose(Loss::Writing);
+    refused = pipe_->write(message.span()) ? 0 : refused + 1;
+    if (refused > kMostRefused) lose(Loss::Writing);
     said_ns = now_ns;
   }
+  pipe_->write(currentsMessage(format_, {}).span());  // whatever was lost: perhaps it is heard
 }
 
 std::int64_t WoodenArm::staleAfter_ns() const noexcept {

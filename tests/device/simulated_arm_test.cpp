@@ -248,20 +248,34 @@ TEST(SimulatedArm, SaysThatItIsSimulated) {
   EXPECT_FALSE(info.untested);
 }
 
-TEST(Catalogue, OpensEveryDeviceWithoutHardware) {
+Request requestFor(const char* address) {
+  Request request;
+  request.arm = *arm::findPreset("touch-measured");
+  request.model = *sim::findArmModel("ideal");
+  request.rate_hz = 500;
+  request.address = address;
+  return request;
+}
+
+TEST(Catalogue, OpensTheSimulatedArm) {
+  const Row& row = *findDevice("simulated");
+  const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor(""));
+  ASSERT_TRUE(port);
+  EXPECT_EQ(port.value()->info().title, row.name);
+  arm::Sample sample;
+  EXPECT_TRUE(port.value()->read(sample));
+  EXPECT_EQ(sample.time_ns, 2'000'000);
+}
+
+TEST(Catalogue, OfAnArmThatIsNotThereEachRowSaysSoInASentence) {
   EXPECT_EQ(findDevice("omni"), nullptr);
   for (const Row& row : catalogue()) {
     ASSERT_EQ(findDevice(row.key), &row);
-    Request request;
-    request.arm = *arm::findPreset("touch-measured");
-    request.model = *sim::findArmModel("ideal");
-    request.rate_hz = 500;
-    const Result<std::unique_ptr<servo::DevicePort>> port = row.open(request);
-    ASSERT_TRUE(port) << row.key;
-    EXPECT_EQ(port.value()->info().title, row.name);
-    arm::Sample sample;
-    EXPECT_TRUE(port.value()->read(sample));
-    EXPECT_EQ(sample.time_ns, 2'000'000);
+    for (const Found& found : row.look()) EXPECT_NE(found.title, "") << row.key;
+    if (std::string_view(row.key) == "simulated") continue;
+    const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor("nobody has an arm of this name"));
+    ASSERT_FALSE(port) << row.key;
+    EXPECT_EQ(port.problems().front().sentence.back(), '.') << port.problems().front().sentence;
   }
 }
 

@@ -44,6 +44,7 @@ class HidDouble final : public device::HidBus {
   void plugIn() {
     const std::scoped_lock lock(mutex_);
     is_plugged_ = true;
+    is_deaf_ = false;
     ++plugged_;  // whoever held the line before has none
   }
   /// It is plugged in and says nothing.
@@ -55,6 +56,17 @@ class HidDouble final : public device::HidBus {
   void slowDown(std::chrono::microseconds write) {
     const std::scoped_lock lock(mutex_);
     write_ = write;
+  }
+  /// So many of the next writes are not taken.
+  void refuse(int writes) {
+    const std::scoped_lock lock(mutex_);
+    refused_ = writes;
+  }
+  /// From now on reading fails, and writing does not.
+  void breakReading() {
+    const std::scoped_lock lock(mutex_);
+    is_deaf_ = true;
+    changed_.notify_all();
   }
   /// The next report, whatever it is.
   void say(std::vector<std::uint8_t> report) {
@@ -96,7 +108,7 @@ class HidDouble final : public device::HidBus {
     std::unique_lock lock(mutex_);
     const Clock::time_point end = Clock::now() + time;
     for (;;) {
-      if (isGone(plugged)) return -1;
+      if (isGone(plugged) || is_deaf_) return -1;
       const Clock::time_point now = Clock::now();
       if (due() <= now) break;
       if (now >= end) return 0;
@@ -118,6 +130,10 @@ class HidDouble final : public device::HidBus {
   bool write(int plugged, std::span<const std::uint8_t> report) {
     std::unique_lock lock(mutex_);
     if (isGone(plugged) || report.empty() || report[0] != 0) return false;
+    if (refused_ > 0) {
+      --refused_;
+      return false;
+    }
     if (write_.count() > 0) {
       changed_.wait_for(lock, write_, [&] { return isGone(plugged); });
       if (isGone(plugged)) return false;
@@ -133,7 +149,8 @@ class HidDouble final : public device::HidBus {
   WoodenFirmware& firmware_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  bool is_plugged_ = true, is_silent_ = false, is_asked_ = false;
+  bool is_plugged_ = true, is_silent_ = false, is_asked_ = false, is_deaf_ = false;
+  int refused_ = 0;
   int plugged_ = 0;
   std::chrono::microseconds write_{0};
   Clock::time_point next_ = Clock::time_point::min();

@@ -207,6 +207,32 @@ TEST(WoodenArm, ThatFallsSilentGivesNoSampleAndSaysSo) {
   EXPECT_TRUE(comes([&] { return rig.tick(Vec3::Zero()) && rig.arm->trouble().empty(); }));
 }
 
+TEST(WoodenArm, AMessageThatIsNotTakenIsNoLossAndManyAre) {
+  Rig rig;
+  ASSERT_TRUE(rig.open().empty());
+  rig.bus.refuse(3);
+  EXPECT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
+  EXPECT_EQ(rig.arm->trouble(), "");
+  rig.bus.refuse(1'000'000);
+  EXPECT_TRUE(comes([&] { return !rig.tick(Vec3(0.5, 0.0, 0.0)); }));
+  EXPECT_NE(rig.arm->trouble(), "");
+}
+
+TEST(WoodenArm, WhereReadingAloneFailsTheMotorsAreToldZero) {
+  Rig rig;
+  ASSERT_TRUE(rig.open().empty());
+  ASSERT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
+  const std::int64_t taken = rig.firmware.currentsTaken(), pushes = rig.firmware.pushes();
+  rig.bus.breakReading();
+  EXPECT_TRUE(comes([&] { return rig.rests(); }));
+  EXPECT_GT(rig.firmware.currentsTaken() - taken, rig.firmware.pushes() - pushes) << "it was the board's own watchdog";
+  EXPECT_NE(rig.arm->trouble(), "");
+  EXPECT_TRUE(rig.arm->reopen().size() == 1) << "it is still so";
+  rig.bus.plugIn();
+  EXPECT_TRUE(rig.arm->reopen().empty());
+  EXPECT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
+}
+
 TEST(WoodenArm, TimeNeverStandsStillHoweverFastItIsRead) {
   Rig rig;
   ASSERT_TRUE(rig.open().empty());
