@@ -32,8 +32,12 @@ const Row kTable[]{
     {0.045, 0.1, 2.0, 250'000, {16616.0, 5531.7, 3308.3}}};
 
 TEST(SampledWall, EveryRowOfTheTableIsFoundByTheEigenvaluesAndInTheSimulatedLoop) {
+  int number = -1;
   for (const Row& row : kTable) {
+    ++number;
     for (int delay = 0; delay < 3; ++delay) {
+      // Under a sanitizer each row and each delay, but not all with all.
+      if (test::kIsWatched && !test::isSoak() && delay != number % 3) continue;
       SampledWall wall;
       wall.mass_kg = row.mass_kg;
       wall.damping_N_s_per_m = row.damping_N_s_per_m;
@@ -62,7 +66,7 @@ SampledWall drawnWall(test::Random& random) {
 
 TEST(SampledWall, TwentyMoreRowsBetweenThemAgreeToo) {
   test::Random random(test::Seed{20261122});
-  for (int row = 0; row < test::sweep(20, 300); ++row) {
+  for (int row = 0; row < test::dearSweep(20, 300); ++row) {
     const SampledWall wall = drawnWall(random);
     const double exact = exactLimit(wall).value();
     EXPECT_NEAR(exact, test::exactLimit(forOracle(wall)), 1e-6 * exact) << row;
