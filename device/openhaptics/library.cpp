@@ -75,7 +75,7 @@ Result<const Calls*> load() {
   if (the.is_bound) return &the.calls;
   Problems problems;
   for (const Missing& one : the.missing)
-    problems.push_back({one.sentence + (one.command.empty() ? "" : " In a terminal: " + one.command), {}});
+    problems.push_back({one.sentence + (one.command.empty() ? "" : " In a terminal: \"" + one.command + "\"."), {}});
   return problems;
 }
 
