@@ -35,6 +35,10 @@ std::span<const Row> catalogue() {
   return kRows;
 }
 
+std::string nameOf(const Row& row, const Found& found) {
+  return found.address.empty() ? row.key : std::string(row.key) + ":" + found.address;
+}
+
 const Row* findDevice(std::string_view key) {
   const auto* const found = std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return key == row.key; });
   return found == kRows.end() ? nullptr : &*found;

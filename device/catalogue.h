@@ -45,6 +45,9 @@ struct Row {
 
 std::span<const Row> catalogue();
 
+/// What openDevice() takes: "wooden:0042".
+std::string nameOf(const Row& row, const Found& found);
+
 /// The row of that key, or null.
 const Row* findDevice(std::string_view key);
 

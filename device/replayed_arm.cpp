@@ -41,6 +41,10 @@ std::string ReplayedArm::fixedRate() const {
   return inner_->fixedRate();
 }
 
+std::string ReplayedArm::refusesRate(int rate_hz) const {
+  return isReplaying() ? fixedRate() : inner_->refusesRate(rate_hz);
+}
+
 void ReplayedArm::setRate(int rate_hz) {
   rate_hz_ = std::max(rate_hz, 1);
   period_ns_ = 1'000'000'000 / rate_hz_;

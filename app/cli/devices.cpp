@@ -1,23 +1,22 @@
+#include <fstream>
 #include <ostream>
 
 #include "app/cli/command.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
+#include "app/cli/scene_file.h"
 #include "device/catalogue.h"
+#include "device/trial.h"
 
 namespace underact::cli {
 namespace {
-
-/// As run --device takes it.
-std::string nameOf(const device::Row& row, const device::Found& found) {
-  return found.address.empty() ? row.key : std::string(row.key) + ":" + found.address;
-}
 
 void printWords(const device::Row& row, const std::vector<device::Found>& all, std::ostream& out) {
   out << row.name << '\n';
   if (all.empty()) out << "  none is plugged in\n";
   for (const device::Found& found : all) {
     out << "  " << found.title;
-    out << (found.missing.empty() ? "  (--device " + nameOf(row, found) + ")\n" : "\n");
+    out << (found.missing.empty() ? "  (--device " + device::nameOf(row, found) + ")\n" : "\n");
     for (const device::Missing& missing : found.missing) {
       out << "    " << missing.sentence << '\n';
       if (!missing.command.empty()) out << "      " << missing.command << '\n';
@@ -31,7 +30,7 @@ void printJson(const device::Row& row, const std::vector<device::Found>& all, st
     object.addText("kind", row.key);
     object.addText("name", row.name);
     object.addText("title", found.title);
-    object.addText("device", nameOf(row, found));
+    object.addText("device", device::nameOf(row, found));
     object.addBool("usable", found.missing.empty());
     std::vector<JsonObject> missing(found.missing.size());
     for (std::size_t index = 0; index < missing.size(); ++index) {
@@ -43,14 +42,61 @@ void printJson(const device::Row& row, const std::vector<device::Found>& all, st
   }
 }
 
+struct DevicesOptions {
+  bool json = false;
+  std::string report, out, words;  // report: the arm to try
+  double seconds = 2.0;
+};
+
+Exit writeReport(const DevicesOptions& options, const Streams& streams) {
+  constexpr int kRate_hz = 1000;
+  const arm::Preset& preset = *arm::findPreset(arm::kDefaultArm);
+  Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.report, {preset, {}, kRate_hz, {}});
+  if (!arm) {
+    print(arm.problems(), streams.err);
+    return Exit::Fault;
+  }
+  const Interrupt interrupt;
+  streams.err << "Move the stylus about and press its buttons. No force is sent.\n";
+  const device::Trial trial = device::tryOut(std::move(arm).value(), preset, kRate_hz, options.seconds,
+                                             [&interrupt] { return !interrupt.came(); });
+  const std::string text = device::reportText(trial, options.report, options.words);
+  if (options.out.empty()) {
+    streams.out << text;
+    return Exit::Well;
+  }
+  std::ofstream file(options.out);
+  file << text;
+  file.close();
+  if (file) return Exit::Well;
+  print(Problems{{"The report cannot be written.", {options.out}}}, streams.err);
+  return Exit::File;
+}
+
 }  // namespace
 
-void addDevices(CLI::App& program, const Streams& streams, Exit&) {
+void addDevices(CLI::App& program, const Streams& streams, Exit& exit) {
   CLI::App* command = program.add_subcommand("devices", "What arms are plugged in, and what is missing to use them");
-  const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "A JSON object an arm");
-  command->callback([json, &streams] {
-    for (const device::Row& row : device::catalogue()) (*json ? printJson : printWords)(row, row.look(), streams.out);
+  const auto options = std::make_shared<DevicesOptions>();
+  CLI::Option* json = command->add_flag("--json", options->json, "A JSON object an arm");
+  CLI::Option* report =
+      command->add_option("--report", options->report,
+                          "Tries the arm KIND or KIND:ADDRESS without force, and writes what was seen, to be sent to "
+                          "the program's makers: so an arm stops being untested");
+  report->excludes(json);
+  command->add_option("--out", options->out, "Where the report goes (the screen)")->needs(report);
+  command->add_option("--words", options->words, "What you felt and saw, for the report")->needs(report);
+  command->add_option("--seconds", options->seconds, "How long it is tried")
+      ->needs(report)
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  command->callback([options, &streams, &exit] {
+    if (!options->report.empty()) {
+      exit = writeReport(*options, streams);
+      return;
+    }
+    for (const device::Row& row : device::catalogue())
+      (options->json ? printJson : printWords)(row, row.look(), streams.out);
   });
 }
 

@@ -121,7 +121,7 @@ Problems tellFaults(servo::Host& host, Run& run, const std::string& file, const 
     run.tell(*report);
     if (!report->trouble.empty()) streams.err << report->trouble << '\n';
     if (first && !file.empty())
-      problems = record::writeFaultFile(record::faultText(*report, record::wordsOf(report->fault)), file);
+      problems = record::writeFaultFile(record::faultText(*report, record::wordsOf(*report)), file);
     first = false;
   }
   return problems;

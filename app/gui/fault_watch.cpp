@@ -50,7 +50,7 @@ FaultWatch::~FaultWatch() {
 
 void FaultWatch::look(const servo::Snapshot& snapshot) {
   while (std::optional<servo::FaultReport> report = host_.takeFault()) {
-    const record::FaultWords words = record::wordsOf(report->fault);
+    const record::FaultWords words = record::wordsOf(*report);
     keepAndTell(std::move(*report), words);
   }
   if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);

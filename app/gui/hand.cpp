@@ -41,13 +41,20 @@ void Hand::setShape(const QString& type) {
 void Hand::setReplaying(bool on) {
   replaying_ = on;
   moving_ = false;
-  view_->setHandAvailable(arm_ != nullptr && !on);
+  view_->setHandAvailable(isThere());
+  showHint();
+}
+
+void Hand::setAbsent(bool on) {
+  absent_ = on;
+  moving_ = false;
+  view_->setHandAvailable(isThere());
   showHint();
 }
 
 void Hand::showHint() {
   if (replaying_) return view_->setHint(faulted_ ? QString() : tr("Replaying: forces go to no arm."));
-  if (arm_ == nullptr) return view_->setHint({});
+  if (!isThere()) return view_->setHint({});
   // One line at a time: what went wrong goes before what could be done.
   const bool has_inside = !QStringList{"point", "line", "circle", "curve", "virtual_manipulator"}.contains(shape_);
   const QString what = has_inside ? tr("Push into the %1.") : tr("Pull it away from the %1.");

@@ -23,10 +23,13 @@ class Hand : public QObject {
   void setShape(const QString& type);
   /// While a recording moves the stylus nobody else does.
   void setReplaying(bool on);
+  /// While another arm is in the simulated one's place.
+  void setAbsent(bool on);
   bool hasPushed() const { return has_pushed_; }
 
  private:
   void showHint();
+  bool isThere() const { return arm_ != nullptr && !replaying_ && !absent_; }
 
   SceneView* view_;
   device::SimulatedArm* arm_;
@@ -34,6 +37,7 @@ class Hand : public QObject {
   bool has_pushed_;
   bool moving_ = false;
   bool replaying_ = false;
+  bool absent_ = false;
   bool faulted_ = false;
 };
 

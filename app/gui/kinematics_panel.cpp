@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/gui/actions.h"
+#include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/kinematics/number_table.h"
 #include "app/gui/kinematics/sections.h"
@@ -130,8 +131,9 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   q_rad_ = q_rad;
   if (!isSeen() || !isDue(snapshot)) return;
   const KinematicsNow now = kinematicsNow(geometry_, limits_, q_rad);
-  joints_->setMovable(parts_.player.isOpen()  ? tr("A recording moves the arm: close the session, then the sliders do.")
-                      : parts_.arm == nullptr ? tr("A real arm is moved by hand: these only show where it is.")
+  joints_->setMovable(parts_.player.isOpen() ? tr("A recording moves the arm: close the session, then the sliders do.")
+                      : parts_.arms.simulated() == nullptr
+                          ? tr("A real arm is moved by hand: these only show where it is.")
                       : mode_ == servo::Mode::Idle ? QString()
                                                    : tr("The servo is running. Press Stop (Esc), then the sliders "
                                                         "move the arm."));
@@ -144,8 +146,9 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
 }
 
 bool KinematicsPanel::wishJoint(int joint, double angle_deg, bool relative) {
-  if (parts_.arm == nullptr || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
-  const sim::HandWish& last = parts_.arm->wished();
+  device::SimulatedArm* const arm = parts_.arms.simulated();
+  if (arm == nullptr || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
+  const sim::HandWish& last = arm->wished();
   const bool is_ours = wish_ && last.p_WT == wish_->p_WT && last.R_WT == wish_->R_WT && last.turns;
   arm::JointAngles q_rad = is_ours ? wished_rad_ : q_rad_;
   double& moved_rad = q_rad[static_cast<std::size_t>(joint)];
@@ -153,7 +156,7 @@ bool KinematicsPanel::wishJoint(int joint, double angle_deg, bool relative) {
   wished_rad_ = arm::withinLimits(limits_, q_rad);
   const Pose X_WT = arm::tipPose(geometry_, wished_rad_);
   wish_ = sim::HandWish{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true};
-  parts_.arm->wish(*wish_);
+  arm->wish(*wish_);
   return true;
 }
 

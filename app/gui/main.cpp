@@ -48,7 +48,7 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
                                                .scheduling = options.scheduling,
                                                .max_late = options.max_late});
   ThemeWatcher theme;
-  MainWindow window({*simulated.host, simulated.arm, theme, simulated.replay});
+  MainWindow window({*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
     QObject::connect(&window.view(), &SceneView::drawn, &window, [&since_start, first = true](double frame_ms) mutable {
       if (first)
@@ -62,10 +62,13 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
   // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
     // Its meshes are being loaded.
-    QObject::connect(&window.document(), &Document::opened, &window, [&window, first = true]() mutable {
-      if (std::exchange(first, false)) window.actions().perform("session.start");
+    QObject::connect(&window.document(), &Document::opened, &window, [&window, &simulated, first = true]() mutable {
+      const bool is_nobodys = simulated.host->device().simulated;
+      if (std::exchange(first, false) && is_nobodys) window.actions().perform("session.start");
     });
   }
+  const QString device = options.device.empty() ? readSettings().device : QString::fromStdString(options.device);
+  if (!device.isEmpty() && device != "simulated") window.actions().perform("devices.use", device);
   const QString asked = QString::fromStdString(options.scene);
   if (isSession(asked)) window.openSession(asked);
   if (isMeshFile(asked)) window.actions().perform("mesh.add", asked);

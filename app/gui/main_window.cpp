@@ -12,6 +12,7 @@
 #include <QUrl>
 
 #include "app/gui/actions.h"
+#include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
@@ -122,6 +123,15 @@ void MainWindow::connectRate() {
     live_->setRate(rate_hz);
     status_->measureAnew();
   });
+}
+
+void MainWindow::connectArms() {
+  connect(arms_, &ArmChoice::changed, this, [this] {
+    hand_->setAbsent(arms_->simulated() == nullptr);
+    status_->presentDevice(player_->isOpen());
+    status_->measureAnew();
+  });
+  connect(arms_, &ArmChoice::began, identify_, &IdentifyTool::end);  // it was to measure the arm before
 }
 
 void MainWindow::tellOfSession(const QString& what, const Problems& problems) {

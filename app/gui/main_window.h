@@ -6,6 +6,7 @@
 #include "core/servo/host.h"
 
 namespace underact::device {
+class ChosenArm;
 class ReplayedArm;
 class SimulatedArm;
 }  // namespace underact::device
@@ -13,6 +14,7 @@ class SimulatedArm;
 namespace underact::gui {
 
 class Actions;
+class ArmChoice;
 class ArmInUse;
 class CurveFiles;
 class Document;
@@ -36,9 +38,10 @@ class StatusLine;
 /// What a window works with; made by main(), and by the stories.
 struct WindowParts {
   servo::Host& host;
-  device::SimulatedArm* arm;  // the arm behind the host, where it is the simulated one; else null
+  device::SimulatedArm* arm;  // the arm behind the host at first, where it is the simulated one; else null
   ThemeWatcher& theme;
   device::ReplayedArm* replay = nullptr;  // the host's device, where it can replay; else null
+  device::ChosenArm* chosen = nullptr;    // behind the host, where arms can be exchanged; else null
 };
 
 /// The window: the view in the middle, panels around it, and each frame what the servo last said handed to all of them.
@@ -76,6 +79,7 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectPlayer();
   void connectRate();
+  void connectArms();
   void tellOfSession(const QString& what, const Problems& problems);
   void replayBegins();
   void replayEnds();
@@ -98,6 +102,7 @@ class MainWindow : public QMainWindow {
   SceneView* view_;
   Player* player_;
   ServoRate* rate_;
+  ArmChoice* arms_;
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;

@@ -9,6 +9,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/curve/curve_files.h"
+#include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
@@ -39,7 +40,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 6;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 7;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
@@ -54,12 +55,12 @@ MainWindow::MainWindow(const WindowParts& parts)
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
       rate_(new ServoRate(parts.host, this)),
+      arms_(new ArmChoice(parts.host, *document_, parts.chosen, parts.arm, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),
       arm_in_use_(new ArmInUse(parts.arm, settings_.arm_model, this)),
-      identify_(
-          new IdentifyTool({parts.host, *document_, *view_, *player_, *arm_in_use_, parts.arm}, *actions_, this)) {
+      identify_(new IdentifyTool({parts.host, *document_, *view_, *player_, *arm_in_use_, *arms_}, *actions_, this)) {
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -81,6 +82,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   connectDocument();
   connectPlayer();
   connectRate();
+  connectArms();
   updateTitle();
   restore();
   setTheme(parts_.theme.theme());
@@ -224,8 +226,8 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    const PanelParts parts{parts_.host, *document_, *recent_, *actions_,   *view_,
-                           parts_.arm,  *player_,   *rate_,   *arm_in_use_};
+    const PanelParts parts{parts_.host, *document_, *recent_,     *actions_, *view_,
+                           *player_,    *rate_,     *arm_in_use_, *arms_};
     Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
@@ -308,6 +310,7 @@ void MainWindow::remember() {
   settings_.servo_rate_hz = rate_->chosen().value_or(settings_.servo_rate_hz);
   settings_.has_pushed = hand_->hasPushed();
   settings_.arm_model = arm_in_use_->text();
+  if (parts_.chosen != nullptr) settings_.device = arms_->wanted();
   writeSettings(settings_);
 }
 

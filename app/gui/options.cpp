@@ -71,6 +71,8 @@ Options parseOptions(const std::vector<std::string>& arguments) {
       options.help = true;
     else if (argument == "--version")
       options.version = true;
+    else if (argument == "--device")
+      options.device = value();
     else if (argument == "--picture")
       options.picture = value();
     else if (argument == "--out")
@@ -96,6 +98,7 @@ std::string usage() {
   underact POINTS.txt                       opens the window and loads a curve (also .csv, .xyz, ...)
   underact SESSION.h5                       opens the window and replays a recorded session
   underact --picture SCENE --out FILE.png   draws the 3D view of a scene and quits
+  --device ARM       the arm, KIND or KIND:ADDRESS as underact-cli devices lists it (the one used last)
   --rate HZ          ticks a second, 100 to 10000 (as chosen in the Servo panel; 1000)
   --scheduling WAY   how the servo thread is scheduled: auto, fifo, rtkit or normal (auto)
   --core N           the one core the servo thread runs on

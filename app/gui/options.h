@@ -12,6 +12,7 @@ struct Options {
   std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
   std::string picture;  // a scene to draw into out, without a window
   std::string out;
+  std::string device;          // KIND or KIND:ADDRESS; empty: the one used last
   std::optional<int> rate_hz;  // none: the window's choice
   servo::SchedulingWanted scheduling;
   int max_late = 20;  // ticks in a row

@@ -4,13 +4,10 @@
 #include "app/gui/theme.h"
 #include "core/servo/host.h"
 
-namespace underact::device {
-class SimulatedArm;
-}
-
 namespace underact::gui {
 
 class Actions;
+class ArmChoice;
 class ArmInUse;
 class Document;
 class Player;
@@ -25,10 +22,10 @@ struct PanelParts {
   RecentFiles& recent;
   Actions& actions;
   SceneView& view;
-  device::SimulatedArm* arm;  // the arm behind the host, where it is the simulated one; else null
   Player& player;
   ServoRate& rate;
   ArmInUse& arm_in_use;  // what a simulated arm is made of
+  ArmChoice& arms;       // which arm it is
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

@@ -5,6 +5,7 @@
 
 #include "app/gui/arm_panel.h"
 #include "app/gui/calibration/calibration_panel.h"
+#include "app/gui/devices/devices_panel.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/lab/lab_panel.h"
@@ -28,7 +29,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 13> kRows{{
+  static const std::array<PanelRow, 14> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -50,6 +51,9 @@ std::span<const PanelRow> panels() {
       {"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
        QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
        make<CalibrationPanel>, "scenes"},
+      {"devices", QT_TRANSLATE_NOOP("panel", "Devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+D",
+       QT_TRANSLATE_NOOP("panel", "Which arms are plugged in, what is missing to use one, and which one is in use."),
+       make<DevicesPanel>, "scenes"},
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},

@@ -9,6 +9,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/check/check_dialog.h"
+#include "app/gui/devices/arm_choice.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/servo/rate_chooser.h"
 #include "app/gui/servo/sections.h"
@@ -83,7 +84,7 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
   auto* box = new QCheckBox(tr("Hold to run"), this);
   box->setObjectName("panel.servo.hold_to_run");
   box->setAccessibleName(tr("Hold to run"));
-  box->setToolTip(parts_.arm == nullptr
+  box->setToolTip(parts_.arms.simulated() == nullptr
                       ? hold->toolTip()
                       : tr("The servo pushes only while the stylus button is held: here the Space key, with the focus "
                            "in the view (F2)."));

@@ -57,6 +57,7 @@ Settings readSettings() {
   settings.energy_plot = stored.value("plots/energy", fresh.energy_plot).toBool();
   settings.hold_to_run = stored.value("servo/hold_to_run", fresh.hold_to_run).toBool();
   settings.arm_model = stored.value("arm/model").toString();
+  settings.device = stored.value("arm/device").toString();
   const int rate_hz = stored.value("servo/rate_hz", fresh.servo_rate_hz).toInt();
   if (rate_hz >= servo::kSlowest_hz && rate_hz <= servo::kFastest_hz) settings.servo_rate_hz = rate_hz;
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
@@ -79,6 +80,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("plots/energy", settings.energy_plot);
   stored.setValue("servo/hold_to_run", settings.hold_to_run);
   stored.setValue("arm/model", settings.arm_model);
+  stored.setValue("arm/device", settings.device);
   stored.setValue("servo/rate_hz", settings.servo_rate_hz);
   stored.setValue("hints/has_pushed", settings.has_pushed);
 }

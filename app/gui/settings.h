@@ -19,6 +19,7 @@ struct Settings {
   bool energy_plot = true;
   bool hold_to_run = false;
   QString arm_model;         // that is simulated, as its file says it; empty: the vendor's figures
+  QString device;            // the arm that was in use; empty: the simulated one
   int servo_rate_hz = 1000;  // that was chosen last; the command line's goes first
   bool has_pushed = false;   // a hand has pushed once: the first hint has done its work
 };

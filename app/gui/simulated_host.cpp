@@ -17,11 +17,13 @@ device::SimulatedArm::Options simulatedArmOptions(int rate_hz) {
 SimulatedHost makeSimulatedHost(const servo::HostOptions& options) {
   auto simulated = std::make_unique<device::SimulatedArm>(simulatedArmOptions(options.rate_hz));
   device::SimulatedArm* const arm = simulated.get();
-  auto replayed = std::make_unique<device::ReplayedArm>(std::move(simulated), options.rate_hz);
+  auto chosen = std::make_unique<device::ChosenArm>(std::move(simulated));
+  device::ChosenArm* const choice = chosen.get();
+  auto replayed = std::make_unique<device::ReplayedArm>(std::move(chosen), options.rate_hz);
   device::ReplayedArm* const replay = replayed.get();
   auto host = std::make_unique<servo::Host>(std::move(replayed), options);
   host->begin();
-  return {std::move(host), arm, replay};
+  return {std::move(host), arm, replay, choice};
 }
 
 }  // namespace underact::gui

@@ -2,17 +2,19 @@
 #include <memory>
 
 #include "core/servo/host.h"
+#include "device/chosen_arm.h"
 #include "device/replayed_arm.h"
 #include "device/simulated_arm.h"
 
 namespace underact::gui {
 
-/// A servo on the simulated arm, begun, with the replayed arm in front of it. Both are the host's own: the hand can be
-/// moved, and recordings replayed, for as long as the host lives.
+/// A servo on the simulated arm, begun, with the chosen arm and the replayed arm in front of it. All are the host's
+/// own: the hand can be moved, other arms chosen, and recordings replayed, for as long as the host lives.
 struct SimulatedHost {
   std::unique_ptr<servo::Host> host;
   device::SimulatedArm* arm = nullptr;
   device::ReplayedArm* replay = nullptr;
+  device::ChosenArm* chosen = nullptr;
 };
 
 /// The arm of the thesis, held by the usual hand.

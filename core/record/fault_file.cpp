@@ -126,6 +126,12 @@ FaultWords wordsOf(const Fault& fault) {
   return {name(fault.kind), whatHappened(fault), whatToDo(fault)};
 }
 
+FaultWords wordsOf(const servo::FaultReport& report) {
+  FaultWords words = wordsOf(report.fault);
+  if (!report.trouble.empty()) words.what += " " + report.trouble;
+  return words;
+}
+
 std::string isoTime(std::int64_t unix_time_s) {
   using namespace std::chrono;
   const sys_seconds time{seconds{unix_time_s}};

@@ -16,6 +16,8 @@ struct FaultWords {
   std::string what_to_do;
 };
 FaultWords wordsOf(const Fault& fault);
+/// With what the arm's side says of it.
+FaultWords wordsOf(const servo::FaultReport& report);
 
 /// A time as ISO 8601 in UTC: "2026-11-21T19:56:47Z". unix_time_s: from year 1 to 9999.
 std::string isoTime(std::int64_t unix_time_s);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/arm/sample.h"
 #include "core/base/real_time.h"
@@ -66,6 +67,9 @@ class DevicePort {
   /// What the arm's side says is wrong, in the user's words and with a way out, where read() gives no sample or no
   /// force goes out; empty: nothing. Any thread; not the tick.
   virtual std::string trouble() const { return {}; }
+  /// What the arm says of itself, a line each, for people and reports; empty: nothing more than info(). The thread that
+  /// owns the arm.
+  virtual std::vector<std::string> listing() const { return {}; }
   /// Any thread.
   virtual DeviceInfo info() const = 0;
 };

@@ -202,7 +202,10 @@ Problems Host::restart() {
   const bool was_begun = impl_->ticksByItself();
   stop();
   impl_->end();
+  const double frozen_s = impl_->device->info().frozen_s;
   Problems problems = impl_->device->reopen();
+  // Another arm may be in its place, and the program was compiled for the one before: it is known to compile.
+  if (impl_->revision > 0 && impl_->device->info().frozen_s != frozen_s) load(scene::Description(impl_->scene));
   if (was_begun) begin();
   return problems;
 }
@@ -277,6 +280,10 @@ void Host::run(std::int64_t ticks) {
 
 void Host::record(std::shared_ptr<Tap> tap) {
   impl_->record(std::move(tap));
+}
+
+bool Host::records() const {
+  return impl_->records();
 }
 
 void Host::endRecord() {

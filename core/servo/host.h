@@ -96,6 +96,8 @@ class Host {
   void record(std::shared_ptr<Tap> tap);
   /// No more goes to the tap; it has ended when Tap::ended() says so.
   void endRecord();
+  /// A tap is being filled.
+  bool records() const;
 
   int rateHz() const;
   Scheduling scheduling() const;

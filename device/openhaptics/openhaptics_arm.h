@@ -37,9 +37,7 @@ class OpenHapticsArm final : public servo::DevicePort {
   void endDrive() override;
   std::string trouble() const override;
   servo::DeviceInfo info() const override;
-
-  /// What the driver says of the arm, a line each.
-  std::vector<std::string> listing() const;
+  std::vector<std::string> listing() const override;
   /// Force errors since it was made.
   std::int64_t forceErrors() const { return frames_->standing().forceErrors(); }
 

@@ -34,6 +34,32 @@ TEST(Devices, ThatDoNotExistAreRefusedWithThoseThatDo) {
   EXPECT_NE(outcome.err.find("simulated, openhaptics, wooden"), std::string::npos) << outcome.err;
 }
 
+TEST(Devices, AreTriedWithoutForceForAReport) {
+  const Outcome outcome = runCli({"devices", "--report", "simulated", "--seconds", "0.3", "--words", "It felt round."});
+  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_NE(outcome.out.find("Arm: simulated, Simulated arm\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("What the person says: It felt round.\n"), std::string::npos);
+  EXPECT_NE(outcome.out.find("without a sample: 0"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Joint 6: "), std::string::npos);
+  EXPECT_NE(outcome.out.find("Trouble: none"), std::string::npos);
+  EXPECT_EQ(runCli({"devices", "--report", "toaster"}).exit, Exit::Fault);
+  EXPECT_EQ(runCli({"devices", "--out", "x.txt"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"devices", "--report", "simulated", "--seconds", "0.1", "--out", "/nowhere/x.txt"}).exit,
+            Exit::File);
+}
+
+// What the driver says of the arm itself is in the report of a real one.
+TEST(Devices, ReportWhatTheArmSaysOfItself) {
+  const ScratchFile report("", "report.txt");
+  const ProcessOutcome outcome = shell("UNDERACT_OPENHAPTICS=" UNDERACT_STAND_IN " " + program() +
+                                       " devices --report openhaptics --seconds 0.3 --out " + report.path() + " 2>&1");
+  EXPECT_EQ(outcome.exit, 0) << outcome.out;
+  const std::string text = shell("cat " + report.path()).out;
+  EXPECT_NE(text.find("So far untested on hardware."), std::string::npos) << text;
+  EXPECT_NE(text.find("What the arm says of itself:\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("by the arm's own clock"), std::string::npos) << text;
+}
+
 TEST(Devices, AreHeldByAPersonAndTheSimulatedArmByAHand) {
   const std::string scene = shipped("02_sphere.json");
   EXPECT_EQ(runCli({"run", scene, "--seconds", "0.1"}).exit, Exit::Usage);

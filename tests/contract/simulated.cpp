@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "core/sim/arm_model.h"
+#include "device/chosen_arm.h"
 #include "device/replayed_arm.h"
 #include "device/simulated_arm.h"
 #include "tests/contract/drivers.h"
@@ -46,6 +47,15 @@ class Watched final : public servo::DevicePort {
   Motors& motors_;
 };
 
+/// Chosen in another one's place, and behind the replayed arm.
+std::unique_ptr<servo::DevicePort> asInTheWindow(std::unique_ptr<servo::DevicePort> arm,
+                                                 const device::SimulatedArm::Options& options) {
+  auto chosen = std::make_unique<device::ChosenArm>(std::make_unique<device::SimulatedArm>(options));
+  chosen->choose(std::move(arm));
+  chosen->reopen();
+  return std::make_unique<device::ReplayedArm>(std::move(chosen), options.rate_hz);
+}
+
 class SimulatedFarSide final : public FarSide {
  public:
   explicit SimulatedFarSide(bool replayed) : replayed_(replayed) {}
@@ -56,7 +66,7 @@ class SimulatedFarSide final : public FarSide {
     auto watched = std::make_unique<Watched>(options, motors_);
     arm_ = &watched->arm();
     std::unique_ptr<servo::DevicePort> port = std::move(watched);
-    if (replayed_) port = std::make_unique<device::ReplayedArm>(std::move(port), options.rate_hz);
+    if (replayed_) port = asInTheWindow(std::move(port), options);
     return port;
   }
   Vec3 force_N() const override {

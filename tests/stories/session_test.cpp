@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gui/devices/arm_choice.h"
 #include "app/gui/identify/arm_in_use.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/scene_library.h"
@@ -320,8 +321,9 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     Player player(story.host(), document, nullptr, &page);
     ServoRate rate(story.host(), &page);
     ArmInUse arm_in_use(nullptr, {}, &page);
+    ArmChoice arms(story.host(), document, nullptr, nullptr, &page);
     auto* panel = new SessionsPanel(
-        {story.host(), document, recent, actions, story.view(), nullptr, player, rate, arm_in_use}, &page);
+        {story.host(), document, recent, actions, story.view(), player, rate, arm_in_use, arms}, &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);

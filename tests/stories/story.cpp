@@ -41,7 +41,8 @@ void forgetSettings() {
 Story::Story(const QString& scene, const Beginning& beginning) : simulated_(makeSimulatedHost(beginning.servo)) {
   if (beginning.first_start) forgetSettings();
   theme_ = std::make_unique<ThemeWatcher>();
-  window_ = std::make_unique<MainWindow>(WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay});
+  window_ = std::make_unique<MainWindow>(
+      WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen});
   if (beginning.first_start) window_->resize(beginning.size);
   if (beginning.shown) {
     window_->show();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/identify/arm_in_use.h"
 #include "app/gui/replay/player.h"
@@ -41,9 +42,9 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
   fit_ = {};
   fitted_stages_ = 0;
   measurement_.emplace(std::move(plan).value(), [this](const scene::Description& scene) { return put(scene); });
-  if (parts_.arm != nullptr) {
+  if (device::SimulatedArm* const arm = parts_.arms.simulated()) {
     const arm::Preset& preset = *arm::findPreset(wanted.arm);
-    person_ = std::make_unique<device::SimulatedPerson>(*parts_.arm, preset);
+    person_ = std::make_unique<device::SimulatedPerson>(*arm, preset);
     given_ = identify::Given{parts_.in_use.model(), preset.counts_per_turn};
     if (given_->model.counts_per_turn)
       given_->counts_per_turn = sim::countsOf(*given_->model.counts_per_turn, preset.counts_per_turn);
@@ -64,8 +65,12 @@ Problems IdentifyRun::whyNotNow() const {
   return {};
 }
 
+bool IdentifyRun::hasSimulatedPerson() const {
+  return parts_.arms.simulated() != nullptr;
+}
+
 std::string IdentifyRun::armNow() const {
-  return parts_.arm != nullptr ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
+  return hasSimulatedPerson() ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
 }
 
 /// What is tried out is of this measurement.

@@ -12,6 +12,7 @@
 
 namespace underact::gui {
 
+class ArmChoice;
 class ArmInUse;
 class Document;
 class Player;
@@ -24,7 +25,7 @@ struct IdentifyParts {
   SceneView& view;
   Player& player;
   ArmInUse& in_use;
-  device::SimulatedArm* arm = nullptr;  // behind the host, where it is the simulated one
+  ArmChoice& arms;
 };
 
 /// A measurement of the arm at hand. Its scenes are tried out in the document's place; whatever ends it, what it
@@ -61,7 +62,7 @@ class IdentifyRun : public QObject {
   const identify::Identified& found() const { return *found_; }
   /// What the simulated arm is made of; none: it is a real one.
   const std::optional<identify::Given>& given() const { return given_; }
-  bool hasSimulatedPerson() const { return parts_.arm != nullptr; }
+  bool hasSimulatedPerson() const;
   /// The swings along the axis that is measured, with the fit so far.
   SwingPicture picture() const;
 

@@ -1,0 +1,248 @@
+#include "app/gui/devices/devices_panel.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/devices/arm_choice.h"
+#include "app/gui/devices/fix_dialog.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookEvery_ms = 2000;  // while somebody looks
+constexpr int kEntry = Qt::UserRole;
+
+QString stateOf(const ArmEntry& entry, bool is_in_use) {
+  if (is_in_use) return DevicesPanel::tr("in use");
+  if (entry.name.isEmpty()) return {};
+  return entry.missing.empty() ? DevicesPanel::tr("ready") : DevicesPanel::tr("something is missing");
+}
+
+}  // namespace
+
+DevicesPanel::DevicesPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), search_(new ArmSearch(this)) {
+  addActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  in_use_ = toldLabel("panel.devices.in_use", tr("The arm in use"), "", content);
+  column->addWidget(in_use_);
+  column->addWidget(told_ = toldLabel("panel.devices.told", tr("What came of the choice"), "alarm", content));
+  told_->hide();
+  column->addWidget(buildOpening());
+  column->addWidget(buildChosen());
+  column->addWidget(buildOther());
+  column->addStretch(1);
+  fillWithScroll(this, content);
+  looks_.setInterval(kLookEvery_ms);
+  connect(&looks_, &QTimer::timeout, this, [this] {
+    if (isSeen()) search_->look();
+  });
+  looks_.start();
+  connect(search_, &ArmSearch::found, this, &DevicesPanel::rebuild);
+  connect(&parts_.arms, &ArmChoice::began, this, &DevicesPanel::presentArm);
+  connect(&parts_.arms, &ArmChoice::changed, this, &DevicesPanel::presentArm);
+  connect(&parts_.arms, &ArmChoice::failed, this, [this](const QString& name, const Problems& problems) {
+    tell(tr("“%1” was not opened. %2").arg(name, sentencesOf(problems)));
+    search_->look();  // it may be gone
+  });
+  presentArm();
+}
+
+void DevicesPanel::addActions() {
+  parts_.actions.addCommand("devices.use", [this](const QVariantList& name) { return use(name.value(0).toString()); });
+  parts_.actions.add({"devices.simulated", tr("Use the si&mulated arm"), QKeySequence("Ctrl+Alt+Z"),
+                      tr("Closes the arm in use: the mouse is the hand again.")},
+                     [this](const QVariantList&) { return use("simulated"); });
+  parts_.actions.add(
+      {"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+L"), tr("Looks again at what is plugged in.")},
+      [this](const QVariantList&) {
+        bringForward();
+        search_->look();
+        return true;
+      });
+  parts_.actions.addCommand("devices.fix", [this](const QVariantList&) { return fix(); });
+  parts_.actions.addCommand("devices.report", [this](const QVariantList&) { return report(); });
+  parts_.actions.addCommand("devices.cancel", [this](const QVariantList&) {
+    parts_.arms.cancel();
+    return true;
+  });
+}
+
+QWidget* DevicesPanel::buildChosen() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(sectionTitle(tr("Plugged in"), box));
+  list_ = new QListWidget(box);
+  list_->setObjectName("panel.devices.list");
+  list_->setAccessibleName(tr("Arms"));
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setMinimumHeight(9 * fontMetrics().lineSpacing());
+  column->addWidget(list_);
+  column->addWidget(about_ = toldLabel("panel.devices.about", tr("About the selected arm"), "quiet", box));
+  use_ = pushButton("panel.devices.use", tr("Use this arm"),
+                    tr("Opens it; the servo is stopped, and Start lets it push."), box);
+  fix_ =
+      pushButton("panel.devices.fix", tr("How to fix it…"), tr("Shows the command that mends what is missing."), box);
+  report_ = pushButton("panel.devices.report", tr("Report how it works…"),
+                       tr("Shows the command that tries the arm and writes a report for the program's makers."), box);
+  QPushButton* again = pushButton("panel.devices.look", tr("Look again"), tr("Looks at what is plugged in."), box);
+  connect(use_, &QPushButton::clicked, this, [this] {
+    if (const ArmEntry* entry = current()) parts_.actions.perform("devices.use", entry->name);
+  });
+  connect(fix_, &QPushButton::clicked, this, [this] { parts_.actions.perform("devices.fix"); });
+  connect(report_, &QPushButton::clicked, this, [this] { parts_.actions.perform("devices.report"); });
+  connect(again, &QPushButton::clicked, this, [this] { parts_.actions.perform("devices.look"); });
+  for (QPushButton* button : {use_, fix_, report_, again}) column->addWidget(button);
+  connect(list_, &QListWidget::currentRowChanged, this, &DevicesPanel::describe);
+  connect(list_, &QListWidget::itemActivated, this, [this] { use_->click(); });
+  return box;
+}
+
+QWidget* DevicesPanel::buildOther() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(sectionTitle(tr("Another one"), box));
+  other_ = new QLineEdit(box);
+  other_->setObjectName("panel.devices.other");
+  other_->setAccessibleName(tr("An arm by its name"));
+  other_->setPlaceholderText(tr("KIND:ADDRESS"));
+  other_->setToolTip(
+      tr("As “underact-cli devices” lists it, with a serial number, a path or an address after the "
+         "colon: wooden:/dev/hidraw3."));
+  QPushButton* open = pushButton("panel.devices.open", tr("Open"), tr("Opens the arm of that name."), box);
+  const auto use = [this] {
+    if (!other_->text().trimmed().isEmpty()) parts_.actions.perform("devices.use", other_->text().trimmed());
+  };
+  connect(other_, &QLineEdit::returnPressed, this, use);
+  connect(open, &QPushButton::clicked, this, use);
+  auto* row = new QHBoxLayout;
+  row->addWidget(other_, 1);
+  row->addWidget(open);
+  column->addLayout(row);
+  return box;
+}
+
+QWidget* DevicesPanel::buildOpening() {
+  opening_ = toldLabel("panel.devices.opening", tr("What is being opened"), "quiet", this);
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("panel.devices.bar");
+  bar_->setAccessibleName(tr("Opening"));
+  bar_->setRange(0, 0);  // nobody knows how long an arm takes
+  bar_->setTextVisible(false);
+  cancel_ = pushButton("panel.devices.cancel", tr("Cancel"), tr("The simulated arm stays."), this);
+  connect(cancel_, &QPushButton::clicked, this, [this] { parts_.actions.perform("devices.cancel"); });
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* widget : {static_cast<QWidget*>(opening_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
+    column->addWidget(widget);
+  return box;
+}
+
+const ArmEntry* DevicesPanel::current() const {
+  const int row = list_->currentRow();
+  const bool is_there = row >= 0 && row < static_cast<int>(search_->entries().size());
+  return is_there ? &search_->entries()[static_cast<std::size_t>(row)] : nullptr;
+}
+
+bool DevicesPanel::use(const QString& name) {
+  told_->hide();
+  const Problems problems = parts_.arms.choose(name);
+  if (!problems.empty()) tell(tr("The arm stays. %1").arg(sentencesOf(problems)));
+  return problems.empty();
+}
+
+bool DevicesPanel::fix() {
+  const ArmEntry* entry = current();
+  if (entry == nullptr || entry->missing.empty()) return false;
+  (new FixDialog(entry->title, entry->missing, this))->show();
+  return true;
+}
+
+bool DevicesPanel::report() {
+  const ArmEntry* entry = current();
+  if (entry == nullptr || !entry->isUsable()) return false;
+  const QString command = QString("underact-cli devices --report \"%1\" --out report.txt").arg(entry->name);
+  const std::vector<device::Missing> words{
+      {tr("The arm must be free: use the simulated arm first. The command reads from it for two seconds, pushes with "
+          "nothing, and writes down what it said; add what you felt, and send the file to the program's makers.")
+           .toStdString(),
+       command.toStdString()}};
+  (new FixDialog(entry->title, words, this))->show();
+  return true;
+}
+
+void DevicesPanel::rebuild() {
+  const ArmEntry* before = current();
+  const QString chosen = before != nullptr ? before->title : QString();
+  list_->clear();
+  for (const ArmEntry& entry : search_->entries()) {
+    const QString state = stateOf(entry, entry.name == parts_.arms.name());
+    auto* item = new QListWidgetItem(state.isEmpty() ? entry.title : tr("%1 – %2").arg(entry.title, state), list_);
+    item->setData(kEntry, entry.title);
+    if (entry.title == chosen) list_->setCurrentItem(item);
+  }
+  if (list_->currentRow() < 0 && list_->count() > 0) list_->setCurrentRow(0);
+  describe();
+}
+
+void DevicesPanel::describe() {
+  const ArmEntry* entry = current();
+  QStringList sentences;
+  bool has_command = false;
+  if (entry != nullptr) {
+    for (const device::Missing& one : entry->missing) {
+      sentences << QString::fromStdString(one.sentence);
+      has_command |= !one.command.empty();
+    }
+  }
+  about_->setText(sentences.join("\n"));
+  about_->setVisible(!sentences.isEmpty());
+  use_->setEnabled(entry != nullptr && !entry->name.isEmpty() && entry->name != parts_.arms.name());
+  fix_->setEnabled(has_command);
+  report_->setEnabled(entry != nullptr && entry->isUsable() && entry->kind != "simulated");
+}
+
+void DevicesPanel::presentArm() {
+  const servo::DeviceInfo info = parts_.host.device();
+  const QString title = QString::fromStdString(info.title);
+  in_use_->setText(info.untested
+                       ? tr("In use: %1. Untested on hardware: begin with a soft scene, and a hand on Stop.").arg(title)
+                       : tr("In use: %1.").arg(title));
+  const QString opening = parts_.arms.opening();
+  opening_->parentWidget()->setVisible(!opening.isEmpty());
+  opening_->setText(tr("Opening %1…").arg(opening));
+  parts_.actions.find("devices.simulated")->setEnabled(!opening.isEmpty() || parts_.arms.name() != "simulated");
+  rebuild();
+}
+
+void DevicesPanel::tell(const QString& sentence) {
+  told_->setText(sentence);
+  told_->show();
+  bringForward();
+}
+
+void DevicesPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  search_->look();
+}
+
+}  // namespace underact::gui

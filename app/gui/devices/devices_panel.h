@@ -1,0 +1,48 @@
+#pragma once
+#include <QTimer>
+
+#include "app/gui/devices/arm_search.h"
+#include "app/gui/panel.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace underact::gui {
+
+/// Which arms are plugged in, what keeps one from being used, and which one the servo drives.
+class DevicesPanel : public Panel {
+  Q_OBJECT
+ public:
+  DevicesPanel(const PanelParts& parts, QWidget* parent);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void addActions();
+  QWidget* buildChosen();
+  QWidget* buildOther();
+  QWidget* buildOpening();
+  const ArmEntry* current() const;
+  bool use(const QString& name);
+  bool fix();
+  bool report();
+  void rebuild();
+  void describe();
+  void presentArm();
+  void tell(const QString& sentence);
+
+  PanelParts parts_;
+  ArmSearch* search_;
+  QTimer looks_;
+  QLabel *in_use_ = nullptr, *about_ = nullptr, *told_ = nullptr, *opening_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QPushButton *use_ = nullptr, *fix_ = nullptr, *report_ = nullptr, *cancel_ = nullptr;
+  QLineEdit* other_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,17 @@
+#pragma once
+#include <QDialog>
+#include <vector>
+
+#include "device/catalogue.h"
+
+namespace underact::gui {
+
+/// What an arm lacks, each with the command that mends it, to be copied into a terminal: the program itself changes
+/// nothing of the system.
+class FixDialog : public QDialog {
+  Q_OBJECT
+ public:
+  FixDialog(const QString& arm, const std::vector<device::Missing>& missing, QWidget* parent);
+};
+
+}  // namespace underact::gui

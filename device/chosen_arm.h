@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+
+#include "core/servo/device_port.h"
+
+namespace underact::device {
+
+/// The arm that was chosen: another one can come into its place while the servo stands still. The arm that it begins
+/// with is kept, and comes back where no other is chosen. Its clock goes on without running back, and Sample::epoch
+/// counts up at each exchange.
+class ChosenArm final : public servo::DevicePort {
+ public:
+  explicit ChosenArm(std::unique_ptr<servo::DevicePort> first);
+
+  /// With the next reopen() (servo::Host::restart()) this arm, open, is in place, and the one before it is closed.
+  /// Null: the first one. The thread that owns the host.
+  void choose(std::unique_ptr<servo::DevicePort> arm);
+  /// No other arm was chosen, or the first one is to come back.
+  bool isFirst() const { return is_chosen_ ? next_ == nullptr : other_ == nullptr; }
+
+  bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
+  void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override { arm_->write(force); }
+  void cut() noexcept UNDERACT_REAL_TIME override { arm_->cut(); }
+  Problems reopen() override;
+  std::string fixedRate() const override { return arm_->fixedRate(); }
+  std::string refusesRate(int rate_hz) const override { return arm_->refusesRate(rate_hz); }
+  void setRate(int rate_hz) override;
+  servo::LastWord lastWord() const override { return arm_->lastWord(); }
+  bool drive(servo::Ticks& ticks, int rate_hz) override { return arm_->drive(ticks, rate_hz); }
+  void endDrive() override { arm_->endDrive(); }
+  std::string trouble() const override { return arm_->trouble(); }
+  std::vector<std::string> listing() const override { return arm_->listing(); }
+  servo::DeviceInfo info() const override { return arm_->info(); }
+
+ private:
+  std::unique_ptr<servo::DevicePort> first_, other_, next_;
+  servo::DevicePort* arm_;  // one of the first two
+  bool is_chosen_ = false;  // next_ comes with the next reopen()
+  // The servo's thread, or the host's while it does not run.
+  bool is_new_ = false;        // the next sample is the arm's first
+  std::int64_t time_ns_ = 0;   // of the last sample
+  std::int64_t ahead_ns_ = 0;  // of the arm's own clock
+  std::uint32_t epoch_ = 0, own_epoch_ = 0;
+};
+
+}  // namespace underact::device
