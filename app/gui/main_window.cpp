@@ -27,6 +27,7 @@
 #include "app/gui/replay/replay_bar.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/second/second_arm.h"
 #include "app/gui/servo/servo_rate.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
@@ -51,6 +52,7 @@ void MainWindow::frame() {
     identify_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
+  second_->look();
   faults_->look(snapshot);
   if (pacer_->isSeen()) showFrame(snapshot);
   identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then
@@ -77,7 +79,8 @@ void MainWindow::presentMode(const servo::Snapshot& snapshot) {
     if (faulted) QAccessible::updateAccessibility(&alert);
   }
   // Stop stays there always: a button that a hand in trouble finds grey is one too few.
-  actions_->find("session.start")->setEnabled(document_->isOpen() && snapshot.mode != servo::Mode::Running);
+  const bool all_run = snapshot.mode == servo::Mode::Running && (!second_->isOn() || second_->host().running());
+  actions_->find("session.start")->setEnabled(document_->isOpen() && !all_run);
 }
 
 void MainWindow::connectDocument() {
@@ -122,6 +125,7 @@ void MainWindow::connectRate() {
     faults_->setRate(rate_hz);
     live_->setRate(rate_hz);
     status_->measureAnew();
+    second_->setRate(rate_hz);
   });
 }
 
@@ -205,6 +209,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   parts_.host.stop();
+  second_->setOn(false);
   identify_->end();
   actions_->perform("calibration.cancel");  // the scene's own stiffness, before anybody else looks
   remember();

@@ -31,6 +31,7 @@ class RecentFiles;
 class ReplayBar;
 class SceneFiles;
 class SceneView;
+class SecondArm;
 class SectionStrip;
 class ServoRate;
 class StatusLine;
@@ -103,6 +104,7 @@ class MainWindow : public QMainWindow {
   Player* player_;
   ServoRate* rate_;
   ArmChoice* arms_;
+  SecondArm* second_;
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;

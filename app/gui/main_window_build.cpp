@@ -29,6 +29,7 @@
 #include "app/gui/replay/replay_bar.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/second/second_arm.h"
 #include "app/gui/servo/servo_rate.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/status_line.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       player_(new Player(parts.host, *document_, parts.replay, this)),
       rate_(new ServoRate(parts.host, this)),
       arms_(new ArmChoice(parts.host, *document_, parts.chosen, parts.arm, this)),
+      second_(new SecondArm(parts.host, *arms_, *view_, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),
@@ -97,12 +99,14 @@ void MainWindow::addActions() {
       {"session.start", tr("&Start"), QKeySequence("F5"), tr("Lets the servo push; also after a fault."), "start"},
       [this](const QVariantList&) {
         parts_.host.start();
+        second_->start();
         return true;
       });
   actions_->add({"session.stop", tr("S&top"), QKeySequence("Esc"),
                  tr("Lets go: the force goes to zero. Esc does it from anywhere."), "stop"},
                 [this](const QVariantList&) {
                   parts_.host.stop();
+                  second_->stop();
                   return true;
                 });
   actions_->add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
@@ -227,7 +231,7 @@ void MainWindow::buildDocks() {
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
     const PanelParts parts{parts_.host, *document_, *recent_,     *actions_, *view_,
-                           *player_,    *rate_,     *arm_in_use_, *arms_};
+                           *player_,    *rate_,     *arm_in_use_, *arms_,    *second_};
     Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);

@@ -13,6 +13,7 @@ class Document;
 class Player;
 class RecentFiles;
 class SceneView;
+class SecondArm;
 class ServoRate;
 
 /// What a panel may use. Commands go through actions and document; what is shown comes by present().
@@ -26,6 +27,7 @@ struct PanelParts {
   ServoRate& rate;
   ArmInUse& arm_in_use;  // what a simulated arm is made of
   ArmChoice& arms;       // which arm it is
+  SecondArm& second;
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

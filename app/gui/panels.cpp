@@ -13,6 +13,7 @@
 #include "app/gui/replay/session_panel.h"
 #include "app/gui/robot_panel.h"
 #include "app/gui/scenes_panel.h"
+#include "app/gui/second/second_panel.h"
 #include "app/gui/servo_panel.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/shape_panel.h"
@@ -29,7 +30,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 14> kRows{{
+  static const std::array<PanelRow, 15> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -54,6 +55,9 @@ std::span<const PanelRow> panels() {
       {"devices", QT_TRANSLATE_NOOP("panel", "Devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+D",
        QT_TRANSLATE_NOOP("panel", "Which arms are plugged in, what is missing to use one, and which one is in use."),
        make<DevicesPanel>, "scenes"},
+      {"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea, "Ctrl+Alt+T",
+       QT_TRANSLATE_NOOP("panel", "Another arm beside the first, with a scene of its own."), make<SecondPanel>,
+       "scenes"},
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},

@@ -8,6 +8,7 @@
 
 #ifdef __linux__
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 #endif
 
@@ -34,6 +35,8 @@ class HidapiPipe final : public HidPipe {
       : reads_(::hid_open_path(path.c_str())), writes_(::hid_open_path(path.c_str())) {
 #ifdef __linux__
     guard_fd_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    // Two that push one arm push twice as hard as either allows: one program at a time, and one arm of it.
+    is_taken_ = guard_fd_ >= 0 && ::flock(guard_fd_, LOCK_EX | LOCK_NB) != 0;
 #endif
   }
   ~HidapiPipe() override {
@@ -46,6 +49,9 @@ class HidapiPipe final : public HidPipe {
   }
   bool isOpen() const {
     return reads_ != nullptr && writes_ != nullptr;
+  }
+  bool isTaken() const {
+    return is_taken_;
   }
 
   int read(std::span<std::uint8_t> report, int time_ms) override {
@@ -62,6 +68,7 @@ class HidapiPipe final : public HidPipe {
   hid_device* reads_;
   hid_device* writes_;
   int guard_fd_ = -1;
+  bool is_taken_ = false;
 };
 
 class HidapiBus final : public HidBus {
@@ -85,6 +92,8 @@ class HidapiBus final : public HidBus {
       const std::scoped_lock lock(hidapiMutex());
       pipe = std::make_unique<HidapiPipe>(node.path);
     }
+    if (pipe->isTaken())
+      return Problems{{node.path + " is in use already, here or by another program of this kind.", {}}};
     if (pipe->isOpen()) return std::unique_ptr<HidPipe>(std::move(pipe));
     if (!mayOpen(node))
       return Problems{{"You may not open " + node.path + ". This, in a terminal, allows it: " + udevCommand(node), {}}};

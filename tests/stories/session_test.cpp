@@ -18,6 +18,7 @@
 #include "app/gui/identify/arm_in_use.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/second/second_arm.h"
 #include "app/gui/servo/servo_rate.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/session_place.h"
@@ -322,8 +323,9 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     ServoRate rate(story.host(), &page);
     ArmInUse arm_in_use(nullptr, {}, &page);
     ArmChoice arms(story.host(), document, nullptr, nullptr, &page);
+    SecondArm second(story.host(), arms, story.view(), &page);
     auto* panel = new SessionsPanel(
-        {story.host(), document, recent, actions, story.view(), player, rate, arm_in_use, arms}, &page);
+        {story.host(), document, recent, actions, story.view(), player, rate, arm_in_use, arms, second}, &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);

@@ -2,7 +2,6 @@
 
 #include <QEvent>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "app/gui/view/scene_view_impl.h"
@@ -10,24 +9,6 @@
 #include "core/scene/edit.h"
 
 namespace underact::gui {
-namespace {
-
-/// What of a snapshot can be seen.
-bool looksAlike(const servo::Snapshot& a, const servo::Snapshot& b) {
-  const tick::TickReport &one = a.report, &other = b.report;
-  if (a.mode != b.mode || one.fault.kind != other.fault.kind || (one.cut_N > 0.0) != (other.cut_N > 0.0)) return false;
-  if (one.sample.q_rad != other.sample.q_rad || one.force.f_T_W() != other.force.f_T_W()) return false;
-  return std::equal(one.held.begin(), one.held.end(), other.held.begin(), other.held.end(),
-                    [](const tick::Held& x, const tick::Held& y) {
-                      return x.acts == y.acts && x.status == y.status && x.p_WP == y.p_WP &&
-                             x.arc.turn_rad == y.arc.turn_rad && x.arc.share == y.arc.share &&
-                             x.robot.joints == y.robot.joints && x.robot.theta == y.robot.theta &&
-                             x.robot.moment_W == y.robot.moment_W;
-                    });
-}
-
-}  // namespace
-
 SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName(QStringLiteral("view.scene"));
   setAccessibleName(tr("3D view"));
@@ -84,6 +65,41 @@ void SceneView::present(const servo::Snapshot& snapshot) {
   impl_->surface->update();
 }
 
+void SceneView::showSecond(const scene::Description& scene) {
+  if (!impl_->second) {
+    impl_->second.emplace();
+    impl_->second->setTheme(impl_->theme);
+    impl_->second->setLayers(impl_->layers);
+  }
+  impl_->second->setScene(scene);
+  impl_->actors_changed = true;
+  if (impl_->camera_is_mine) look(Camera::Fit);
+  impl_->surface->update();
+}
+
+void SceneView::placeSecond(const Vec3& offset_mm) {
+  if (!impl_->second) return;
+  impl_->second->setOffset(offset_mm);
+  if (impl_->camera_is_mine) look(Camera::Fit);
+  impl_->surface->update();
+}
+
+void SceneView::presentSecond(const servo::Snapshot& snapshot) {
+  if (impl_->second && impl_->second->present(snapshot)) impl_->surface->update();
+}
+
+void SceneView::hideSecond() {
+  if (!impl_->second) return;
+  impl_->second.reset();
+  impl_->actors_changed = true;
+  if (impl_->camera_is_mine) look(Camera::Fit);
+  impl_->surface->update();
+}
+
+bool SceneView::showsSecond() const {
+  return impl_->second.has_value();
+}
+
 void SceneView::setTheme(const Theme& theme) {
   impl_->theme = theme;
   impl_->surface->setBackground(theme.background);
@@ -95,6 +111,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->robots.setTheme(theme);
   impl_->path.setTheme(theme);
   impl_->meshes.setTheme(theme);
+  if (impl_->second) impl_->second->setTheme(theme);
   impl_->actors_changed = true;
   impl_->surface->update();
 }
@@ -109,6 +126,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->robots.show(layers.robot);
   impl_->path.show(layers.path);
   impl_->meshes.show(layers);
+  if (impl_->second) impl_->second->setLayers(layers);
   impl_->layers.section_mm = impl_->meshes.section_mm();
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();

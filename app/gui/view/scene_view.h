@@ -52,6 +52,12 @@ class SceneView : public QWidget {
   /// The scene that is shown after an edit: drawn anew only where more than gains has changed.
   void followEdit(const scene::Description& scene);
   void present(const servo::Snapshot& snapshot);  // each frame, GUI thread; asks for one repaint, if it looks different
+  /// A second arm's world beside the first, see SecondWorld; none at first.
+  void showSecond(const scene::Description& scene);
+  void placeSecond(const Vec3& offset_mm);
+  void presentSecond(const servo::Snapshot& snapshot);
+  void hideSecond();
+  bool showsSecond() const;
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);
   const Layers& layers() const;

@@ -71,6 +71,7 @@ void SceneView::Impl::before(QSize pixels) {
     for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
     renderer.AddActor(influence.rings());
     renderer.AddActor(hand.mark());
+    if (second) renderer.AddViewProp(second->prop());
   }
   constraint.setLineWidth(scale);
   workspace.setLineWidth(scale);
@@ -80,6 +81,7 @@ void SceneView::Impl::before(QSize pixels) {
   robots.setLineWidth(scale);
   path.setLineWidth(scale);
   meshes.setLineWidth(scale);
+  if (second) second->setLineWidth(scale);
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
@@ -87,6 +89,7 @@ void SceneView::Impl::before(QSize pixels) {
   influence.update(camera, size());
   robots.update(camera);
   meshes.update(camera.eye_mm());
+  if (second) second->update(camera, size());
   vtkCamera* eye = surface->renderer().GetActiveCamera();
   const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
   eye->SetPosition(eye_mm.data());
@@ -126,6 +129,10 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   labels.insert(labels.end(), influence.labels().begin(), influence.labels().end());
   state.has_influence = influence.isSeen();
   labels.insert(labels.end(), robots.labels().begin(), robots.labels().end());
+  if (second) {
+    const std::vector<Label> of_second = second->labels();
+    labels.insert(labels.end(), of_second.begin(), of_second.end());
+  }
   words.paint(painter, state, labels);
 }
 
@@ -139,6 +146,10 @@ std::vector<Vec3> SceneView::Impl::extent() const {
   points.insert(points.end(), meshes.extent_mm().begin(), meshes.extent_mm().end());
   const std::vector<Vec3> of_robots = robots.extent_mm();
   points.insert(points.end(), of_robots.begin(), of_robots.end());
+  if (second) {
+    const std::vector<Vec3> of_second = second->extent_mm();
+    points.insert(points.end(), of_second.begin(), of_second.end());
+  }
   if (hand.known()) {
     points.push_back(kMillimetrePerMetre * hand.X_WT().translation());
     points.push_back(kMillimetrePerMetre * (hand.X_WT() * Vec3(0.0, 0.0, kBody_m)));

@@ -13,6 +13,7 @@
 #include "app/gui/view/mesh_picture.h"
 #include "app/gui/view/robot_picture.h"
 #include "app/gui/view/scene_view.h"
+#include "app/gui/view/second_world.h"
 #include "app/gui/view/view_words.h"
 #include "app/gui/view/workspace_picture.h"
 
@@ -54,6 +55,7 @@ struct SceneView::Impl {
   RobotPicture robots;
   PathPicture path;
   MeshPicture meshes;
+  std::optional<SecondWorld> second;
   scene::Description scene;  // that is drawn
   ViewWords words;
   Theme theme = Theme::light();

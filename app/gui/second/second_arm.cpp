@@ -1,0 +1,164 @@
+#include "app/gui/second/second_arm.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/fault_watch.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/words.h"
+#include "core/record/fault_file.h"
+#include "core/scene/load_meshes.h"
+#include "core/scene/read.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kApart_mm = 260.0;  // between the two workspaces' middles: neither arm reaches into the other's
+
+/// As seen in a mirror that stands across x.
+sim::HandWish mirrored(sim::HandWish wish) {
+  const Vec3 flip(-1.0, 1.0, 1.0);
+  wish.p_WT = flip.cwiseProduct(wish.p_WT);
+  wish.v_WT = flip.cwiseProduct(wish.v_WT);
+  wish.R_WT = (flip.asDiagonal() * wish.R_WT * flip.asDiagonal()).eval();  // a rotation still
+  return wish;
+}
+
+}  // namespace
+
+SecondArm::SecondArm(servo::Host& first, ArmChoice& first_arms, SceneView& view, QObject* parent)
+    : QObject(parent), first_(first), first_arms_(first_arms), view_(view) {}
+
+SecondArm::~SecondArm() {
+  end();
+}
+
+void SecondArm::setOn(bool on) {
+  if (on == isOn()) return;
+  if (on)
+    begin();
+  else
+    end();
+  emit changed();
+}
+
+void SecondArm::begin() {
+  const bool by_hand = first_.scheduling().name == "manual";
+  simulated_ = makeSimulatedHost({.rate_hz = first_.rateHz(),
+                                  .clock = by_hand ? servo::Clock::Manual : servo::Clock::Thread,
+                                  .scheduling = first_.schedulingWanted(),
+                                  .max_late = first_.maxLate()});
+  document_ = std::make_unique<Document>(*simulated_.host);
+  arms_ = std::make_unique<ArmChoice>(*simulated_.host, *document_, simulated_.chosen, simulated_.arm, nullptr);
+  connect(arms_.get(), &ArmChoice::began, this, &SecondArm::changed);
+  connect(arms_.get(), &ArmChoice::changed, this, &SecondArm::changed);
+  connect(arms_.get(), &ArmChoice::failed, this, [this](const QString& name, const Problems& problems) {
+    emit told(tr("“%1” was not opened. %2").arg(name, sentencesOf(problems)));
+  });
+  connect(document_.get(), &Document::opened, this, [this] {
+    view_.showSecond(document_->scene());
+    setSide(side_);
+    if (first_.running() && arms_->simulated() != nullptr) start();  // nobody holds a simulated one
+    emit changed();
+  });
+  openScene(path_.isEmpty() ? firstScene(shippedScenes()) : path_);
+}
+
+void SecondArm::end() {
+  if (!isOn()) return;
+  view_.hideSecond();
+  if (load_ != nullptr) leaving_.push_back(std::move(load_));
+  simulated_.host->stop();
+  arms_.reset();
+  document_.reset();
+  simulated_ = {};  // the arm gets zero force, and is closed
+}
+
+Problems SecondArm::choose(const QString& name) {
+  if (name != "simulated" && name == first_arms_.name())
+    return Problems{{"That is the first arm. Choose another one here, or there.", {}}};
+  return arms_->choose(name);
+}
+
+void SecondArm::openScene(const QString& path) {
+  path_ = path;
+  if (!isOn() || path.isEmpty()) return;
+  Result<scene::Description> read = scene::readSceneFile(path.toStdString());
+  if (!read) {
+    emit told(tr("The scene stays. %1").arg(sentencesOf(read.problems())));
+    return;
+  }
+  if (load_ != nullptr) leaving_.push_back(std::move(load_));  // the last one that was asked for is meant
+  load_ = std::make_unique<Background<Loaded>>([scene = std::move(read).value()](WorkState&) {
+    Loaded loaded{scene, {}};
+    if (scene::lacksMeshes(loaded.scene)) loaded.problems = scene::loadMeshes(loaded.scene);
+    return loaded;
+  });
+  takeScene();
+  if (load_ != nullptr) emit changed();
+}
+
+void SecondArm::takeScene() {
+  leaving_.erase(std::remove_if(leaving_.begin(), leaving_.end(), [](auto& one) { return one->take().has_value(); }),
+                 leaving_.end());
+  std::optional<Loaded> loaded = load_ ? load_->take() : std::nullopt;
+  if (!loaded) return;
+  load_.reset();
+  if (loaded->problems.empty()) loaded->problems = document_->open(std::move(loaded->scene));
+  if (!loaded->problems.empty()) emit told(tr("The scene stays. %1").arg(sentencesOf(loaded->problems)));
+  emit changed();
+}
+
+void SecondArm::setSide(Side side) {
+  side_ = side;
+  if (isOn()) view_.placeSecond({side == Side::Left ? -kApart_mm : kApart_mm, 0.0, 0.0});
+}
+
+void SecondArm::start() {
+  if (isOn() && document_->isOpen()) simulated_.host->start();
+}
+
+void SecondArm::stop() {
+  if (isOn()) simulated_.host->stop();
+}
+
+void SecondArm::setRate(int rate_hz) {
+  if (!isOn()) return;
+  const Problems problems = simulated_.host->setRate(rate_hz);
+  if (!problems.empty()) emit told(tr("The second arm keeps its rate. %1").arg(sentencesOf(problems)));
+}
+
+void SecondArm::takeFaults() {
+  while (const std::optional<servo::FaultReport> report = simulated_.host->takeFault()) {
+    const record::FaultWords words = record::wordsOf(*report);
+    const Result<std::string> kept = record::keepFault(*report, words, faultFolder().toStdString());
+    emit told(
+        tr("The second arm: %1 %2").arg(QString::fromStdString(words.what), QString::fromStdString(words.what_to_do)) +
+        (kept ? tr(" It is kept in %1.").arg(QString::fromStdString(kept.value())) : QString()));
+  }
+}
+
+/// The hand of a simulated one: the first one's, in a mirror.
+void SecondArm::moveHand() {
+  if (!mirrors_ || arms_->simulated() == nullptr) return;
+  if (const device::SimulatedArm* hand = first_arms_.simulated()) {
+    simulated_.arm->wish(mirrored(hand->wished()));
+    return;
+  }
+  const tick::TickReport& report = first_.snapshot().report;
+  if (report.p_WT.allFinite()) simulated_.arm->wish(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}));
+}
+
+void SecondArm::look() {
+  if (!isOn()) return;
+  takeScene();
+  if (simulated_.host->holdToRun() != first_.holdToRun()) simulated_.host->setHoldToRun(first_.holdToRun());
+  moveHand();
+  const servo::Snapshot& snapshot = simulated_.host->snapshot();
+  simulated_.host->drain([](const servo::TickRecord&) {});
+  takeFaults();
+  if (snapshot.ticks > 0) view_.presentSecond(snapshot);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,80 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "app/gui/background.h"
+#include "app/gui/devices/arm_choice.h"
+#include "app/gui/document.h"
+#include "app/gui/simulated_host.h"
+
+namespace underact::gui {
+
+class SceneView;
+
+/// A second arm beside the first, with a servo, a gate and a scene of its own, in the same view. It starts and stops
+/// with the first: there is one Stop. A simulated one is moved as the first hand is, in a mirror.
+class SecondArm : public QObject {
+  Q_OBJECT
+ public:
+  enum class Side { Left, Right };
+
+  /// first: the other arm's servo. first_arms: which arm that one is.
+  SecondArm(servo::Host& first, ArmChoice& first_arms, SceneView& view, QObject* parent);
+  ~SecondArm() override;
+
+  bool isOn() const { return simulated_.host != nullptr; }
+  void setOn(bool on);
+  /// Opens that arm in place of the one there is. Problems: why not now. Where it is on.
+  Problems choose(const QString& name);
+  /// The scene from that file, in a while: changed() or told() comes. It may be chosen before it is on.
+  void openScene(const QString& path);
+  void setSide(Side side);
+  void setMirrors(bool on) { mirrors_ = on; }
+  const QString& scenePath() const { return path_; }
+  Side side() const { return side_; }
+  bool mirrors() const { return mirrors_; }
+  bool isLoading() const { return load_ != nullptr; }
+
+  void start();
+  void stop();
+  void setRate(int rate_hz);
+  /// Each frame.
+  void look();
+
+  // Where it is on.
+  servo::Host& host() { return *simulated_.host; }
+  ArmChoice& arms() { return *arms_; }
+  device::SimulatedArm& simulatedArm() { return *simulated_.arm; }
+
+ signals:
+  void changed();
+  /// Something that a person should know: a fault, a scene or an arm that was refused.
+  void told(const QString& sentence);
+
+ private:
+  struct Loaded {
+    scene::Description scene;
+    Problems problems;
+  };
+  void begin();
+  void end();
+  void takeScene();
+  void takeFaults();
+  void moveHand();
+
+  servo::Host& first_;
+  ArmChoice& first_arms_;
+  SceneView& view_;
+  SimulatedHost simulated_;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<ArmChoice> arms_;
+  std::unique_ptr<Background<Loaded>> load_;
+  std::vector<std::unique_ptr<Background<Loaded>>> leaving_;
+  QString path_;
+  Side side_ = Side::Right;
+  bool mirrors_ = true;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,207 @@
+#include "app/gui/second/second_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/chooser.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
+#include "app/gui/readout.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/second/second_arm.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+QString modeText(servo::Mode mode) {
+  switch (mode) {
+    case servo::Mode::Idle:
+      return SecondPanel::tr("stopped");
+    case servo::Mode::Running:
+      return SecondPanel::tr("running");
+    case servo::Mode::Stopping:
+      return SecondPanel::tr("stopping");
+    case servo::Mode::Faulted:
+      return SecondPanel::tr("fault");
+  }
+  return {};
+}
+
+}  // namespace
+
+SecondPanel::SecondPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), second_(parts.second), search_(new ArmSearch(this)) {
+  addActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  on_ = new QCheckBox(tr("A second arm"), content);
+  on_->setObjectName("panel.second.on");
+  on_->setAccessibleName(tr("A second arm"));
+  on_->setToolTip(parts_.actions.find("second.on")->toolTip());
+  connect(on_, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("second.on", on); });
+  column->addWidget(on_);
+  column->addWidget(told_ = toldLabel("panel.second.told", tr("What happened to the second arm"), "alarm", content));
+  told_->hide();
+  column->addWidget(choices_ = buildChoices());
+  readout_ = new Readout("panel.second.value", content);
+  device_ = readout_->addRow(tr("Arm"), tr("Which arm it is."));
+  mode_ = readout_->addRow(tr("Servo"), tr("What its servo does. Start and Stop are those of the first arm."));
+  force_ = readout_->addRow(tr("Force"), tr("The force sent to the second arm."));
+  tip_ = readout_->addRow(tr("Tip"), tr("Where its tip is, in its own frame W."));
+  column->addWidget(readout_);
+  column->addStretch(1);
+  fillWithScroll(this, content);
+  connect(search_, &ArmSearch::found, this, &SecondPanel::fillArms);
+  connect(&second_, &SecondArm::changed, this, &SecondPanel::presentChoices);
+  connect(&second_, &SecondArm::told, this, &SecondPanel::tell);
+  presentChoices();
+}
+
+void SecondPanel::addActions() {
+  parts_.actions.add(
+      {"second.on",
+       tr("A s&econd arm"),
+       QKeySequence("Ctrl+Alt+Shift+T"),
+       tr("Another arm with a servo and a scene of its own, beside the first. Start and Stop are for both."),
+       {},
+       {},
+       true},
+      [this](const QVariantList& on) {
+        told_->hide();
+        second_.setOn(on.value(0).toBool());
+        if (second_.isOn()) bringForward();
+        return true;
+      });
+  parts_.actions.addCommand("second.use", [this](const QVariantList& name) {
+    if (!second_.isOn()) return false;
+    told_->hide();
+    const Problems problems = second_.choose(name.value(0).toString());
+    if (!problems.empty()) tell(tr("The second arm stays. %1").arg(sentencesOf(problems)));
+    presentChoices();
+    return problems.empty();
+  });
+  parts_.actions.addCommand("second.scene", [this](const QVariantList& path) {
+    told_->hide();
+    second_.openScene(path.value(0).toString());
+    return true;
+  });
+  parts_.actions.addCommand("second.side", [this](const QVariantList& left) {
+    second_.setSide(left.value(0).toBool() ? SecondArm::Side::Left : SecondArm::Side::Right);
+    presentChoices();
+    return true;
+  });
+  parts_.actions.addCommand("second.mirror", [this](const QVariantList& on) {
+    second_.setMirrors(on.value(0).toBool());
+    presentChoices();
+    return true;
+  });
+}
+
+QWidget* SecondPanel::buildChoices() {
+  auto* box = new QWidget(this);
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  arm_ = chooser("panel.second.arm", tr("Second arm"), tr("Which arm it is; others are in the panel Devices."), box);
+  scene_ = chooser("panel.second.scene", tr("Scene of the second arm"), tr("What it is held to."), box);
+  side_ = chooser("panel.second.side", tr("Side of the second arm"), tr("Where it stands beside the first."), box);
+  side_->addItems({tr("left"), tr("right")});
+  for (const SceneEntry& entry : shippedScenes()) scene_->addItem(entry.title, entry.path);
+  file_ = pushButton("panel.second.file", tr("Another scene file…"), tr("Opens a scene file for the second arm."), box);
+  mirrors_ = new QCheckBox(tr("Mirrors my hand"), box);
+  mirrors_->setObjectName("panel.second.mirror");
+  mirrors_->setAccessibleName(tr("Mirrors my hand"));
+  mirrors_->setToolTip(tr("A simulated second arm is moved as the first hand is, in a mirror."));
+  opening_ = toldLabel("panel.second.opening", tr("What is being opened"), "quiet", box);
+  form->addRow(tr("Arm"), arm_);
+  form->addRow(tr("Scene"), scene_);
+  form->addRow(file_);
+  form->addRow(tr("Stands"), side_);
+  form->addRow(mirrors_);
+  form->addRow(opening_);
+  connect(arm_, &QComboBox::activated, this,
+          [this] { parts_.actions.perform("second.use", arm_->currentData().toString()); });
+  connect(scene_, &QComboBox::activated, this,
+          [this] { parts_.actions.perform("second.scene", scene_->currentData().toString()); });
+  connect(side_, &QComboBox::activated, this, [this](int row) { parts_.actions.perform("second.side", row == 0); });
+  connect(mirrors_, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("second.mirror", on); });
+  connect(file_, &QPushButton::clicked, this, [this] {
+    auto* dialog = new QFileDialog(window(), tr("A scene for the second arm"), sceneFolder(),
+                                   tr("Scenes (*.json);;All files (*)"));
+    dialog->setObjectName("dialog.second_scene");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& path) { parts_.actions.perform("second.scene", path); });
+    dialog->open();
+  });
+  return box;
+}
+
+void SecondPanel::fillArms() {
+  const QSignalBlocker quiet(arm_);
+  arm_->clear();
+  for (const ArmEntry& entry : search_->entries()) {
+    if (!entry.name.isEmpty()) arm_->addItem(entry.title, entry.name);
+  }
+  const QString name = second_.isOn() ? second_.arms().wanted() : QString("simulated");
+  if (arm_->findData(name) < 0) arm_->addItem(name, name);  // by its address, or gone since
+  arm_->setCurrentIndex(arm_->findData(name));
+}
+
+void SecondPanel::presentChoices() {
+  const QSignalBlocker quiet_on(on_), quiet_scene(scene_), quiet_side(side_), quiet_mirrors(mirrors_);
+  const bool is_on = second_.isOn();
+  QAction* const action = parts_.actions.find("second.on");
+  if (action->isChecked() != is_on) action->setChecked(is_on);
+  on_->setChecked(is_on);
+  choices_->setEnabled(is_on);
+  readout_->setVisible(is_on);
+  const QString path = second_.scenePath();
+  if (!path.isEmpty() && scene_->findData(path) < 0) scene_->addItem(sceneEntry(path).title, path);
+  if (!path.isEmpty()) scene_->setCurrentIndex(scene_->findData(path));
+  side_->setCurrentIndex(second_.side() == SecondArm::Side::Left ? 0 : 1);
+  mirrors_->setChecked(second_.mirrors());
+  mirrors_->setEnabled(is_on && second_.arms().simulated() != nullptr);
+  const QString opening = is_on ? second_.arms().opening() : QString();
+  opening_->setText(!opening.isEmpty()    ? tr("Opening %1…").arg(opening)
+                    : second_.isLoading() ? tr("Loading the scene…")
+                                          : QString());
+  fillArms();
+}
+
+void SecondPanel::tell(const QString& sentence) {
+  told_->setText(sentence);
+  told_->show();
+  bringForward();
+}
+
+void SecondPanel::present(const servo::Snapshot&) {
+  if (!second_.isOn() || !isSeen()) return;
+  const servo::Snapshot& snapshot = second_.host().snapshot();
+  const servo::DeviceInfo info = second_.host().device();
+  readout_->set(device_, QString::fromStdString(info.title) + (info.untested ? tr(" (untested)") : QString()));
+  readout_->set(mode_, modeText(snapshot.mode));
+  readout_->set(force_, tr("%1 N").arg(numberText(snapshot.report.force.f_T_W().norm(), 2)));
+  readout_->set(tip_, placeText(snapshot.report.p_WT * kMillimetrePerMetre));
+}
+
+void SecondPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  search_->look();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,44 @@
+#pragma once
+#include "app/gui/devices/arm_search.h"
+#include "app/gui/panel.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace underact::gui {
+
+class Readout;
+class SecondArm;
+
+/// The second arm: whether there is one, which it is, where it stands, its scene, and what it does.
+class SecondPanel : public Panel {
+  Q_OBJECT
+ public:
+  SecondPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void addActions();
+  QWidget* buildChoices();
+  void fillArms();
+  void presentChoices();
+  void tell(const QString& sentence);
+
+  PanelParts parts_;
+  SecondArm& second_;
+  ArmSearch* search_;
+  QCheckBox *on_ = nullptr, *mirrors_ = nullptr;
+  QComboBox *arm_ = nullptr, *scene_ = nullptr, *side_ = nullptr;
+  QLabel *told_ = nullptr, *opening_ = nullptr;
+  QPushButton* file_ = nullptr;
+  QWidget* choices_ = nullptr;
+  Readout* readout_ = nullptr;
+  int mode_ = 0, device_ = 0, force_ = 0, tip_ = 0;
+};
+
+}  // namespace underact::gui
