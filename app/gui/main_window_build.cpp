@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -24,6 +25,7 @@
 #include "app/gui/mesh/mesh_files.h"
 #include "app/gui/panels.h"
 #include "app/gui/plots_panel.h"
+#include "app/gui/problems_box.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
@@ -295,6 +297,15 @@ void MainWindow::arrangeDocks() {
 }
 
 void MainWindow::restore() {
+  if (settings_.are_newer) {
+    QTimer::singleShot(0, this, [this] {
+      showProblemsBox(
+          "dialog.newer_settings", tr("Settings"),
+          tr("The settings on this computer were written by a newer Underact. This one starts with its own and "
+             "leaves those as they are."),
+          {}, this);
+    });
+  }
   if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);
   if (!settings_.layout.isEmpty() && !restoreState(settings_.layout, kLayoutVersion)) settings_.layout.clear();
   static_cast<PlotsPanel*>(panels_["plots"])->setAxis(settings_.plot_axis);

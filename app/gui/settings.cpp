@@ -38,6 +38,8 @@ Settings readSettings() {
   const QSettings stored;
   const Settings fresh;
   Settings settings;
+  settings.are_newer = stored.value("settings/version", kSettingsVersion).toInt() > kSettingsVersion;
+  if (settings.are_newer) return settings;
   settings.geometry = stored.value("window/geometry").toByteArray();
   settings.layout = stored.value("window/layout").toByteArray();
   const QString theme = stored.value("window/theme").toString();
@@ -65,7 +67,9 @@ Settings readSettings() {
 }
 
 void writeSettings(const Settings& settings) {
+  if (settings.are_newer) return;
   QSettings stored;
+  stored.setValue("settings/version", kSettingsVersion);
   stored.setValue("window/geometry", settings.geometry);
   stored.setValue("window/layout", settings.layout);
   stored.setValue("window/theme", settings.theme == ThemeChoice::Light  ? "light"
