@@ -116,7 +116,7 @@ std::vector<std::string> violationsOf(const Rooms& rooms, const fs::path& file, 
 
 Rooms roomsOf(const std::string& cmake) {
   static const std::regex kRoom(R"(underact_room\(([^)]*)\))");
-  static const std::set<std::string> kOther{"USES", "SHOWS", "PROGRAM"};
+  static const std::set<std::string> kOther{"USES", "SHOWS", "PROGRAM", "IN", "COMPONENT"};
   const std::string code = std::regex_replace(cmake, std::regex("#[^\n]*"), "");
   Rooms rooms;
   std::map<std::string, std::string> folder_of;  // by the last part of its name
