@@ -40,6 +40,7 @@ const std::vector<Library>& libraries() {
       {"VTK", std::regex("vtk"), {"app/gui"}, true},
       {"GLFW", std::regex("GLFW"), {"device"}, false},
       {"hidapi", std::regex("hidapi"), {"device"}, false},
+      {"ZeroMQ", std::regex("zmq"), {"device"}, false},
       {"OpenMesh", std::regex("OpenMesh"), {"app/mesh_reader"}, false},
       {"xxHash", std::regex("xxh"), {"core/mesh_file"}, false},
       {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},
