@@ -77,6 +77,24 @@ TEST(Warnings, MarksInAMirrorsOrderAreToldByTheArmThatHangs) {
   EXPECT_EQ(find(all, Kind::Order)->marks, (std::vector<std::size_t>{1, 2}));
 }
 
+// Of a rectangle, mirrored orders fit as well as the right one; the one that is proposed lets the arm stand.
+TEST(Warnings, TheOrderThatIsProposedLetsTheArmStand) {
+  const std::vector<Vec3> rectangle{{0, 0, 0}, {0.12, 0, 0}, {0.12, 0, -0.08}, {0, 0, -0.08}};
+  test::Random random({15});
+  for (std::size_t one = 0; one < 4; ++one) {
+    for (std::size_t other = 0; other < one; ++other) {
+      const std::vector<Touch> right = touched(rectangle, standing(0.2), 0.2e-3, random);
+      std::vector<Touch> touches = right;
+      std::swap(touches[one].p_WM, touches[other].p_WM);
+      const std::vector<std::size_t> order = likelyOrder(touches, fitTouches(touches).value());
+      for (std::size_t at = 0; at < 4; ++at) touches[at].p_DM = rectangle[order[at]];
+      const Fit fit = fitTouches(touches).value();
+      EXPECT_TRUE(isUpright(fit));
+      EXPECT_LT(fit.rms_m, 1e-3);
+    }
+  }
+}
+
 TEST(Warnings, AnArmThatReallyHangsIsOnlyAskedAbout) {
   Pose X_DW = Pose::Identity();
   X_DW.linear() = Eigen::AngleAxisd(3.0, Vec3::UnitZ()).toRotationMatrix();
