@@ -26,7 +26,8 @@ using registration::Registration;
 using registration::Touch;
 
 struct RegisterOptions {
-  std::string marks = "3", points, device, arm, out;
+  std::string marks = "3", points, device, of, out;
+  std::string arm{arm::kDefaultArm};
   double wait_s = 120.0;
   bool keep = false, json = false;
   bool accuracy = false;
@@ -74,7 +75,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   constexpr int kRate_hz = 1000;
   const Result<std::vector<Vec3>> marks_D = marksOf(options.marks);
   if (!marks_D) return marks_D.problems();
-  const arm::Preset& preset = *arm::findPreset(arm::kDefaultArm);
+  const arm::Preset& preset = *arm::findPreset(options.arm);
   wrong = Exit::Fault;
   Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.device, {preset, {}, kRate_hz, {}});
   if (!arm) return arm.problems();
@@ -124,7 +125,7 @@ Exit registerIt(const RegisterOptions& options, const Streams& streams) {
     return Exit::BadInput;
   }
   registration.fit = fit.value();
-  if (!options.arm.empty()) registration.arm = options.arm;
+  if (!options.of.empty()) registration.arm = options.of;
   if (registration.date.empty()) registration.date = today();
   if (registration.program.empty()) registration.program = std::string("underact ") + kVersion;
   const std::vector<registration::Warning> warnings = warningsOf(registration.touches, registration.fit);
@@ -138,7 +139,7 @@ Exit registerIt(const RegisterOptions& options, const Streams& streams) {
     return Exit::BadInput;
   }
   if (options.keep && registration.arm.empty()) {
-    streams.err << "--keep: say with --arm which arm this is of, as in --arm wooden:0042.\n";
+    streams.err << "--keep: say with --of which arm this is of, as in --of wooden:0042.\n";
     return Exit::Usage;
   }
   return keepIt(options, registration, streams);
@@ -163,7 +164,13 @@ void addRegister(CLI::App& program, const Streams& streams, Exit& exit) {
                                             "What errors of the touches come to in the workspace, drawn by seed");
   points->excludes(device)->excludes(accuracy);
   device->excludes(accuracy);
-  command->add_option("--arm", options->arm, "Of which arm it is, where it is not --device that says so");
+  command->add_option("--of", options->of, "Of which arm it is, where it is not --device that says so");
+  std::vector<std::string> arms;
+  for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
+  command->add_option("--arm", options->arm, "The geometry of the arm that touches")
+      ->needs(device)
+      ->capture_default_str()
+      ->check(CLI::IsMember(arms));
   command->add_option("--out", options->out, "Write the registration to this file");
   command->add_flag("--keep", options->keep, "Keep it as that of its arm, for the window");
   command->add_option("--wait_s", options->wait_s, "How long a press is waited for, s")

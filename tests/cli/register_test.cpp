@@ -64,7 +64,7 @@ TEST(Register, ItIsKeptForItsArmAndReadAgain) {
   const ScratchFolder scratch;
   setenv("UNDERACT_REGISTRATION_DIR", scratch.file("kept").c_str(), 1);
   EXPECT_EQ(registerIt(kPoints, {"--keep"}).exit, Exit::Usage);  // of which arm?
-  ASSERT_EQ(registerIt(kPoints, {"--keep", "--arm", "wooden:0042", "--out", scratch.file("r.json")}).exit, Exit::Well);
+  ASSERT_EQ(registerIt(kPoints, {"--keep", "--of", "wooden:0042", "--out", scratch.file("r.json")}).exit, Exit::Well);
   const auto kept = registration::recall("wooden:0042", scratch.file("kept"));
   ASSERT_TRUE(kept && kept.value());
   EXPECT_EQ(kept.value()->touches.size(), 3U);
