@@ -176,7 +176,7 @@ void SecondPanel::presentChoices() {
   side_->setCurrentIndex(second_.side() == SecondArm::Side::Left ? 0 : 1);
   side_->setEnabled(!second_.placed());
   side_->setToolTip(second_.placed() ? tr("Where the registrations of both arms say.")
-                                       : tr("Where it stands beside the first."));
+                                     : tr("Where it stands beside the first."));
   mirrors_->setChecked(second_.mirrors());
   mirrors_->setEnabled(is_on && second_.arms().simulated() != nullptr);
   const QString opening = is_on ? second_.arms().opening() : QString();
