@@ -72,10 +72,10 @@ class TouchPage : public QWizardPage {
 };
 
 /// What came of it, and whether it is taken.
-class ResultPage : public QWizardPage {
+class FitPage : public QWizardPage {
   Q_OBJECT
  public:
-  ResultPage(RegistrationTool& tool, QWidget* parent);
+  FitPage(RegistrationTool& tool, QWidget* parent);
   void initializePage() override;
   bool validatePage() override;
   void setTheme(const Theme& theme);

@@ -11,7 +11,7 @@ RegistrationWizard::RegistrationWizard(RegistrationTool& tool, QWidget* parent)
       tool_(tool),
       prepare_(new PreparePage(tool, this)),
       touch_(new TouchPage(tool, *prepare_, this)),
-      result_(new ResultPage(tool, this)) {
+      result_(new FitPage(tool, this)) {
   setObjectName("registration.wizard");
   setWindowTitle(tr("Register the arm"));
   setModal(false);

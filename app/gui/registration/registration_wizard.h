@@ -6,7 +6,7 @@
 namespace underact::gui {
 
 class PreparePage;
-class ResultPage;
+class FitPage;
 class TouchPage;
 
 /// "Register the arm", page by page. Not modal: the simulated arm's hand is moved in the view meanwhile. Closing it
@@ -25,7 +25,7 @@ class RegistrationWizard : public QWizard {
   RegistrationTool& tool_;
   PreparePage* prepare_;
   TouchPage* touch_;
-  ResultPage* result_;
+  FitPage* result_;
 };
 
 }  // namespace underact::gui

@@ -21,7 +21,7 @@ QString mm(double length_m) {
 
 }  // namespace
 
-ResultPage::ResultPage(RegistrationTool& tool, QWidget* parent)
+FitPage::FitPage(RegistrationTool& tool, QWidget* parent)
     : QWizardPage(parent),
       tool_(tool),
       residual_(toldLabel("registration.residual", tr("How well the points fit"), "", this)),
@@ -46,7 +46,7 @@ ResultPage::ResultPage(RegistrationTool& tool, QWidget* parent)
   column->addWidget(told_);
 }
 
-void ResultPage::initializePage() {
+void FitPage::initializePage() {
   was_told_ = false;
   told_->hide();
   const std::vector<registration::Touch> touches = tool_.run().touching().touches();
@@ -74,7 +74,7 @@ void ResultPage::initializePage() {
   picture_->present(shown, {});
 }
 
-bool ResultPage::validatePage() {
+bool FitPage::validatePage() {
   if (was_told_) return true;
   const Problems problems = tool_.accept();
   if (problems.empty()) return true;
@@ -85,7 +85,7 @@ bool ResultPage::validatePage() {
   return false;
 }
 
-void ResultPage::setTheme(const Theme& theme) {
+void FitPage::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
 }
 
