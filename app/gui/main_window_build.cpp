@@ -59,7 +59,8 @@ MainWindow::MainWindow(const WindowParts& parts)
       rate_(new ServoRate(parts.host, this)),
       arms_(new ArmChoice(parts.host, *document_, parts.chosen, parts.arm, this)),
       second_(new SecondArm(parts.host, *arms_, *view_, this)),
-      registration_(new RegistrationTool({parts.host, *arms_, *second_, *view_, parts.chosen}, *actions_, this)),
+      registration_(
+          new RegistrationTool({parts.host, *document_, *arms_, *second_, *view_, parts.chosen}, *actions_, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),

@@ -337,7 +337,6 @@ TEST(RegistrationStory, AnArmThatIsNotCalibratedIsNotTouchedWith) {
   auto* const next = story.find<QAbstractButton>("registration.next");
   ASSERT_TRUE(comes([&] { return calibration->text().contains("inkwell"); })) << calibration->text().toStdString();
   EXPECT_FALSE(next->isEnabled());
-  library->dock(true);
   library->needCalibration(0x5000, 4);
   ASSERT_TRUE(comes([&] { return next->isEnabled(); })) << calibration->text().toStdString();
   EXPECT_TRUE(calibration->text().contains("nothing is missing"));
