@@ -62,7 +62,7 @@ Result<Registration> fromFile(const RegisterOptions& options) {
   if (marks_D.value().size() != points_mm.value().size()) {
     return Problems{{"There are " + std::to_string(marks_D.value().size()) + " marks and " +
                          std::to_string(points_mm.value().size()) + " points. Give a line for each mark, in its order.",
-                     {}}};
+                     {options.points, 1, 1}}};
   }
   Registration registration;
   for (std::size_t at = 0; at < marks_D.value().size(); ++at)
