@@ -30,6 +30,7 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit);
 void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit);
 void addIdentify(CLI::App& program, const Streams& streams, Exit& exit);
 void addShareArm(CLI::App& program, const Streams& streams, Exit& exit);
+void addRegister(CLI::App& program, const Streams& streams, Exit& exit);
 void addDevices(CLI::App& program, const Streams& streams, Exit& exit);
 void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit);
 void addLog(CLI::App& program, const Streams& streams, Exit& exit);

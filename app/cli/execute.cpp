@@ -10,9 +10,9 @@
 namespace underact::cli {
 
 std::span<const AddCommand> commands() {
-  static constexpr std::array kCommands{addForward,    addInverse, addJacobian,  addTarget,   addRun,     addLog,
-                                        addReplay,     addFigures, addCalibrate, addIdentify, addDevices, addShareArm,
-                                        addServoCheck, addLab,     addMesh,      addScene};
+  static constexpr std::array kCommands{addForward,  addInverse,    addJacobian,  addTarget,   addRun,      addLog,
+                                        addReplay,   addFigures,    addCalibrate, addIdentify, addRegister, addDevices,
+                                        addShareArm, addServoCheck, addLab,       addMesh,     addScene};
   return kCommands;
 }
 

@@ -26,6 +26,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/plots_panel.h"
 #include "app/gui/problems_box.h"
+#include "app/gui/registration/registration_tool.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
@@ -60,6 +61,8 @@ MainWindow::MainWindow(const WindowParts& parts)
       rate_(new ServoRate(parts.host, this)),
       arms_(new ArmChoice(parts.host, *document_, parts.chosen, parts.arm, this)),
       second_(new SecondArm(parts.host, *arms_, *view_, this)),
+      registration_(
+          new RegistrationTool({parts.host, *document_, *arms_, *second_, *view_, parts.chosen}, *actions_, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),
@@ -232,8 +235,8 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    const PanelParts parts{parts_.host, *document_, *recent_,     *actions_, *view_,
-                           *player_,    *rate_,     *arm_in_use_, *arms_,    *second_};
+    const PanelParts parts{parts_.host, *document_,   *recent_, *actions_, *view_,        *player_,
+                           *rate_,      *arm_in_use_, *arms_,   *second_,  *registration_};
     Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
