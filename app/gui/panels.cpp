@@ -52,7 +52,7 @@ std::span<const PanelRow> panels() {
       {"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
        QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
        make<CalibrationPanel>, "scenes"},
-      {"devices", QT_TRANSLATE_NOOP("panel", "Devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+D",
+      {"devices", QT_TRANSLATE_NOOP("panel", "Devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+D",
        QT_TRANSLATE_NOOP("panel", "Which arms are plugged in, what is missing to use one, and which one is in use."),
        make<DevicesPanel>, "scenes"},
       {"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea, "Ctrl+Alt+T",

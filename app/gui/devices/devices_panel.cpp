@@ -70,7 +70,7 @@ void DevicesPanel::addActions() {
                       tr("Closes the arm in use: the mouse is the hand again.")},
                      [this](const QVariantList&) { return use("simulated"); });
   parts_.actions.add(
-      {"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+L"), tr("Looks again at what is plugged in.")},
+      {"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+Shift+L"), tr("Looks again at what is plugged in.")},
       [this](const QVariantList&) {
         bringForward();
         search_->look();
