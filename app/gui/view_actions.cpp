@@ -68,7 +68,7 @@ void addLayers(Actions& actions, SceneView& view) {
        &Layers::robot},
       {"layer.path", "Recorded &path", "Alt+P",
        "Where the tip went in the session that is replayed; the more force, the more vermillion.", &Layers::path},
-      {"layer.desk", "&Desk", "Ctrl+Alt+Shift+D", "The marks on the desk by which the arm was registered.",
+      {"layer.desk", "&Desk", "Ctrl+Alt+Shift+K", "The marks on the desk by which the arm was registered.",
        &Layers::desk},
       {"layer.from_desk", "As se&en from the desk", "Ctrl+Alt+Shift+V",
        "Left, right and up are those of the desk, however a registered arm is turned; off: those of the arm.",

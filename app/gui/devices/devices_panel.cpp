@@ -69,13 +69,13 @@ void DevicesPanel::addActions() {
   parts_.actions.add({"devices.simulated", tr("Use the si&mulated arm"), QKeySequence("Ctrl+Alt+Z"),
                       tr("Closes the arm in use: the mouse is the hand again.")},
                      [this](const QVariantList&) { return use("simulated"); });
-  parts_.actions.add(
-      {"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+Shift+L"), tr("Looks again at what is plugged in.")},
-      [this](const QVariantList&) {
-        bringForward();
-        search_->look();
-        return true;
-      });
+  parts_.actions.add({"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+Shift+L"),
+                      tr("Looks again at what is plugged in.")},
+                     [this](const QVariantList&) {
+                       bringForward();
+                       search_->look();
+                       return true;
+                     });
   parts_.actions.addCommand("devices.fix", [this](const QVariantList&) { return fix(); });
   parts_.actions.addCommand("devices.report", [this](const QVariantList&) { return report(); });
   parts_.actions.addCommand("devices.cancel", [this](const QVariantList&) {
