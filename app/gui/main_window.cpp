@@ -17,6 +17,7 @@
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
+#include "app/gui/hands/moving_hands.h"
 #include "app/gui/icons.h"
 #include "app/gui/identify/identify_tool.h"
 #include "app/gui/live/live_data.h"
@@ -53,6 +54,7 @@ void MainWindow::frame() {
     for (Panel* panel : panels_) panel->add(record);
   });
   second_->look();
+  hands_->look();
   faults_->look(snapshot);
   if (pacer_->isSeen()) showFrame(snapshot);
   identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then

@@ -15,6 +15,7 @@
 #include "app/gui/frame_pacer.h"
 #include "app/gui/gallery/gallery_actions.h"
 #include "app/gui/hand.h"
+#include "app/gui/hands/moving_hands.h"
 #include "app/gui/help_dialog.h"
 #include "app/gui/identify/identify_tool.h"
 #include "app/gui/live/live_data.h"
@@ -203,6 +204,7 @@ void MainWindow::buildView() {
   column->addWidget(replay_bar_);
   setCentralWidget(middle);
   hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
+  hands_ = new MovingHands(parts_.host, *hand_, parts_.hands, *actions_, this);
   if (parts_.arm != nullptr) new StylusKey(*parts_.arm, this, view_);
   const double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   view_->setForceLimit(limit_N);
@@ -230,8 +232,8 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    const PanelParts parts{parts_.host, *document_, *recent_,     *actions_, *view_,
-                           *player_,    *rate_,     *arm_in_use_, *arms_,    *second_};
+    const PanelParts parts{parts_.host, *document_,   *recent_, *actions_, *view_, *player_,
+                           *rate_,      *arm_in_use_, *arms_,   *second_,  *hands_};
     Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);

@@ -10,6 +10,7 @@ class Actions;
 class ArmChoice;
 class ArmInUse;
 class Document;
+class MovingHands;
 class Player;
 class RecentFiles;
 class SceneView;
@@ -28,6 +29,7 @@ struct PanelParts {
   ArmInUse& arm_in_use;  // what a simulated arm is made of
   ArmChoice& arms;       // which arm it is
   SecondArm& second;
+  MovingHands& hands;
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.
