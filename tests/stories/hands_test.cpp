@@ -37,7 +37,7 @@ class ScriptedPad final : public Port {
   ScriptedPad() {
     pad.id = kPad;
     pad.name = "Xbox 360 Controller";
-    pad.kind = Kind::Controller;
+    pad.kind = device::hands::Kind::Controller;
     pad.readings.axes = 6;
     pad.readings.buttons = 15;
     describeController(pad);
