@@ -45,6 +45,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::frame() {
   player_->look();
+  hands_->look();
   const servo::Snapshot& snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
     player_->add(record);
@@ -54,7 +55,6 @@ void MainWindow::frame() {
     for (Panel* panel : panels_) panel->add(record);
   });
   second_->look();
-  hands_->look();
   faults_->look(snapshot);
   if (pacer_->isSeen()) showFrame(snapshot);
   identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then
