@@ -114,7 +114,7 @@ TEST(HandsStory, TheEditorChangesWhatItSays) {
   EXPECT_FALSE(story.perform("hands.set", QString("right.source"), QString("axis 77")));
   EXPECT_FALSE(story.perform("hands.set", QString("left.inverted"), true));
   const Vec3 before = desk.wish();
-  desk.hold(1);  // at rest once, since its map is another
+  desk.hold(1);            // at rest once, since its map is another
   desk.pad.push(0, 0.65);  // half of what is left of its way
   desk.hold(200);
   EXPECT_NEAR(desk.wish().x(), before.x() - 0.005, 1e-9);

@@ -49,6 +49,7 @@ HandsPanel::HandsPanel(const PanelParts& parts, QWidget* parent) : Panel(parent)
   list_->setObjectName("panel.hands.list");
   list_->setAccessibleName(tr("Hands"));
   list_->setToolTip(tr("What is there; one without its tick moves nothing."));
+  list_->setProperty("role", "ticks");  // their boxes are painted in its own ground, which is black where it is none
   list_->setFrameShape(QFrame::NoFrame);
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
