@@ -53,6 +53,7 @@ TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
     desk.pad.push(3, -0.9);  // the right stick away
     desk.hold(250);
     EXPECT_EQ(desk.wish(), before);  // it is looked at, not moved by
+    EXPECT_FALSE(desk.story().arm().wished().turns);
     EXPECT_EQ(desk.map().ways[1].source, (Source{SourceKind::Axis, 3, -1}));
     EXPECT_TRUE(desk.map().ways[1].inverted);
     EXPECT_FALSE(desk.story().find("panel.hands.asked")->isVisible());
