@@ -1,5 +1,7 @@
-# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [PROGRAM name [IN folder] [COMPONENT name]])
-# Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it. A LINKS
+# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
+#               [PROGRAM name [IN folder] [COMPONENT name]])
+# Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it; WITHOUT: those of
+# them that are rooms of their own. A LINKS
 # that is no target yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp
 # is left out of the room and becomes the program of that name, installed IN bin, another folder, or nowhere.
 include_guard()
@@ -22,7 +24,7 @@ endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/underact/version.h @ONLY)
 
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS;WITHOUT")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
@@ -30,6 +32,9 @@ function(underact_room folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h
                                               ${PROJECT_SOURCE_DIR}/${folder}/*.qrc)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
+  foreach(other IN LISTS room_WITHOUT)
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${other}/")
+  endforeach()
   add_library(underact_${name} STATIC ${sources})
   set_target_properties(underact_${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_compile_options(underact_${name} PRIVATE ${UNDERACT_WARNINGS})

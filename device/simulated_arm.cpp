@@ -58,7 +58,7 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
   sample.time_ns = time_ns_;
   sample.q_rad = sim::shownAngles(plant_, state_);
-  sample.buttons = button_.load(std::memory_order_relaxed) ? 1U : 0U;
+  sample.buttons = (button_.load(std::memory_order_relaxed) ? 1U : 0U) | buttons_.load(std::memory_order_relaxed);
   return true;
 }
 

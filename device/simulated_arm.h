@@ -33,6 +33,8 @@ class SimulatedArm final : public servo::DevicePort {
   /// The stylus button nearer to the tip (bit 0 of a sample's buttons) is held, or not, from the next read() on. Any
   /// thread.
   void holdButton(bool held) { button_.store(held, std::memory_order_relaxed); }
+  /// The same for all of them by a controller's, beside holdButton(): bits of a sample's buttons. Any thread.
+  void holdButtons(unsigned bits) { buttons_.store(bits, std::memory_order_relaxed); }
 
   /// What the arm is made of from the next read() on. Any one thread, never blocks the servo.
   void become(const sim::ArmModel& model);
@@ -74,6 +76,7 @@ class SimulatedArm final : public servo::DevicePort {
   Vec3 f_T_W_ = Vec3::Zero();
   std::atomic<bool> is_cut_{false};
   std::atomic<bool> button_{false};
+  std::atomic<unsigned> buttons_{0};
   sim::HandScript script_;
   std::int64_t script_start_ns_ = 0;
   bool scripted_ = false;

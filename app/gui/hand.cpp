@@ -23,6 +23,10 @@ Hand::Hand(SceneView* view, device::SimulatedArm* arm, bool has_pushed, QObject*
   showHint();
 }
 
+Hand::~Hand() {
+  if (arm_ != nullptr) arm_->holdButtons(0);
+}
+
 void Hand::present(const servo::Snapshot& snapshot) {
   if (arm_ == nullptr) return;
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
@@ -50,6 +54,17 @@ void Hand::setAbsent(bool on) {
   moving_ = false;
   view_->setHandAvailable(isThere());
   showHint();
+}
+
+void Hand::moveTo(const sim::HandWish& wish) {
+  if (!isThere()) return;
+  moving_ = true;
+  arm_->wish(wish);
+  view_->setHandWish(wish);  // a drag goes on from there
+}
+
+void Hand::press(unsigned stylus_buttons) {
+  if (arm_ != nullptr) arm_->holdButtons(isThere() ? stylus_buttons : 0U);
 }
 
 void Hand::showHint() {

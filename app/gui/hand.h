@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "core/servo/snapshot.h"
+#include "core/sim/hand.h"
 
 namespace underact::device {
 class SimulatedArm;
@@ -18,6 +19,7 @@ class Hand : public QObject {
  public:
   /// arm: null where a real one is there; then nothing can be grabbed.
   Hand(SceneView* view, device::SimulatedArm* arm, bool has_pushed, QObject* parent);
+  ~Hand() override;  // lets go of the stylus' buttons
   void present(const servo::Snapshot& snapshot);
   /// What there is to push into: "sphere".
   void setShape(const QString& type);
@@ -26,6 +28,13 @@ class Hand : public QObject {
   /// While another arm is in the simulated one's place.
   void setAbsent(bool on);
   bool hasPushed() const { return has_pushed_; }
+
+  /// The arm, while a hand may move it; else null.
+  const device::SimulatedArm* arm() const { return isThere() ? arm_ : nullptr; }
+  /// A hand that is not the view's wants the stylus there, and holds these of its buttons.
+  void moveTo(const sim::HandWish& wish);
+  void rest() { moving_ = false; }
+  void press(unsigned stylus_buttons);
 
  private:
   void showHint();

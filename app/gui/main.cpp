@@ -20,6 +20,9 @@
 #include "app/gui/simulated_host.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/options/window_options.h"
+#include "device/hands/controllers.h"
+#include "device/hands/space_mice.h"
+#include "device/wooden/hid_bus.h"
 #include "underact/version.h"
 
 namespace underact::gui {
@@ -49,7 +52,10 @@ int runWindow(const options::WindowOptions& options, const QElapsedTimer& since_
                                                .scheduling = options.scheduling,
                                                .max_late = options.max_late});
   ThemeWatcher theme;
-  MainWindow window({*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen});
+  device::hands::Controllers controllers;
+  device::hands::SpaceMice space_mice(device::hidapiBus());
+  MainWindow window(
+      {*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen, {&controllers, &space_mice}});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
     QObject::connect(&window.view(), &SceneView::drawn, &window, [&since_start, first = true](double frame_ms) mutable {
       if (first)

@@ -17,6 +17,7 @@
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
 #include "app/gui/hand.h"
+#include "app/gui/hands/moving_hands.h"
 #include "app/gui/icons.h"
 #include "app/gui/identify/identify_tool.h"
 #include "app/gui/live/live_data.h"
@@ -45,6 +46,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::frame() {
   player_->look();
+  hands_->look();
   const servo::Snapshot& snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
     player_->add(record);

@@ -1,6 +1,7 @@
 #pragma once
 #include <QHash>
 #include <QMainWindow>
+#include <vector>
 
 #include "app/gui/settings.h"
 #include "core/servo/host.h"
@@ -9,6 +10,9 @@ namespace underact::device {
 class ChosenArm;
 class ReplayedArm;
 class SimulatedArm;
+namespace hands {
+class Port;
+}
 }  // namespace underact::device
 
 namespace underact::gui {
@@ -21,6 +25,7 @@ class Document;
 class FaultWatch;
 class FramePacer;
 class Hand;
+class MovingHands;
 class IdentifyTool;
 class LiveData;
 class LoadStrip;
@@ -42,8 +47,9 @@ struct WindowParts {
   servo::Host& host;
   device::SimulatedArm* arm;  // the arm behind the host at first, where it is the simulated one; else null
   ThemeWatcher& theme;
-  device::ReplayedArm* replay = nullptr;  // the host's device, where it can replay; else null
-  device::ChosenArm* chosen = nullptr;    // behind the host, where arms can be exchanged; else null
+  device::ReplayedArm* replay = nullptr;         // the host's device, where it can replay; else null
+  device::ChosenArm* chosen = nullptr;           // behind the host, where arms can be exchanged; else null
+  std::vector<device::hands::Port*> hands = {};  // controllers and 3D mice; they outlive the window
 };
 
 /// The window: the view in the middle, panels around it, and each frame what the servo last said handed to all of them.
@@ -110,6 +116,7 @@ class MainWindow : public QMainWindow {
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;
+  MovingHands* hands_ = nullptr;
   StatusLine* status_ = nullptr;
   FaultWatch* faults_;
   LiveData* live_;

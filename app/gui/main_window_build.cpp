@@ -16,6 +16,7 @@
 #include "app/gui/frame_pacer.h"
 #include "app/gui/gallery/gallery_actions.h"
 #include "app/gui/hand.h"
+#include "app/gui/hands/moving_hands.h"
 #include "app/gui/help_dialog.h"
 #include "app/gui/identify/identify_tool.h"
 #include "app/gui/live/live_data.h"
@@ -44,7 +45,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 7;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 8;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),
@@ -208,6 +209,7 @@ void MainWindow::buildView() {
   column->addWidget(replay_bar_);
   setCentralWidget(middle);
   hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
+  hands_ = new MovingHands(parts_.host, *hand_, parts_.hands, *actions_, this);
   if (parts_.arm != nullptr) new StylusKey(*parts_.arm, this, view_);
   const double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   view_->setForceLimit(limit_N);
@@ -235,8 +237,8 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    const PanelParts parts{parts_.host, *document_,   *recent_, *actions_, *view_,        *player_,
-                           *rate_,      *arm_in_use_, *arms_,   *second_,  *registration_};
+    const PanelParts parts{parts_.host, *document_,   *recent_, *actions_, *view_,         *player_,
+                           *rate_,      *arm_in_use_, *arms_,   *second_,  *registration_, *hands_};
     Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);

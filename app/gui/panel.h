@@ -10,6 +10,7 @@ class Actions;
 class ArmChoice;
 class ArmInUse;
 class Document;
+class MovingHands;
 class Player;
 class RecentFiles;
 class RegistrationTool;
@@ -30,6 +31,7 @@ struct PanelParts {
   ArmChoice& arms;       // which arm it is
   SecondArm& second;
   RegistrationTool& registration;  // where the arms stand
+  MovingHands& hands;
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

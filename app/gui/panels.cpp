@@ -7,6 +7,7 @@
 #include "app/gui/calibration/calibration_panel.h"
 #include "app/gui/devices/devices_panel.h"
 #include "app/gui/feel_panel.h"
+#include "app/gui/hands/hands_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/lab/lab_panel.h"
 #include "app/gui/plots_panel.h"
@@ -30,7 +31,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 15> kRows{{
+  static const std::array<PanelRow, 16> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -58,6 +59,9 @@ std::span<const PanelRow> panels() {
       {"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea, "Ctrl+Alt+T",
        QT_TRANSLATE_NOOP("panel", "Another arm beside the first, with a scene of its own."), make<SecondPanel>,
        "scenes"},
+      {"hands", QT_TRANSLATE_NOOP("panel", "Hands"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
+       QT_TRANSLATE_NOOP("panel", "Mouse, game controllers and 3D mice: which are there, and what moves what."),
+       make<HandsPanel>, "scenes"},
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},

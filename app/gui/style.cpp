@@ -60,6 +60,7 @@ QToolButton[role="fold"] { border: none; font-weight: 600; padding: 4px 0; text-
 QToolButton[role="fold"]:hover { background: %hover; }
 QToolButton[role="fold"]:focus { background: %line; }
 QListWidget, QTableWidget { background: transparent; }
+QListWidget[role="ticks"] { background: %ground; }
 QTableWidget::item { color: %ink; }
 QTableWidget::item:hover { background: %hover; }
 QTableWidget::item:selected { background: %selected; color: %ink; }

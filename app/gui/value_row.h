@@ -18,6 +18,7 @@ struct ValueKind {
   int slider_steps = 100;  // from 0 to the slider's end; typing goes on to most
   int decimals = 0;
   double most = 1.0;
+  QString mark = {};  // what the mark on the slider is, in a sentence; empty: the scene's own value
 };
 
 /// A slider that marks the scene's own value; a double click asks for it back.

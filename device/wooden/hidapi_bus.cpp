@@ -97,7 +97,7 @@ class HidapiBus final : public HidBus {
     if (pipe->isOpen()) return std::unique_ptr<HidPipe>(std::move(pipe));
     if (!mayOpen(node))
       return Problems{{"You may not open " + node.path + ". This, in a terminal, allows it: " + udevCommand(node), {}}};
-    return Problems{{node.path + " cannot be opened. Plug the arm in anew.", {}}};
+    return Problems{{node.path + " cannot be opened. Unplug it and plug it in anew.", {}}};
   }
 
   bool mayOpen([[maybe_unused]] const HidNode& node) const override {

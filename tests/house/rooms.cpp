@@ -38,7 +38,7 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> kLibraries{
       {"Qt", std::regex("Q[A-Z]|Qt|private/q"), {"app/gui"}, true},
       {"VTK", std::regex("vtk"), {"app/gui"}, true},
-      {"GLFW", std::regex("GLFW"), {"device"}, false},
+      {"GLFW", std::regex("GLFW"), {"device/hands"}, false},
       {"hidapi", std::regex("hidapi"), {"device"}, false},
       {"ZeroMQ", std::regex("zmq"), {"device"}, false},
       {"OpenMesh", std::regex("OpenMesh"), {"app/mesh_reader"}, false},

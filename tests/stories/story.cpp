@@ -42,7 +42,7 @@ Story::Story(const QString& scene, const Beginning& beginning) : simulated_(make
   if (beginning.first_start) forgetSettings();
   theme_ = std::make_unique<ThemeWatcher>();
   window_ = std::make_unique<MainWindow>(
-      WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen});
+      WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen, beginning.hands});
   if (beginning.first_start) window_->resize(beginning.size);
   if (beginning.shown) {
     window_->show();

@@ -4,11 +4,12 @@
 #include <array>
 
 #include "core/base/units.h"
+#include "device/hands/motion.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr double kReach_m = 0.15;  // about W: beyond it there is no arm
+using device::hands::kReach_m;
 constexpr double kTurnPerPixel_rad = 0.5 * kRadPerDegree;
 
 }  // namespace

@@ -1,0 +1,130 @@
+#include "app/gui/hands/hand_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+
+#include "device/hands/map_file.h"
+
+namespace underact::gui {
+
+using namespace device::hands;
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("hands", text);
+}
+
+bool setNumber(const QVariant& value, double least, double most, double& into) {
+  bool is_number = false;
+  const double number = value.toDouble(&is_number);
+  if (!is_number || !(number >= least && number <= most)) return false;
+  into = number;
+  return true;
+}
+
+bool setPart(AxisMap& map, const QString& part, const QVariant& value, bool turns) {
+  if (part == "inverted") {
+    map.inverted = value.toBool();
+    return value.canConvert<bool>();
+  }
+  if (part == "dead_zone") return setNumber(value, 0.0, kFurthestDeadZone, map.dead_zone);
+  if (part == "exponent") return setNumber(value, 1.0, kFinest, map.exponent);
+  if (part == "top") return setNumber(value, 0.0, turns ? kFastest_rad_per_s : kFastest_m_per_s, map.top);
+  const std::optional<Source> source = sourceOf(value.toString().toStdString());
+  if (part != "source" || !source) return false;
+  map.source = *source;
+  return true;
+}
+
+}  // namespace
+
+QString wayTitle(Way way) {
+  static const char* const kTitles[kWays] = {"Right, left", "Up, down", "To you, away", "Tilt", "Swing", "Roll"};
+  return tr(kTitles[static_cast<std::size_t>(way)]);
+}
+
+QString wayGoal(Way way) {
+  static const char* const kGoals[kWays] = {"moves the stylus to the right",
+                                            "moves the stylus up",
+                                            "moves the stylus towards you",
+                                            "tilts the stylus: its top towards you",
+                                            "swings the stylus: its front to the right",
+                                            "rolls the stylus: its top to the left"};
+  return tr(kGoals[static_cast<std::size_t>(way)]);
+}
+
+QString pressTitle(Press press) {
+  static const char* const kTitles[kPresses] = {"Stylus button 1", "Stylus button 2", "Stop"};
+  return tr(kTitles[static_cast<std::size_t>(press)]);
+}
+
+QString kindText(Kind kind) {
+  switch (kind) {
+    case Kind::Controller:
+      return tr("game controller");
+    case Kind::Joystick:
+      return tr("joystick");
+    case Kind::SpaceMouse:
+      return tr("3D mouse");
+  }
+  return {};
+}
+
+QString axisText(const Seen& seen, int axis) {
+  if (axis < 0) return tr("nothing");
+  const auto index = static_cast<std::size_t>(axis);
+  return index < seen.axis_names.size() ? QString::fromStdString(seen.axis_names[index]) : tr("axis %1").arg(axis + 1);
+}
+
+QString buttonText(const Seen& seen, int button) {
+  if (button < 0) return tr("nothing");
+  const auto index = static_cast<std::size_t>(button);
+  const QString name = index < seen.button_names.size() ? QString::fromStdString(seen.button_names[index]) : QString();
+  return name.isEmpty() ? tr("button %1").arg(button + 1) : name;
+}
+
+QString sourceTitle(const Seen& seen, const Source& source) {
+  const auto both = [](const QString& there, const QString& back) { return QString("%1 / %2").arg(there, back); };
+  switch (source.kind) {
+    case SourceKind::None:
+      return tr("nothing");
+    case SourceKind::Axis:
+      return axisText(seen, source.plus);
+    case SourceKind::Buttons:
+      return both(buttonText(seen, source.plus), buttonText(seen, source.minus));
+    case SourceKind::Triggers:
+      return both(axisText(seen, source.plus), axisText(seen, source.minus));
+  }
+  return {};
+}
+
+std::vector<Source> sourcesFor(const Seen& seen, const Source& now) {
+  std::vector<Source> sources{{}};
+  for (int axis = 0; axis < std::min(seen.readings.axes, kMostAxes); ++axis)
+    sources.push_back({SourceKind::Axis, axis, -1});
+  sources.insert(sources.end(), seen.pairs.begin(), seen.pairs.end());
+  if (std::find(sources.begin(), sources.end(), now) == sources.end()) sources.push_back(now);
+  return sources;
+}
+
+std::optional<Map> withField(const Map& map, const QString& field, const QVariant& value) {
+  Map next = map;
+  const QStringList parts = field.split('.');
+  for (std::size_t press = 0; press < kPresses; ++press) {
+    if (field != pressName(static_cast<Press>(press))) continue;
+    bool is_number = false;
+    const int button = value.toInt(&is_number);
+    if (!is_number || button < -1 || button >= kMostButtons) return {};
+    next.presses[press] = button;
+    return next;
+  }
+  for (std::size_t way = 0; way < kWays; ++way) {
+    if (parts.size() != 2 || parts[0] != wayName(static_cast<Way>(way))) continue;
+    if (setPart(next.ways[way], parts[1], value, way >= kMoves)) return next;
+  }
+  return {};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,176 @@
+#include "app/gui/hands/hands_panel.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/devices/fix_dialog.h"
+#include "app/gui/hands/hand_words.h"
+#include "app/gui/hands/map_editor.h"
+#include "app/gui/hands/moving_hands.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
+#include "app/gui/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kId = Qt::UserRole;
+
+QString stateOf(const HandEntry& entry) {
+  if (!entry.seen.missing.empty()) return HandsPanel::tr("something is missing");
+  if (!entry.used) return HandsPanel::tr("switched off");
+  return entry.moves ? HandsPanel::tr("moves the stylus") : HandsPanel::tr("ready");
+}
+
+QString titleOf(const HandEntry& entry) {
+  return QString("%1 – %2").arg(QString::fromStdString(entry.seen.name), stateOf(entry));
+}
+
+void say(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
+}  // namespace
+
+HandsPanel::HandsPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts), hands_(parts.hands) {
+  addActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(state_ = toldLabel("panel.hands.state", tr("What the hands do"), "", content));
+  column->addWidget(trouble_ = toldLabel("panel.hands.trouble", tr("What is wrong"), "amber", content));
+  list_ = new QListWidget(content);
+  list_->setObjectName("panel.hands.list");
+  list_->setAccessibleName(tr("Hands"));
+  list_->setToolTip(tr("What is there; one without its tick moves nothing."));
+  list_->setProperty("role", "ticks");  // their boxes are painted in its own ground, which is black where it is none
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setFixedHeight(6 * fontMetrics().lineSpacing());
+  column->addWidget(list_);
+  column->addWidget(about_ = toldLabel("panel.hands.about", tr("About the selected hand"), "quiet", content));
+  fix_ =
+      pushButton("panel.hands.fix", tr("How to fix it…"), tr("Shows the command that mends what is missing."), content);
+  column->addWidget(fix_, 0, Qt::AlignLeft);
+  column->addWidget(editor_ = new MapEditor(hands_, parts_.actions, content));
+  column->addStretch(1);
+  fillWithScroll(this, content);
+  connect(&hands_, &MovingHands::changed, this, &HandsPanel::rebuild);
+  connect(list_, &QListWidget::currentRowChanged, this, [this] {
+    hands_.endLearning();
+    describe();
+  });
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    parts_.actions.perform("hands.use", item->data(kId), item->checkState() == Qt::Checked);
+  });
+  connect(fix_, &QPushButton::clicked, this, [this] { parts_.actions.perform("hands.fix"); });
+  rebuild();
+}
+
+void HandsPanel::addActions() {
+  Actions& actions = parts_.actions;
+  actions.addCommand("hands.use", [this](const QVariantList& args) {
+    if (hands_.find(args.value(0).toString()) == nullptr) return false;
+    hands_.use(args.value(0).toString(), args.value(1).toBool());
+    return true;
+  });
+  actions.addCommand("hands.set", [this](const QVariantList& args) {
+    const HandEntry* const entry = hands_.find(current());
+    if (entry == nullptr) return false;
+    const auto map = withField(entry->map, args.value(0).toString(), args.value(1));
+    const bool fresh = args.size() < 3 || args[2].toBool();
+    const bool done = map && hands_.change(current(), *map, args[0].toString(), fresh);
+    if (!done) editor_->rebuild();  // what was typed is taken back
+    return done;
+  });
+  actions.addCommand("hands.learn",
+                     [this](const QVariantList& args) { return hands_.learn(current(), args.value(0).toString()); });
+  actions.addCommand("hands.undo", [this](const QVariantList&) {
+    const bool can = hands_.undoStack().canUndo();
+    hands_.undoStack().undo();
+    return can;
+  });
+  actions.addCommand("hands.redo", [this](const QVariantList&) {
+    const bool can = hands_.undoStack().canRedo();
+    hands_.undoStack().redo();
+    return can;
+  });
+  actions.addCommand("hands.reset", [this](const QVariantList&) { return hands_.reset(current()); });
+  actions.addCommand("hands.fix", [this](const QVariantList&) { return fix(); });
+}
+
+QString HandsPanel::current() const {
+  const QListWidgetItem* const item = list_->currentItem();
+  return item == nullptr ? QString() : item->data(kId).toString();
+}
+
+/// The first device that comes is shown, so that its bars move when it is moved.
+void HandsPanel::rebuild() {
+  const QString before = current();
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    list_->addItem(tr("Mouse and keyboard – always"));
+    list_->item(0)->setData(kId, QString());
+    for (const HandEntry& entry : hands_.entries()) {
+      auto* item = new QListWidgetItem(titleOf(entry), list_);
+      item->setData(kId, entry.id());
+      item->setToolTip(kindText(entry.seen.kind));
+      item->setCheckState(entry.used ? Qt::Checked : Qt::Unchecked);
+    }
+    int row = list_->count() > 1 ? 1 : 0;
+    for (int one = 1; one < list_->count(); ++one) {
+      if (list_->item(one)->data(kId).toString() == before) row = one;
+    }
+    list_->setCurrentRow(row);
+  }
+  describe();
+}
+
+void HandsPanel::describe() {
+  const HandEntry* const entry = hands_.find(current());
+  const bool lacks = entry != nullptr && !entry->seen.missing.empty();
+  fix_->setVisible(lacks && !entry->seen.missing.front().command.empty());
+  if (lacks)
+    say(about_, QString::fromStdString(entry->seen.missing.front().sentence));
+  else if (entry == nullptr)
+    say(about_, tr("Drag the stylus in the view, or click the view and press the arrow keys. F1 lists them all. A "
+                   "controller or 3D mouse that is plugged in comes into this list."));
+  else
+    say(about_, tr("A %1, untested. Its mapping is kept.").arg(kindText(entry->seen.kind)));
+  editor_->setDevice(entry == nullptr ? QString() : entry->id());
+  editor_->rebuild();
+}
+
+void HandsPanel::present(const servo::Snapshot&) {
+  if (!isSeen()) return;
+  const QString rest = hands_.whyAtRest();
+  say(state_, rest.isEmpty() ? tr("Whatever is moved moves the simulated hand.") : rest);
+  say(trouble_, hands_.trouble());
+  const QSignalBlocker quiet(list_);
+  for (int row = 1; row < list_->count(); ++row) {
+    const HandEntry* const entry = hands_.find(list_->item(row)->data(kId).toString());
+    if (entry != nullptr && list_->item(row)->text() != titleOf(*entry)) list_->item(row)->setText(titleOf(*entry));
+  }
+  editor_->present();
+}
+
+void HandsPanel::setTheme(const Theme& theme) {
+  editor_->setTheme(theme);
+}
+
+bool HandsPanel::fix() {
+  const HandEntry* const entry = hands_.find(current());
+  if (entry == nullptr || entry->seen.missing.empty()) return false;
+  (new FixDialog(QString::fromStdString(entry->seen.name), entry->seen.missing, this))->show();
+  return true;
+}
+
+}  // namespace underact::gui

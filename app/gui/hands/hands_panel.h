@@ -1,0 +1,36 @@
+#pragma once
+#include "app/gui/panel.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace underact::gui {
+
+class MapEditor;
+class MovingHands;
+
+/// Which hands are there, which of them move the stylus, and what each part of a controller or 3D mouse does.
+class HandsPanel : public Panel {
+  Q_OBJECT
+ public:
+  HandsPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void addActions();
+  QString current() const;
+  void rebuild();
+  void describe();
+  bool fix();
+
+  PanelParts parts_;
+  MovingHands& hands_;
+  QLabel *state_ = nullptr, *trouble_ = nullptr, *about_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QPushButton* fix_ = nullptr;
+  MapEditor* editor_ = nullptr;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,64 @@
+#pragma once
+#include <QWidget>
+#include <array>
+
+#include "app/gui/theme.h"
+#include "device/hands/motion.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace underact::gui {
+
+class Actions;
+class AxisBar;
+class MovingHands;
+class ValueRow;
+struct HandEntry;
+
+/// What each stick and button of one device does, and how far it is moved at this moment.
+class MapEditor : public QWidget {
+  Q_OBJECT
+ public:
+  MapEditor(MovingHands& hands, Actions& actions, QWidget* parent);
+  void setDevice(const QString& id);
+  void setTheme(const Theme& theme);
+  /// The map, anew.
+  void rebuild();
+  /// The bars, each frame.
+  void present();
+
+ private:
+  void buildWays(QGridLayout* grid);
+  QWidget* buildOne();
+  QWidget* buildPresses();
+  QWidget* buildFoot();
+  void chooseWay(std::size_t way);
+  const HandEntry* entry() const;
+  QString field(const char* part) const;
+  void set(const QString& field, const QVariant& value, bool fresh = true);
+  void learn(const QString& field);
+  void fillSources(const HandEntry& entry);
+  void fillButtons(const HandEntry& entry);
+  void presentLearning();
+
+  MovingHands& hands_;
+  Actions& actions_;
+  QString id_;
+  std::size_t way_ = 0;
+  QLabel *title_, *way_title_ = nullptr, *asked_ = nullptr;
+  std::array<QToolButton*, device::hands::kWays> ways_{};
+  std::array<AxisBar*, device::hands::kWays> bars_{};
+  QComboBox* source_ = nullptr;
+  QCheckBox* inverted_ = nullptr;
+  QPushButton *learn_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr;
+  ValueRow *zone_ = nullptr, *fine_ = nullptr, *speed_ = nullptr, *turn_speed_ = nullptr;
+  std::array<QComboBox*, device::hands::kPresses> presses_{};
+  std::array<QPushButton*, device::hands::kPresses> press_learns_{};
+};
+
+}  // namespace underact::gui

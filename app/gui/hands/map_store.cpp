@@ -1,0 +1,45 @@
+#include "app/gui/hands/map_store.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+namespace underact::gui {
+
+MapStore::MapStore() : folder_(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/hands") {}
+
+QString MapStore::pathOf(const std::string& id) const {
+  QString name;
+  for (const QChar letter : QString::fromStdString(id)) {
+    const bool is_plain = letter.unicode() < 0x80 && (letter.isLetterOrNumber() || letter == '-');
+    name += is_plain ? QString(letter) : QString("_%1").arg(letter.unicode(), 0, 16);  // no two become one
+  }
+  return folder_ + "/" + name.left(150) + ".json";
+}
+
+Result<std::optional<device::hands::Map>> MapStore::load(const std::string& id) const {
+  const QString path = pathOf(id);
+  if (!QFileInfo::exists(path)) return std::optional<device::hands::Map>();
+  const Result<device::hands::MapFile> read = device::hands::readMapFile(path.toStdString());
+  if (!read) return read.problems();
+  return std::optional(read.value().map);
+}
+
+Problems MapStore::save(const device::hands::MapFile& file) const {
+  const QString path = pathOf(file.id);
+  QDir().mkpath(folder_);
+  QSaveFile out(path);
+  const QByteArray text = QByteArray::fromStdString(device::hands::mapText(file));
+  if (out.open(QIODevice::WriteOnly) && out.write(text) == text.size() && out.commit()) return {};
+  return Problems{{"The mapping could not be kept in " + path.toStdString() + ": " + out.errorString().toStdString() +
+                       ". It holds until the window is closed.",
+                   {}}};
+}
+
+void MapStore::forget(const std::string& id) const {
+  QFile::remove(pathOf(id));
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,244 @@
+// Which devices there are, their maps, and the hand that they move; how a map is learnt is in moving_hands_learn.cpp.
+#include "app/gui/hands/moving_hands.h"
+
+#include <QSettings>
+#include <QUndoCommand>
+#include <QWidget>
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/actions.h"
+#include "app/gui/hand.h"
+#include "app/gui/words.h"
+#include "core/arm/forward.h"
+#include "core/arm/preset.h"
+#include "core/base/units.h"
+#include "device/simulated_arm.h"
+
+namespace underact::gui {
+
+using namespace device::hands;
+
+namespace {
+
+constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // as often as a 3D mouse speaks; nothing is there
+constexpr int kSave_ms = 300;
+constexpr const char* kUnused = "hands/unused";
+
+bool isSameSeen(const Seen& one, const Seen& other) {
+  const auto isSame = [](const device::Missing& a, const device::Missing& b) { return a.sentence == b.sentence; };
+  return one.id == other.id && one.name == other.name &&
+         std::equal(one.missing.begin(), one.missing.end(), other.missing.begin(), other.missing.end(), isSame);
+}
+
+}  // namespace
+
+/// A change of one device's map; a drag of a slider is one.
+class MapEdit : public QUndoCommand {
+ public:
+  MapEdit(MovingHands& hands, QString id, Map before, Map after, QString field, bool fresh)
+      : hands_(hands), id_(std::move(id)), before_(before), after_(after), field_(std::move(field)), fresh_(fresh) {}
+  void undo() override { hands_.setMap(id_, before_); }
+  void redo() override { hands_.setMap(id_, after_); }
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const MapEdit*>(other);
+    if (next->fresh_ || next->id_ != id_ || next->field_ != field_) return false;
+    after_ = next->after_;
+    return true;
+  }
+
+ private:
+  MovingHands& hands_;
+  QString id_;
+  Map before_, after_;
+  QString field_;
+  bool fresh_;
+};
+
+MovingHands::MovingHands(servo::Host& host, Hand& hand, std::vector<Port*> ports, Actions& actions, QWidget* window)
+    : QObject(window), host_(host), hand_(hand), ports_(std::move(ports)), actions_(actions), window_(window) {
+  for (const QString& id : QSettings().value(kUnused).toStringList()) unused_.insert(id);
+  looks_.setTimerType(Qt::PreciseTimer);
+  connect(&looks_, &QTimer::timeout, this, &MovingHands::look);
+  if (!ports_.empty()) looks_.start(kLookForNew_ms);
+  saves_.setSingleShot(true);
+  connect(&saves_, &QTimer::timeout, this, &MovingHands::save);
+  gives_up_.setSingleShot(true);
+  connect(&gives_up_, &QTimer::timeout, this, &MovingHands::endLearning);
+}
+
+MovingHands::~MovingHands() {
+  save();
+}
+
+const HandEntry* MovingHands::find(const QString& id) const {
+  const auto entry =
+      std::find_if(entries_.begin(), entries_.end(), [&](const HandEntry& one) { return one.id() == id; });
+  return entry == entries_.end() ? nullptr : &*entry;
+}
+
+QString MovingHands::whyAtRest() const {
+  if (hand_.arm() == nullptr) return tr("The hands rest: they move the simulated arm, and it is not in place now.");
+  return {};
+}
+
+QString MovingHands::trouble() const {
+  QStringList lines;
+  for (const Port* port : ports_) {
+    if (!port->trouble().empty()) lines << QString::fromStdString(port->trouble());
+  }
+  for (const auto& [id, problem] : problems_) lines << problem;
+  return lines.join('\n');
+}
+
+void MovingHands::look() {
+  const bool is_new = takeSeen();
+  const servo::Snapshot& snapshot = host_.snapshot();
+  const std::int64_t time_ns = snapshot.report.sample.time_ns;
+  const double dt_s = time_ns_ < 0 ? 0.0 : kSecondPerNanosecond * static_cast<double>(time_ns - time_ns_);
+  time_ns_ = time_ns;
+  const bool is_free = hand_.arm() != nullptr && window_->isActiveWindow() && !learning_;
+  Motion all;
+  bool stops = false;
+  for (HandEntry& entry : entries_) {
+    entry.awake = is_free ? awakened(entry.awake, entry.map, entry.seen.readings) : Awake{};
+    const Motion motion = motionOf(entry.map, entry.seen.readings, entry.awake);
+    stops = stops || motion.stop;
+    entry.moves = is_free && entry.used && !motion.isAtRest();
+    if (is_free && entry.used) all = together(all, motion);
+  }
+  // On the way down alone: Start while it is held would be taken back at once.
+  if (stops && !std::exchange(stops_, stops)) actions_.perform("session.stop");
+  stops_ = stops;
+  hand_.press(is_free ? all.stylus_buttons : 0U);
+  move(is_free ? all : Motion{}, dt_s);
+  if (learning_) {
+    const HandEntry* const entry = find(learning_->id);
+    if (entry == nullptr)
+      endLearning();
+    else
+      learnFrom(*entry);
+  }
+  if (is_new) emit changed();
+}
+
+void MovingHands::move(const Motion& motion, double dt_s) {
+  const servo::Snapshot& snapshot = host_.snapshot();
+  const bool moves = !motion.isAtRest() && snapshot.ticks > 0;
+  if (moves) {
+    const arm::Preset* preset = arm::findPreset(host_.scene().arm);
+    if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
+    const Pose X_WT = arm::tipPose(preset->geometry, snapshot.report.sample.q_rad);
+    hand_.moveTo(moved(hand_.arm()->wished(), motion, dt_s, X_WT));
+  } else if (moved_) {
+    hand_.rest();
+  }
+  moved_ = moves;
+}
+
+/// Whether something else is there than before.
+bool MovingHands::takeSeen() {
+  std::vector<HandEntry> now;
+  bool is_new = false;
+  for (Port* port : ports_) {
+    const std::string before = port->trouble();
+    for (Seen& seen : port->look()) take(std::move(seen), now, is_new);
+    is_new = is_new || port->trouble() != before;
+  }
+  is_new = is_new || now.size() != entries_.size();
+  entries_ = std::move(now);
+  if (!ports_.empty()) looks_.setInterval(entries_.empty() ? kLookForNew_ms : kLook_ms);
+  return is_new;
+}
+
+void MovingHands::take(Seen seen, std::vector<HandEntry>& now, bool& is_new) {
+  const QString id = QString::fromStdString(seen.id);
+  const auto known =
+      std::find_if(entries_.begin(), entries_.end(), [&](const HandEntry& one) { return one.id() == id; });
+  HandEntry entry;
+  if (known != entries_.end()) {
+    is_new = is_new || !isSameSeen(known->seen, seen);
+    entry = *known;
+    entry.seen = std::move(seen);
+  } else {
+    is_new = true;
+    entry.seen = std::move(seen);
+    readMap(entry);
+  }
+  now.push_back(std::move(entry));
+}
+
+void MovingHands::readMap(HandEntry& entry) {
+  const QString id = entry.id();
+  entry.used = unused_.count(id) == 0;
+  usual_[id] = entry.seen.usual;
+  if (const auto known = maps_.find(id); known != maps_.end()) {
+    entry.map = known->second.map;
+    return;
+  }
+  entry.map = entry.seen.usual;
+  const Result<std::optional<Map>> kept = store_.load(entry.seen.id);
+  if (!kept) {
+    problems_[id] =
+        tr("The mapping of %1 cannot be read, and it moves as usual. %2")
+            .arg(QString::fromStdString(entry.seen.name), QString::fromStdString(describe(kept.problems()[0])));
+  } else if (kept.value()) {
+    entry.map = *kept.value();
+  }
+  maps_[id] = {entry.seen.name, entry.seen.id, entry.map};
+}
+
+void MovingHands::use(const QString& id, bool on) {
+  if (on)
+    unused_.erase(id);
+  else
+    unused_.insert(id);
+  for (HandEntry& entry : entries_) {
+    if (entry.id() != id) continue;
+    entry.used = on;
+    entry.awake = {};
+  }
+  QSettings().setValue(kUnused, QStringList(unused_.begin(), unused_.end()));
+  emit changed();
+}
+
+bool MovingHands::change(const QString& id, const Map& map, const QString& field, bool fresh) {
+  const HandEntry* const entry = find(id);
+  if (entry == nullptr) return false;
+  if (!(entry->map == map)) undo_.push(new MapEdit(*this, id, entry->map, map, field, fresh));
+  return true;
+}
+
+bool MovingHands::reset(const QString& id) {
+  return usual_.count(id) > 0 && change(id, usual_[id], "reset");
+}
+
+void MovingHands::setMap(const QString& id, const Map& map) {
+  maps_[id].map = map;
+  problems_.erase(id);
+  for (HandEntry& entry : entries_) {
+    if (entry.id() != id) continue;
+    entry.map = map;
+    entry.awake = {};
+  }
+  unsaved_.insert(id);
+  saves_.start(kSave_ms);
+  emit changed();
+}
+
+void MovingHands::save() {
+  for (const QString& id : std::exchange(unsaved_, {})) {
+    const MapFile& file = maps_[id];
+    if (file.map == usual_[id]) {
+      store_.forget(file.id);
+      continue;
+    }
+    const Problems problems = store_.save(file);
+    if (problems.empty()) continue;
+    problems_[id] = sentencesOf(problems);
+    emit changed();
+  }
+}
+
+}  // namespace underact::gui

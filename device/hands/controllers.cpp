@@ -1,0 +1,89 @@
+#include "device/hands/controllers.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "device/hands/space_mouse.h"
+#include "device/hands/usual.h"
+
+namespace underact::device::hands {
+namespace {
+
+void takeAxes(const float* values, int count, Readings& readings) {
+  readings.axes = std::min(count, kMostAxes);
+  for (int axis = 0; axis < readings.axes; ++axis) readings.axis[static_cast<std::size_t>(axis)] = values[axis];
+}
+
+void takeButtons(const unsigned char* values, int count, Readings& readings) {
+  readings.buttons = std::min(count, kMostButtons);
+  for (int button = 0; button < readings.buttons; ++button) {
+    if (values[button] == GLFW_PRESS) readings.pressed |= std::uint64_t{1} << static_cast<unsigned>(button);
+  }
+}
+
+std::string textOf(const char* text) {
+  return text == nullptr ? std::string() : text;
+}
+
+/// Null where it was unplugged this moment: then there are no axes.
+void describe(int joystick, Seen& seen) {
+  GLFWgamepadstate pad{};
+  if (::glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
+    seen.kind = Kind::Controller;
+    seen.name = textOf(::glfwGetGamepadName(joystick));
+    takeAxes(pad.axes, GLFW_GAMEPAD_AXIS_LAST + 1, seen.readings);
+    takeButtons(pad.buttons, GLFW_GAMEPAD_BUTTON_LAST + 1, seen.readings);
+    return describeController(seen);
+  }
+  seen.kind = Kind::Joystick;
+  seen.name = textOf(::glfwGetJoystickName(joystick));
+  int axes = 0, buttons = 0, hats = 0;
+  const float* const values = ::glfwGetJoystickAxes(joystick, &axes);
+  const unsigned char* const pressed = ::glfwGetJoystickButtons(joystick, &buttons);
+  const unsigned char* const hat_values = ::glfwGetJoystickHats(joystick, &hats);
+  if (values != nullptr) takeAxes(values, axes, seen.readings);
+  if (pressed != nullptr) takeButtons(pressed, buttons, seen.readings);
+  describeJoystick(seen, hat_values == nullptr ? 0 : hats);
+}
+
+}  // namespace
+
+Controllers::~Controllers() {
+  if (works_) ::glfwTerminate();
+}
+
+bool Controllers::begin() {
+  if (has_begun_) return works_;
+  has_begun_ = true;
+  ::glfwInitHint(GLFW_JOYSTICK_HAT_BUTTONS, GLFW_TRUE);
+  works_ = ::glfwInit() == GLFW_TRUE;
+  if (works_) return true;
+  const char* why = nullptr;
+  ::glfwGetError(&why);
+  trouble_ =
+      "Game controllers cannot be read here (" + (why == nullptr ? std::string("no reason given") : textOf(why)) +
+      "). Mouse, keyboard and 3D mice work all the same. Controllers need a screen with X11, or a Wayland desktop "
+      "with Xwayland.";
+  return false;
+}
+
+std::vector<Seen> Controllers::look() {
+  std::vector<Seen> all;
+  if (!begin()) return all;
+  ::glfwPollEvents();  // takes up what was plugged in and out
+  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+    if (::glfwJoystickPresent(joystick) != GLFW_TRUE) continue;
+    Seen seen;
+    seen.id = textOf(::glfwGetJoystickGUID(joystick));
+    if (isSpaceMouseGuid(seen.id)) continue;
+    describe(joystick, seen);
+    if (seen.id.empty() || seen.readings.axes + seen.readings.buttons == 0) continue;  // it went this moment
+    all.push_back(std::move(seen));
+  }
+  tellApart(all);
+  return all;
+}
+
+}  // namespace underact::device::hands

@@ -1,0 +1,82 @@
+#include "device/hands/usual.h"
+
+namespace underact::device::hands {
+namespace {
+
+// Across the workspace of 160 mm in a second and a half; half a turn in two.
+constexpr double kTop_m_per_s = 0.12, kTop_rad_per_s = 1.5;
+// Sticks come back to within a tenth of their way; the cap of a 3D mouse nearer.
+constexpr double kStickZone = 0.12, kCapZone = 0.06;
+
+AxisMap map(Way way, Source source, double dead_zone, bool inverted = false) {
+  const bool turns = static_cast<std::size_t>(way) >= kMoves;
+  return {source, inverted, dead_zone, 2.0, turns ? kTop_rad_per_s : kTop_m_per_s};
+}
+
+Source axis(int number) {
+  return {SourceKind::Axis, number, -1};
+}
+
+/// Every way, those of no source among them, has its speed.
+Map nothing(double dead_zone) {
+  Map made;
+  for (std::size_t way = 0; way < kWays; ++way) made.ways[way] = map(static_cast<Way>(way), {}, dead_zone);
+  return made;
+}
+
+void set(Map& made, Way way, Source source, bool inverted = false) {
+  AxisMap& one = made.ways[static_cast<std::size_t>(way)];
+  one.source = source;
+  one.inverted = inverted;
+}
+
+}  // namespace
+
+// Axes and buttons of a gamepad: GLFW 3.3, input guide, "Gamepad axes" and "Gamepad buttons". Down is positive.
+void describeController(Seen& seen) {
+  seen.axis_names = {"left stick, right", "left stick, down", "right stick, right",
+                     "right stick, down", "left trigger",     "right trigger"};
+  seen.button_names = {"A",         "B",        "X",       "Y",          "left bumper", "right bumper",
+                       "Back",      "Start",    "Guide",   "left stick", "right stick", "pad up",
+                       "pad right", "pad down", "pad left"};
+  const Source triggers{SourceKind::Triggers, 5, 4}, bumpers{SourceKind::Buttons, 4, 5};
+  seen.pairs = {triggers, bumpers, {SourceKind::Buttons, 11, 13}, {SourceKind::Buttons, 12, 14}};
+  seen.usual = nothing(kStickZone);
+  set(seen.usual, Way::Right, axis(0));
+  set(seen.usual, Way::Near, axis(1));
+  set(seen.usual, Way::Up, triggers);
+  set(seen.usual, Way::TurnX, axis(3));
+  set(seen.usual, Way::TurnY, axis(2));
+  set(seen.usual, Way::TurnZ, bumpers);
+  seen.usual.presses = {0, 2, 1};  // A, X; B stops
+}
+
+void describeJoystick(Seen& seen, int hats) {
+  seen.usual = nothing(kStickZone);
+  set(seen.usual, Way::Right, axis(0));
+  set(seen.usual, Way::Near, axis(1));
+  for (int hat = 0; hat < hats; ++hat) {
+    const int up = seen.readings.buttons - 4 * (hats - hat);
+    if (up < 0) continue;
+    seen.pairs.push_back({SourceKind::Buttons, up, up + 2});
+    seen.pairs.push_back({SourceKind::Buttons, up + 1, up + 3});
+  }
+  if (!seen.pairs.empty()) set(seen.usual, Way::Up, seen.pairs.front());
+  seen.usual.presses = {0, 1, 2};
+}
+
+// HID: x to the right, y towards the person, z down (facts on devices, 3.3), so W's y is -z and W's z is y, of turns,
+// too.
+void describeSpaceMouse(Seen& seen, int stop) {
+  seen.axis_names = {"right", "towards you", "down", "tilt back", "tilt right", "twist right"};
+  seen.usual = nothing(kCapZone);
+  set(seen.usual, Way::Right, axis(0));
+  set(seen.usual, Way::Near, axis(1));
+  set(seen.usual, Way::Up, axis(2), true);
+  set(seen.usual, Way::TurnX, axis(3));
+  set(seen.usual, Way::TurnZ, axis(4));
+  set(seen.usual, Way::TurnY, axis(5), true);
+  seen.usual.presses = {0, 1, stop};
+}
+
+}  // namespace underact::device::hands
