@@ -16,8 +16,12 @@ LICENCES = "usr/share/doc/underact/licences"
 def install(build, folder):
     """What the build installs, below folder/usr, without the programs that are not carried."""
     environment = {**os.environ, "DESTDIR": folder}
-    subprocess.run(["cmake", "--install", build, "--prefix", "/usr", "--strip"], check=True, env=environment,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(
+        ["cmake", "--install", build, "--prefix", "/usr", "--strip"],
+        check=True,
+        env=environment,
+        stdout=subprocess.DEVNULL,
+    )
     for here, folders, files in os.walk(folder, topdown=False):
         for name in files:
             if name.split(".")[0] in parts.PROGRAMS_LEFT_OUT:
@@ -33,7 +37,9 @@ def _plugins(folder):
     known = elf.installed()
     if "libQt6Core.so.6" not in known:
         raise closure.Refused("Qt 6 is not installed, so its plugins cannot be carried.")
-    source = os.path.join(os.path.dirname(os.path.realpath(known["libQt6Core.so.6"])), "qt6", "plugins")
+    source = os.path.join(
+        os.path.dirname(os.path.realpath(known["libQt6Core.so.6"])), "qt6", "plugins"
+    )
     copied = {}
     for name in parts.PLUGINS:
         target = os.path.join(folder, PLUGINS, name)
@@ -62,8 +68,11 @@ def _relocate(folder, files):
         way = os.path.relpath(os.path.join(folder, LIB), os.path.dirname(path))
         os.chmod(path, os.stat(path).st_mode | 0o200)
         elf.patch(path, "--set-rpath", "$ORIGIN" if way == "." else f"$ORIGIN/{way}")
-        without = {library: names for (importer, library), names in parts.LEFT_OUT.items()
-                   if importer == os.path.basename(path)}
+        without = {
+            library: names
+            for (importer, library), names in parts.LEFT_OUT.items()
+            if importer == os.path.basename(path)
+        }
         if without:
             elf.leave_out(path, without)
 
@@ -79,19 +88,26 @@ def _entrance(folder, files):
     shutil.copyfile(os.path.join(HERE, "AppRun"), os.path.join(folder, "AppRun"))
     os.chmod(os.path.join(folder, "AppRun"), 0o755)
     os.symlink("AppRun", os.path.join(folder, "underact-cli"))
-    shutil.copyfile(os.path.join(ROOT, "resources", "icons", "underact.svg"), os.path.join(folder, "underact.svg"))
+    shutil.copyfile(
+        os.path.join(ROOT, "resources", "icons", "underact.svg"),
+        os.path.join(folder, "underact.svg"),
+    )
     os.symlink("underact.svg", os.path.join(folder, ".DirIcon"))
     desktop = "usr/share/applications/underact.desktop"
     if os.path.exists(os.path.join(folder, desktop)):
         os.symlink(desktop, os.path.join(folder, "underact.desktop"))
-    _write(os.path.join(folder, "usr/bin/qt.conf"), "[Paths]\nPrefix = ..\nPlugins = lib/qt6/plugins\n")
+    _write(
+        os.path.join(folder, "usr/bin/qt.conf"), "[Paths]\nPrefix = ..\nPlugins = lib/qt6/plugins\n"
+    )
     asked = sorted({name for path in files for name in elf.needed(path)} & set(parts.SYSTEM))
-    _write(os.path.join(folder, "usr/share/underact/bundle/system-libraries"),
-           "".join(f"{name} {parts.SYSTEM[name]}\n" for name in asked))
+    _write(
+        os.path.join(folder, "usr/share/underact/bundle/system-libraries"),
+        "".join(f"{name} {parts.SYSTEM[name]}\n" for name in asked),
+    )
 
 
 def make(build, folder, version, epoch):
-    """Makes the AppDir in folder, which must not be there, with its licences and its list of parts."""
+    """Makes the AppDir in folder, which is empty, with its licences and its list of parts."""
     table = licences.read_table()
     programs = install(build, folder)
     closure.check_programs(programs)
@@ -106,11 +122,18 @@ def make(build, folder, version, epoch):
     missing = closure.unresolved(folder)
     if missing:
         path, names = next(iter(missing.items()))
-        raise closure.Refused(f"{path} asks for {names[0]}, which no library of the bundle or the system has.")
+        raise closure.Refused(
+            f"{path} asks for {names[0]}, which no library of the bundle or the system has."
+        )
     _entrance(folder, files)
     licences.copy_texts(packages, os.path.join(folder, LICENCES))
     shutil.copyfile(os.path.join(ROOT, "LICENSE"), os.path.join(folder, LICENCES, "underact"))
     licences.write_sources(packages, os.path.join(folder, LICENCES, "SOURCES"))
+    linked = {name: "DYNAMIC_LINK" for name in of_file.values()} | {
+        name: "STATIC_LINK" for name in parts.HEADERS
+    }
     of_file.update({os.path.relpath(path, folder): "" for path in programs})
-    spdx.write(os.path.join(folder, "usr/share/doc/underact/underact.spdx.json"),
-               spdx.document(folder, version, epoch, table[1], of_file, parts.HEADERS))
+    spdx.write(
+        os.path.join(folder, "usr/share/doc/underact/underact.spdx.json"),
+        spdx.document(version, epoch, folder, of_file, table[1], linked),
+    )

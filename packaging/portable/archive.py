@@ -30,16 +30,21 @@ def _payload(folder, epoch):
 
     packed = io.BytesIO()
     # gzip: a bare Debian root has no xz.
-    with gzip.GzipFile(filename="", mode="wb", compresslevel=9, fileobj=packed, mtime=0) as stream, \
-            tarfile.open(fileobj=stream, mode="w", format=tarfile.GNU_FORMAT) as tar:
+    with gzip.GzipFile(
+        filename="", mode="wb", compresslevel=9, fileobj=packed, mtime=0
+    ) as stream, tarfile.open(fileobj=stream, mode="w", format=tarfile.GNU_FORMAT) as tar:
         for here, folders, files in os.walk(folder):
             folders.sort()
             links = [name for name in folders if os.path.islink(os.path.join(here, name))]
             at = os.path.join(os.path.basename(folder), os.path.relpath(here, folder))
             tar.add(here, os.path.normpath(at), recursive=False, filter=nobodys)
             for name in sorted(files + links):
-                tar.add(os.path.join(here, name), os.path.normpath(os.path.join(at, name)),
-                        recursive=False, filter=nobodys)
+                tar.add(
+                    os.path.join(here, name),
+                    os.path.normpath(os.path.join(at, name)),
+                    recursive=False,
+                    filter=nobodys,
+                )
     return packed.getvalue()
 
 
@@ -49,7 +54,9 @@ def write_run(folder, path, version, epoch):
     with open(HEADER, encoding="utf-8") as file:
         header = file.read()
     header = header.replace("@LINES@", str(header.count("\n") + 1)).replace("@VERSION@", version)
-    header = header.replace("@SUM@", hashlib.sha256(payload).hexdigest()).replace("@NAME@", os.path.basename(folder))
+    header = header.replace("@SUM@", hashlib.sha256(payload).hexdigest()).replace(
+        "@NAME@", os.path.basename(folder)
+    )
     with open(path, "wb") as file:
         file.write(header.encode() + payload)
     os.chmod(path, 0o755)

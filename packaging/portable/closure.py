@@ -15,16 +15,25 @@ def _left_out(path, library):
 
 
 def libraries(roots):
-    """What roots need, and what that needs: soname -> path, without the system's and those left out."""
+    """What roots need, and what that needs: soname -> path, without the system's and those left
+    out.
+    """
     known, found, todo = elf.installed(), {}, list(roots)
     while todo:
         path = todo.pop()
         for name in elf.needed(path):
-            if name in found or name in parts.SYSTEM or _left_out(os.path.realpath(path), name) \
-                    or _left_out(path, name):
+            if (
+                name in found
+                or name in parts.SYSTEM
+                or _left_out(os.path.realpath(path), name)
+                or _left_out(path, name)
+            ):
                 continue
             if name in parts.REFUSED:
-                raise Refused(f"{path} needs {name}, which is under {parts.REFUSED[name]} and may not be carried.")
+                raise Refused(
+                    f"{path} needs {name}, which is under {parts.REFUSED[name]} and may not be "
+                    "carried."
+                )
             if name not in known:
                 raise Refused(f"{path} needs {name}, which is not on this system.")
             found[name] = known[name]
@@ -33,30 +42,42 @@ def libraries(roots):
 
 
 def check_left_out(path, soname):
-    """What path asks of the libraries left out is what is known of, and nothing of it is looked up at start."""
+    """What path asks of the libraries left out is what is known of, and nothing of it is looked up
+    at start.
+    """
     for (importer, library), allowed in parts.LEFT_OUT.items():
         if importer != soname or library not in elf.needed(path):
             continue
         theirs = elf.symbols(elf.installed()[library], "--defined-only")
         asked = elf.symbols(path, "--undefined-only") & theirs
         if asked != allowed:
-            raise Refused(f"{soname} asks {library} for {', '.join(sorted(asked ^ allowed))}, which was not looked "
-                          "at: see LEFT_OUT in packaging/portable/parts.py.")
+            raise Refused(
+                f"{soname} asks {library} for {', '.join(sorted(asked ^ allowed))}, which was not "
+                "looked "
+                "at: see LEFT_OUT in packaging/portable/parts.py."
+            )
         if not elf.binds_lazily(path, allowed):
-            raise Refused(f"{soname} looks up the functions of {library} at start, so it cannot be left out.")
+            raise Refused(
+                f"{soname} looks up the functions of {library} at start, so it cannot be left out."
+            )
 
 
 def check_programs(paths):
     """No program of ours calls what leads to a library left out."""
     pattern = re.compile("|".join(parts.NEVER_CALLED))
     for path in paths:
-        called = sorted(name for name in elf.symbols(path, "--undefined-only") if pattern.search(name))
+        called = sorted(
+            name for name in elf.symbols(path, "--undefined-only") if pattern.search(name)
+        )
         if called:
-            raise Refused(f"{os.path.basename(path)} calls {called[0]}, which needs a library that is left out.")
+            raise Refused(
+                f"{os.path.basename(path)} calls {called[0]}, which needs a library that is left "
+                "out."
+            )
 
 
 def unresolved(folder):
-    """What the programs and libraries below folder ask for, and nobody there or in the system has."""
+    """What the files below folder ask for, and nobody there or in the system has: path -> names."""
     files = elf.elf_files(folder)
     carried = {os.path.basename(path) for path in files}
     have = set()

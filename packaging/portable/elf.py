@@ -50,7 +50,9 @@ def runpath(path):
 
 
 def symbols(path, which):
-    """The dynamic symbols of path, without their versions. which: "--undefined-only" or "--defined-only"."""
+    """The dynamic symbols of path, without their versions. which: "--undefined-only" or
+    "--defined-only".
+    """
     lines = _output("nm", "-D", "-P", which, path).splitlines()
     return {line.split()[0].split("@")[0] for line in lines if line.split()[1] not in "wv"}
 
@@ -73,24 +75,33 @@ def patch(path, *changes):
 
 
 def _versions(path):
-    """What path wants of whom: ((offset in the file, library) of each, address of the first), and the places of
-    the dynamic entries that name the first and count them.
+    """What path wants of whom: ((offset in the file, library) of each, address of the first), and
+    the places of the dynamic entries that name the first and count them.
     """
     with open(path, "rb") as file:
         elf = ELFFile(file)
-        section, dynamic = elf.get_section_by_name(".gnu.version_r"), elf.get_section_by_name(".dynamic")
+        section = elf.get_section_by_name(".gnu.version_r")
+        dynamic = elf.get_section_by_name(".dynamic")
         at, entries = section["sh_offset"], []
         for version, _ in section.iter_versions():
             entries.append((at, version.name))
             at += version.entry.vn_next
-        place = {tag.entry.d_tag: dynamic["sh_offset"] + n * dynamic["sh_entsize"]
-                 for n, tag in enumerate(dynamic.iter_tags())}
-        return entries, section["sh_addr"] - section["sh_offset"], place["DT_VERNEED"], place["DT_VERNEEDNUM"]
+        place = {
+            tag.entry.d_tag: dynamic["sh_offset"] + n * dynamic["sh_entsize"]
+            for n, tag in enumerate(dynamic.iter_tags())
+        }
+        return (
+            entries,
+            section["sh_addr"] - section["sh_offset"],
+            place["DT_VERNEED"],
+            place["DT_VERNEEDNUM"],
+        )
 
 
 def _forget_versions(path, libraries):
-    """Takes the versions that path wants of libraries out of .gnu.version_r: the loader asks them of a library that is
-    needed no more, and would end the program. After the last change by patchelf, which writes these entries anew.
+    """Takes the versions that path wants of libraries out of .gnu.version_r: the loader asks them
+    of a library that is needed no more, and would end the program. After the last change by
+    patchelf, which writes these entries anew.
     """
     entries, to_address, first, count = _versions(path)
     kept = [at for at, name in entries if name not in libraries]
@@ -104,11 +115,14 @@ def _forget_versions(path, libraries):
 
 
 def leave_out(path, functions):
-    """Makes path do without libraries whose functions it never calls. Calling one would end the program.
-    functions: library -> those it asks for.
+    """Makes path do without libraries whose functions it never calls. Calling one would end the
+    program. functions: library -> those it asks for.
     """
-    versioned = {line.split()[-1].split("@")[0] for line in
-                 _output("nm", "-D", "--undefined-only", path).splitlines() if "@" in line}
+    versioned = {
+        line.split()[-1].split("@")[0]
+        for line in _output("nm", "-D", "--undefined-only", path).splitlines()
+        if "@" in line
+    }
     changes = []
     for library, names in sorted(functions.items()):
         changes += ["--remove-needed", library]

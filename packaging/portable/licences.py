@@ -13,7 +13,7 @@ COMMON = "/usr/share/common-licenses"
 
 
 def read_table(path=TABLE):
-    """(licences allowed, package -> licence taken). Lines: `allow ID...` and `PACKAGE EXPRESSION`."""
+    """(licences allowed, package -> licence taken), from lines `allow ID...` and `PACKAGE LICENCE`."""
     allowed, of_package = set(), {}
     with open(path, encoding="utf-8") as file:
         for line in file:
@@ -30,12 +30,16 @@ def check(packages, table):
     allowed, of_package = table
     for package in sorted(packages):
         if package not in of_package:
-            raise Refused(f"{package} has no licence in packaging/bundle-licences: read "
-                          f"/usr/share/doc/{package}/copyright, and add it where its licence is allowed.")
+            raise Refused(
+                f"{package} has no licence in packaging/bundle-licences: read "
+                f"/usr/share/doc/{package}/copyright, and add it where its licence is allowed."
+            )
         parts = of_package[package].replace(" WITH ", "_WITH_").split(" AND ")
         wrong = set(parts) - allowed
         if wrong:
-            raise Refused(f"{package} is under {', '.join(sorted(wrong))}, which may not be carried.")
+            raise Refused(
+                f"{package} is under {', '.join(sorted(wrong))}, which may not be carried."
+            )
 
 
 def _dpkg(*arguments):
@@ -47,7 +51,12 @@ def packages_of(paths):
     asked = {}
     for path in paths:
         real = os.path.realpath(path)
-        for name in (path, real, re.sub(r"^/usr(?=/lib)", "", real), "/usr" + real):  # /lib may be a link to /usr/lib
+        for name in (
+            path,
+            real,
+            re.sub(r"^/usr(?=/lib)", "", real),
+            "/usr" + real,
+        ):  # /lib may be a link to /usr/lib
             asked.setdefault(name, []).append(path)
     found = {}
     answer = subprocess.run(["dpkg", "-S", *asked], capture_output=True, text=True).stdout
@@ -57,7 +66,9 @@ def packages_of(paths):
             found[path] = package.split(":")[0]
     for path in paths:
         if path not in found:
-            raise Refused(f"No package of this system has installed {path}, so its licence is not known.")
+            raise Refused(
+                f"No package of this system has installed {path}, so its licence is not known."
+            )
     return found
 
 
@@ -65,9 +76,20 @@ def packages_of(paths):
 def facts(package):
     """Version, source package and its version, homepage, of an installed package."""
     fields = ("Version", "source:Package", "source:Version", "Homepage")
-    text = _dpkg("dpkg-query", "-W", "-f", "\n".join(f"${{{field}}}" for field in fields) + "\n===\n", package)
+    text = _dpkg(
+        "dpkg-query",
+        "-W",
+        "-f",
+        "\n".join(f"${{{field}}}" for field in fields) + "\n===\n",
+        package,
+    )
     version, source, source_version, homepage = text.split("\n===")[0].split("\n")
-    return {"version": version, "source": source, "source_version": source_version, "homepage": homepage}
+    return {
+        "version": version,
+        "source": source,
+        "source_version": source_version,
+        "homepage": homepage,
+    }
 
 
 def copy_texts(packages, folder):
@@ -77,7 +99,10 @@ def copy_texts(packages, folder):
     for package in sorted(packages):
         text = f"/usr/share/doc/{package}/copyright"
         if not os.path.exists(text):
-            raise Refused(f"{text} is not there, so {package} cannot be carried: install it with its documentation.")
+            raise Refused(
+                f"{text} is not there, so {package} cannot be carried: install it with its "
+                "documentation."
+            )
         shutil.copyfile(text, os.path.join(folder, package))
         with open(text, encoding="utf-8", errors="replace") as file:
             named.update(re.findall(COMMON + r"/([A-Za-z]+(?:-[0-9.]*[0-9])?)", file.read()))
@@ -89,8 +114,12 @@ def copy_texts(packages, folder):
 
 def write_sources(packages, path):
     """Where the source of each carried package is, as the LGPL asks."""
-    lines = ["The source of every library carried here, as Debian built it: https://snapshot.debian.org/package/SOURCE/"
-             "VERSION/. Each library is a file of its", "own in usr/lib: another build of the same interface may take its place.", ""]
+    lines = [
+        "The source of every library carried here, as Debian built it:",
+        "https://snapshot.debian.org/package/SOURCE/VERSION/. Each library is a file of its own in",
+        "usr/lib: another build of the same interface may take its place.",
+        "",
+    ]
     for package in sorted(packages):
         known = facts(package)
         lines.append(f"{package} {known['version']}: {known['source']} {known['source_version']}")

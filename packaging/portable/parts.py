@@ -1,4 +1,6 @@
-"""What the bundle carries, what it leaves to the system, and what it leaves out, each with its reason."""
+"""What the bundle carries, what it leaves to the system, and what it leaves out, each with its
+reason.
+"""
 
 # Qt loads these by name. No Wayland: VTK's libGLEW asks for GLX, which XWayland has.
 PLUGINS = (
@@ -10,11 +12,15 @@ PLUGINS = (
     "platforminputcontexts/libibusplatforminputcontextplugin.so",
 )
 
-# The libraries that must be the system's own, and Debian's package of each. The list follows the excludelist of
-# AppImage (github.com/AppImageCommunity/pkg2appimage, excludelist), which gives the reasons:
-# - the C library and the compiler's: the system's drivers of OpenGL want theirs, which may be newer than ours;
+# The libraries that must be the system's own, and Debian's package of each. The list follows the
+# excludelist of AppImage (github.com/AppImageCommunity/pkg2appimage, excludelist), which gives the
+# reasons:
+# - the C library and the compiler's: the system's drivers of OpenGL want theirs, which may be newer
+#   than ours;
 # - what talks to the graphics card, to the X server and to fontconfig's files;
 # - what these load themselves, so that there are no two of them in one process.
+# Other than there, libharfbuzz, libICE, libSM, libuuid and libgpg-error are carried: a bare Debian with
+# a display has none of them. libudev is not: what it reads is the system's.
 C_LIBRARY = {
     "ld-linux-x86-64.so.2": "libc6",
     "libc.so.6": "libc6",
@@ -43,24 +49,32 @@ DISPLAY = {
 }
 SYSTEM = {**C_LIBRARY, **DISPLAY}
 
-# Libraries whose functions nothing in the bundle can reach: (who asks for it, which) -> the functions it asks for.
-# Making the bundle stops where one more is asked for, or where one is looked up before it is called, or where a
-# program of ours calls NEVER_CALLED.
+# Libraries whose functions nothing in the bundle can reach: (who asks for it, which) -> the
+# functions it asks for. Making the bundle stops where one more is asked for, or where one is looked
+# up before it is called, or where a program of ours calls NEVER_CALLED.
 LEFT_OUT = {
-    # vtkPlotParallelCoordinates::UpdateTableCache() is the one caller; the window draws with vtkChartXY, which makes
-    # no such plot. Behind it are libtiff with the GPL's libjbig, Open MPI and fifteen more.
+    # vtkPlotParallelCoordinates::UpdateTableCache() is the one caller; the window draws with
+    # vtkChartXY, which makes no such plot. Behind it are libtiff with the GPL's libjbig, Open MPI
+    # and twenty more.
     ("libvtkChartsCore-9.1.so.1", "libvtkInfovisCore-9.1.so.1"): {"_ZN19vtkStringToCategory3NewEv"},
-    # HDF5's driver of files on S3 (H5FDros3.c, H5FDs3comms.c) calls these. No program opens an address, and behind
-    # libcurl are Kerberos, LDAP, two kinds of TLS and twenty more.
+    # HDF5's driver of files on S3 (H5FDros3.c, H5FDs3comms.c) calls these. No program opens an
+    # address, and behind libcurl are Kerberos, LDAP, two kinds of TLS and twenty more.
     ("libhdf5_serial.so.103", "libcurl.so.4"): {
-        "curl_easy_cleanup", "curl_easy_init", "curl_easy_perform", "curl_easy_setopt",
-        "curl_global_cleanup", "curl_global_init", "curl_slist_append", "curl_slist_free_all",
+        "curl_easy_cleanup",
+        "curl_easy_init",
+        "curl_easy_perform",
+        "curl_easy_setopt",
+        "curl_global_cleanup",
+        "curl_global_init",
+        "curl_slist_append",
+        "curl_slist_free_all",
     },
     ("libhdf5_serial.so.103", "libcrypto.so.3"): {"EVP_sha256", "HMAC", "SHA256"},
 }
 NEVER_CALLED = ("ParallelCoordinates", "H5Pset_fapl_ros3", "H5FD_ros3", "H5FD_s3comms")
 
-# Parts of packages that are under another licence than the package, as its copyright file says: never carried.
+# Parts of packages that are under another licence than the package, as its copyright file says:
+# never carried.
 REFUSED = {"libvtkxdmf2-9.1.so.1": "GPL-2.0-or-later"}
 
 # Programs that are not carried: many runs over MPI need the system's mpirun and its libraries.
