@@ -1,5 +1,6 @@
 """The folder that runs from anywhere: Underact-VERSION-x86_64.AppDir."""
 
+import glob
 import os
 import shutil
 import subprocess
@@ -93,9 +94,8 @@ def _entrance(folder, files):
         os.path.join(folder, "underact.svg"),
     )
     os.symlink("underact.svg", os.path.join(folder, ".DirIcon"))
-    desktop = "usr/share/applications/underact.desktop"
-    if os.path.exists(os.path.join(folder, desktop)):
-        os.symlink(desktop, os.path.join(folder, "underact.desktop"))
+    for desktop in glob.glob("usr/share/applications/*.desktop", root_dir=folder):
+        os.symlink(desktop, os.path.join(folder, os.path.basename(desktop)))
     _write(
         os.path.join(folder, "usr/bin/qt.conf"), "[Paths]\nPrefix = ..\nPlugins = lib/qt6/plugins\n"
     )

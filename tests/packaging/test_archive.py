@@ -1,5 +1,6 @@
 """The one file: the same bytes each time, whole or refused, unpacked once."""
 
+import concurrent.futures
 import filecmp
 import glob
 import os
@@ -46,6 +47,14 @@ class Archive(unittest.TestCase):
         self.assertEqual((second.stdout, second.stderr), (first.stdout, ""))
         self.assertEqual(self.call("--remove").returncode, 0)
         self.assertEqual(self.unpacked(), [])
+
+    def test_three_first_starts_at_once_share_one_folder(self):
+        with concurrent.futures.ThreadPoolExecutor(3) as pool:
+            answers = list(pool.map(lambda _: self.call("cli", "--version"), range(3)))
+        self.assertEqual([one.returncode for one in answers], [0, 0, 0], answers)
+        self.assertEqual(len(self.unpacked()), 1)
+        left = glob.glob(os.path.join(self.home, ".cache/underact/bundle/*/.part*"))
+        self.assertEqual(left, [])
 
     def test_it_unpacks_where_it_is_told_to(self):
         place = os.path.join(self.home, "in here")

@@ -102,6 +102,26 @@ class Missing(Moved):
         self.assertEqual(answer.returncode, 4)
         self.assertIn("not whole: libnosuchpart.so.1 is missing", answer.stderr)
 
+    def test_a_desktop_without_x_is_told_of_xwayland(self):
+        answer = call(self.app_run, WAYLAND_DISPLAY="wayland-0", QT_QPA_PLATFORM="wayland")
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("sudo apt install xwayland", answer.stderr)
+
+    def test_figures_without_their_libraries_say_so(self):
+        out = os.path.join(self.scratch, "figures")
+        alone = os.path.join(self.scratch, "python3")  # one without the system's packages
+        with open(alone, "w", encoding="utf-8") as file:
+            file.write('#!/bin/sh\nexec /usr/bin/python3 -S "$@"\n')
+        os.chmod(alone, 0o755)
+        for python, wanted in (
+            (alone, "h5py|matplotlib|numpy"),
+            ("/nonexistent", "Install python3"),
+        ):
+            answer = call(self.app_run, "cli", "figures", "--out", out, UNDERACT_PYTHON=python)
+            self.assertNotEqual(answer.returncode, 0)
+            self.assertRegex(answer.stderr, wanted)
+            self.assertNotIn("Traceback", answer.stderr)
+
     def test_without_a_screen_the_window_says_so(self):
         answer = call(self.app_run)
         self.assertEqual(answer.returncode, 2)
