@@ -31,7 +31,7 @@ def _payload(folder, epoch):
     packed = io.BytesIO()
     # gzip: a bare Debian root has no xz.
     with gzip.GzipFile(
-        filename="", mode="wb", compresslevel=9, fileobj=packed, mtime=0
+        filename="", mode="wb", compresslevel=6, fileobj=packed, mtime=0
     ) as stream, tarfile.open(fileobj=stream, mode="w", format=tarfile.GNU_FORMAT) as tar:
         for here, folders, files in os.walk(folder):
             folders.sort()

@@ -39,7 +39,15 @@ case ${1:-} in
   --unpack)
     [ $# -eq 2 ] || { echo "Usage: $0 --unpack DIR" >&2; exit 2; }
     unpack "$2" anew; echo "$2/$name/AppRun starts it."; exit 0 ;;
-  --remove) rm -rf "$folder"; echo "$folder is gone."; exit 0 ;;
+  --remove)  # what it and its earlier versions have unpacked, and nothing else that may lie there
+    for one in "$folder"/[0-9a-f]*[0-9a-f]/Underact-*.AppDir; do
+      [ -x "$one/usr/bin/underact-cli" ] || continue
+      rm -rf "$one"
+      rmdir "$(dirname "$one")" 2>/dev/null || true
+      echo "$one is gone."
+    done
+    rmdir "$folder" 2>/dev/null || true
+    exit 0 ;;
 esac
 home=$folder/$(printf %.16s $sum)
 if [ ! -x "$home/$name/AppRun" ]; then

@@ -48,6 +48,17 @@ class Archive(unittest.TestCase):
         self.assertEqual(self.call("--remove").returncode, 0)
         self.assertEqual(self.unpacked(), [])
 
+    def test_removing_takes_only_what_it_has_unpacked(self):
+        place = os.path.join(self.home, "shared")
+        os.mkdir(place)
+        kept = os.path.join(place, "letter.txt")
+        with open(kept, "w", encoding="utf-8") as file:
+            file.write("mine")
+        for arguments in (["cli", "--version"], ["--remove"]):
+            answer = call(self.run_file, *arguments, HOME=self.home, UNDERACT_BUNDLE_DIR=place)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertEqual(os.listdir(place), ["letter.txt"])
+
     def test_three_first_starts_at_once_share_one_folder(self):
         with concurrent.futures.ThreadPoolExecutor(3) as pool:
             answers = list(pool.map(lambda _: self.call("cli", "--version"), range(3)))
