@@ -1,7 +1,7 @@
-# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [PROGRAM name])
+# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [PROGRAM name [IN folder] [COMPONENT name]])
 # Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it. A LINKS
 # that is no target yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp
-# is left out of the room and becomes the program of that name.
+# is left out of the room and becomes the program of that name, installed IN bin, another folder, or nowhere.
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not.
@@ -9,7 +9,9 @@ set(UNDERACT_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Werror $<$<CXX_COMPIL
 
 add_library(underact_flags INTERFACE)
 # -ffp-contract=off: the same bits on CPUs with and without fused multiply-add (replay, design.md).
-target_compile_options(underact_flags INTERFACE -ffp-contract=off)
+# -fno-tree-slp-vectorize: where it vectorizes straight-line code, GCC 12 takes (double)(float)x for x, so what was rounded
+# in order to be a bound, or a rest of known size, is not (tests/core/mesh/on_triangle_test.cpp met it).
+target_compile_options(underact_flags INTERFACE -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 target_include_directories(underact_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 if(UNDERACT_SANITIZE)
   target_compile_options(underact_flags INTERFACE -fsanitize=${UNDERACT_SANITIZE} -fno-omit-frame-pointer
@@ -20,7 +22,7 @@ endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/underact/version.h @ONLY)
 
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM" "LINKS;USES;SHOWS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
@@ -42,6 +44,11 @@ function(underact_room folder)
     add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
     target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
     target_link_libraries(${room_PROGRAM} PRIVATE underact_${name})
-    install(TARGETS ${room_PROGRAM} RUNTIME)
+    if(NOT room_IN)
+      set(room_IN ${CMAKE_INSTALL_BINDIR})
+    endif()
+    if(NOT room_IN STREQUAL "nowhere")
+      install(TARGETS ${room_PROGRAM} RUNTIME DESTINATION ${room_IN} COMPONENT ${room_COMPONENT})
+    endif()
   endif()
 endfunction()

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "device/openhaptics/openhaptics_arm.h"
+#include "device/remote/remote.h"
 #include "device/simulated_arm.h"
 #include "device/wooden/wooden.h"
 
@@ -27,6 +28,7 @@ constexpr std::array kRows{
     Row{"simulated", "Simulated arm", openSimulated, lookForSimulated},
     Row{"openhaptics", "Touch, Omni (vendor's driver)", openhaptics::openRow, openhaptics::lookRow},
     Row{"wooden", "WoodenHaptics (HID)", openWooden, lookForWooden},
+    Row{"remote", "Arm over the network", remote::openRow, remote::lookRow},
 };
 
 }  // namespace

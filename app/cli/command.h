@@ -1,6 +1,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <iosfwd>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
 void addRun(CLI::App& program, const Streams& streams, Exit& exit);
 void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit);
 void addIdentify(CLI::App& program, const Streams& streams, Exit& exit);
+void addShareArm(CLI::App& program, const Streams& streams, Exit& exit);
+void addRegister(CLI::App& program, const Streams& streams, Exit& exit);
 void addDevices(CLI::App& program, const Streams& streams, Exit& exit);
 void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit);
 void addLog(CLI::App& program, const Streams& streams, Exit& exit);
@@ -39,6 +42,9 @@ void addScene(CLI::App& program, const Streams& streams, Exit& exit);
 
 /// All commands, in the order of --help.
 std::span<const AddCommand> commands();
+
+/// The grammar of the whole program; help, man pages and completion are made from it. streams, exit: outlive it.
+std::unique_ptr<CLI::App> makeGrammar(const Streams& streams, Exit& exit);
 
 /// Runs a grammar's commands: help, version and wrong usage are answered, and the results are out at the end, or it is
 /// said that they are not. arguments: without the program's name; exit: where the commands leave their exit status.

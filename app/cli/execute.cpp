@@ -10,9 +10,9 @@
 namespace underact::cli {
 
 std::span<const AddCommand> commands() {
-  static constexpr std::array kCommands{addForward, addInverse,    addJacobian, addTarget,    addRun,
-                                        addLog,     addReplay,     addFigures,  addCalibrate, addIdentify,
-                                        addDevices, addServoCheck, addLab,      addMesh,      addScene};
+  static constexpr std::array kCommands{addForward,  addInverse,    addJacobian,  addTarget,   addRun,      addLog,
+                                        addReplay,   addFigures,    addCalibrate, addIdentify, addRegister, addDevices,
+                                        addShareArm, addServoCheck, addLab,       addMesh,     addScene};
   return kCommands;
 }
 
@@ -30,15 +30,19 @@ Exit perform(CLI::App& program, std::vector<std::string> arguments, const Stream
   return Exit::File;
 }
 
+std::unique_ptr<CLI::App> makeGrammar(const Streams& streams, Exit& exit) {
+  auto program = std::make_unique<CLI::App>(
+      "Underact without a window: kinematics of arms, and what a scene does to the stylus.", "underact-cli");
+  program->set_version_flag("--version", std::string("underact-cli ") + kVersion, "Print the version and exit");
+  program->require_subcommand(1);
+  program->failure_message(CLI::FailureMessage::simple);
+  for (const AddCommand add : commands()) add(*program, streams, exit);
+  return program;
+}
+
 Exit execute(std::vector<std::string> arguments, const Streams& streams) {
-  CLI::App program("Underact without a window: kinematics of arms, and what a scene does to the stylus.",
-                   "underact-cli");
-  program.set_version_flag("--version", std::string("underact-cli ") + kVersion, "Print the version and exit");
-  program.require_subcommand(1);
-  program.failure_message(CLI::FailureMessage::simple);
   Exit exit = Exit::Well;
-  for (const AddCommand add : commands()) add(program, streams, exit);
-  return perform(program, std::move(arguments), streams, exit);
+  return perform(*makeGrammar(streams, exit), std::move(arguments), streams, exit);
 }
 
 }  // namespace underact::cli

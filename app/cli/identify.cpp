@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <ctime>
 #include <iomanip>
 #include <memory>
 #include <ostream>
@@ -12,6 +11,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/step_report.h"
+#include "app/cli/today.h"
 #include "core/arm/preset.h"
 #include "core/base/units.h"
 #include "core/identify/report.h"
@@ -31,19 +31,6 @@ struct Options {
   std::string out, report, name = "measured";
   bool json = false;
 };
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-#ifdef _WIN32
-  gmtime_s(&utc, &now);
-#else
-  gmtime_r(&now, &utc);
-#endif
-  char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
-  return text;
-}
 
 JsonObject rowObject(const identify::ReportRow& row) {
   JsonObject object;

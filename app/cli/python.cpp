@@ -21,6 +21,7 @@ fs::path packageFolder() {
   if (const char* data = std::getenv("UNDERACT_DATA_DIR")) folders.push_back(fs::path(data) / "python");
   const fs::path program = programFolder();
   folders.push_back(program / "../share/underact/python");
+  folders.push_back(program / "../lib/python3/dist-packages");  // where Debian has it
   folders.push_back(program / "../../app/python");
   std::error_code error;
   for (const fs::path& folder : folders) {

@@ -16,7 +16,7 @@
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/scheduling_options.h"
+#include "app/options/scheduling_options.h"
 #include "app/stream/live_stream.h"
 #include "core/arm/preset.h"
 #include "core/record/fault_file.h"
@@ -330,7 +330,7 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
                    "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it pushes at once")
       ->capture_default_str();
   addArmModelOption(*command, options->arm_model);
-  addSchedulingOptions(*command, options->scheduling);
+  options::addSchedulingOptions(*command, options->scheduling);
   command->footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
                   listOf("Arm models:", sim::armModels(), &sim::ArmModel::title));
   command->callback([options, &streams, &exit] { exit = runScene(*options, streams); });

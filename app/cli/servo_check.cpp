@@ -10,7 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/percentiles_json.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/scheduling_options.h"
+#include "app/options/scheduling_options.h"
 #include "core/arm/preset.h"
 #include "core/scene/compile.h"
 #include "core/servo/check.h"
@@ -173,7 +173,7 @@ void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_flag("--load", options->check.load, "Keep each core busy meanwhile");
   command->add_option("--scene", options->scene, "Scene file; without it a sphere");
   addArmModelOption(*command, options->arm_model);
-  addSchedulingOptions(*command, options->check.scheduling);
+  options::addSchedulingOptions(*command, options->check.scheduling);
   command->add_flag("--json", options->json, "One JSON object in place of the table");
   command->callback([options, &streams, &exit] { exit = checkIt(*options, streams); });
 }

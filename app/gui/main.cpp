@@ -1,5 +1,6 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QIcon>
 #include <QLocale>
 #include <QSurfaceFormat>
 #include <QTimer>
@@ -13,12 +14,12 @@
 #include "app/gui/document.h"
 #include "app/gui/main_window.h"
 #include "app/gui/mesh/mesh_files.h"
-#include "app/gui/options.h"
 #include "app/gui/picture.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/simulated_host.h"
 #include "app/gui/view/gl_surface.h"
+#include "app/options/window_options.h"
 #include "underact/version.h"
 
 namespace underact::gui {
@@ -36,14 +37,14 @@ bool hasScreen() {
 }
 
 // The scene asked for, else the last one, else the sphere.
-QString sceneToOpen(const Options& options) {
+QString sceneToOpen(const options::WindowOptions& options) {
   const QString asked = QString::fromStdString(options.scene);
   if (!asked.isEmpty() && !isSession(asked) && !isMeshFile(asked) && !isCurveFile(asked)) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
 
-int runWindow(const Options& options, const QElapsedTimer& since_start) {
+int runWindow(const options::WindowOptions& options, const QElapsedTimer& since_start) {
   SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz.value_or(readSettings().servo_rate_hz),
                                                .scheduling = options.scheduling,
                                                .max_late = options.max_late});
@@ -79,14 +80,10 @@ int runWindow(const Options& options, const QElapsedTimer& since_start) {
 int run(int argc, char** argv) {
   QElapsedTimer since_start;
   since_start.start();
-  const Options options = parseOptions({argv + 1, argv + argc});
-  if (!options.wrong.empty()) {
-    std::fprintf(stderr, "%s\n\n%s", options.wrong.c_str(), usage().c_str());
-    return 2;
-  }
-  if (options.help || options.version) {
-    std::printf("%s", options.help ? usage().c_str() : (std::string("underact ") + kVersion + "\n").c_str());
-    return 0;
+  const options::WindowOptions options = options::parseWindowOptions({argv + 1, argv + argc});
+  if (!options.said.empty()) {
+    std::fputs(options.said.c_str(), options.exit == 0 ? stdout : stderr);
+    return options.exit;
   }
   if (!hasScreen()) {
     std::fprintf(stderr, "There is no screen (DISPLAY is not set). underact-cli does without one; Xvfb makes one.\n");
@@ -97,8 +94,9 @@ int run(int argc, char** argv) {
   QApplication::setApplicationName("underact");
   QApplication::setApplicationDisplayName("Underact");
   QApplication::setApplicationVersion(kVersion);
-  QApplication::setDesktopFileName("underact");
+  QApplication::setDesktopFileName("org.underact.underact");
   Application application(argc, argv);
+  QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // where it is installed
   QApplication::setStyle("Fusion");   // the one style that takes light and dark from a palette everywhere
   std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's; scene files and VTK read points
   QLocale::setDefault(QLocale::c());  // and a number on the screen reads as the same number in a file

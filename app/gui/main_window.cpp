@@ -22,6 +22,7 @@
 #include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
 #include "app/gui/problems_box.h"
+#include "app/gui/registration/registration_tool.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
@@ -50,9 +51,11 @@ void MainWindow::frame() {
     faults_->add(record);
     live_->add(record);
     identify_->add(record);
+    registration_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
   second_->look();
+  registration_->look(snapshot);
   faults_->look(snapshot);
   if (pacer_->isSeen()) showFrame(snapshot);
   identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then
@@ -176,6 +179,7 @@ void MainWindow::setTheme(const Theme& theme) {
   replay_bar_->setTheme(theme);
   faults_->setTheme(theme);
   identify_->setTheme(theme);
+  registration_->setTheme(theme);
   for (Panel* panel : panels_) panel->setTheme(theme);
 }
 

@@ -28,6 +28,7 @@ class MeshFiles;
 class Panel;
 class Player;
 class RecentFiles;
+class RegistrationTool;
 class ReplayBar;
 class SceneFiles;
 class SceneView;
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow {
   ServoRate* rate_;
   ArmChoice* arms_;
   SecondArm* second_;
+  RegistrationTool* registration_;
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
   Hand* hand_ = nullptr;

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -24,6 +25,8 @@
 #include "app/gui/mesh/mesh_files.h"
 #include "app/gui/panels.h"
 #include "app/gui/plots_panel.h"
+#include "app/gui/problems_box.h"
+#include "app/gui/registration/registration_tool.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
@@ -58,6 +61,8 @@ MainWindow::MainWindow(const WindowParts& parts)
       rate_(new ServoRate(parts.host, this)),
       arms_(new ArmChoice(parts.host, *document_, parts.chosen, parts.arm, this)),
       second_(new SecondArm(parts.host, *arms_, *view_, this)),
+      registration_(
+          new RegistrationTool({parts.host, *document_, *arms_, *second_, *view_, parts.chosen}, *actions_, this)),
       faults_(new FaultWatch(parts.host, *actions_, this)),
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),
@@ -230,8 +235,8 @@ void MainWindow::buildDocks() {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString("dock.%1").arg(row.key));
     dock->setAccessibleName(title);
-    const PanelParts parts{parts_.host, *document_, *recent_,     *actions_, *view_,
-                           *player_,    *rate_,     *arm_in_use_, *arms_,    *second_};
+    const PanelParts parts{parts_.host, *document_,   *recent_, *actions_, *view_,        *player_,
+                           *rate_,      *arm_in_use_, *arms_,   *second_,  *registration_};
     Panel* panel = row.make(parts, dock);
     panel->setObjectName(QString("panel.%1").arg(row.key));
     panel->setAccessibleName(title);
@@ -295,6 +300,15 @@ void MainWindow::arrangeDocks() {
 }
 
 void MainWindow::restore() {
+  if (settings_.are_newer) {
+    QTimer::singleShot(0, this, [this] {
+      showProblemsBox(
+          "dialog.newer_settings", tr("Settings"),
+          tr("The settings on this computer were written by a newer Underact. This one starts with its own and "
+             "leaves those as they are."),
+          {}, this);
+    });
+  }
   if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);
   if (!settings_.layout.isEmpty() && !restoreState(settings_.layout, kLayoutVersion)) settings_.layout.clear();
   static_cast<PlotsPanel*>(panels_["plots"])->setAxis(settings_.plot_axis);

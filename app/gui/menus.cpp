@@ -65,6 +65,8 @@ QStringList layerNames() {
           "layer.influence",
           "layer.robot",
           "layer.path",
+          "layer.desk",
+          "layer.from_desk",
           "-",
           "layer.link_frames",
           "layer.ghosts",
@@ -98,8 +100,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions, {"edit.undo", "edit.redo", "-", "gains.reset"});
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
        {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
-        "devices.look", "devices.simulated", "second.on", "-", "identify.open", "arm.open", "arm.vendor", "-",
-        "calibration.left", "calibration.right"});
+        "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open", "arm.open",
+        "arm.vendor", "-", "calibration.left", "calibration.right"});
   fill(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
        {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.show",
         "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});

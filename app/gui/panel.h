@@ -12,6 +12,7 @@ class ArmInUse;
 class Document;
 class Player;
 class RecentFiles;
+class RegistrationTool;
 class SceneView;
 class SecondArm;
 class ServoRate;
@@ -28,6 +29,7 @@ struct PanelParts {
   ArmInUse& arm_in_use;  // what a simulated arm is made of
   ArmChoice& arms;       // which arm it is
   SecondArm& second;
+  RegistrationTool& registration;  // where the arms stand
 };
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.

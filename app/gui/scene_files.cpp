@@ -26,15 +26,17 @@ QString filterText() {
   return QObject::tr("Scenes (*.json);;All files (*)");
 }
 
-// Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program.
+// Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program. By its
+// double ending the desktop knows it for a scene; any JSON file can be opened.
 QString placeToSave(const Document& document) {
   const bool has_file = !document.path().isEmpty();
-  const QString unnamed = document.showsRecorded() ? QObject::tr("/recorded.json") : QObject::tr("/new.json");
+  const QString unnamed =
+      document.showsRecorded() ? QObject::tr("/recorded.underact.json") : QObject::tr("/new.underact.json");
   const QFileInfo file(has_file ? document.path() : sceneFolder() + unnamed);
   const bool shipped = !has_file || file.absolutePath() == sceneFolder();
   const QString folder =
       shipped ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : file.absolutePath();
-  return QDir(folder).filePath(shipped ? file.completeBaseName() + "-tuned.json" : file.fileName());
+  return QDir(folder).filePath(shipped ? file.baseName() + "-tuned.underact.json" : file.fileName());
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ constexpr LayerKey kLayerKeys[] = {{"layers/workspace", &Layers::workspace},
                                    {"layers/influence", &Layers::influence},
                                    {"layers/robot", &Layers::robot},
                                    {"layers/path", &Layers::path},
+                                   {"layers/desk", &Layers::desk},
+                                   {"layers/from_desk", &Layers::from_desk},
                                    {"layers/link_frames", &Layers::link_frames},
                                    {"layers/ghosts", &Layers::ghosts},
                                    {"layers/motion_ellipsoid", &Layers::motion_ellipsoid},
@@ -38,6 +40,8 @@ Settings readSettings() {
   const QSettings stored;
   const Settings fresh;
   Settings settings;
+  settings.are_newer = stored.value("settings/version", kSettingsVersion).toInt() > kSettingsVersion;
+  if (settings.are_newer) return settings;
   settings.geometry = stored.value("window/geometry").toByteArray();
   settings.layout = stored.value("window/layout").toByteArray();
   const QString theme = stored.value("window/theme").toString();
@@ -65,7 +69,9 @@ Settings readSettings() {
 }
 
 void writeSettings(const Settings& settings) {
+  if (settings.are_newer) return;
   QSettings stored;
+  stored.setValue("settings/version", kSettingsVersion);
   stored.setValue("window/geometry", settings.geometry);
   stored.setValue("window/layout", settings.layout);
   stored.setValue("window/theme", settings.theme == ThemeChoice::Light  ? "light"

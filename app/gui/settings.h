@@ -9,6 +9,7 @@ namespace underact::gui {
 
 /// What the window remembers between two runs.
 struct Settings {
+  bool are_newer = false;  // what is stored is of a newer Underact: nothing of it is read, and it stays as it is
   QByteArray geometry;
   QByteArray layout;  // of tool bar and docks
   ThemeChoice theme = ThemeChoice::System;
@@ -24,8 +25,12 @@ struct Settings {
   bool has_pushed = false;   // a hand has pushed once: the first hint has done its work
 };
 
-/// From the user's settings; what is missing there is as above.
+/// The layout of what is stored. A key that is new, and may be missing, is no other layout.
+constexpr int kSettingsVersion = 1;
+
+/// From the user's settings; what is missing there, in those of an older Underact, is as above.
 Settings readSettings();
+/// Does nothing where are_newer.
 void writeSettings(const Settings& settings);
 
 }  // namespace underact::gui

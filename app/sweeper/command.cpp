@@ -95,19 +95,23 @@ void addList(CLI::App& program, const Setting& setting) {
 
 }  // namespace
 
-Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team) {
-  CLI::App program("Sweeps: many independent runs, on all cores of this machine, or of many by mpirun.",
-                   "underact-sweep");
-  program.set_version_flag("--version", std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")",
-                           "Print the version and exit");
-  program.require_subcommand(1);
-  program.failure_message(CLI::FailureMessage::simple);
-  Exit exit = Exit::Well;
+std::unique_ptr<CLI::App> makeGrammar(const cli::Streams& streams, Team* team, Exit& exit) {
+  auto program = std::make_unique<CLI::App>(
+      "Sweeps: many independent runs, on all cores of this machine, or of many by mpirun.", "underact-sweep");
+  program->set_version_flag("--version", std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")",
+                            "Print the version and exit");
+  program->require_subcommand(1);
+  program->failure_message(CLI::FailureMessage::simple);
   const Setting setting{streams, team, exit};
-  for (const Kind& kind : kinds()) addKind(program, kind, setting);
-  addFrom(program, setting);
-  addList(program, setting);
-  return cli::perform(program, std::move(arguments), streams, exit);
+  for (const Kind& kind : kinds()) addKind(*program, kind, setting);
+  addFrom(*program, setting);
+  addList(*program, setting);
+  return program;
+}
+
+Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team) {
+  Exit exit = Exit::Well;
+  return cli::perform(*makeGrammar(streams, team, exit), std::move(arguments), streams, exit);
 }
 
 }  // namespace underact::sweep

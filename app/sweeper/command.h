@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,9 @@
 #include "core/sweep/team.h"
 
 namespace underact::sweep {
+
+/// The grammar of the whole program. streams, team, exit: outlive it.
+std::unique_ptr<CLI::App> makeGrammar(const cli::Streams& streams, Team* team, cli::Exit& exit);
 
 /// The whole program. arguments: without the program's name. team: the ranks it runs in; null: it is alone. The leader
 /// speaks for all; the other ranks say nothing and end with 0.

@@ -40,6 +40,7 @@ class Contract : public testing::TestWithParam<Driver> {
   /// A servo that pulls, and the force of that is at the motors.
   void pushOn() {
     host = std::make_unique<servo::Host>(opened(), servo::HostOptions{.max_late = 1'000'000});
+    faults = 0;
     ASSERT_TRUE(host->load(pull()).empty());
     host->start();
     host->begin();

@@ -13,6 +13,7 @@ std::unique_ptr<FarSide> openHapticsFarSide(std::string& why);
 std::unique_ptr<FarSide> woodenV1FarSide(std::string& why);
 std::unique_ptr<FarSide> woodenV2FarSide(std::string& why);
 std::unique_ptr<FarSide> woodenTeensyFarSide(std::string& why);
+std::unique_ptr<FarSide> remoteFarSide(std::string& why);
 std::unique_ptr<FarSide> woodenUhidV1FarSide(std::string& why);
 std::unique_ptr<FarSide> woodenUhidV2FarSide(std::string& why);
 

@@ -40,6 +40,7 @@ const std::vector<Library>& libraries() {
       {"VTK", std::regex("vtk"), {"app/gui"}, true},
       {"GLFW", std::regex("GLFW"), {"device"}, false},
       {"hidapi", std::regex("hidapi"), {"device"}, false},
+      {"ZeroMQ", std::regex("zmq"), {"device"}, false},
       {"OpenMesh", std::regex("OpenMesh"), {"app/mesh_reader"}, false},
       {"xxHash", std::regex("xxh"), {"core/mesh_file"}, false},
       {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},
@@ -116,7 +117,7 @@ std::vector<std::string> violationsOf(const Rooms& rooms, const fs::path& file, 
 
 Rooms roomsOf(const std::string& cmake) {
   static const std::regex kRoom(R"(underact_room\(([^)]*)\))");
-  static const std::set<std::string> kOther{"USES", "SHOWS", "PROGRAM"};
+  static const std::set<std::string> kOther{"USES", "SHOWS", "PROGRAM", "IN", "COMPONENT"};
   const std::string code = std::regex_replace(cmake, std::regex("#[^\n]*"), "");
   Rooms rooms;
   std::map<std::string, std::string> folder_of;  // by the last part of its name

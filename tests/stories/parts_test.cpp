@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 
 #include "app/gui/application.h"
-#include "app/gui/options.h"
 #include "app/gui/servo/limit_names.h"
 #include "app/gui/stability.h"
 #include "app/gui/words.h"
+#include "app/options/window_options.h"
 #include "core/servo/timing.h"
 #include "tests/stories/picture_difference.h"
 
@@ -73,26 +73,28 @@ TEST(Parts, NumbersHaveARealMinusAndNoNegativeZero) {
 }
 
 TEST(Parts, TheCommandLineIsUnderstoodOrSaidToBeWrong) {
-  EXPECT_EQ(parseOptions({"a.json", "--rate", "2000"}).rate_hz, 2000);
-  EXPECT_EQ(parseOptions({"a.json"}).scene, "a.json");
-  EXPECT_TRUE(parseOptions({"--help"}).help);
-  EXPECT_EQ(parseOptions({"--rate", "10000"}).rate_hz, 10000);
-  EXPECT_EQ(parseOptions({"--scheduling", "rtkit"}).scheduling.way, servo::Way::Rtkit);
-  EXPECT_EQ(parseOptions({"--scheduling", "normal", "--core", "1"}).scheduling.core, 1);
-  EXPECT_EQ(parseOptions({}).scheduling.way, servo::Way::Auto);
-  EXPECT_EQ(parseOptions({}).scheduling.core, -1);
-  EXPECT_FALSE(parseOptions({"--scheduling", "best"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--core", "-1"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--core"}).wrong.empty());
-  EXPECT_EQ(parseOptions({"--core"}).wrong, "--core needs a value.");
-  EXPECT_EQ(parseOptions({"--max-late", "5"}).max_late, 5);
-  EXPECT_FALSE(parseOptions({"--max-late", "0"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--rate", "10001"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--rate", "50"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--rate"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--picture", "a.json"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"a.json", "b.json"}).wrong.empty());
-  EXPECT_FALSE(parseOptions({"--fast"}).wrong.empty());
+  using options::parseWindowOptions;
+  EXPECT_EQ(parseWindowOptions({"a.json", "--rate", "2000"}).rate_hz, 2000);
+  EXPECT_EQ(parseWindowOptions({"a.json"}).scene, "a.json");
+  EXPECT_EQ(parseWindowOptions({"--help"}).exit, 0);
+  EXPECT_NE(parseWindowOptions({"--help"}).said.find("--scheduling"), std::string::npos);
+  EXPECT_EQ(parseWindowOptions({"--rate", "10000"}).rate_hz, 10000);
+  EXPECT_EQ(parseWindowOptions({"--scheduling", "rtkit"}).scheduling.way, servo::Way::Rtkit);
+  EXPECT_EQ(parseWindowOptions({"--scheduling", "normal", "--core", "1"}).scheduling.core, 1);
+  EXPECT_EQ(parseWindowOptions({}).scheduling.way, servo::Way::Auto);
+  EXPECT_EQ(parseWindowOptions({}).scheduling.core, -1);
+  EXPECT_EQ(parseWindowOptions({"--scheduling", "best"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--core", "-1"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--core"}).exit, 2);
+  EXPECT_NE(parseWindowOptions({"--core"}).said.find("--core"), std::string::npos);
+  EXPECT_EQ(parseWindowOptions({"--max-late", "5"}).max_late, 5);
+  EXPECT_EQ(parseWindowOptions({"--max-late", "0"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--rate", "10001"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--rate", "50"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--rate"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--picture", "a.json"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"a.json", "b.json"}).exit, 2);
+  EXPECT_EQ(parseWindowOptions({"--fast"}).exit, 2);
 }
 
 TEST(Parts, ThePictureDifferenceIsThatOfTheWorstBlock) {

@@ -38,7 +38,7 @@ TEST(SessionStory, OneClickRecordsAtOnceAndTheFileSaysWhoAndWhat) {
   desk.story->click(desk.story->find("button.session.record"));
   ASSERT_TRUE(desk.story->window().actions().find("session.record")->isChecked());
   EXPECT_EQ(desk.files().size(), 1);
-  EXPECT_TRUE(desk.files().first().endsWith("_sphere.h5")) << desk.files().first().toStdString();
+  EXPECT_TRUE(desk.files().first().endsWith("_sphere.underact.h5")) << desk.files().first().toStdString();
   EXPECT_TRUE(desk.story->find("status.recording")->isVisible());
   desk.story->run(3000);
   ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.status.0") == "00:02"; }, kLong_ms))
@@ -257,8 +257,8 @@ TEST(SessionStory, TimesAndSizesReadAsOneSaysThem) {
   EXPECT_EQ(bytesText(13'000'000'000), "13.0 GB");
   const QDateTime when(QDate(2026, 11, 21), QTime(19, 56, 47));
   EXPECT_EQ(newSessionFile("/none", when, "Circle in a tilted plane"),
-            "/none/2026-11-21_19-56-47_circle-in-a-tilted-plane.h5");
-  EXPECT_EQ(newSessionFile("/none", when, QString::fromUtf8("Ü")), "/none/2026-11-21_19-56-47_session.h5");
+            "/none/2026-11-21_19-56-47_circle-in-a-tilted-plane.underact.h5");
+  EXPECT_EQ(newSessionFile("/none", when, QString::fromUtf8("Ü")), "/none/2026-11-21_19-56-47_session.underact.h5");
 }
 
 TEST(SessionStory, ARestartOfTheServoIsPartOfTheRecording) {

@@ -10,8 +10,10 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QProcess>
 #include <QSet>
+#include <QSettings>
 #include <QTabBar>
 
 #include "tests/stories/story.h"
@@ -142,6 +144,30 @@ TEST(WindowStory, LayoutThemeLayersAndFilesAreRememberedAndResetPutsThePanelsBac
   EXPECT_EQ(readSettings().last_scene, shippedScene("04_plane"));
   story.perform("layout.reset");
   EXPECT_TRUE(story.find("dock.shape")->isVisible());
+}
+
+TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
+  {
+    Story older("04_plane");  // without a version, as the first release wrote them
+    older.perform("layer.arm", false);
+  }
+  QSettings().remove("settings/version");
+  { EXPECT_FALSE(Story({}, {.first_start = false}).view().layers().arm); }
+  QSettings().setValue("settings/version", kSettingsVersion + 1);
+  {
+    Story story({}, {.first_start = false});
+    EXPECT_TRUE(story.view().layers().arm) << "its own";
+    story.settle();
+    auto* box = story.find<QMessageBox>("dialog.newer_settings");
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->text().contains("newer Underact"));
+    box->accept();
+    story.perform("layer.triads", false);
+  }
+  EXPECT_EQ(QSettings().value("settings/version").toInt(), kSettingsVersion + 1);
+  EXPECT_FALSE(QSettings().value("layers/arm").toBool());
+  EXPECT_NE(QSettings().value("layers/triads").toString(), "false");
+  QSettings().clear();
 }
 
 TEST(WindowStory, NothingIsCutAtTheSmallestUsableSize) {

@@ -14,6 +14,7 @@
 #include "app/gui/devices/fix_dialog.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/push_button.h"
+#include "app/gui/registration/registration_tool.h"
 #include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
@@ -45,6 +46,7 @@ DevicesPanel::DevicesPanel(const PanelParts& parts, QWidget* parent)
   column->addWidget(buildOpening());
   column->addWidget(buildChosen());
   column->addWidget(buildOther());
+  column->addWidget(buildRegistration());
   column->addStretch(1);
   fillWithScroll(this, content);
   looks_.setInterval(kLookEvery_ms);
@@ -137,6 +139,23 @@ QWidget* DevicesPanel::buildOther() {
   row->addWidget(other_, 1);
   row->addWidget(open);
   column->addLayout(row);
+  return box;
+}
+
+QWidget* DevicesPanel::buildRegistration() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(sectionTitle(tr("Where it stands"), box));
+  registered_ = toldLabel("panel.devices.registration", tr("Where the arm stands on the desk"), "quiet", box);
+  QPushButton* open = pushButton("panel.devices.register", tr("Register the arm…"),
+                                 parts_.actions.find("registration.open")->toolTip(), box);
+  connect(open, &QPushButton::clicked, this, [this] { parts_.actions.perform("registration.open"); });
+  const auto present = [this] { registered_->setText(parts_.registration.sentence(RegistrationTool::Which::First)); };
+  connect(&parts_.registration, &RegistrationTool::changed, this, present);
+  present();
+  column->addWidget(registered_);
+  column->addWidget(open);
   return box;
 }
 

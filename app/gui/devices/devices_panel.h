@@ -26,6 +26,7 @@ class DevicesPanel : public Panel {
   QWidget* buildChosen();
   QWidget* buildOther();
   QWidget* buildOpening();
+  QWidget* buildRegistration();
   const ArmEntry* current() const;
   bool use(const QString& name);
   bool fix();
@@ -38,7 +39,7 @@ class DevicesPanel : public Panel {
   PanelParts parts_;
   ArmSearch* search_;
   QTimer looks_;
-  QLabel *in_use_ = nullptr, *about_ = nullptr, *told_ = nullptr, *opening_ = nullptr;
+  QLabel *in_use_ = nullptr, *about_ = nullptr, *told_ = nullptr, *opening_ = nullptr, *registered_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton *use_ = nullptr, *fix_ = nullptr, *report_ = nullptr, *cancel_ = nullptr;
   QLineEdit* other_ = nullptr;

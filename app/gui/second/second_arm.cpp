@@ -7,6 +7,7 @@
 #include "app/gui/scene_library.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/words.h"
+#include "core/base/units.h"
 #include "core/record/fault_file.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
@@ -58,7 +59,7 @@ void SecondArm::begin() {
   });
   connect(document_.get(), &Document::opened, this, [this] {
     view_.showSecond(document_->scene());
-    setSide(side_);
+    place();
     if (first_.running() && arms_->simulated() != nullptr) start();  // nobody holds a simulated one
     emit changed();
   });
@@ -112,7 +113,24 @@ void SecondArm::takeScene() {
 
 void SecondArm::setSide(Side side) {
   side_ = side;
-  if (isOn()) view_.placeSecond({side == Side::Left ? -kApart_mm : kApart_mm, 0.0, 0.0});
+  place();
+}
+
+void SecondArm::setPlace(const std::optional<Pose>& X_WS) {
+  X_WS_ = X_WS;
+  place();
+  emit changed();
+}
+
+void SecondArm::place() {
+  if (!isOn()) return;
+  Pose X_WS_mm = Pose::Identity();
+  X_WS_mm.translation().x() = side_ == Side::Left ? -kApart_mm : kApart_mm;
+  if (X_WS_) {
+    X_WS_mm = *X_WS_;
+    X_WS_mm.translation() *= kMillimetrePerMetre;
+  }
+  view_.placeSecond(X_WS_mm);
 }
 
 void SecondArm::start() {
@@ -156,7 +174,9 @@ void SecondArm::look() {
   if (simulated_.host->holdToRun() != first_.holdToRun()) simulated_.host->setHoldToRun(first_.holdToRun());
   moveHand();
   const servo::Snapshot& snapshot = simulated_.host->snapshot();
-  simulated_.host->drain([](const servo::TickRecord&) {});
+  simulated_.host->drain([this](const servo::TickRecord& record) {
+    if (listener_) listener_(record);
+  });
   takeFaults();
   if (snapshot.ticks > 0) view_.presentSecond(snapshot);
 }

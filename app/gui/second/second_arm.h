@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,11 @@ class SecondArm : public QObject {
   /// The scene from that file, in a while: changed() or told() comes. It may be chosen before it is on.
   void openScene(const QString& path);
   void setSide(Side side);
+  /// Where its frame W stands as seen from the first one's, m, where both arms are registered; none: at the side.
+  void setPlace(const std::optional<Pose>& X_WS);
+  const std::optional<Pose>& placed() const { return X_WS_; }
+  /// What is to hear each of its ticks; empty: nobody.
+  void setListener(std::function<void(const servo::TickRecord&)> listener) { listener_ = std::move(listener); }
   void setMirrors(bool on) { mirrors_ = on; }
   const QString& scenePath() const { return path_; }
   Side side() const { return side_; }
@@ -45,6 +51,7 @@ class SecondArm : public QObject {
 
   // Where it is on.
   servo::Host& host() { return *simulated_.host; }
+  std::vector<std::string> listing() const { return simulated_.chosen->listing(); }
   ArmChoice& arms() { return *arms_; }
   device::SimulatedArm& simulatedArm() { return *simulated_.arm; }
 
@@ -58,6 +65,7 @@ class SecondArm : public QObject {
     scene::Description scene;
     Problems problems;
   };
+  void place();
   void begin();
   void end();
   void takeScene();
@@ -74,6 +82,8 @@ class SecondArm : public QObject {
   std::vector<std::unique_ptr<Background<Loaded>>> leaving_;
   QString path_;
   Side side_ = Side::Right;
+  std::optional<Pose> X_WS_;
+  std::function<void(const servo::TickRecord&)> listener_;
   bool mirrors_ = true;
 };
 

@@ -174,6 +174,9 @@ void SecondPanel::presentChoices() {
   if (!path.isEmpty() && scene_->findData(path) < 0) scene_->addItem(sceneEntry(path).title, path);
   if (!path.isEmpty()) scene_->setCurrentIndex(scene_->findData(path));
   side_->setCurrentIndex(second_.side() == SecondArm::Side::Left ? 0 : 1);
+  side_->setEnabled(!second_.placed());
+  side_->setToolTip(second_.placed() ? tr("Where the registrations of both arms say.")
+                                     : tr("Where it stands beside the first."));
   mirrors_->setChecked(second_.mirrors());
   mirrors_->setEnabled(is_on && second_.arms().simulated() != nullptr);
   const QString opening = is_on ? second_.arms().opening() : QString();

@@ -33,8 +33,8 @@ QString usualSessionFolder() {
 
 QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title) {
   const QString stem = QDir(folder).filePath(when.toString("yyyy-MM-dd_HH-mm-ss_") + plainName(scene_title));
-  QString path = stem + ".h5";
-  for (int another = 2; QFileInfo::exists(path); ++another) path = QString("%1_%2.h5").arg(stem).arg(another);
+  QString path = stem + ".underact.h5";  // by which the desktop knows it for a session
+  for (int another = 2; QFileInfo::exists(path); ++another) path = QString("%1_%2.underact.h5").arg(stem).arg(another);
   return path;
 }
 

@@ -183,7 +183,9 @@ void SessionsPanel::chooseFile(const QString& title, const QString& suffix, cons
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
-  dialog->selectFile(session.completeBaseName() + "." + suffix);
+  QString stem = session.completeBaseName();
+  if (stem.endsWith(".underact")) stem.chop(9);
+  dialog->selectFile(stem + "." + suffix);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, action](const QString& path) { parts_.actions.perform(action, path); });
   dialog->open();

@@ -17,12 +17,12 @@ double slope(double share) {
 }  // namespace
 
 Vec3 OrbitCamera::right_W() const {
-  return {std::cos(azimuth_rad), 0.0, -std::sin(azimuth_rad)};
+  return R_WD * Vec3(std::cos(azimuth_rad), 0.0, -std::sin(azimuth_rad));
 }
 
 Vec3 OrbitCamera::back_W() const {
-  return {std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
-          std::cos(azimuth_rad) * std::cos(elevation_rad)};
+  return R_WD * Vec3(std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
+                     std::cos(azimuth_rad) * std::cos(elevation_rad));
 }
 
 Vec3 OrbitCamera::up_W() const {
@@ -101,6 +101,9 @@ OrbitCamera between(const OrbitCamera& a, const OrbitCamera& b, double share) {
   camera.distance_mm = a.distance_mm * std::pow(b.distance_mm / a.distance_mm, share);
   camera.azimuth_rad = a.azimuth_rad + share * std::remainder(b.azimuth_rad - a.azimuth_rad, 2.0 * kPi);
   camera.elevation_rad = a.elevation_rad + share * (b.elevation_rad - a.elevation_rad);
+  camera.R_WD = a.R_WD == b.R_WD || share >= 1.0
+                    ? b.R_WD
+                    : Eigen::Quaterniond(a.R_WD).slerp(share, Eigen::Quaterniond(b.R_WD)).toRotationMatrix();
   return camera;
 }
 

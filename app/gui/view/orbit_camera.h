@@ -8,13 +8,14 @@
 
 namespace underact::gui {
 
-/// A camera that goes around a point with y of W up: no roll, so that "up" on the screen never surprises. Lengths in
-/// mm, as drawn.
+/// A camera that goes around a point with y of W up, or that of a desk D on which the arm stands turned: no roll, so
+/// that "up" on the screen never surprises. Lengths in mm, as drawn.
 struct OrbitCamera {
   Vec3 focus_mm = Vec3::Zero();
   double distance_mm = 700.0;
-  double azimuth_rad = 0.0;    // 0: from the user's side, along -z; positive: from the right
-  double elevation_rad = 0.0;  // positive: from above
+  double azimuth_rad = 0.0;      // 0: from the user's side, along -z; positive: from the right
+  double elevation_rad = 0.0;    // positive: from above
+  Mat3 R_WD = Mat3::Identity();  // the frame that front, right and up are of
 
   static constexpr double kViewAngle_rad = 0.42;  // of the height: modest, so that little is distorted
 

@@ -77,9 +77,9 @@ void SceneView::showSecond(const scene::Description& scene) {
   impl_->surface->update();
 }
 
-void SceneView::placeSecond(const Vec3& offset_mm) {
+void SceneView::placeSecond(const Pose& X_WS_mm) {
   if (!impl_->second) return;
-  impl_->second->setOffset(offset_mm);
+  impl_->second->setPlace(X_WS_mm);
   if (impl_->camera_is_mine) look(Camera::Fit);
   impl_->surface->update();
 }
@@ -100,6 +100,17 @@ bool SceneView::showsSecond() const {
   return impl_->second.has_value();
 }
 
+void SceneView::setDesk(const std::optional<Desk>& desk) {
+  impl_->desk.setDesk(desk);
+  impl_->turnToDesk();
+  if (impl_->camera_is_mine) impl_->moveTo(impl_->fitted(impl_->wanted()));  // the marks are to be seen
+  impl_->surface->update();
+}
+
+std::size_t SceneView::marksDrawn() const {
+  return impl_->desk.marks();
+}
+
 void SceneView::setTheme(const Theme& theme) {
   impl_->theme = theme;
   impl_->surface->setBackground(theme.background);
@@ -110,6 +121,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->influence.setTheme(theme);
   impl_->robots.setTheme(theme);
   impl_->path.setTheme(theme);
+  impl_->desk.setTheme(theme);
   impl_->meshes.setTheme(theme);
   if (impl_->second) impl_->second->setTheme(theme);
   impl_->actors_changed = true;
@@ -125,9 +137,11 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->influence.show(layers.influence);
   impl_->robots.show(layers.robot);
   impl_->path.show(layers.path);
+  impl_->desk.show(layers.desk);
   impl_->meshes.show(layers);
   if (impl_->second) impl_->second->setLayers(layers);
   impl_->layers.section_mm = impl_->meshes.section_mm();
+  impl_->turnToDesk();
   if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
   impl_->surface->update();
 }
@@ -164,7 +178,7 @@ const Layers& SceneView::layers() const {
 }
 
 void SceneView::look(Camera camera) {
-  OrbitCamera wanted = impl_->movement.state() == QAbstractAnimation::Running ? impl_->to : impl_->camera;
+  OrbitCamera wanted = impl_->wanted();
   const auto from = [&wanted](double azimuth_deg, double elevation_deg) {
     wanted.azimuth_rad = azimuth_deg * kRadPerDegree;
     wanted.elevation_rad = elevation_deg * kRadPerDegree;

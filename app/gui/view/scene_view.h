@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/gui/theme.h"
+#include "app/gui/view/desk_picture.h"
 #include "app/gui/view/path_picture.h"
 #include "core/arm/branches.h"
 #include "core/scene/description.h"
@@ -26,6 +27,8 @@ struct Layers {
   bool influence = true;  // see InfluencePicture; where the scene has one
   bool robot = true;      // virtual manipulators
   bool path = true;       // of a recording that is replayed
+  bool desk = true;       // the marks by which the arm was registered, where it is
+  bool from_desk = true;  // front, right and up are those of the desk, not of the arm, where it is registered
   // Of meshes, see MeshPicture.
   bool wires = false;              // the edges of all triangles
   bool section = false;            // cut open, across an axis of W
@@ -54,10 +57,13 @@ class SceneView : public QWidget {
   void present(const servo::Snapshot& snapshot);  // each frame, GUI thread; asks for one repaint, if it looks different
   /// A second arm's world beside the first, see SecondWorld; none at first.
   void showSecond(const scene::Description& scene);
-  void placeSecond(const Vec3& offset_mm);
+  void placeSecond(const Pose& X_WS_mm);  // of its own W
   void presentSecond(const servo::Snapshot& snapshot);
   void hideSecond();
   bool showsSecond() const;
+  /// Where the desk is; none: the arm is not registered. The picture turns with it, see Layers::from_desk.
+  void setDesk(const std::optional<Desk>& desk);
+  std::size_t marksDrawn() const;
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);
   const Layers& layers() const;

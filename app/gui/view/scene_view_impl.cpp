@@ -63,7 +63,7 @@ void SceneView::Impl::before(QSize pixels) {
     renderer.AddActor(meshes.face());
     for (const auto& target : hand.targets()) renderer.AddActor(target);
     for (const auto& lines : {workspace.lines(), constraint.lines(), influence.lines(), robots.lines(), path.lines(),
-                              hand.lines(), kinematics.lines()}) {
+                              desk.lines(), hand.lines(), kinematics.lines()}) {
       for (vtkActor* actor : lines) renderer.AddActor(actor);
     }
     for (vtkActor* actor : meshes.actors()) renderer.AddActor(actor);
@@ -80,6 +80,7 @@ void SceneView::Impl::before(QSize pixels) {
   influence.setLineWidth(scale);
   robots.setLineWidth(scale);
   path.setLineWidth(scale);
+  desk.setLineWidth(scale);
   meshes.setLineWidth(scale);
   if (second) second->setLineWidth(scale);
   constraint.update(camera.eye_mm());
@@ -129,6 +130,7 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   labels.insert(labels.end(), influence.labels().begin(), influence.labels().end());
   state.has_influence = influence.isSeen();
   labels.insert(labels.end(), robots.labels().begin(), robots.labels().end());
+  labels.insert(labels.end(), desk.labels().begin(), desk.labels().end());
   if (second) {
     const std::vector<Label> of_second = second->labels();
     labels.insert(labels.end(), of_second.begin(), of_second.end());
@@ -146,6 +148,7 @@ std::vector<Vec3> SceneView::Impl::extent() const {
   points.insert(points.end(), meshes.extent_mm().begin(), meshes.extent_mm().end());
   const std::vector<Vec3> of_robots = robots.extent_mm();
   points.insert(points.end(), of_robots.begin(), of_robots.end());
+  points.insert(points.end(), desk.extent_mm().begin(), desk.extent_mm().end());
   if (second) {
     const std::vector<Vec3> of_second = second->extent_mm();
     points.insert(points.end(), of_second.begin(), of_second.end());
@@ -161,6 +164,19 @@ std::vector<Vec3> SceneView::Impl::extent() const {
     points.insert(points.end(), ghosts.begin(), ghosts.end());
   }
   return points;
+}
+
+OrbitCamera SceneView::Impl::wanted() const {
+  return movement.state() == QAbstractAnimation::Running ? to : camera;
+}
+
+/// The picture turns where the desk, or whether it counts, has changed.
+void SceneView::Impl::turnToDesk() {
+  OrbitCamera turned = wanted();
+  const Mat3 R_WD = layers.from_desk ? desk.R_WD() : Mat3(Mat3::Identity());
+  if (turned.R_WD == R_WD) return;
+  turned.R_WD = R_WD;
+  moveTo(camera_is_mine ? fitted(turned) : turned);
 }
 
 void SceneView::Impl::fit() {

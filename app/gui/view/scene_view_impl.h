@@ -37,6 +37,8 @@ struct SceneView::Impl {
   void paintWords(QPainter& painter);
   std::vector<Vec3> extent() const;
   void fit();
+  OrbitCamera wanted() const;  // where the camera is, or is on its way to
+  void turnToDesk();
   OrbitCamera fitted(const OrbitCamera& looking) const;  // that sees everything from there
   void moveTo(const OrbitCamera& wanted);
   void cameraByHand(const OrbitCamera& wanted);  // from now on it stays where it was put
@@ -54,6 +56,7 @@ struct SceneView::Impl {
   InfluencePicture influence;
   RobotPicture robots;
   PathPicture path;
+  DeskPicture desk;
   MeshPicture meshes;
   std::optional<SecondWorld> second;
   scene::Description scene;  // that is drawn

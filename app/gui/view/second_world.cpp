@@ -1,5 +1,8 @@
 #include "app/gui/view/second_world.h"
 
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+
 #include <QCoreApplication>
 #include <algorithm>
 
@@ -48,12 +51,16 @@ void SecondWorld::assemble() {
   for (const auto& tint : constraint_.tints()) assembly_->AddPart(tint);
   assembly_->AddPart(influence_.rings());
   assembly_->AddPart(hand_.mark());
-  setOffset(offset_mm_);
+  setPlace(X_WS_mm_);
 }
 
-void SecondWorld::setOffset(const Vec3& offset_mm) {
-  offset_mm_ = offset_mm;
-  assembly_->SetPosition(offset_mm_.x(), offset_mm_.y(), offset_mm_.z());
+void SecondWorld::setPlace(const Pose& X_WS_mm) {
+  X_WS_mm_ = X_WS_mm;
+  const vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, X_WS_mm_.matrix()(row, column));
+  }
+  assembly_->SetUserMatrix(matrix);
 }
 
 void SecondWorld::setTheme(const Theme& theme) {
@@ -94,7 +101,8 @@ bool SecondWorld::present(const servo::Snapshot& snapshot) {
 }
 
 void SecondWorld::update(OrbitCamera camera, const QSizeF& size) {
-  camera.focus_mm -= offset_mm_;  // as seen from its own frame
+  camera.focus_mm = X_WS_mm_.inverse() * camera.focus_mm;  // as seen from its own frame
+  camera.R_WD = X_WS_mm_.linear().transpose() * camera.R_WD;
   constraint_.update(camera.eye_mm());
   hand_.update(camera, size);
   influence_.update(camera, size);
@@ -107,7 +115,7 @@ std::vector<Label> SecondWorld::labels() const {
   labels.insert(labels.end(), influence_.labels().begin(), influence_.labels().end());
   labels.insert(labels.end(), robots_.labels().begin(), robots_.labels().end());
   labels.front().p_mm.y() = -workspaceHalf_mm().y() - 14.0;
-  for (Label& label : labels) label.p_mm += offset_mm_;
+  for (Label& label : labels) label.p_mm = X_WS_mm_ * label.p_mm;
   return labels;
 }
 
@@ -121,7 +129,7 @@ std::vector<Vec3> SecondWorld::extent_mm() const {
     points.push_back(kMillimetrePerMetre * hand_.skeleton().p_WShoulder);
     points.push_back(kMillimetrePerMetre * hand_.skeleton().p_WElbow);
   }
-  for (Vec3& point : points) point += offset_mm_;
+  for (Vec3& point : points) point = X_WS_mm_ * point;
   return points;
 }
 

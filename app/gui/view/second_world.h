@@ -14,12 +14,12 @@
 namespace underact::gui {
 
 /// The world of a second arm, beside that of the first in the same picture: what it is held to, the arm, stylus,
-/// targets, force and robots. Its own frame W stands aside by an offset.
+/// targets, force and robots. Its own frame W stands elsewhere: S, seen from the first one's.
 class SecondWorld {
  public:
   SecondWorld();
   void setScene(const scene::Description& scene);
-  void setOffset(const Vec3& offset_mm);
+  void setPlace(const Pose& X_WS_mm);
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);
   void setLineWidth(double device_pixels_per_pixel);
@@ -35,7 +35,7 @@ class SecondWorld {
  private:
   void assemble();
 
-  Vec3 offset_mm_ = Vec3::Zero();
+  Pose X_WS_mm_ = Pose::Identity();
   ConstraintPicture constraint_;
   HandPicture hand_;
   InfluencePicture influence_;

@@ -162,10 +162,8 @@ void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
 
 void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
   const Vec3 right_W = state.camera.right_W(), up_W = state.camera.up_W(), back_W = state.camera.back_W();
-  const QString key = QStringLiteral("%1 %2 %3 %4")
-                          .arg(state.camera.azimuth_rad)
-                          .arg(state.camera.elevation_rad)
-                          .arg(state.theme.ink.name(), state.font.key());
+  QString key = state.theme.ink.name() + state.font.key();
+  for (const Vec3& way : {right_W, back_W}) key += QStringLiteral(" %1 %2 %3").arg(way.x()).arg(way.y()).arg(way.z());
   const QImage& image = triad_.image(key, {kTriad, kTriad}, state.scale, [&](QPainter& p, const QSizeF& area) {
     const QPointF middle(0.5 * area.width(), 0.5 * area.height());
     const std::array<QColor, 3> colours{state.theme.x_axis, state.theme.y_axis, state.theme.z_axis};

@@ -1,8 +1,8 @@
-#include "app/cli/scheduling_options.h"
+#include "app/options/scheduling_options.h"
 
 #include <map>
 
-namespace underact::cli {
+namespace underact::options {
 
 void addSchedulingOptions(CLI::App& command, servo::SchedulingWanted& wanted) {
   static const std::map<std::string, servo::Way> kWays{{"auto", servo::Way::Auto},
@@ -21,4 +21,4 @@ void addSchedulingOptions(CLI::App& command, servo::SchedulingWanted& wanted) {
       ->check(CLI::Range(0, 1023));
 }
 
-}  // namespace underact::cli
+}  // namespace underact::options

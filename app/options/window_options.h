@@ -1,14 +1,15 @@
 #pragma once
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/servo/scheduling.h"
 
-namespace underact::gui {
+namespace underact::options {
 
 /// What the command line asks of the window.
-struct Options {
+struct WindowOptions {
   std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
   std::string picture;  // a scene to draw into out, without a window
   std::string out;
@@ -16,15 +17,15 @@ struct Options {
   std::optional<int> rate_hz;  // none: the window's choice
   servo::SchedulingWanted scheduling;
   int max_late = 20;  // ticks in a row
-  bool help = false;
-  bool version = false;
-  std::string wrong;  // a sentence, where the command line cannot be understood
+  // Help, the version, or what is wrong with the command line, and the exit status that goes with it; empty: go on.
+  std::string said;
+  int exit = 0;
 };
 
+/// The grammar of underact. options: outlives the grammar, which writes into it.
+void addWindowOptions(CLI::App& program, WindowOptions& options);
+
 /// arguments: without the program's name.
-Options parseOptions(const std::vector<std::string>& arguments);
+WindowOptions parseWindowOptions(std::vector<std::string> arguments);
 
-/// What --help prints.
-std::string usage();
-
-}  // namespace underact::gui
+}  // namespace underact::options

@@ -1,10 +1,11 @@
 #pragma once
-#include "app/cli/command.h"
+#include <CLI/CLI.hpp>
+
 #include "core/servo/scheduling.h"
 
-namespace underact::cli {
+namespace underact::options {
 
 /// --scheduling and --core.
 void addSchedulingOptions(CLI::App& command, servo::SchedulingWanted& wanted);
 
-}  // namespace underact::cli
+}  // namespace underact::options

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/register_report.h"
+#include "app/cli/scene_file.h"
+#include "app/cli/step_report.h"
+#include "app/cli/today.h"
+#include "core/base/units.h"
+#include "core/curve/points.h"
+#include "core/registration/check.h"
+#include "core/registration/sheet.h"
+#include "core/registration/store.h"
+#include "device/arm_key.h"
+#include "device/catalogue.h"
+#include "device/touch_marks.h"
+#include "underact/version.h"
+
+namespace underact::cli {
+namespace {
+
+using registration::Registration;
+using registration::Touch;
+
+struct RegisterOptions {
+  std::string marks = "3", points, device, of, out;
+  std::string arm{arm::kDefaultArm};
+  double wait_s = 120.0;
+  bool keep = false, json = false;
+  bool accuracy = false;
+  int draws = 20'000;
+  std::uint64_t seed = 1;
+};
+
+bool isCount(const std::string& marks) {
+  return marks.size() == 1 && marks[0] >= '0' + static_cast<char>(registration::kFewestMarks) &&
+         marks[0] <= '0' + static_cast<char>(registration::kMostMarks);
+}
+
+Result<std::vector<Vec3>> marksOf(const std::string& marks) {
+  if (isCount(marks)) return registration::sheetMarks(static_cast<std::size_t>(marks[0] - '0'));
+  const Result<std::vector<Vec3>> read = curve::readPoints(marks);
+  if (!read) return read.problems();
+  std::vector<Vec3> marks_D;
+  for (const Vec3& mark_mm : read.value()) {
+    const Vec3 mark_m = kMetrePerMillimetre * mark_mm;
+    marks_D.push_back(registration::onDesk(mark_m[0], mark_m[1], mark_m[2]));
+  }
+  return marks_D;
+}
+
+/// From a file: of points, or of a registration.
+Result<Registration> fromFile(const RegisterOptions& options) {
+  if (options.points.ends_with(".json")) return registration::readRegistrationFile(options.points);
+  const Result<std::vector<Vec3>> marks_D = marksOf(options.marks), points_mm = curve::readPoints(options.points);
+  Problems problems = marks_D ? Problems{} : marks_D.problems();
+  if (!points_mm) problems.insert(problems.end(), points_mm.problems().begin(), points_mm.problems().end());
+  if (!problems.empty()) return problems;
+  if (marks_D.value().size() != points_mm.value().size()) {
+    return Problems{{"There are " + std::to_string(marks_D.value().size()) + " marks and " +
+                         std::to_string(points_mm.value().size()) + " points. Give a line for each mark, in its order.",
+                     {options.points, 1, 1}}};
+  }
+  Registration registration;
+  for (std::size_t at = 0; at < marks_D.value().size(); ++at)
+    registration.touches.push_back({marks_D.value()[at], kMetrePerMillimetre * points_mm.value()[at], 0.0});
+  return registration;
+}
+
+/// From an arm, with a person at it.
+Result<Registration> fromArm(const RegisterOptions& options, const Streams& streams, Exit& wrong) {
+  constexpr int kRate_hz = 1000;
+  const Result<std::vector<Vec3>> marks_D = marksOf(options.marks);
+  if (!marks_D) return marks_D.problems();
+  const arm::Preset& preset = *arm::findPreset(options.arm);
+  wrong = Exit::Fault;
+  Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.device, {preset, {}, kRate_hz, {}});
+  if (!arm) return arm.problems();
+  Registration registration;
+  registration.arm = device::armKey(options.device, arm.value()->info(), arm.value()->listing());
+  const Interrupt interrupt;
+  streams.err << "No force is sent. Marks are touched in the order of their numbers.\n";
+  Result<std::vector<Touch>> touches =
+      device::touchMarks(std::move(arm).value(), preset, kRate_hz, marks_D.value(),
+                         {[&streams](const std::string& sentence) { streams.err << sentence << std::endl; },
+                          [&interrupt] { return !interrupt.came(); }, options.wait_s});
+  if (!touches) return touches.problems();
+  wrong = Exit::BadInput;
+  registration.touches = std::move(touches).value();
+  return registration;
+}
+
+/// Whether it would mislead: it is not kept then.
+bool isWrong(const std::vector<registration::Warning>& warnings) {
+  return std::any_of(warnings.begin(), warnings.end(), [](const registration::Warning& one) {
+    return one.kind == registration::Warning::Kind::Order || one.kind == registration::Warning::Kind::Residual;
+  });
+}
+
+Exit keepIt(const RegisterOptions& options, const Registration& registration, const Streams& streams) {
+  Problems problems;
+  if (!options.out.empty()) problems = writeText(options.out, registrationText(registration));
+  if (options.keep) {
+    const Problems more = registration::keep(registration, registration::storeFolder());
+    problems.insert(problems.end(), more.begin(), more.end());
+  }
+  print(problems, streams.err);
+  return problems.empty() ? Exit::Well : Exit::File;
+}
+
+Exit registerIt(const RegisterOptions& options, const Streams& streams) {
+  Exit wrong = Exit::BadInput;
+  Result<Registration> touched = options.device.empty() ? fromFile(options) : fromArm(options, streams, wrong);
+  if (!touched) {
+    print(touched.problems(), streams.err);
+    return wrong == Exit::Fault ? wrong : exitOf(touched.problems());
+  }
+  Registration registration = std::move(touched).value();
+  const Result<registration::Fit> fit = fitTouches(registration.touches);
+  if (!fit) {
+    print(fit.problems(), streams.err);
+    return Exit::BadInput;
+  }
+  registration.fit = fit.value();
+  if (!options.of.empty()) registration.arm = options.of;
+  if (registration.date.empty()) registration.date = today();
+  if (registration.program.empty()) registration.program = std::string("underact ") + kVersion;
+  const std::vector<registration::Warning> warnings = warningsOf(registration.touches, registration.fit);
+  if (options.json)
+    streams.out << registrationObject(registration, warnings).text() << '\n';
+  else
+    printRegistration(registration, streams.out);
+  for (const registration::Warning& warning : warnings) streams.err << warning.sentence << '\n';
+  if (isWrong(warnings)) {
+    if (options.keep || !options.out.empty()) streams.err << "It was not kept.\n";
+    return Exit::BadInput;
+  }
+  if (options.keep && registration.arm.empty()) {
+    streams.err << "--keep: say with --of which arm this is of, as in --of wooden:0042.\n";
+    return Exit::Usage;
+  }
+  return keepIt(options, registration, streams);
+}
+
+}  // namespace
+
+void addRegister(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "register", "Where an arm stands on the desk, from marks that its tip has touched; how exact that is");
+  const auto options = std::make_shared<RegisterOptions>();
+  command
+      ->add_option("--marks", options->marks,
+                   "3 to 8 marks of the program's sheet, or a file: a line a mark, mm to the right, away, up")
+      ->capture_default_str();
+  CLI::Option* points = command->add_option(
+      "--points", options->points,
+      "A file of the touched points: a line a mark, x, y and z of W in mm; or a registration (.json)");
+  CLI::Option* device = command->add_option("--device", options->device,
+                                            "Touch them now with the arm KIND or KIND:ADDRESS, without force");
+  CLI::Option* accuracy = command->add_flag("--accuracy", options->accuracy,
+                                            "What errors of the touches come to in the workspace, drawn by seed");
+  points->excludes(device)->excludes(accuracy);
+  device->excludes(accuracy);
+  command->add_option("--of", options->of, "Of which arm it is, where it is not --device that says so");
+  std::vector<std::string> arms;
+  for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
+  command->add_option("--arm", options->arm, "The geometry of the arm that touches")
+      ->needs(device)
+      ->capture_default_str()
+      ->check(CLI::IsMember(arms));
+  command->add_option("--out", options->out, "Write the registration to this file");
+  command->add_flag("--keep", options->keep, "Keep it as that of its arm, for the window");
+  command->add_option("--wait_s", options->wait_s, "How long a press is waited for, s")
+      ->needs(device)
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->add_option("--draws", options->draws, "Registrations for a row")
+      ->needs(accuracy)
+      ->check(CLI::Range(10, 10'000'000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the draws")->needs(accuracy)->capture_default_str();
+  command->add_flag("--json", options->json, "JSON in place of the table");
+  command->footer(
+      "Touch the marks in the order of their numbers. Exit status 1 where they were touched in another order, or one "
+      "of\nthem far beside its place: nothing is kept then.");
+  command->callback([options, &streams, &exit] {
+    if (options->accuracy) {
+      printAccuracy(options->draws, options->seed, options->json, streams.out);
+      return;
+    }
+    if (options->points.empty() && options->device.empty())
+      throw CLI::ValidationError("register", "takes --points, --device or --accuracy");
+    exit = registerIt(*options, streams);
+  });
+}
+
+}  // namespace underact::cli

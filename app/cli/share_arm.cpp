@@ -1,0 +1,184 @@
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <mutex>
+#include <ostream>
+#include <thread>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/scene_file.h"
+#include "core/sim/arm_model.h"
+#include "device/catalogue.h"
+#include "device/remote/share.h"
+
+namespace underact::cli {
+namespace {
+
+using device::remote::Address;
+using device::remote::KeyFolder;
+using device::remote::KeyPair;
+
+constexpr std::chrono::milliseconds kPause{20};
+constexpr const char* kRemote = "remote";
+
+struct ShareArmOptions {
+  std::string device = "simulated";
+  std::string arm{arm::kDefaultArm};
+  std::string listen;
+  std::string allow;  // "KEY NAME"
+  std::string trust;  // "HOST:PORT KEY"
+  int rate_hz = 1000;
+  double seconds = 0.0;  // 0: until Ctrl+C
+  bool force = false, no_passivity = false, new_key = false, show_key = false;
+};
+
+Exit fail(const Problems& problems, Exit exit, const Streams& streams) {
+  print(problems, streams.err);
+  return exit;
+}
+
+std::string nameOfThisComputer() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this-computer";
+}
+
+/// What the other computer has to be told to reach an arm that is shared at address here.
+std::string trustLine(Address address, const std::string& key) {
+  if (address.host == "0.0.0.0" || address.host == "::") address.host = nameOfThisComputer();
+  return "underact-cli share-arm --trust='" + address.text() + " " + key + "'";
+}
+
+/// "HOST:PORT KEY", as the other computer printed it.
+Exit trust(const KeyFolder& folder, const std::string& words, const Streams& streams) {
+  const std::size_t space = std::min(words.find(' '), words.size());
+  const Result<Address> address = device::remote::readAddress(words.substr(0, space));
+  if (!address) return fail(address.problems(), Exit::Usage, streams);
+  const std::string key = space < words.size() ? words.substr(space + 1) : "";
+  const bool is_key = device::remote::isKey(key);
+  const Problems problems = folder.trust(address.value(), key);
+  if (!problems.empty()) return fail(problems, is_key ? Exit::File : Exit::Usage, streams);
+  streams.out << "Known from now on. The arm there is --device remote:" << address.value().text() << '\n';
+  return Exit::Well;
+}
+
+/// "KEY", with whatever words behind it tell people whose it is.
+Exit allow(const KeyFolder& folder, const std::string& words, const Streams& streams) {
+  const std::string key = words.substr(0, words.find(' '));
+  const bool is_key = device::remote::isKey(key);
+  const Problems problems = folder.allow(key, key.size() < words.size() ? words.substr(key.size() + 1) : "");
+  if (!problems.empty()) return fail(problems, is_key ? Exit::File : Exit::Usage, streams);
+  streams.out << "Allowed from now on, wherever an arm of yours is shared with others: share-arm --listen 0.0.0.0\n";
+  return Exit::Well;
+}
+
+/// Lines from the main thread and the network's, whole and at once.
+class Lines {
+ public:
+  explicit Lines(std::ostream& out) : out_(out) {}
+  void operator()(const std::string& sentence) {
+    const std::scoped_lock lock(mutex_);
+    out_ << sentence << std::endl;
+  }
+
+ private:
+  std::ostream& out_;
+  std::mutex mutex_;
+};
+
+void sayWhatIsShared(const device::remote::ShareOptions& options, const Address& address, const std::string& title,
+                     Lines& say) {
+  say(title + " is shared at " + address.text() + ", " + std::to_string(options.rate_hz) + " Hz, joints of " +
+      options.arm.name + (options.allows_force ? ", with force" : ", without force (--force allows it)") +
+      (options.is_passive ? ", kept passive." : ", not kept passive."));
+  if (address.isThisMachine()) {
+    say("Your own programs at this computer open it: --device remote:" + address.text());
+  } else {
+    say("Keys that are allowed: " + std::to_string(options.clients.size()) +
+        ". What each of those computers has to be told once:");
+    say("  " + trustLine(address, options.keys.public_key));
+  }
+}
+
+Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair& keys, const Streams& streams) {
+  const arm::Preset* const preset = arm::findPreset(asked.arm);
+  if (preset == nullptr) return fail({{"There is no arm \"" + asked.arm + "\".", {}}}, Exit::Usage, streams);
+  if (asked.device == kRemote || asked.device.starts_with(std::string(kRemote) + ":"))
+    return fail({{"An arm that is shared by another program is not shared on. Share it where it is.", {}}}, Exit::Usage,
+                streams);
+  const Result<Address> listen = device::remote::readAddress(asked.listen);
+  if (!listen) return fail(listen.problems(), Exit::Usage, streams);
+  const Result<std::vector<std::string>> clients = folder.clients();
+  if (!clients) return fail(clients.problems(), Exit::File, streams);
+  device::remote::ShareOptions options{listen.value(), keys,        clients.value(),    *preset,
+                                       asked.rate_hz,  asked.force, !asked.no_passivity};
+  const Interrupt interrupt;
+  Result<std::unique_ptr<servo::DevicePort>> arm =
+      device::openDevice(asked.device, {*preset, *sim::findArmModel(sim::kDefaultArmModel), asked.rate_hz, {}});
+  if (!arm) return fail(arm.problems(), Exit::Fault, streams);
+  const std::string title = arm.value()->info().title;
+  Lines say(streams.out);
+  Result<std::unique_ptr<device::remote::Share>> shared = device::remote::Share::open(
+      std::move(arm).value(), options, [&say](const std::string& sentence) { say(sentence); });
+  if (!shared) return fail(shared.problems(), Exit::Fault, streams);
+  sayWhatIsShared(options, shared.value()->address(), title, say);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(asked.seconds);
+  while (!interrupt.came() && (asked.seconds == 0.0 || std::chrono::steady_clock::now() < end))
+    std::this_thread::sleep_for(kPause);
+  std::move(shared).value().reset();
+  say("Zero force, and no longer shared.");
+  return Exit::Well;
+}
+
+Exit perform(const ShareArmOptions& asked, const Streams& streams) {
+  const KeyFolder folder;
+  if (!asked.trust.empty()) return trust(folder, asked.trust, streams);
+  if (!asked.allow.empty()) return allow(folder, asked.allow, streams);
+  const Result<KeyPair> keys = asked.new_key ? folder.makeNew() : folder.own();
+  if (!keys) return fail(keys.problems(), Exit::File, streams);
+  if (!asked.new_key && !asked.show_key) return share(asked, folder, keys.value(), streams);
+  streams.out << "Your key is " << keys.value().public_key << "\nAt the computer of the arm, once:\n"
+              << "  underact-cli share-arm --allow='" << keys.value().public_key << " " << nameOfThisComputer()
+              << "'\n";
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addShareArm(CLI::App& program, const Streams& streams, Exit& exit) {
+  CLI::App* command = program.add_subcommand(
+      "share-arm", "Lets one program at a time, here or at another computer, drive an arm of this computer");
+  const auto options = std::make_shared<ShareArmOptions>();
+  command->add_option("--device", options->device, "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it")
+      ->capture_default_str();
+  command->add_option("--arm", options->arm, "Whose joints the samples are: the arm that scenes name")
+      ->capture_default_str();
+  command
+      ->add_option("--listen", options->listen,
+                   "HOST or HOST:PORT of this computer's own; 0.0.0.0 for all of its networks, where only who was "
+                   "allowed is let in")
+      ->default_str(Address{}.text());
+  command->add_option("--rate", options->rate_hz, "Ticks a second, until a program asks for another rate")
+      ->capture_default_str()
+      ->check(CLI::Range(servo::kSlowest_hz, servo::kFastest_hz));
+  command->add_flag("--force", options->force, "Lets it push; without, it is read alone");
+  command->add_flag("--no-passivity", options->no_passivity,
+                    "Does not damp what the delay of the network makes a wall give away");
+  command->add_option(
+      "--allow", options->allow,
+      "\"KEY NAME\", as share-arm --show-key prints it there: who may use an arm that is shared with others. "
+      "Shares nothing");
+  command->add_option("--trust", options->trust,
+                      "\"HOST:PORT KEY\", as share-arm prints it there: an arm that is to be driven from here. Shares "
+                      "nothing");
+  CLI::Option* show = command->add_flag("--show-key", options->show_key, "Prints your key, and shares nothing");
+  command->add_flag("--new-key", options->new_key, "Makes you another key, prints it, and shares nothing")
+      ->excludes(show);
+  command->add_option("--seconds", options->seconds, "How long; 0: until Ctrl+C")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  command->callback([options, &streams, &exit] { exit = perform(*options, streams); });
+}
+
+}  // namespace underact::cli

@@ -1,0 +1,62 @@
+#include "app/describe/grammar.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace underact::describe {
+namespace {
+
+/// The part of CLI11's text of a type between two marks, and the text without it: "TEXT:{a,b}" has "a,b" and "TEXT:".
+std::string takeBetween(std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t start = text.find(from);
+  const std::size_t end = start == std::string::npos ? start : text.find(to, start + from.size());
+  if (end == std::string::npos) return {};
+  std::string part = text.substr(start + from.size(), end - start - from.size());
+  text.erase(start, end + to.size() - start);
+  return part;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+std::string wordOf(const std::string& type) {
+  if (type.rfind("INT", 0) == 0 || type.rfind("UINT", 0) == 0) return "N";
+  if (type.rfind("FLOAT", 0) == 0) return "NUMBER";
+  return type.substr(0, type.find(':'));
+}
+
+Option describe(const CLI::Option& option) {
+  Option made;
+  for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
+  made.what = option.get_description();
+  made.required = option.get_required();
+  made.many = option.get_expected_max() > 1;
+  if (option.get_type_size_max() == 0) return made;  // a flag
+  std::string type = option.get_type_name();
+  made.choices = split(takeBetween(type, "{", "}"));
+  made.range = takeBetween(type, " in [", "]");
+  if (const std::size_t dash = made.range.find(" - "); dash != std::string::npos) made.range.replace(dash, 3, " to ");
+  made.word = wordOf(type);
+  if (made.names.empty() && made.word == "TEXT") made.word = option.get_single_name();
+  std::transform(made.word.begin(), made.word.end(), made.word.begin(),
+                 [](unsigned char c) { return std::toupper(c); });
+  made.usual = option.get_default_str();
+  return made;
+}
+
+}  // namespace
+
+Command describe(const CLI::App& program) {
+  Command made{program.get_name(), program.get_description(), program.get_footer(), {}, {}};
+  for (const CLI::Option* option : program.get_options()) made.options.push_back(describe(*option));
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    made.commands.push_back(describe(*command));
+  return made;
+}
+
+}  // namespace underact::describe

@@ -1,0 +1,92 @@
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/registration/marks_picture.h"
+#include "app/gui/registration/pages.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+#include "core/registration/check.h"
+#include "core/registration/error.h"
+
+namespace underact::gui {
+namespace {
+
+QString mm(double length_m) {
+  return numberText(kMillimetrePerMetre * length_m, 2);
+}
+
+}  // namespace
+
+FitPage::FitPage(RegistrationTool& tool, QWidget* parent)
+    : QWizardPage(parent),
+      tool_(tool),
+      residual_(toldLabel("registration.residual", tr("How well the points fit"), "", this)),
+      expected_(toldLabel("registration.expected", tr("Expected error"), "", this)),
+      warnings_(toldLabel("registration.warnings", tr("What does not look right"), "warning", this)),
+      told_(toldLabel("registration.kept", tr("Whether it is kept"), "alarm", this)),
+      table_(pageTable("registration.residuals", tr("How far beside each mark its point lies"),
+                       {tr("Mark"), tr("beside it, mm"), tr("spread, mm")}, this)),
+      picture_(new MarksPicture("registration.result_picture", this)) {
+  setObjectName("registration.result");
+  setTitle(tr("How well it fits"));
+  expected_->setToolTip(
+      tr("e<sup>2</sup>/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998."));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  auto* both = new QHBoxLayout;
+  both->addWidget(table_, 1);
+  both->addWidget(picture_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(8);
+  for (QLabel* label : {residual_, expected_, warnings_}) column->addWidget(label);
+  column->addLayout(both, 1);
+  column->addWidget(told_);
+}
+
+void FitPage::initializePage() {
+  was_told_ = false;
+  told_->hide();
+  const std::vector<registration::Touch> touches = tool_.run().touching().touches();
+  const Result<registration::Fit> fitted = tool_.run().fit();
+  if (!fitted) return;  // the page before does not let it come to this
+  const registration::Fit& fit = fitted.value();
+  residual_->setText(tr("The touched points lie beside their marks by %1 mm (root mean square).").arg(mm(fit.rms_m)));
+  const registration::ErrorInTheMiddle middle = errorInTheMiddle(touches, fit);
+  expected_->setText(tr("In the middle of the workspace an error of %1 mm is expected; in 19 of 20 registrations like "
+                        "this one it is at most %2 mm. More marks, and such that are farther apart, make it smaller.")
+                         .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
+  QStringList sentences;
+  for (const registration::Warning& warning : warningsOf(touches, fit))
+    sentences << QString::fromStdString(warning.sentence);
+  warnings_->setText(sentences.join('\n'));
+  warnings_->setVisible(!sentences.isEmpty());
+  table_->setRowCount(static_cast<int>(touches.size()));
+  std::vector<ShownMark> shown;
+  for (std::size_t at = 0; at < touches.size(); ++at) {
+    const QString texts[] = {QString::number(at + 1), mm(fit.off_D[at].norm()), mm(touches[at].spread_m)};
+    for (int column = 0; column < 3; ++column)
+      table_->setItem(static_cast<int>(at), column, new QTableWidgetItem(texts[column]));
+    shown.push_back({touches[at].p_DM, true, fit.off_D[at]});
+  }
+  picture_->present(shown, {});
+}
+
+bool FitPage::validatePage() {
+  if (was_told_) return true;
+  const Problems problems = tool_.accept();
+  if (problems.empty()) return true;
+  was_told_ = true;
+  told_->setText(tr("It counts now, but only until the window closes. %1 Press Accept again to close this.")
+                     .arg(sentencesOf(problems)));
+  told_->show();
+  return false;
+}
+
+void FitPage::setTheme(const Theme& theme) {
+  picture_->setTheme(theme);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,41 @@
+#pragma once
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "core/base/types.h"
+
+namespace underact::gui {
+
+/// A mark as the picture shows it.
+struct ShownMark {
+  Vec3 p_D = Vec3::Zero();
+  bool touched = false;
+  std::optional<Vec3> off_D = {};  // from the mark to where the touched point comes to lie
+};
+
+/// The desk from above, away from the person at the top: marks with their numbers, the one that is due, and how far
+/// beside their marks the points lie, enlarged.
+class MarksPicture : public QWidget {
+  Q_OBJECT
+ public:
+  MarksPicture(const QString& object_name, QWidget* parent);
+  /// due: the mark that is touched next; none: no one.
+  void present(std::vector<ShownMark> marks, std::optional<std::size_t> due);
+  void setTheme(const Theme& theme);
+  QSize sizeHint() const override { return {420, 260}; }
+  QSize minimumSizeHint() const override { return {200, 120}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintOff(QPainter& painter, const ShownMark& mark, const QPointF& at, double scale) const;
+
+  std::vector<ShownMark> marks_;
+  std::optional<std::size_t> due_;
+  Theme theme_ = Theme::light();
+};
+
+}  // namespace underact::gui

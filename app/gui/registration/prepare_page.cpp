@@ -1,0 +1,240 @@
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStyle>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/chooser.h"
+#include "app/gui/push_button.h"
+#include "app/gui/registration/marks_picture.h"
+#include "app/gui/registration/pages.h"
+#include "app/gui/registration/sheet.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+#include "core/registration/sheet.h"
+
+namespace underact::gui {
+namespace {
+
+using Which = RegistrationTool::Which;
+
+constexpr double kFarthest_mm = 1000.0;
+
+}  // namespace
+
+QTableWidget* pageTable(const char* name, const QString& spoken, const QStringList& columns, QWidget* parent) {
+  auto* table = new QTableWidget(0, static_cast<int>(columns.size()), parent);
+  table->setObjectName(name);
+  table->setAccessibleName(spoken);
+  table->setHorizontalHeaderLabels(columns);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table->verticalHeader()->hide();
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setTabKeyNavigation(false);
+  return table;
+}
+
+PreparePage::PreparePage(RegistrationTool& tool, QWidget* parent) : QWizardPage(parent), tool_(tool) {
+  setObjectName("registration.prepare");
+  setTitle(tr("Where does the arm stand?"));
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(8);
+  QLabel* what = toldLabel("registration.what", tr("What this is for"), "", this);
+  what->setText(tr(
+      "The stylus touches marks on the desk whose places are known. From them follows how the arm stands there: the "
+      "view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape "
+      "the sheet to the desk, and do not move sheet and arm any more. The scene and its forces stay where they are in "
+      "the arm's own frame."));
+  column->addWidget(what);
+  column->addWidget(buildArm());
+  column->addWidget(buildMarks(), 1);
+  connect(&tool_, &RegistrationTool::changed, this, &PreparePage::showArm);
+  fillMarks();
+  showArm();
+}
+
+QWidget* PreparePage::buildArm() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  arm_ = chooser("registration.arm", tr("Arm"), tr("Which arm is registered."), box);
+  state_ = toldLabel("registration.state", tr("Whether the arm is registered"), "quiet", box);
+  calibration_ = toldLabel("registration.calibration", tr("Whether the arm is calibrated"), "", box);
+  forget_ = pushButton("registration.forget", tr("&Forget where it stands"),
+                       tr("The view is drawn as the arm stands, as before."), box);
+  column->addWidget(arm_);
+  column->addWidget(calibration_);
+  column->addWidget(state_);
+  column->addWidget(forget_, 0, Qt::AlignLeft);
+  connect(arm_, &QComboBox::currentIndexChanged, this, &PreparePage::showArm);
+  connect(forget_, &QPushButton::clicked, this, &PreparePage::forget);
+  return box;
+}
+
+QWidget* PreparePage::buildMarks() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  count_ = new QSpinBox(box);
+  count_->setObjectName("registration.count");
+  count_->setAccessibleName(tr("How many marks"));
+  count_->setToolTip(tr("More marks: a smaller error, and it is better known. Puts the sheet's own places back."));
+  count_->setRange(static_cast<int>(registration::kFewestMarks), static_cast<int>(registration::kMostMarks));
+  count_->setSuffix(tr(" marks"));
+  paper_ = chooser("registration.paper", tr("Paper"), tr("What the sheet is printed on."), box);
+  paper_->addItems({tr("A4"), tr("Letter")});
+  sheet_ = pushButton("registration.sheet", tr("Save the &sheet as PDF…"),
+                      tr("Print it at 100 %; its ruler shows whether it was."), box);
+  auto* row = new QHBoxLayout;
+  row->addWidget(count_);
+  row->addStretch(1);
+  row->addWidget(paper_);
+  row->addWidget(sheet_);
+  table_ = pageTable("registration.marks", tr("Places of the marks, mm from mark 1"),
+                     {tr("Mark"), tr("right, mm"), tr("away, mm"), tr("up, mm")}, box);
+  table_->setToolTip(tr("Where the marks are, from mark 1: to the right, away from you, up. Own marks can be typed."));
+  picture_ = new MarksPicture("registration.sheet_picture", box);
+  layout_ = toldLabel("registration.layout", tr("How the marks lie"), "warning", box);
+  auto* both = new QHBoxLayout;
+  both->addWidget(table_, 1);
+  both->addWidget(picture_, 1);
+  column->addLayout(row);
+  column->addLayout(both, 1);
+  column->addWidget(layout_);
+  connect(count_, &QSpinBox::valueChanged, this, &PreparePage::fillMarks);
+  connect(table_, &QTableWidget::itemChanged, this, &PreparePage::showMarks);
+  connect(sheet_, &QPushButton::clicked, this, &PreparePage::chooseSheet);
+  return box;
+}
+
+Which PreparePage::which() const {
+  return arm_->currentIndex() == 1 ? Which::Second : Which::First;
+}
+
+std::vector<Vec3> PreparePage::marks_D() const {
+  std::vector<Vec3> marks_D;
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    Vec3 place_m;  // right, away, up
+    for (int column = 0; column < 3; ++column) {
+      bool is_number = false;
+      QString text = table_->item(row, column + 1)->text();
+      const double place_mm = text.replace(QChar(0x2212), '-').toDouble(&is_number);
+      place_m[column] = is_number ? kMetrePerMillimetre * place_mm : kNotANumber;
+    }
+    marks_D.push_back(registration::onDesk(place_m[0], place_m[1], place_m[2]));
+  }
+  return marks_D;
+}
+
+void PreparePage::fillMarks() {
+  const QSignalBlocker quiet(table_);
+  const std::vector<Vec3> marks_D = registration::sheetMarks(static_cast<std::size_t>(count_->value()));
+  table_->setRowCount(static_cast<int>(marks_D.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const Vec3& mark_D = marks_D[static_cast<std::size_t>(row)];
+    auto* number = new QTableWidgetItem(QString::number(row + 1));
+    number->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    table_->setItem(row, 0, number);
+    const double place_m[] = {registration::rightOf(mark_D), registration::awayOf(mark_D), registration::upOf(mark_D)};
+    for (int column = 0; column < 3; ++column)
+      table_->setItem(row, column + 1, new QTableWidgetItem(numberText(kMillimetrePerMetre * place_m[column], 1)));
+  }
+  showMarks();
+}
+
+/// What is wrong with the marks, before anybody touches one: as if they had been touched without any error.
+void PreparePage::showMarks() {
+  const std::vector<Vec3> marks_D = this->marks_D();
+  std::vector<registration::Touch> touches;
+  std::vector<ShownMark> shown;
+  bool all_near = true;
+  for (const Vec3& mark_D : marks_D) {
+    touches.push_back({mark_D, mark_D, 0.0});
+    all_near = all_near && mark_D.allFinite() && mark_D.cwiseAbs().maxCoeff() <= kMetrePerMillimetre * kFarthest_mm;
+    shown.push_back({mark_D});
+  }
+  QStringList sentences;
+  marks_are_good_ = false;
+  if (!all_near) {
+    sentences << tr("Each place must be a number within 1000 mm.");
+    shown.clear();
+  } else if (const Result<registration::Fit> fit = fitTouches(touches); !fit) {
+    sentences << sentencesOf(fit.problems());
+  } else {
+    marks_are_good_ = true;
+    for (const registration::Warning& warning : warningsOf(touches, fit.value()))
+      sentences << QString::fromStdString(warning.sentence);
+  }
+  layout_->setText(sentences.join('\n'));
+  layout_->setVisible(!sentences.isEmpty());
+  sheet_->setEnabled(marks_are_good_);
+  picture_->present(shown, {});
+  emit completeChanged();
+}
+
+void PreparePage::showArm() {
+  const QSignalBlocker quiet(arm_);
+  const int chosen = std::max(0, arm_->currentIndex());
+  arm_->clear();
+  arm_->addItem(tool_.title(Which::First));
+  if (tool_.hasSecond()) arm_->addItem(tool_.title(Which::Second));
+  arm_->setCurrentIndex(std::min(chosen, arm_->count() - 1));
+  state_->setText(tool_.sentence(which()));
+  forget_->setVisible(tool_.of(which()).has_value());
+  look();
+}
+
+void PreparePage::look() {
+  const QString why_not = tool_.whyNot(), trouble = tool_.trouble(which());
+  const bool is_ready = why_not.isEmpty() && trouble.isEmpty();
+  const QString sentence = !why_not.isEmpty()   ? why_not
+                           : !trouble.isEmpty() ? tr("The arm says: %1").arg(trouble)
+                           : tool_.isSimulated(which())
+                               ? tr("A simulated arm needs no calibration. Move its hand in the view meanwhile.")
+                               : tr("The arm says that it is calibrated and that nothing is missing.");
+  if (sentence == calibration_->text() && is_ready == is_ready_) return;
+  calibration_->setText(sentence);
+  calibration_->setProperty("role", is_ready ? "" : "warning");
+  calibration_->style()->polish(calibration_);
+  is_ready_ = is_ready;
+  emit completeChanged();
+}
+
+void PreparePage::setTheme(const Theme& theme) {
+  picture_->setTheme(theme);
+}
+
+void PreparePage::forget() {
+  const Problems problems = tool_.forget(which());
+  if (!problems.empty()) state_->setText(sentencesOf(problems));
+}
+
+bool PreparePage::saveSheet(const QString& path) {
+  const Paper paper = paper_->currentIndex() == 1 ? Paper::Letter : Paper::A4;
+  const Problems problems = gui::saveSheet(path, marks_D(), paper);
+  layout_->setText(problems.empty() ? tr("The sheet is in %1. Print it at 100 %, and check its ruler.").arg(path)
+                                    : sentencesOf(problems));
+  layout_->show();
+  return problems.empty();
+}
+
+void PreparePage::chooseSheet() {
+  auto* dialog = new QFileDialog(this, tr("Save the sheet"), "underact_marks.pdf", tr("PDF (*.pdf)"));
+  dialog->setObjectName("dialog.registration_sheet");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("pdf");
+  connect(dialog, &QFileDialog::fileSelected, this, &PreparePage::saveSheet);
+  dialog->open();
+}
+
+}  // namespace underact::gui

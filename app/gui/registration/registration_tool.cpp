@@ -1,0 +1,202 @@
+#include "app/gui/registration/registration_tool.h"
+
+#include <QAction>
+#include <QDate>
+
+#include "app/gui/actions.h"
+#include "app/gui/devices/arm_choice.h"
+#include "app/gui/document.h"
+#include "app/gui/registration/registration_wizard.h"
+#include "app/gui/second/second_arm.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+#include "core/registration/error.h"
+#include "core/registration/store.h"
+#include "device/arm_key.h"
+#include "device/chosen_arm.h"
+#include "underact/version.h"
+
+namespace underact::gui {
+namespace {
+
+using registration::Registration;
+
+/// The place of the second arm as the first one sees it: X_WS = X_DW^-1 X_DS.
+std::optional<Pose> placeOf(const std::optional<Registration>& first, const std::optional<Registration>& second) {
+  if (!first || !second) return {};
+  return Pose(first->fit.X_DW.inverse() * second->fit.X_DW);
+}
+
+}  // namespace
+
+RegistrationTool::RegistrationTool(const RegistrationParts& parts, Actions& actions, QWidget* window)
+    : QObject(window), parts_(parts), actions_(actions), window_(window), run_(this) {
+  actions_.add({"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
+                tr("Finds where the arm stands on the desk from marks that its tip touches, step by step.")},
+               [this](const QVariantList&) {
+                 open();
+                 return true;
+               });
+  actions_.addCommand("registration.forget", [this](const QVariantList& second) {
+    return forget(second.value(0).toBool() ? Which::Second : Which::First).empty();
+  });
+  actions_.addCommand("registration.touch", [this](const QVariantList&) {
+    run_.press();
+    return run_.isOn() && run_.touching().isHolding();
+  });
+  actions_.addCommand("registration.sheet", [this](const QVariantList& path) {
+    return wizard_ && wizard_->saveSheet(path.value(0).toString());
+  });
+  connect(&parts_.arms, &ArmChoice::changed, this, &RegistrationTool::recallAll);
+  connect(&parts_.second, &SecondArm::changed, this, [this] {  // it also comes by our own doing
+    if (keyOf(Which::Second) != known_[1].arm) recallAll();
+  });
+  recallAll();
+}
+
+RegistrationTool::~RegistrationTool() {
+  delete wizard_;
+}
+
+bool RegistrationTool::hasSecond() const {
+  return parts_.second.isOn();
+}
+
+bool RegistrationTool::isSimulated(Which which) const {
+  return which == Which::First ? parts_.host.device().simulated : parts_.second.arms().simulated() != nullptr;
+}
+
+std::string RegistrationTool::keyOf(Which which) const {
+  if (which == Which::Second) {
+    if (!hasSecond()) return {};
+    // Simulated, it is another one than the first.
+    if (isSimulated(which)) return "simulated:second";
+    return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.host().device(),
+                          parts_.second.listing());
+  }
+  const bool by_name = parts_.chosen != nullptr;
+  return device::armKey(by_name ? parts_.arms.name().toStdString() : std::string(),
+                        by_name ? parts_.chosen->info() : parts_.host.device(),
+                        by_name ? parts_.chosen->listing() : std::vector<std::string>());
+}
+
+void RegistrationTool::recallAll() {
+  if (wizard_ && run_.isOn()) wizard_->close();  // it was of another arm
+  for (const Which which : {Which::First, Which::Second}) {
+    Known known{keyOf(which), {}, {}};
+    if (!known.arm.empty()) {
+      auto found = registration::recall(known.arm, registration::storeFolder());
+      if (found)
+        known.registration = std::move(found).value();
+      else
+        known.why_not = sentencesOf(found.problems());
+    }
+    known_[index(which)] = std::move(known);
+  }
+  place();
+  emit changed();
+}
+
+void RegistrationTool::place() {
+  std::optional<Desk> desk;
+  if (const auto& first = of(Which::First))
+    desk = Desk{first->fit.X_DW.inverse(), registration::marksOf(first->touches)};
+  parts_.view.setDesk(desk);
+  const std::optional<Pose> X_WS = placeOf(of(Which::First), of(Which::Second));
+  if (X_WS || parts_.second.placed()) parts_.second.setPlace(X_WS);
+}
+
+QString RegistrationTool::title(Which which) const {
+  if (which == Which::First) return QString::fromStdString(parts_.host.device().title);
+  return tr("Second arm: %1").arg(QString::fromStdString(parts_.second.host().device().title));
+}
+
+QString RegistrationTool::trouble(Which which) const {
+  if (which == Which::Second && !hasSecond()) return {};
+  return QString::fromStdString(which == Which::First ? parts_.host.trouble() : parts_.second.host().trouble());
+}
+
+QString RegistrationTool::whyNot() const {
+  if (parts_.document.showsRecorded()) return tr("A recording is replayed. Close it, then register the arm.");
+  if (parts_.document.isTryingOut()) return tr("A measurement is at work on this arm. End it, then register the arm.");
+  return parts_.document.isOpen() ? QString() : tr("No scene is open. Open one, so that the tip is known.");
+}
+
+QString RegistrationTool::sentence(Which which) const {
+  const Known& known = known_[index(which)];
+  if (!known.why_not.isEmpty()) return tr("Not registered: %1").arg(known.why_not);
+  if (!known.registration) return tr("Not registered: the view is drawn as the arm stands.");
+  const registration::ErrorInTheMiddle middle = errorInTheMiddle(known.registration->touches, known.registration->fit);
+  return tr("Registered on %1 by %2 marks, which the points miss by %3 mm. In the middle of the workspace %4 mm of "
+            "error "
+            "are expected.")
+      .arg(QString::fromStdString(known.registration->date))
+      .arg(known.registration->touches.size())
+      .arg(numberText(kMillimetrePerMetre * known.registration->fit.rms_m, 2),
+           numberText(kMillimetrePerMetre * middle.expected_m, 2));
+}
+
+void RegistrationTool::begin(Which which, std::vector<Vec3> marks_D) {
+  actions_.perform("session.stop");  // nothing pulls at the tip while it is to rest
+  which_ = which;
+  parts_.second.setListener(which == Which::Second ? [this](const servo::TickRecord& record) { run_.add(record); }
+                                                   : std::function<void(const servo::TickRecord&)>());
+  run_.begin(std::move(marks_D));
+}
+
+void RegistrationTool::stopTouching() {
+  parts_.second.setListener({});
+  run_.end();
+}
+
+Problems RegistrationTool::accept() {
+  if (!run_.isOn()) return {{"Nothing was touched.", {}}};
+  const Result<registration::Fit> fit = run_.fit();
+  if (!fit) return fit.problems();
+  Registration made{keyOf(which_), QDate::currentDate().toString(Qt::ISODate).toStdString(),
+                    std::string("underact ") + kVersion, run_.touching().touches(), fit.value()};
+  const Problems problems = registration::keep(made, registration::storeFolder());
+  known_[index(which_)] = {made.arm, std::move(made), {}};
+  place();
+  emit changed();
+  return problems;
+}
+
+Problems RegistrationTool::forget(Which which) {
+  Known& known = known_[index(which)];
+  const Problems problems = registration::forget(known.arm, registration::storeFolder());
+  if (!problems.empty()) return problems;
+  known.registration.reset();
+  known.why_not.clear();
+  place();
+  emit changed();
+  return {};
+}
+
+void RegistrationTool::add(const servo::TickRecord& record) {
+  if (which_ == Which::First) run_.add(record);
+}
+
+void RegistrationTool::look(const servo::Snapshot&) {
+  if (wizard_) wizard_->look();
+}
+
+void RegistrationTool::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (wizard_) wizard_->setTheme(theme);
+}
+
+void RegistrationTool::open() {
+  if (!wizard_) {
+    wizard_ = new RegistrationWizard(*this, window_);
+    wizard_->setAttribute(Qt::WA_DeleteOnClose);
+    wizard_->setTheme(theme_);
+    connect(wizard_, &QDialog::finished, wizard_, &QWidget::close);
+  }
+  wizard_->show();
+  wizard_->raise();
+  wizard_->activateWindow();
+}
+
+}  // namespace underact::gui

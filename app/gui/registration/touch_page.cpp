@@ -1,0 +1,128 @@
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/push_button.h"
+#include "app/gui/registration/marks_picture.h"
+#include "app/gui/registration/pages.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+
+TouchPage::TouchPage(RegistrationTool& tool, const PreparePage& prepare, QWidget* parent)
+    : QWizardPage(parent),
+      tool_(tool),
+      prepare_(prepare),
+      prompt_(toldLabel("registration.prompt", tr("What to do now"), "", this)),
+      told_(toldLabel("registration.told", tr("What became of the last press"), "quiet", this)),
+      tip_(toldLabel("registration.tip", tr("Where the tip is"), "quiet", this)),
+      progress_(new QProgressBar(this)),
+      hold_(
+          pushButton("registration.hold", tr("&Hold (Space)"), tr("Takes the tip's place over half a second."), this)),
+      again_(pushButton("registration.again", tr("&Touch this mark again"),
+                        tr("The mark that is chosen in the table is due next."), this)),
+      table_(pageTable("registration.touched", tr("Marks, and where the tip was"),
+                       {tr("Mark"), tr("x, y, z in W, mm"), tr("spread, mm")}, this)),
+      picture_(new MarksPicture("registration.touch_picture", this)) {
+  setObjectName("registration.touch");
+  setTitle(tr("Touch the marks"));
+  build();
+  connect(hold_, &QPushButton::clicked, &tool_.run(), &RegistrationRun::press);
+  connect(again_, &QPushButton::clicked, this, [this] {
+    if (table_->currentRow() >= 0) tool_.run().touchAgain(static_cast<std::size_t>(table_->currentRow()));
+    hold_->setFocus();
+  });
+  connect(&tool_.run(), &RegistrationRun::changed, this, &TouchPage::showState);
+}
+
+void TouchPage::build() {
+  QFont large = prompt_->font();
+  large.setPointSizeF(1.2 * large.pointSizeF());
+  prompt_->setFont(large);
+  progress_->setObjectName("registration.progress");
+  progress_->setAccessibleName(tr("How long it was held"));
+  progress_->setRange(0, 100);
+  progress_->setTextVisible(false);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  auto* row = new QHBoxLayout;
+  row->addWidget(hold_);
+  row->addWidget(progress_, 1);
+  row->addWidget(again_);
+  auto* both = new QHBoxLayout;
+  both->addWidget(table_, 1);
+  both->addWidget(picture_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(8);
+  column->addWidget(prompt_);
+  column->addLayout(row);
+  column->addWidget(told_);
+  column->addWidget(tip_);
+  column->addLayout(both, 1);
+}
+
+void TouchPage::initializePage() {
+  tool_.begin(prepare_.which(), prepare_.marks_D());
+  showState();
+  hold_->setFocus();
+}
+
+void TouchPage::cleanupPage() {
+  tool_.stopTouching();
+}
+
+bool TouchPage::isComplete() const {
+  return tool_.run().isOn() && tool_.run().touching().isDone() && tool_.run().fit();
+}
+
+void TouchPage::setTheme(const Theme& theme) {
+  picture_->setTheme(theme);
+}
+
+void TouchPage::look() {
+  RegistrationRun& run = tool_.run();
+  if (!run.isOn() || !isVisible()) return;
+  const QString trouble = tool_.trouble(prepare_.which());
+  tip_->setText(!trouble.isEmpty() ? tr("The arm says: %1").arg(trouble)
+                : run.p_WT()       ? tr("Tip: %1").arg(placeText(kMillimetrePerMetre * *run.p_WT()))
+                                   : tr("No sample came from the arm yet."));
+  progress_->setValue(run.touching().isHolding() ? static_cast<int>(100.0 * run.touching().share()) : 0);
+}
+
+void TouchPage::showState() {
+  RegistrationRun& run = tool_.run();
+  if (!run.isOn()) return;
+  const registration::Touching& touching = run.touching();
+  const std::size_t count = touching.marks_D().size(), due = touching.due();
+  table_->setRowCount(static_cast<int>(count));
+  std::vector<ShownMark> shown;
+  for (std::size_t at = 0; at < count; ++at) {
+    const auto& held = touching.held(at);
+    const QString texts[] = {QString::number(at + 1), held ? placeText(kMillimetrePerMetre * held->p_WT) : QString(),
+                             held ? numberText(kMillimetrePerMetre * held->spread_m, 2) : QString()};
+    for (int column = 0; column < 3; ++column)
+      table_->setItem(static_cast<int>(at), column, new QTableWidgetItem(texts[column]));
+    shown.push_back({touching.marks_D()[at], held.has_value()});
+  }
+  if (due < count) table_->selectRow(static_cast<int>(due));
+  picture_->present(shown, due < count ? std::optional(due) : std::nullopt);
+  QString told = run.told();
+  if (touching.isDone()) {
+    prompt_->setText(tr("All marks are touched."));
+    if (const Result<registration::Fit> fit = run.fit(); !fit) told = sentencesOf(fit.problems());
+  } else {
+    prompt_->setText(
+        tr("Rest the tip in mark %1 and press the stylus's button, or Space. The force is off.").arg(due + 1));
+  }
+  told_->setText(told);
+  hold_->setEnabled(!touching.isHolding() && due < count);
+  again_->setEnabled(!touching.isHolding());
+  if (isVisible() && hold_->isEnabled()) hold_->setFocus();
+  emit completeChanged();
+}
+
+}  // namespace underact::gui

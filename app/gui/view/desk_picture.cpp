@@ -1,0 +1,70 @@
+#include "app/gui/view/desk_picture.h"
+
+#include <vtkProperty.h>
+
+#include <QCoreApplication>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kRim_mm = 20.0;  // of the sheet about the marks
+constexpr double kRing_mm = 4.0, kCross_mm = 6.0, kLabelAway_mm = 10.0;
+
+}  // namespace
+
+DeskPicture::DeskPicture() : actor_(makeActor(lines_.data(), Kind::Line)) {}
+
+void DeskPicture::setTheme(const Theme& theme) {
+  theme_ = theme;
+  build();
+}
+
+void DeskPicture::setLineWidth(double scale) {
+  actor_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));
+}
+
+void DeskPicture::setDesk(const std::optional<Desk>& desk) {
+  desk_ = desk;
+  build();
+}
+
+void DeskPicture::show(bool shown) {
+  if (std::exchange(shown_, shown) != shown) build();
+}
+
+void DeskPicture::build() {
+  lines_.clear();
+  labels_.clear();
+  corners_mm_.clear();
+  if (marks() > 0) {
+    Pose X_WD_mm = desk_->X_WD;
+    X_WD_mm.translation() *= kMillimetrePerMetre;
+    const Vec3 right = X_WD_mm.linear().col(0), up = X_WD_mm.linear().col(1), back = X_WD_mm.linear().col(2);
+    const QColor ink = mixed(theme_.quiet, theme_.ink, 0.6);
+    Vec3 least_mm = Vec3::Constant(kInfinity), most_mm = -least_mm;
+    for (std::size_t at = 0; at < desk_->marks_D.size(); ++at) {
+      const Vec3 p_DM_mm = kMillimetrePerMetre * desk_->marks_D[at], p_mm = X_WD_mm * p_DM_mm;
+      least_mm = least_mm.cwiseMin(p_DM_mm);
+      most_mm = most_mm.cwiseMax(p_DM_mm);
+      lines_.circle(p_mm, right, back, kRing_mm, ink);
+      for (const Vec3& way : {right, back}) lines_.segment(p_mm - kCross_mm * way, p_mm + kCross_mm * way, ink);
+      labels_.push_back({QString::number(at + 1), p_mm + kLabelAway_mm * (right + back).normalized(), ink, true});
+    }
+    const Vec3 rim_mm(kRim_mm, 0.0, kRim_mm);
+    least_mm -= rim_mm;
+    most_mm += rim_mm;
+    for (const auto& [x, z] : {std::pair{least_mm.x(), least_mm.z()},
+                               {most_mm.x(), least_mm.z()},
+                               {most_mm.x(), most_mm.z()},
+                               {least_mm.x(), most_mm.z()}})
+      corners_mm_.push_back(X_WD_mm * Vec3(x, least_mm.y(), z));
+    lines_.chain(corners_mm_, theme_.quiet, true);
+    labels_.push_back({QCoreApplication::translate("view", "desk"), corners_mm_[3] + 6.0 * up, theme_.quiet, false});
+  }
+  lines_.done();
+}
+
+}  // namespace underact::gui

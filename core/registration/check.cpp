@@ -1,0 +1,184 @@
+#include "core/registration/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "core/base/units.h"
+
+namespace underact::registration {
+namespace {
+
+constexpr double kNearLine_m = 10e-3;   // 1 mm of error turns the arm by 6 degrees
+constexpr double kNearMarks_m = 20e-3;  // 1 mm of error turns the line between them by 3 degrees
+constexpr double kMuch_m = 3e-3;        // no tip that rests in its mark, of an arm that is calibrated
+constexpr double kMuchBetter = 0.25;    // of the residual: an order that is the right one
+constexpr double kAlike_m = 1.5e-3;     // residuals of two orders that are equally good
+constexpr double kRestless_m = 0.5e-3;  // of a tip that was held
+
+std::string number(double value, int decimals) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string millimetres(double length_m) {
+  return number(length_m * kMillimetrePerMetre, 1) + " mm";
+}
+
+/// "2", "2 and 3", "1, 2 and 3": as people count.
+std::string listOf(const std::vector<std::size_t>& marks) {
+  std::string text;
+  for (std::size_t at = 0; at < marks.size(); ++at) {
+    if (at > 0) text += at + 1 == marks.size() ? " and " : ", ";
+    text += std::to_string(marks[at] + 1);
+  }
+  return text;
+}
+
+std::vector<Touch> reordered(const std::vector<Touch>& touches, const std::vector<std::size_t>& order) {
+  std::vector<Touch> touched = touches;
+  for (std::size_t at = 0; at < touches.size(); ++at) touched[at].p_DM = touches[order[at]].p_DM;
+  return touched;
+}
+
+/// How much the distances between marks and those between touched points differ, m: small only where an order fits,
+/// mirrored ones with it; thousands of times cheaper than a fit.
+class Distances {
+ public:
+  explicit Distances(const std::vector<Touch>& touches) : count_(touches.size()) {
+    for (const Touch& one : touches) {
+      for (const Touch& other : touches) {
+        marks_m_.push_back((one.p_DM - other.p_DM).norm());
+        touched_m_.push_back((one.p_WM - other.p_WM).norm());
+      }
+    }
+  }
+  double worst_m(const std::vector<std::size_t>& order, double enough_m) const {
+    double worst = 0.0;
+    for (std::size_t one = 0; one < count_ && worst < enough_m; ++one) {
+      for (std::size_t other = 0; other < one; ++other) {
+        worst =
+            std::max(worst, std::abs(touched_m_[one * count_ + other] - marks_m_[order[one] * count_ + order[other]]));
+      }
+    }
+    return worst;
+  }
+
+ private:
+  std::size_t count_;
+  std::vector<double> marks_m_, touched_m_;
+};
+
+void warnOfLayout(const std::vector<Touch>& touches, std::vector<Warning>& warnings) {
+  const Layout layout = layoutOf(marksOf(touches));
+  if (layout.off_line_m < kNearLine_m) {
+    warnings.push_back({Warning::Kind::NearLine,
+                        "The marks lie nearly on one line, " + millimetres(layout.off_line_m) +
+                            " beside it: small errors turn the arm about it. Choose a mark farther beside the line.",
+                        {}});
+  }
+  if (layout.least_apart_m < kNearMarks_m) {
+    const std::vector<std::size_t> both{layout.near_one, layout.near_other};
+    warnings.push_back({Warning::Kind::NearMarks,
+                        "The marks " + listOf(both) + " are only " + millimetres(layout.least_apart_m) +
+                            " apart: small errors there turn everything. Choose marks that are farther apart.",
+                        both});
+  }
+}
+
+void warnOfOrder(const std::vector<Touch>& touches, const Fit& fit, std::vector<Warning>& warnings) {
+  const std::vector<std::size_t> order = likelyOrder(touches, fit);
+  std::vector<std::size_t> others;
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    if (order[at] != at) others.push_back(at);
+  }
+  if (!others.empty()) {
+    const std::string what = others.size() == 2
+                                 ? "The marks " + listOf(others) + " were probably touched in exchange for each other."
+                                 : "The marks were probably touched in another order: " + listOf(order) + ".";
+    warnings.push_back({Warning::Kind::Order, what + " Touch them again in the order of their numbers.", others});
+  } else if (!isUpright(fit)) {
+    warnings.push_back(
+        {Warning::Kind::UpsideDown,
+         "By these marks the arm hangs upside down below the desk. If it does not, the marks were touched "
+         "in the order of a mirror: touch them again in the order of their numbers.",
+         {}});
+  }
+}
+
+}  // namespace
+
+bool isUpright(const Fit& fit) {
+  return fit.X_DW.linear()(1, 1) > 0.0;
+}
+
+std::size_t worstMark(const std::vector<Touch>& touches, const Fit& fit) {
+  std::size_t worst = 0;
+  double least_m = kInfinity;
+  for (std::size_t at = 0; at < touches.size(); ++at) {
+    double left_m = -fit.off_D[at].norm();
+    if (touches.size() > kFewestMarks) {
+      std::vector<Touch> others = touches;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(at));
+      const Result<Fit> without = fitTouches(others);
+      left_m = without ? without.value().rms_m : kInfinity;
+    }
+    if (left_m >= least_m) continue;
+    least_m = left_m;
+    worst = at;
+  }
+  return worst;
+}
+
+std::vector<std::size_t> likelyOrder(const std::vector<Touch>& touches, const Fit& fit) {
+  std::vector<std::size_t> order(touches.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const std::vector<std::size_t> as_they_stand = order;
+  const bool is_wrong = fit.rms_m > kMuch_m || !isUpright(fit);
+  if (!is_wrong) return as_they_stand;
+  const Distances distances(touches);
+  // The distance between two points that are each off by no more than r is off by no more than 2 r, and no point is
+  // farther off than sqrt(N) times the root mean square.
+  double allowed_m = std::max(kMuchBetter * fit.rms_m, kAlike_m);
+  if (!isUpright(fit)) allowed_m = std::max(allowed_m, fit.rms_m + kAlike_m);
+  const double distance_m = 2.0 * allowed_m * std::sqrt(static_cast<double>(touches.size()));
+  std::vector<std::size_t> best = as_they_stand;
+  double best_m = allowed_m;
+  while (std::next_permutation(order.begin(), order.end())) {
+    if (distances.worst_m(order, distance_m) >= distance_m) continue;
+    const Result<Fit> other = fitTouches(reordered(touches, order));
+    if (!other || !isUpright(other.value()) || other.value().rms_m >= best_m) continue;
+    best_m = other.value().rms_m;
+    best = order;
+  }
+  return best;
+}
+
+std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fit) {
+  std::vector<Warning> warnings;
+  warnOfLayout(touches, warnings);
+  warnOfOrder(touches, fit, warnings);
+  const bool order_is_wrong = std::any_of(warnings.begin(), warnings.end(),
+                                          [](const Warning& one) { return one.kind == Warning::Kind::Order; });
+  if (fit.rms_m > kMuch_m && !order_is_wrong) {
+    const std::size_t worst = worstMark(touches, fit);
+    warnings.push_back({Warning::Kind::Residual,
+                        "The points miss their marks by " + millimetres(fit.rms_m) + ", which is much. Mark " +
+                            std::to_string(worst + 1) +
+                            " fits worst: touch it again, and see that the sheet was printed at 100 % and the arm is "
+                            "calibrated.",
+                        {worst}});
+  }
+  for (std::size_t at = 0; at < touches.size(); ++at) {
+    if (touches[at].spread_m <= kRestless_m) continue;
+    warnings.push_back({Warning::Kind::Moved,
+                        "At mark " + std::to_string(at + 1) + " the tip moved by " + millimetres(touches[at].spread_m) +
+                            " while it was held. Touch it again, with the hand rested.",
+                        {at}});
+  }
+  return warnings;
+}
+
+}  // namespace underact::registration

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/registration/fit.h"
+
+namespace underact::registration {
+
+/// Where an arm stands, and from what that is known.
+struct Registration {
+  std::string arm;      // which one: see device::armKey()
+  std::string date;     // 2026-11-22
+  std::string program;  // "underact 0.1.0"
+  std::vector<Touch> touches;
+  Fit fit;  // of them
+};
+
+/// {"underact_registration": 1, "arm", "date", "program", "marks": [{"p_DM_mm", "p_WM_mm", "spread_mm"}, ...], "X_DW"};
+/// keys: the guide, "Register the arm". The fit is made of the marks; an X_DW that says otherwise is a problem, and may
+/// be left out. Every problem at once, with places.
+Result<Registration> readRegistration(std::string_view text, const std::string& file_name);
+Result<Registration> readRegistrationFile(const std::string& path);
+
+/// The text of the file; readRegistration() reads the same back, number by number.
+std::string registrationText(const Registration& registration);
+
+}  // namespace underact::registration

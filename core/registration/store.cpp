@@ -1,0 +1,79 @@
+#include "core/registration/store.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace underact::registration {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+Problems cannot(const std::string& what, const std::string& path, const std::error_code& error) {
+  return {{"The registration cannot be " + what + (error ? ": " + error.message() : std::string()) +
+               ". See that the folder is there and yours, and that the disk is not full.",
+           {path}}};
+}
+
+}  // namespace
+
+std::string storeFolder() {
+  if (const std::string own = variable("UNDERACT_REGISTRATION_DIR"); !own.empty()) return own;
+  fs::path data = variable("XDG_DATA_HOME");
+  if (data.empty()) data = variable("APPDATA");
+  if (data.empty()) data = fs::path(variable("HOME")) / ".local" / "share";
+  return (data / "underact" / "registrations").string();
+}
+
+std::string storePath(const std::string& arm, const std::string& folder) {
+  constexpr const char* kHex = "0123456789ABCDEF";
+  std::string name;
+  for (const char one : arm) {
+    const auto code = static_cast<unsigned char>(one);
+    const bool plain = (one >= '0' && one <= '9') || (one >= 'a' && one <= 'z') || (one >= 'A' && one <= 'Z') ||
+                       one == '-' || one == '_';
+    name += plain ? std::string(1, one) : std::string{'%', kHex[code >> 4U], kHex[code & 15U]};
+  }
+  return (fs::path(folder) / (name + ".json")).string();
+}
+
+Problems keep(const Registration& registration, const std::string& folder) {
+  const std::string path = storePath(registration.arm, folder), fresh = path + ".new";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return cannot("kept", folder, error);
+  std::ofstream file(fresh, std::ios::binary);
+  file << registrationText(registration);
+  file.close();
+  if (!file) return cannot("kept", fresh, {});
+  fs::rename(fresh, path, error);  // whole or not at all
+  if (error) return cannot("kept", path, error);
+  return {};
+}
+
+Result<std::optional<Registration>> recall(const std::string& arm, const std::string& folder) {
+  const std::string path = storePath(arm, folder);
+  std::error_code error;
+  if (!fs::exists(path, error)) return std::optional<Registration>();
+  Result<Registration> read = readRegistrationFile(path);
+  if (!read) return read.problems();
+  if (read.value().arm != arm)
+    return Problems{
+        {"This is the registration of another arm, \"" + read.value().arm + "\". Register this one anew.", {path}}};
+  return std::optional<Registration>(std::move(read).value());
+}
+
+Problems forget(const std::string& arm, const std::string& folder) {
+  const std::string path = storePath(arm, folder);
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) return cannot("forgotten", path, error);
+  return {};
+}
+
+}  // namespace underact::registration

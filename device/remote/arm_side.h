@@ -1,0 +1,96 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+
+#include "core/arm/preset.h"
+#include "core/control/passivity.h"
+#include "core/servo/device_port.h"
+#include "core/servo/slot.h"
+#include "device/remote/doorbell.h"
+#include "device/remote/message.h"
+
+namespace underact::device::remote {
+
+/// So many periods without a new force, and the arm gets zero: with one that is under way when the line breaks, five
+/// forces at most still go out. And so old may the sample be that a force answers: a
+/// stick that was felt there a sixth of a second ago is felt as another one.
+inline constexpr int kQuietPeriods = 4;
+inline constexpr std::int64_t kOldest_ns = 150'000'000;
+/// Energy that was put in long ago does not pay for a burst now: no more than this is remembered, what 0.88 N take up
+/// over 57 mm.
+inline constexpr double kMostStored_J = 0.05;
+/// A spring that draws the tip from where it stands at Start gives away what nobody has put in. That much is lent, and
+/// again in time: slower than the friction of an arm eats it (0.26 N at 10 mm/s are 2.6 mW).
+inline constexpr double kLent_J = 0.010, kLentAgain_W = 0.001;
+
+/// The tick of an arm that is shared: reads it, and lets through to it what the far program asks for, as far as that is
+/// fresh, passive and within the gate. Passive: the force comes late by the way of the sample there and its own way
+/// back, so a wall that is passive there gives energy away here. It is counted at the arm, with each way of the tip and
+/// the force that was in effect on it, and what is missing is damped (core/control/passivity). Knows no network.
+class ArmSide final : public servo::Ticks {
+ public:
+  struct Options {
+    arm::Geometry geometry;
+    arm::JointLimits joint_limits;
+    safety::Limits limits;
+    std::int64_t period_ns = 1'000'000;
+    bool allows_force = false, is_passive = true;
+  };
+  /// What a tick saw.
+  struct Shown {
+    SampleMessage sample;
+    Vec3 f_T_W = Vec3::Zero();      // written
+    Fault fault;                    // of the gate here
+    double energy_J = 0.0;          // put in at the arm and not got back, with what was lent
+    std::int64_t pauses = 0;        // times that a force ended because none came
+    std::int64_t most_unfresh = 0;  // most forces, in all of these, that still went out after the last that came
+  };
+  ArmSide(servo::DevicePort& port, const Options& options, Doorbell& shown);
+
+  void tick() noexcept UNDERACT_REAL_TIME override;
+
+  // The network's thread.
+  void take(const ForceMessage& message);
+  /// Somebody has the arm; what was before says nothing any more.
+  void seat(bool is_taken);
+  const Shown& shown() { return shown_.latest(); }
+  // Any thread.
+  std::int64_t beats() const { return beats_.load(std::memory_order_relaxed); }
+
+ private:
+  struct Came {
+    std::uint64_t arrival = 0;
+    std::uint32_t seat = 0;
+    ForceMessage message;
+  };
+  bool hears(const Came& came) noexcept UNDERACT_REAL_TIME;
+  Fault judge(bool has, double dt_s) const noexcept UNDERACT_REAL_TIME;
+  Vec3 keepPassive(const Vec3& way_T_W, double dt_s, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
+  void forget() noexcept UNDERACT_REAL_TIME;
+
+  servo::DevicePort& port_;
+  const Options options_;
+  Doorbell& bell_;
+  servo::Slot<Came> came_;
+  servo::Slot<Shown> shown_;
+  std::atomic<std::uint32_t> seat_{0};  // counts who came and who went; odd: it is taken
+  std::atomic<std::int64_t> beats_{0};
+  // The network's.
+  std::uint64_t arrivals_ = 0;
+  // The tick's.
+  Shown now_;
+  safety::GateState gate_;
+  control::EnergyState energy_;
+  std::uint64_t arrival_ = 0;
+  std::uint32_t seated_ = 0;
+  std::int64_t unfresh_ = 0;  // periods since a new force came
+  Vec3 p_WT_ = Vec3::Zero();
+  arm::JointAngles q_rad_{};
+  std::int64_t time_ns_ = 0;
+  bool has_last_ = false;
+};
+
+/// The limits of an arm of that preset, as a scene for it has them.
+Result<ArmSide::Options> optionsOf(const arm::Preset& preset, const servo::DeviceInfo& info, int rate_hz);
+
+}  // namespace underact::device::remote

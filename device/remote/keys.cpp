@@ -1,0 +1,187 @@
+#include "device/remote/keys.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zmq.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace underact::device::remote {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
+constexpr const char* kKeyFile = "arm_key";
+constexpr const char* kClientsFile = "arm_clients";
+constexpr const char* kHostsFile = "arm_hosts";
+
+Problems problem(std::string sentence, const fs::path& file) {
+  return {{std::move(sentence), {file.string()}}};
+}
+
+fs::path usersFolder() {
+  if (const char* const folder = std::getenv("UNDERACT_KEYS"); folder != nullptr && *folder != '\0') return folder;
+  if (const char* const config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config != '\0')
+    return fs::path(config) / "Underact";
+  const char* const home = std::getenv("HOME");
+  return fs::path(home != nullptr ? home : "/") / ".config" / "Underact";
+}
+
+/// Its lines; none: there is no such file.
+Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return std::optional<std::vector<std::string>>{};
+  std::ifstream stream(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    lines.push_back(line);
+  }
+  if (!stream.is_open() || stream.bad()) return problem("The file of keys cannot be read.", file);
+  return std::optional(std::move(lines));
+}
+
+/// The whole file or, where that fails, the one that was; nobody else may read it.
+Problems writeFile(const fs::path& file, const std::string& text) {
+  std::error_code failed;
+  fs::create_directories(file.parent_path(), failed);
+  const fs::path part = file.string() + ".part";
+  ::unlink(part.c_str());
+  const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  bool is_well = fd >= 0 && ::write(fd, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  if (fd >= 0) is_well = ::close(fd) == 0 && is_well;
+  if (is_well && ::rename(part.c_str(), file.c_str()) == 0) return {};
+  ::unlink(part.c_str());
+  return problem(std::string("The file of keys cannot be written: ") + std::strerror(errno) + ".", file);
+}
+
+/// The words of a line: first and second; the rest is for people.
+std::pair<std::string, std::string> wordsOf(const std::string& line) {
+  std::istringstream stream(line);
+  std::pair<std::string, std::string> words;
+  stream >> words.first >> words.second;
+  return words;
+}
+
+Problems noKey(const std::string& text) {
+  return {
+      {"\"" + text.substr(0, kKeyCharacters + 1) +
+           "\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" prints it. Put it in single "
+           "quotes, since some of them mean something to a shell.",
+       {}}};
+}
+
+}  // namespace
+
+bool isKey(std::string_view text) {
+  std::array<std::uint8_t, kKeyBytes> bytes{};
+  static constexpr std::string_view kDigits =
+      "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&<>()[]{}@%$#";  // ZeroMQ RFC 32
+  if (text.size() != kKeyCharacters || text.find_first_not_of(kDigits) != std::string_view::npos) return false;
+  return zmq_z85_decode(bytes.data(), std::string(text).c_str()) != nullptr;
+}
+
+KeyFolder::KeyFolder() : folder_(usersFolder()) {}
+
+Result<KeyPair> KeyFolder::makeNew() const {
+  std::array<char, kKeyCharacters + 1> public_key{}, secret_key{};
+  if (zmq_curve_keypair(public_key.data(), secret_key.data()) != 0)
+    return Problems{{"The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.", {}}};
+  const KeyPair pair{public_key.data(), secret_key.data()};
+  const Problems problems = writeFile(folder_ / kKeyFile, pair.public_key + "\n" + pair.secret_key + "\n");
+  if (!problems.empty()) return problems;
+  return pair;
+}
+
+bool KeyFolder::hasOwn() const {
+  std::error_code ignored;
+  return fs::exists(folder_ / kKeyFile, ignored);
+}
+
+Result<KeyPair> KeyFolder::own() const {
+  const fs::path file = folder_ / kKeyFile;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  if (!lines) return lines.problems();
+  if (!lines.value()) return makeNew();
+  const std::vector<std::string>& text = *lines.value();
+  if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
+    return problem("This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.", file);
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
+    return problem("Others may read your secret key. Say chmod 600 '" + file.string() +
+                       "' and, if somebody may have done so, underact-cli share-arm --new-key.",
+                   file);
+  return KeyPair{text[0], text[1]};
+}
+
+Result<std::vector<std::string>> KeyFolder::clients() const {
+  const fs::path file = folder_ / kClientsFile;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  if (!lines) return lines.problems();
+  std::vector<std::string> keys;
+  Problems problems;
+  int number = 0;
+  for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
+    ++number;
+    const std::string key = wordsOf(line).first;
+    if (key.empty()) continue;
+    if (isKey(key)) {
+      keys.push_back(key);
+    } else {
+      problems.push_back({"A line begins with a key of 40 characters.", {file.string(), number}});
+    }
+  }
+  if (!problems.empty()) return problems;
+  return keys;
+}
+
+Problems KeyFolder::allow(const std::string& key, const std::string& words) const {
+  if (!isKey(key)) return noKey(key);
+  const fs::path file = folder_ / kClientsFile;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  if (!lines) return lines.problems();
+  std::string text;
+  for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
+    if (wordsOf(line).first == key) return {};
+    text += line + "\n";
+  }
+  return writeFile(file, text + key + (words.empty() ? "" : " " + words) + "\n");
+}
+
+Result<std::string> KeyFolder::keyOf(const Address& address) const {
+  const fs::path file = folder_ / kHostsFile;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  if (!lines) return lines.problems();
+  for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
+    const auto [host, key] = wordsOf(line);
+    if (host != address.text()) continue;
+    if (!isKey(key)) return problem("The key of " + host + " in this file is none.", file);
+    return key;
+  }
+  if (!address.isThisMachine()) return std::string();
+  Result<KeyPair> pair = own();
+  if (!pair) return pair.problems();
+  return pair.value().public_key;
+}
+
+Problems KeyFolder::trust(const Address& address, const std::string& key) const {
+  if (!isKey(key)) return noKey(key);
+  const fs::path file = folder_ / kHostsFile;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  if (!lines) return lines.problems();
+  std::string text;
+  for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
+    if (wordsOf(line).first != address.text()) text += line + "\n";
+  }
+  return writeFile(file, text + address.text() + " " + key + "\n");
+}
+
+}  // namespace underact::device::remote

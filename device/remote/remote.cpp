@@ -1,0 +1,34 @@
+#include "device/remote/remote.h"
+
+#include "device/remote/reach.h"
+#include "device/remote/remote_arm.h"
+
+namespace underact::device::remote {
+namespace {
+
+constexpr int kLook_ms = 60;  // of handshakes on a machine that is busy; nobody listening is known at once
+
+}  // namespace
+
+Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
+  const Result<Address> address = readAddress(request.address);
+  if (!address) return address.problems();
+  const Result<Reach> reach = reachOf(address.value(), KeyFolder());
+  if (!reach) return reach.problems();
+  Result<std::unique_ptr<RemoteArm>> arm = RemoteArm::open(reach.value(), request.arm, request.rate_hz);
+  if (!arm) return arm.problems();
+  return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
+}
+
+std::vector<Found> lookRow() {
+  const Address here;
+  if (!KeyFolder().hasOwn()) return {};  // who has none shares nothing, and to look makes none
+  const Result<Reach> reach = reachOf(here, KeyFolder());
+  if (!reach) return {};
+  const Result<Welcome> welcome = askWhat(reach.value(), kLook_ms);
+  if (!welcome) return {};
+  const std::string without = welcome.value().allows_force ? "" : ", without force";
+  return {{welcome.value().title + ", shared at this computer" + without, here.text(), {}}};
+}
+
+}  // namespace underact::device::remote

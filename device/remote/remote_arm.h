@@ -1,0 +1,92 @@
+#pragma once
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/arm/preset.h"
+#include "core/servo/device_port.h"
+#include "core/servo/slot.h"
+#include "device/remote/doorbell.h"
+#include "device/remote/message.h"
+#include "device/remote/reach.h"
+#include "device/wooden/bell.h"
+
+namespace underact::device::remote {
+
+/// An arm that another program shares. A thread keeps the line; the tick takes the newest sample from it and leaves the
+/// newest force for it. A sample is the newest one: one that comes within half a period is waited for, else the last
+/// one holds as long as it is no older than kStale_ns (or kStalePeriods). Where the tick wrote no force for
+/// kQuietTicks, the other end is told zero. A line that broke stays so until reopen().
+class RemoteArm final : public servo::DevicePort {
+ public:
+  static constexpr std::int64_t kStale_ns = 20'000'000;
+  static constexpr int kStalePeriods = 5, kQuietTicks = 5;
+
+  /// Problems: not reachable; the wrong key; in use; another version; another arm; another rate.
+  static Result<std::unique_ptr<RemoteArm>> open(const Reach& reach, const arm::Preset& arm, int rate_hz);
+  ~RemoteArm() override;
+
+  bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
+  void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
+  void cut() noexcept UNDERACT_REAL_TIME override;
+  Problems reopen() override;
+  std::string fixedRate() const override;
+  std::string trouble() const override;
+  std::vector<std::string> listing() const override;
+  servo::DeviceInfo info() const override;
+
+ private:
+  /// A sample as it came.
+  struct Taken {
+    std::uint64_t number = 0;
+    std::int64_t came_ns = 0;
+    SampleMessage message;
+    std::uint32_t line = 0;  // counts lines to the arm
+  };
+  RemoteArm(Reach reach, const arm::Preset& arm, int rate_hz);
+  Problems connect();
+  Result<Welcome> ask(Wire& wire);
+  void disconnect();
+  void run();
+  void hear();
+  void hear(const Words& words);
+  void speak(std::int64_t now_ns);
+  void lose(std::string sentence);
+  std::int64_t staleAfter_ns() const noexcept;
+
+  const Reach reach_;
+  const arm::Preset arm_;
+  const int rate_hz_;
+  const std::int64_t period_ns_;
+  std::uint64_t token_ = 0;
+  // Of the connection; no thread runs while they change.
+  std::unique_ptr<Wire> wire_;
+  std::thread thread_;
+  std::uint32_t line_ = 0;
+  mutable std::mutex words_mutex_;  // never the tick's
+  Welcome welcome_;
+  std::string loss_;     // why the line is lost; empty: it is not
+  std::string trouble_;  // of the arm there
+  // Between threads.
+  servo::Slot<Taken> taken_;
+  servo::Slot<ForceMessage> wanted_;
+  Bell came_;
+  Doorbell wrote_;
+  std::atomic<bool> ends_{false}, is_cut_{false}, is_lost_{false};
+  std::atomic<std::int64_t> came_ns_{0};  // the newest sample
+  std::atomic<int> missed_{0};            // reads in a row that had none
+  // The thread's.
+  std::uint64_t samples_ = 0, sequence_ = 0, forces_ = 0, sent_ = 0;
+  std::int64_t wrote_ns_ = 0;  // the tick, as seen from here
+  std::int64_t said_ns_ = 0;   // anything
+  Bytes bytes_;
+  // The tick's.
+  std::uint64_t number_ = 0, writes_ = 0, answered_ = 0;
+  std::uint32_t seen_line_ = 0;
+  std::int64_t time_ns_ = 0;   // of the last sample
+  std::int64_t ahead_ns_ = 0;  // of the arm's own clock
+};
+
+}  // namespace underact::device::remote

@@ -1,0 +1,84 @@
+#pragma once
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/arm/preset.h"
+#include "core/servo/device_port.h"
+#include "device/remote/address.h"
+#include "device/remote/arm_clock.h"
+#include "device/remote/arm_side.h"
+#include "device/remote/keys.h"
+#include "device/remote/message.h"
+#include "device/remote/wire.h"
+
+namespace underact::device::remote {
+
+struct ShareOptions {
+  Address listen;  // this machine alone, by itself
+  KeyPair keys;
+  std::vector<std::string> clients;  // whose keys are let in
+  arm::Preset arm;                   // whose joints the samples are
+  int rate_hz = 1000;                // until somebody asks for another
+  bool allows_force = false;
+  bool is_passive = true;
+};
+
+/// Shares an open arm: one program elsewhere at a time reads it and, where that was allowed, pushes with it. Every
+/// force goes through a gate here; it ends when none came for kQuietPeriods.
+class Share {
+ public:
+  /// tell: gets a sentence for people about what happens, from the network's thread. Problems: nobody can listen there;
+  /// it is not this machine alone and nobody's key is known.
+  static Result<std::unique_ptr<Share>> open(std::unique_ptr<servo::DevicePort> port, const ShareOptions& options,
+                                             std::function<void(const std::string&)> tell);
+  ~Share();  // zero force, and whoever has it is told
+  Share(const Share&) = delete;
+  Share& operator=(const Share&) = delete;
+  Address address() const { return hub_->address(); }
+
+ private:
+  Share(std::unique_ptr<servo::DevicePort> port, const ShareOptions& options,
+        std::function<void(const std::string&)> tell, std::unique_ptr<Hub> hub);
+  Problems tickAt(int rate_hz);
+  void run();
+  void hear();
+  void answer(const std::string& from, const Message& message);
+  void welcome(const std::string& from, const Hello& hello);
+  Problems makeReady(const Hello& hello);
+  void refuse(const std::string& to, About about, const std::string& sentence);
+  void leave(const std::string& sentence);
+  void show();
+  void look();
+  std::string troubleNow();
+  Welcome words() const;
+
+  std::unique_ptr<servo::DevicePort> port_;
+  const ShareOptions options_;
+  const std::function<void(const std::string&)> tell_;
+  std::unique_ptr<Hub> hub_;
+  Doorbell bell_;
+  int rate_hz_;
+  std::unique_ptr<ArmSide> side_;
+  std::unique_ptr<ArmClock> clock_;
+  std::atomic<bool> ends_{false};
+  // The network thread's.
+  std::string seat_;  // who has the arm; empty: nobody
+  std::uint64_t token_ = 0;
+  std::int64_t heard_ns_ = 0;   // of that one
+  std::int64_t looked_ns_ = 0;  // how the arm is
+  std::int64_t beats_ = 0, beat_ns_ = 0;
+  std::uint64_t shown_ = 0;  // sequence of the sample that was sent last
+  std::int64_t pauses_ = 0;
+  bool pushed_ = false;  // and told
+  std::string trouble_;  // as it was told
+  std::thread thread_;
+};
+
+/// Whether both are arms with the same joints.
+bool isSame(const arm::Geometry& a, const arm::Geometry& b);
+
+}  // namespace underact::device::remote

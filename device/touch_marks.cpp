@@ -1,0 +1,63 @@
+#include "device/touch_marks.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "core/arm/forward.h"
+#include "core/registration/touching.h"
+#include "core/servo/host.h"
+
+namespace underact::device {
+namespace {
+
+using registration::Touching;
+
+constexpr auto kPause = std::chrono::milliseconds(20);  // between two looks
+
+std::string asked(const Touching& touching) {
+  return "Rest the tip in mark " + std::to_string(touching.due() + 1) + " of " +
+         std::to_string(touching.marks_D().size()) + ", press the stylus's button nearer to the tip, and hold still.";
+}
+
+/// What became of a tick, in words; empty: nothing.
+std::string wordsOf(Touching::Event event, const Touching& touching) {
+  if (event == Touching::Event::Moved) return "The tip moved by more than 1 mm while it was held. " + asked(touching);
+  if (event != Touching::Event::Touched) return {};
+  return touching.isDone() ? "All marks are touched." : "Touched. " + asked(touching);
+}
+
+}  // namespace
+
+Result<std::vector<registration::Touch>> touchMarks(std::unique_ptr<servo::DevicePort> port, const arm::Preset& preset,
+                                                    int rate_hz, const std::vector<Vec3>& marks_D,
+                                                    const TouchTalk& talk) {
+  using Clock = std::chrono::steady_clock;
+  const std::chrono::duration<double> wait(talk.wait_s);
+  servo::Host host(std::move(port), {.rate_hz = rate_hz});
+  host.begin();
+  Touching touching(marks_D);
+  auto last = Clock::now();
+  talk.say(asked(touching));
+  while (!touching.isDone()) {
+    if (!talk.goes_on()) return Problems{{"It was ended before all marks were touched.", {}}};
+    if (Clock::now() - last > wait) {
+      const std::string trouble = host.trouble();
+      return Problems{{"Nobody pressed the stylus's button at mark " + std::to_string(touching.due() + 1) + ". " +
+                           (trouble.empty() ? "Begin again, with a hand at the arm." : trouble),
+                       {}}};
+    }
+    std::this_thread::sleep_for(kPause);
+    host.drain([&](const servo::TickRecord& record) {
+      if ((record.input & servo::kHadSample) == 0) return;
+      const Vec3 p_WT = arm::tipPosition(preset.geometry, record.q_rad);
+      const std::string words = wordsOf(touching.add(record.time_ns, p_WT, (record.buttons & 1U) != 0), touching);
+      if (words.empty()) return;
+      talk.say(words);
+      last = Clock::now();
+    });
+  }
+  return touching.touches();
+}
+
+}  // namespace underact::device

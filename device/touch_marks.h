@@ -1,0 +1,27 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/arm/preset.h"
+#include "core/registration/fit.h"
+#include "core/servo/device_port.h"
+
+namespace underact::device {
+
+/// What the person at the arm is told, and asked.
+struct TouchTalk {
+  std::function<void(const std::string& sentence)> say;  // what to do next
+  std::function<bool()> goes_on;                         // asked now and then; false ends it
+  double wait_s = 120.0;                                 // for each press
+};
+
+/// An arm whose tip touches the marks one after the other, held by a person who presses the stylus's button; it is
+/// never started, so all that it is sent is zero force. port: open. Problems: the arm's trouble, nobody pressed, or it
+/// was ended.
+Result<std::vector<registration::Touch>> touchMarks(std::unique_ptr<servo::DevicePort> port, const arm::Preset& preset,
+                                                    int rate_hz, const std::vector<Vec3>& marks_D,
+                                                    const TouchTalk& talk);
+
+}  // namespace underact::device

@@ -1,0 +1,214 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <regex>
+
+#include "device/remote/arm_side.h"
+#include "tests/cli/session.h"
+#include "tests/support/comes.h"
+#include "tests/support/scratch_folder.h"
+
+namespace underact::test {
+namespace {
+
+using cli::Exit;
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+/// underact-cli as a process, with keys of its own; what it says goes to a file.
+class Process {
+ public:
+  Process(const ScratchFolder& scratch, const std::string& name, std::vector<std::string> arguments)
+      : file_(scratch.file(name)) {
+    const std::string keys = scratch.path() + "/keys", path = std::string(UNDERACT_BINARY) + "/underact-cli";
+    arguments.insert(arguments.begin(), path);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const int out = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    id_ = fork();
+    if (id_ == 0) {
+      setenv("UNDERACT_KEYS", keys.c_str(), 1);
+      dup2(out, STDOUT_FILENO);
+      dup2(out, STDERR_FILENO);
+      execv(path.c_str(), argv.data());
+      _exit(127);
+    }
+    close(out);
+  }
+  ~Process() {
+    if (id_ > 0) {
+      ::kill(id_, SIGKILL);
+      end();
+    }
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  std::string said() const {
+    std::ifstream file(file_);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  bool says(const std::string& words) const {
+    return comes([&] { return test::says(said(), words); });
+  }
+  void kill(int signal) const { ::kill(id_, signal); }
+  /// Its exit status; below 0: a signal ended it.
+  int end() {
+    int status = 0;
+    waitpid(id_, &status, 0);
+    id_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  std::string file_;
+  pid_t id_ = -1;
+};
+
+/// "remote:HOST:PORT", as the sharing program says how it is opened.
+std::string deviceOf(const Process& shared) {
+  EXPECT_TRUE(shared.says("--device remote:"));
+  std::smatch found;
+  const std::string said = shared.said();
+  return std::regex_search(said, found, std::regex("remote:[0-9.]+:[0-9]+")) ? found.str() : "";
+}
+
+std::vector<std::string> runOf(const std::string& device, const char* seconds) {
+  return {"run", shipped("02_sphere.json"), "--seconds", seconds, "--max-late", "1000000", "--device", device};
+}
+
+class ShareArm : public testing::Test {
+ protected:
+  ShareArm() { setenv("UNDERACT_KEYS", (scratch.path() + "/keys").c_str(), 1); }
+  ~ShareArm() override { unsetenv("UNDERACT_KEYS"); }
+  ScratchFolder scratch;
+};
+
+TEST_F(ShareArm, PrintsTheLineThatTheOtherComputerNeeds) {
+  const Outcome shown = runCli({"share-arm", "--show-key"});
+  ASSERT_EQ(shown.exit, Exit::Well) << shown.err;
+  std::smatch line;
+  ASSERT_TRUE(std::regex_search(shown.out, line, std::regex("  underact-cli (share-arm --allow='[^']{40} [^']+')\n")))
+      << shown.out;
+  // As it is, in a shell: whatever characters the key has.
+  const ProcessOutcome allowed = shell(program() + " " + line[1].str() + " 2>&1");
+  EXPECT_EQ(allowed.exit, 0) << allowed.out;
+  std::ifstream file(scratch.file("keys/arm_clients"));
+  std::string key;
+  file >> key;
+  EXPECT_TRUE(says(shown.out, key)) << key;
+  EXPECT_EQ(runCli({"share-arm", "--show-key"}).out, shown.out);
+  EXPECT_NE(runCli({"share-arm", "--new-key"}).out, shown.out);
+}
+
+TEST_F(ShareArm, TakesEveryKeyThatCanBe) {
+  for (const char first : std::string("-[{(<%$#@!*/?&=^:.+")) {
+    const std::string key = first + std::string(39, '1');
+    const Outcome outcome = runCli({"share-arm", "--trust=arm-pc:7878 " + key});
+    if (outcome.exit == Exit::Well) {
+      std::ifstream file(scratch.file("keys/arm_hosts"));
+      std::string host, noted;
+      file >> host >> noted;
+      EXPECT_EQ(noted, key);
+      EXPECT_TRUE(says(outcome.out, "--device remote:arm-pc:7878"));
+    } else {
+      EXPECT_TRUE(says(outcome.err, "is no key")) << outcome.err;  // 5 characters beyond 32 bits
+    }
+  }
+}
+
+TEST_F(ShareArm, RefusesWhatCannotBe) {
+  EXPECT_EQ(runCli({"share-arm", "--allow", "hello"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"share-arm", "--trust", "arm-pc"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"share-arm", "--listen", "a b"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"share-arm", "--arm", "toaster"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"share-arm", "--device", "remote"}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"share-arm", "--device", "toaster"}).exit, Exit::Fault);
+  const Outcome open = runCli({"share-arm", "--listen", "0.0.0.0:0", "--seconds", "0.1"});
+  EXPECT_EQ(open.exit, Exit::Fault);
+  EXPECT_TRUE(says(open.err, "Nobody's key is allowed")) << open.err;
+  const Outcome unknown = runCli(runOf("remote:192.0.2.1", "0.1"));
+  EXPECT_EQ(unknown.exit, Exit::Fault);
+  EXPECT_TRUE(says(unknown.err, "is not known here")) << unknown.err;
+  const Outcome nobody = runCli(runOf("remote:127.0.0.1:1", "0.1"));
+  EXPECT_EQ(nobody.exit, Exit::Fault);
+  EXPECT_TRUE(says(nobody.err, "No arm is shared at 127.0.0.1:1.")) << nobody.err;
+}
+
+TEST_F(ShareArm, LetsAnotherProgramPush) {
+  Process shared(scratch, "shared", {"share-arm", "--force", "--listen", "127.0.0.1:0"});
+  const std::string device = deviceOf(shared);
+  EXPECT_TRUE(shared.says("Simulated arm is shared at 127.0.0.1:"));
+  EXPECT_TRUE(says(shared.said(), ", with force, kept passive."));
+  Outcome outcome = runCli(runOf(device, "1"));
+  for (int again = 0; again < 2 && outcome.exit == Exit::Fault; ++again) outcome = runCli(runOf(device, "1"));
+  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_GT(numberAt(lines(outcome.out).at(0), "peak_force_N"), 0.1);
+  EXPECT_TRUE(shared.says("A program has the arm."));
+  EXPECT_TRUE(shared.says("It pushes."));
+  EXPECT_TRUE(shared.says("has let go of it. Zero force"));
+  shared.kill(SIGINT);
+  EXPECT_EQ(shared.end(), 0);
+  EXPECT_TRUE(shared.says("Zero force, and no longer shared."));
+}
+
+TEST_F(ShareArm, WithoutForceItOnlyShows) {
+  Process shared(scratch, "shared", {"share-arm", "--listen", "127.0.0.1:0"});
+  const Outcome outcome = runCli(runOf(deviceOf(shared), "0.5"));
+  EXPECT_TRUE(outcome.exit == Exit::Well || says(outcome.out, "no_sample")) << outcome.err;
+  EXPECT_TRUE(shared.says("A program has the arm, without force."));
+  EXPECT_FALSE(says(shared.said(), "It pushes."));
+}
+
+TEST_F(ShareArm, AKilledProgramsForceEndsWithinFivePeriods) {
+  Process shared(scratch, "shared", {"share-arm", "--force", "--listen", "127.0.0.1:0"});
+  const std::string device = deviceOf(shared);
+  Process client(scratch, "client", runOf(device, "60"));
+  ASSERT_TRUE(shared.says("It pushes."));
+  client.kill(SIGKILL);
+  EXPECT_TRUE(shared.says("fell silent. Zero force"));
+  EXPECT_TRUE(shared.says("No force came: zero, after "));
+  const std::string said = shared.said();
+  const std::regex pause("No force came: zero, after ([0-9]+) more periods at most.");
+  for (std::sregex_iterator at(said.begin(), said.end(), pause), end; at != end; ++at)
+    EXPECT_LT(std::stoi((*at)[1]), device::remote::kQuietPeriods);
+  Process next(scratch, "next", runOf(device, "60"));
+  EXPECT_TRUE(comes([&] {
+    const std::string now = shared.said();
+    return says(now.substr(now.find("fell silent")), "It pushes.");
+  })) << "it is free for the next";
+}
+
+TEST_F(ShareArm, WhenItIsKilledTheOtherProgramSaysWhy) {
+  Process shared(scratch, "shared", {"share-arm", "--force", "--listen", "127.0.0.1:0"});
+  Process client(scratch, "client", runOf(deviceOf(shared), "3"));
+  ASSERT_TRUE(shared.says("It pushes."));
+  shared.kill(SIGKILL);
+  EXPECT_EQ(client.end(), 3);
+  EXPECT_TRUE(client.says("The line to the arm at 127.0.0.1:"));
+  EXPECT_TRUE(client.says("then press Restart."));
+  EXPECT_TRUE(client.says("\"kind\": \"no_sample\""));
+}
+
+TEST_F(ShareArm, AnotherUsersKeyIsTurnedAway) {
+  Process shared(scratch, "shared", {"share-arm", "--force", "--listen", "127.0.0.1:0"});
+  const std::string device = deviceOf(shared);
+  std::ifstream file(scratch.file("keys/arm_key"));
+  std::string key;
+  file >> key;
+  setenv("UNDERACT_KEYS", (scratch.path() + "/others").c_str(), 1);
+  ASSERT_EQ(runCli({"share-arm", "--trust=" + device.substr(7) + " " + key}).exit, Exit::Well);
+  const Outcome outcome = runCli(runOf(device, "0.1"));
+  EXPECT_EQ(outcome.exit, Exit::Fault);
+  EXPECT_TRUE(says(outcome.err, "your key is not known there")) << outcome.err;
+  EXPECT_TRUE(shared.says("turned away"));
+}
+
+}  // namespace
+}  // namespace underact::test

@@ -1,0 +1,144 @@
+"""Debian packages of this build: what is in them, and that Debian's own checks agree."""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BUILD = pathlib.Path(sys.argv.pop())
+SOURCE = pathlib.Path(sys.argv.pop())
+TOOLS = ["dpkg-buildpackage", "dh", "lintian", "desktop-file-validate", "appstreamcli",
+         "update-mime-database", "readelf"]
+PACKAGES = {"underact", "underact-cli", "underact-data", "python3-underact"}
+MOST_BYTES = 15e6  # of the package without what it depends on
+PROGRAMS = ["usr/bin/underact", "usr/bin/underact-cli", "usr/bin/underact-sweep",
+            "usr/libexec/underact/underact-guard", "usr/libexec/underact/underact-mesh-reader"]
+
+missing = [tool for tool in TOOLS if not shutil.which(tool)]
+if missing:
+    print("SKIPPED: not installed, so Debian packages were not made:", ", ".join(missing))
+    sys.exit(77)
+
+
+def run(*words, well=True, **more):
+    """What a program says; it must end well."""
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True,
+                          timeout=600, check=False, **more)
+    assert done.returncode == 0 or not well, f"{words}\n{done.stdout}\n{done.stderr}"
+    return done.stdout + done.stderr
+
+
+class Debian(unittest.TestCase):
+    """Made once, taken apart once."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="underact packages ")
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.made = pathlib.Path(cls.folder.name) / "made"
+        cls.make(cls.made)
+        cls.packages = {path.name.split("_")[0]: path for path in cls.made.glob("*.deb")
+                        if "dbgsym" not in path.name}
+        cls.root = pathlib.Path(cls.folder.name) / "root"
+        for path in cls.packages.values():
+            run("dpkg-deb", "--extract", path, cls.root)
+
+    @staticmethod
+    def make(folder):
+        run(SOURCE / "packaging" / "deb", folder, env={
+            "UNDERACT_BUILD": str(BUILD), "PATH": "/usr/sbin:/usr/bin:/sbin:/bin",
+            "SOURCE_DATE_EPOCH": "1700000000", "LC_ALL": "C.UTF-8"})
+
+    def field(self, package, name):
+        return run("dpkg-deb", "--field", self.packages[package], name).strip()
+
+    def test_they_are_split_as_debian_would(self):
+        self.assertEqual(set(self.packages), PACKAGES)
+        for package in ["underact", "underact-cli"]:
+            depends = self.field(package, "Depends")
+            self.assertIn("libc6", depends)
+            self.assertIn("underact-data (= ", depends)
+            self.assertNotIn("libjbig", depends)
+        self.assertIn("libqt6widgets6", self.field("underact", "Depends"))
+        self.assertNotIn("libqt6", self.field("underact-cli", "Depends"))
+        self.assertIn("python3-h5py", self.field("python3-underact", "Depends"))
+
+    def test_together_they_are_below_15_mb(self):
+        total = sum(path.stat().st_size for path in self.packages.values())
+        print(f"packages: {total / 1e6:.1f} MB")
+        self.assertLess(total, MOST_BYTES)
+
+    def test_lintian_finds_nothing(self):
+        said = run("lintian", "--allow-root", "--tag-display-limit", "0", "--display-info",
+                   *self.packages.values(), well=False)
+        found = [line for line in said.splitlines() if re.match(r"[EWI]: ", line)]
+        self.assertEqual(found, [])
+
+    def test_the_programs_are_hardened(self):
+        for program in PROGRAMS:
+            path = self.root / program
+            header, dynamic = run("readelf", "-hW", path), run("readelf", "-dW", path)
+            symbols = run("readelf", "-sW", "--dyn-syms", path)
+            segments = run("readelf", "-lW", path)
+            self.assertRegex(header, r"Type:\s+DYN .*Position-Independent", program)
+            self.assertRegex(dynamic, r"FLAGS.*(BIND_)?NOW", program)
+            self.assertIn("GNU_RELRO", segments, program)
+            self.assertNotRegex(segments, r"GNU_STACK.*RWE", program)
+            self.assertIn("__stack_chk_fail", symbols, program)
+            self.assertIn("_chk@", symbols, program)
+            self.assertNotIn("RUNPATH", dynamic, program)
+            self.assertNotIn("RPATH", dynamic, program)
+
+    def test_no_path_of_the_machine_that_built_them_is_in_them(self):
+        for path in self.root.rglob("*"):
+            if path.is_file() and not path.is_symlink():
+                content = path.read_bytes()
+                self.assertNotIn(str(SOURCE).encode(), content, path)
+                self.assertNotIn(str(BUILD).encode(), content, path)
+
+    def test_desktop_entry_metainfo_and_types_are_valid(self):
+        share = self.root / "usr/share"
+        run("desktop-file-validate", share / "applications/org.underact.underact.desktop")
+        run("appstreamcli", "validate", "--no-net",
+            share / "metainfo/org.underact.underact.metainfo.xml")
+        version = self.field("underact", "Version")
+        metainfo = (share / "metainfo/org.underact.underact.metainfo.xml").read_text()
+        self.assertIn(f'release version="{version}"', metainfo)
+        self.assertIn("<image", metainfo)
+        run("update-mime-database", share / "mime")
+        globs = (share / "mime/globs2").read_text()
+        for name in ["scene+json:*.underact.json", "session:*.underact.h5"]:
+            self.assertIn("application/vnd.underact." + name, globs)
+        icons = share / "icons/hicolor/scalable"
+        for icon in ["apps/underact", "mimetypes/application-vnd.underact.scene+json",
+                     "mimetypes/application-vnd.underact.session"]:
+            self.assertTrue((icons / f"{icon}.svg").is_file(), icon)
+
+    def test_what_is_offered_is_not_forced(self):
+        self.assertTrue((self.root / "usr/share/underact/limits.d/underact.conf").is_file())
+        self.assertFalse((self.root / "etc").exists())
+        self.assertTrue((self.root / "lib/udev/rules.d/70-underact.rules").is_file())
+
+    def test_taken_apart_anywhere_the_programs_find_their_data(self):
+        version = self.field("underact-cli", "Version")
+        cli = self.root / "usr/bin/underact-cli"
+        self.assertEqual(run(cli, "--version").strip(), f"underact-cli {version}")
+        sphere = self.root / "usr/share/underact/scenes/02_sphere.json"
+        session = pathlib.Path(self.folder.name) / "first.underact.h5"
+        run(cli, "run", sphere, "--hand", "probe", "--seconds", "2", "--fast", "--record", session)
+        self.assertIn("2000", run(cli, "log", "info", session))
+        bumpy = self.root / "usr/share/underact/scenes/26_bumpy_sphere.json"
+        run(cli, "run", bumpy, "--hand", "still", "--seconds", "0.1", "--fast",
+            env={"XDG_CACHE_HOME": self.folder.name, "PATH": "/usr/bin:/bin"})
+
+    def test_made_again_elsewhere_they_are_the_same_bytes(self):
+        again = pathlib.Path(self.folder.name) / "made again"
+        self.make(again)
+        for path in self.packages.values():
+            self.assertEqual(path.read_bytes(), (again / path.name).read_bytes(), path.name)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
