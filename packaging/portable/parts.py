@@ -81,4 +81,4 @@ REFUSED = {"libvtkxdmf2-9.1.so.1": "GPL-2.0-or-later"}
 PROGRAMS_LEFT_OUT = ("underact-sweep",)
 
 # Libraries of headers only, which are in the programs all the same.
-HEADERS = ("libeigen3-dev", "rapidjson-dev", "libcli11-dev", "libboost1.74-dev")
+HEADERS = ("libeigen3-dev", "rapidjson-dev", "libcli11-dev", "libboost1.74-dev", "cppzmq-dev")

@@ -9,7 +9,7 @@ import unittest
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 CONFIG = os.path.join(ROOT, "packaging", "cpack", "underact.cmake")
-MANIFEST = os.path.join(ROOT, "packaging", "flatpak", "org.underact.Underact.yml")
+MANIFEST = os.path.join(ROOT, "packaging", "flatpak", "org.underact.underact.yml")
 
 
 def said(*command):
@@ -70,5 +70,5 @@ class Installers(unittest.TestCase):
     @unittest.skipUnless(shutil.which("flatpak-builder"), "flatpak-builder is not installed")
     def test_flatpak_builder_reads_its_manifest(self):
         self.assertIn(
-            '"id" : "org.underact.Underact"', said("flatpak-builder", "--show-manifest", MANIFEST)
+            '"id" : "org.underact.underact"', said("flatpak-builder", "--show-manifest", MANIFEST)
         )
