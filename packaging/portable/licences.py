@@ -92,6 +92,12 @@ def facts(package):
     }
 
 
+def own_text(package):
+    """The notice of a package whose copyright file lacks it, or None."""
+    path = os.path.join(os.path.dirname(__file__), "texts", package)
+    return path if os.path.exists(path) else None
+
+
 def copy_texts(packages, folder):
     """Each package's copyright file, and the common texts that these name, into folder."""
     os.makedirs(folder, exist_ok=True)
@@ -104,6 +110,8 @@ def copy_texts(packages, folder):
                 "documentation."
             )
         shutil.copyfile(text, os.path.join(folder, package))
+        if own_text(package):
+            shutil.copyfile(own_text(package), os.path.join(folder, package + ".upstream"))
         with open(text, encoding="utf-8", errors="replace") as file:
             named.update(re.findall(COMMON + r"/([A-Za-z]+(?:-[0-9.]*[0-9])?)", file.read()))
     os.makedirs(os.path.join(folder, "common"), exist_ok=True)

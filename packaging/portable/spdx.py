@@ -133,9 +133,9 @@ def document(version, epoch, folder, origin, licence_of, linked):
 def _text(packages, licence):
     for package in packages:
         if licence in package["licenseDeclared"]:
-            with open(
-                f"/usr/share/doc/{package['name']}/copyright", encoding="utf-8", errors="replace"
-            ) as file:
+            name = package["name"]
+            path = licences.own_text(name) or f"/usr/share/doc/{name}/copyright"
+            with open(path, encoding="utf-8", errors="replace") as file:
                 return file.read()
     return NOTHING
 
