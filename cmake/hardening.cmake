@@ -1,6 +1,6 @@
 # What makes a mistake that is left in a released program harder to use, as Debian's own packages have it (dpkg-buildflags,
 # hardening=+all), and the same bytes whatever folder it is built in. underact_flags: what every room takes. Programs that may lie anywhere in memory are
-# Debian's compiler's own choice; tests/packages looks at all of it in the programs.
+# Debian's compiler's own choice; tests/packaging looks at all of it in the programs.
 if(UNDERACT_SANITIZE OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR CMAKE_BUILD_TYPE STREQUAL "Debug")
   return()
 endif()

@@ -2,8 +2,17 @@
 command line.
 """
 
-from .errors import DamagedSession, SessionError, Unreadable
-from .session import Change, End, Fault, Marker, Session
+import sys
+
+from .errors import DamagedSession, SessionError, Unreadable, missing
+
+try:
+    from .session import Change, End, Fault, Marker, Session
+except ModuleNotFoundError as error:
+    if sys.argv[:1] != ["-m"]:  # which is there while Python looks for `-m underact`
+        raise
+    print(missing(error.name), file=sys.stderr)
+    sys.exit(4)
 
 __all__ = [
     "Change",

@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from .errors import SessionError, Unreadable
+from .errors import SessionError, Unreadable, missing
 
 WELL, BAD_INPUT, USAGE, FILE = 0, 1, 2, 4
 
@@ -135,14 +135,6 @@ def parser() -> argparse.ArgumentParser:
         help="say on standard error which figure is made, as one JSON object a line",
     )
     return top
-
-
-def missing(module: str | None) -> str:
-    """What to do where Python does not find a library."""
-    return (
-        f"Python ({sys.executable}) has no {module}. Install python3-h5py, python3-matplotlib and "
-        "python3-pandas, or name a Python that has them in UNDERACT_PYTHON."
-    )
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -37,3 +38,11 @@ def library_errors(what: str) -> Iterator[None]:
         raise SessionError(
             f"{what} cannot be read ({reason}). The file is damaged: copy it anew."
         ) from error
+
+
+def missing(module: str | None) -> str:
+    """What to do where Python does not find a library."""
+    return (
+        f"Python ({sys.executable}) has no {module}. Install python3-h5py, python3-matplotlib and "
+        "python3-pandas, or name a Python that has them in UNDERACT_PYTHON."
+    )
