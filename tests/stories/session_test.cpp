@@ -15,7 +15,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/devices/arm_choice.h"
+#include "app/gui/hand.h"
+#include "app/gui/hands/moving_hands.h"
 #include "app/gui/identify/arm_in_use.h"
+#include "app/gui/registration/registration_tool.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/second/second_arm.h"
@@ -324,8 +327,13 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     ArmInUse arm_in_use(nullptr, {}, &page);
     ArmChoice arms(story.host(), document, nullptr, nullptr, &page);
     SecondArm second(story.host(), arms, story.view(), &page);
-    auto* panel = new SessionsPanel(
-        {story.host(), document, recent, actions, story.view(), player, rate, arm_in_use, arms, second}, &page);
+    Actions elsewhere(&page);  // of parts that the panel does not show
+    RegistrationTool registration({story.host(), document, arms, second, story.view(), nullptr}, elsewhere, &page);
+    Hand hand(&story.view(), nullptr, true, &page);
+    MovingHands hands(story.host(), hand, {}, elsewhere, &page);
+    auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), player, rate, arm_in_use,
+                                     arms, second, registration, hands},
+                                    &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);
