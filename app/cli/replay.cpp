@@ -193,8 +193,10 @@ void addReplay(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)")->check(CLI::NonNegativeNumber);
   command->add_option("--t", options->t, "Another influence, 0 to 1")->check(CLI::Range(0.0, 1.0));
   command->add_option("--law", options->law, "Another law")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::LawType>{
-          {"P", scene::LawType::P}, {"PD", scene::LawType::PD}, {"PID", scene::LawType::PID}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::LawType>{{"P", scene::LawType::P},
+                                                                                {"PD", scene::LawType::PD},
+                                                                                {"PID", scene::LawType::PID}})
+                      .description("{P,PD,PID}"));
   command->add_option("--record", options->record, "Write the ticks as they are now to this CSV file");
   command->callback([options, &streams, &exit] { exit = replay(*options, streams); });
 }

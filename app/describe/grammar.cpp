@@ -16,11 +16,12 @@ std::string takeBetween(std::string& text, const std::string& from, const std::s
   return part;
 }
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts;
+/// "a,b", or, of words that stand for something, "a->1,b->2".
+std::vector<std::string> choicesOf(const std::string& text) {
+  std::vector<std::string> choices;
   std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
-  return parts;
+  for (std::string part; std::getline(in, part, ',');) choices.push_back(part.substr(0, part.find("->")));
+  return choices;
 }
 
 std::string wordOf(const std::string& type) {
@@ -38,7 +39,7 @@ Option describe(const CLI::Option& option) {
   made.many = option.get_expected_max() > 1;
   if (option.get_type_size_max() == 0) return made;  // a flag
   std::string type = option.get_type_name();
-  made.choices = split(takeBetween(type, "{", "}"));
+  made.choices = choicesOf(takeBetween(type, "{", "}"));
   made.range = takeBetween(type, " in [", "]");
   if (const std::size_t dash = made.range.find(" - "); dash != std::string::npos) made.range.replace(dash, 3, " to ");
   made.word = wordOf(type);

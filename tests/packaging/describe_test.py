@@ -60,6 +60,7 @@ class Described(unittest.TestCase):
         self.assertEqual(complete("underact-cli", "repl"), {"replay"})
         self.assertLessEqual({"--hand", "--record"}, complete("underact-cli", "run", "--"))
         self.assertEqual(complete("underact-cli", "run", "--scheduling", "f"), {"fifo"})
+        self.assertEqual(complete("underact-cli", "replay", "--law", ""), {"P", "PD", "PID"})
         self.assertLessEqual({"export", "verify"}, complete("underact-cli", "log", ""))
         self.assertEqual(complete("underact-cli", "run", "--fast", "--record", ""), set())  # files
         self.assertIn("--picture", complete("underact", "--"))

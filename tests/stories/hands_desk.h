@@ -48,8 +48,8 @@ inline QString mapFolder() {
 }
 
 /// A window with a controller beside it.
-struct Desk {
-  explicit Desk(bool first_start = true) : story_(begin(first_start)) {
+struct HandsDesk {
+  explicit HandsDesk(bool first_start = true) : story_(begin(first_start)) {
     story().perform("dock.hands", true);
     story().perform("session.start");
     story().run(500);

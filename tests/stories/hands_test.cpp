@@ -10,7 +10,7 @@
 namespace underact::gui::test {
 
 TEST(HandsStory, AControllerPushesIntoTheSphereAsFastAsItsMapSays) {
-  Desk desk;
+  HandsDesk desk;
   const Vec3 before = desk.wish();
   desk.pad.push(1, -1.0);  // the left stick away from the person: into the sphere
   desk.hold(100);
@@ -25,7 +25,7 @@ TEST(HandsStory, AControllerPushesIntoTheSphereAsFastAsItsMapSays) {
 }
 
 TEST(HandsStory, WithinTheDeadZoneNothingMovesAndBeyondItBeginsAtZero) {
-  Desk desk;
+  HandsDesk desk;
   const Vec3 before = desk.wish();
   desk.pad.push(0, 0.12);
   desk.hold(1000);
@@ -45,7 +45,7 @@ TEST(HandsStory, WithinTheDeadZoneNothingMovesAndBeyondItBeginsAtZero) {
 
 TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
   {
-    Desk desk;
+    HandsDesk desk;
     desk.story().click(desk.story().find("panel.hands.way.up"));
     desk.story().click(desk.story().find("panel.hands.learn"));
     EXPECT_TRUE(desk.label("panel.hands.asked").contains("moves the stylus up"));
@@ -66,7 +66,7 @@ TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
     desk.hold(100);
     EXPECT_NEAR(desk.wish().y(), before.y() + 0.012, 1e-9);
   }
-  Desk desk(false);
+  HandsDesk desk(false);
   EXPECT_EQ(desk.map().ways[1].source, (Source{SourceKind::Axis, 3, -1}));
   EXPECT_TRUE(desk.map().ways[1].inverted);
   ASSERT_TRUE(desk.story().perform("hands.reset"));
@@ -75,7 +75,7 @@ TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
 }
 
 TEST(HandsStory, APairOfButtonsIsLearntOneAfterTheOtherAndAButtonForStop) {
-  Desk desk;
+  HandsDesk desk;
   ASSERT_TRUE(desk.story().perform("hands.learn", QString("right")));
   desk.pad.press(1U << 14U);
   desk.hold(1);
@@ -101,7 +101,7 @@ TEST(HandsStory, APairOfButtonsIsLearntOneAfterTheOtherAndAButtonForStop) {
 }
 
 TEST(HandsStory, TheEditorChangesWhatItSays) {
-  Desk desk;
+  HandsDesk desk;
   auto& story = desk.story();
   story.type(story.find<QDoubleSpinBox>("panel.hands.dead_zone.number"), "30");
   EXPECT_NEAR(desk.map().ways[0].dead_zone, 0.30, 1e-12);
@@ -125,7 +125,7 @@ TEST(HandsStory, TheEditorChangesWhatItSays) {
 }
 
 TEST(HandsStory, UnpluggedInTheMidstOfAPushTheHandRests) {
-  Desk desk;
+  HandsDesk desk;
   desk.pad.push(1, -1.0);
   desk.hold(80);
   desk.pad.is_plugged = false;
@@ -147,7 +147,7 @@ TEST(HandsStory, UnpluggedInTheMidstOfAPushTheHandRests) {
 
 TEST(HandsStory, OneThatIsSwitchedOffMovesNothingAndStaysSo) {
   {
-    Desk desk;
+    HandsDesk desk;
     auto* list = desk.story().find<QListWidget>("panel.hands.list");
     ASSERT_EQ(list->count(), 2);
     list->item(1)->setCheckState(Qt::Unchecked);
@@ -157,7 +157,7 @@ TEST(HandsStory, OneThatIsSwitchedOffMovesNothingAndStaysSo) {
     EXPECT_EQ(desk.wish(), before);
     EXPECT_TRUE(list->item(1)->text().endsWith("switched off")) << list->item(1)->text().toStdString();
   }
-  Desk desk(false);
+  HandsDesk desk(false);
   EXPECT_FALSE(desk.hands().find(kPad)->used);
   desk.story().perform("hands.use", QString(kPad), true);
   desk.hold(1);  // at rest once, since it was switched off
@@ -168,7 +168,7 @@ TEST(HandsStory, OneThatIsSwitchedOffMovesNothingAndStaysSo) {
 }
 
 TEST(HandsStory, ItsButtonsAreTheStylusButtonsAndOneStopsAndNoneStarts) {
-  Desk desk;
+  HandsDesk desk;
   desk.pad.press(0b101);  // A and X
   desk.hold(2);
   desk.hold(1);
@@ -200,7 +200,7 @@ TEST(HandsStory, AMapThatCannotBeReadIsSaidAndLeftAlone) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("{\"underact_hand_map\": 1, \"id\": \"x\", \"ways\": {\"rihgt\": {}}}");
   file.close();
-  Desk desk(false);
+  HandsDesk desk(false);
   EXPECT_EQ(desk.map(), desk.pad.pad.usual);
   EXPECT_TRUE(desk.label("panel.hands.trouble").contains("Did you mean \"right\"?"))
       << desk.label("panel.hands.trouble").toStdString();
@@ -211,7 +211,7 @@ TEST(HandsStory, AMapThatCannotBeReadIsSaidAndLeftAlone) {
 }
 
 TEST(HandsStory, EverythingHasANameAndIsReachedByTheKeyboard) {
-  Desk desk;
+  HandsDesk desk;
   for (const char* name : {"list", "way.right", "way.turn_z", "source", "learn", "inverted", "press.stop", "learn.stop",
                            "undo", "redo", "reset"}) {
     auto* widget = desk.story().find(QString("panel.hands.%1").arg(name));
