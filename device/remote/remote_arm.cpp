@@ -112,7 +112,9 @@ void RemoteArm::run() {
     hear();
     const std::int64_t now_ns = servo::monotonicNow_ns();
     speak(now_ns);
-    if (wire_->state() != LineState::Connected)
+    const bool is_broken = wire_->state() != LineState::Connected;
+    if (is_broken) hear();  // why, if it was said
+    if (is_broken)
       lose("The line to the arm at " + reach_.address.text() +
            " broke. Look after the network and the sharing program at its computer, then press Restart.");
     else if (now_ns - came_ns_ > kLost_ns)

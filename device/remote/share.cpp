@@ -12,6 +12,7 @@ constexpr int kWait_ms = 5;
 constexpr std::int64_t kSilent_ns = 200'000'000;       // then the arm is free for others
 constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at what the arm says is wrong
 constexpr std::int64_t kStandsStill_ns = 100'000'000;  // as the servo's watchdog
+constexpr std::int64_t kFarewell_ns = 50'000'000;      // in which the last words get through
 constexpr double kAlike_m = 1e-9;                      // one was read from mm
 
 }  // namespace
@@ -52,10 +53,17 @@ Share::~Share() {
   bell_.ring();
   if (thread_.joinable()) thread_.join();
   clock_.reset();
-  if (!seat_.empty())
-    refuse(seat_, About::Ended,
-           "It is no longer shared, because the sharing program at its computer has ended. Start it anew and press "
-           "Restart.");
+  if (seat_.empty()) return;
+  refuse(seat_, About::Ended,
+         "It is no longer shared, because the sharing program at its computer has ended. Start it anew and press "
+         "Restart.");
+  // A socket that is closed with something unread tears the line, and what was said last with it.
+  std::string from;
+  Bytes bytes;
+  for (const std::int64_t end_ns = servo::monotonicNow_ns() + kFarewell_ns; servo::monotonicNow_ns() < end_ns;) {
+    hub_->wait(-1, 1);
+    while (hub_->receive(from, bytes)) continue;
+  }
 }
 
 /// The arm ticks anew; nobody has it meanwhile.

@@ -223,9 +223,13 @@ TEST(RemoteArm, OneAtATimeHasIt) {
   EXPECT_TRUE(says(why, "in use by another program")) << why;
   EXPECT_TRUE(first->push());
   first.reset();
-  Client second(far);
-  EXPECT_TRUE(second.push());
-  EXPECT_TRUE(says(far.told(), "has let go of it"));
+  // On a busy machine one may have fallen silent before it said goodbye.
+  bool has_let_go = false;
+  for (int round = 0; round < 5 && !has_let_go; ++round) {
+    { EXPECT_TRUE(Client(far).push()); }
+    has_let_go = comes([&] { return says(far.told(), "has let go of it"); });
+  }
+  EXPECT_TRUE(has_let_go) << far.told();
 }
 
 // A process that is killed says nothing any more.
