@@ -2,11 +2,13 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "device/hands/map_file.h"
 #include "device/hands/space_mouse.h"
 #include "device/hands/usual.h"
+#include "tests/support/mutate.h"
 #include "tests/support/property.h"
 
 namespace underact::test {
@@ -30,23 +32,7 @@ std::string mutated(Random& random, const std::vector<std::string>& texts) {
                                                    "]",     "{",    "}",      ",",    "\"id\"",    "99",          "0.5",
                                                    "\"",    "\\u0", "[1,2]",  "\xC3", "999999999", "\"axis\": 0,"};
   std::string text = texts[random.below(texts.size())];
-  for (std::size_t count = 1 + random.below(3); count > 0; --count) {
-    const std::size_t at = random.below(text.size() + 1);
-    switch (random.below(4)) {
-      case 0:
-        text.insert(at, 1, static_cast<char>(random.bits()));
-        break;
-      case 1:
-        text.insert(at, kTokens[random.below(kTokens.size())]);
-        break;
-      case 2:
-        text.erase(at, random.below(12));
-        break;
-      default:
-        text.insert(random.below(text.size() + 1), text.substr(at, random.below(30)));
-    }
-  }
-  return text;
+  return test::mutated(random, std::move(text), kTokens);
 }
 
 /// Empty: it was refused with sentences, or gives a map that any readings move no faster than it may.

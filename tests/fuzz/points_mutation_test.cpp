@@ -2,9 +2,11 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/fuzz/points_judge.h"
+#include "tests/support/mutate.h"
 #include "tests/support/property.h"
 
 namespace underact::test {
@@ -28,23 +30,7 @@ std::string mutated(Random& random, const std::vector<std::string>& texts) {
       "1e6",   "0",      "1.",     "1,5", "\xEF\xBB\xBF", "\xC3",  "999999999", "e"};
   std::string text = texts[random.below(texts.size())];
   text.resize(std::min(text.size(), 40 + random.below(400)));
-  for (std::size_t count = 1 + random.below(3); count > 0; --count) {
-    const std::size_t at = random.below(text.size() + 1);
-    switch (random.below(4)) {
-      case 0:
-        text.insert(at, 1, static_cast<char>(random.bits()));
-        break;
-      case 1:
-        text.insert(at, kTokens[random.below(kTokens.size())]);
-        break;
-      case 2:
-        text.erase(at, random.below(30));
-        break;
-      default:
-        text.insert(random.below(text.size() + 1), text.substr(at, random.below(60)));
-    }
-  }
-  return text;
+  return test::mutated(random, std::move(text), kTokens);
 }
 
 TEST(PointsMutations, EachIsRefusedWithLinesOrMakesCurves) {

@@ -7,6 +7,7 @@
 #include "core/registration/sheet.h"
 #include "core/registration/store.h"
 #include "tests/core/registration/touches.h"
+#include "tests/support/mutate.h"
 #include "tests/support/property.h"
 #include "tests/support/scratch_folder.h"
 
@@ -90,27 +91,11 @@ TEST(RegistrationFile, WhatIsWrongIsSaidWithItsPlace) {
 
 /// One text made of others by a seed: bytes, tokens, cuts and spans that come again.
 std::string mutated(test::Random& random, const std::vector<std::string>& texts) {
-  static const std::vector<std::string> kTokens{"1e999", "-1e308",    "null", "{",  "}",    "[", "]",
+  static const std::vector<const char*> kTokens{"1e999", "-1e308",    "null", "{",  "}",    "[", "]",
                                                 "\"",    ",",         ":",    "0",  "true", "-", "\\",
                                                 "\xC3",  "\"marks\"", "1e-7", "[[", "NaN"};
   std::string text = texts[random.below(texts.size())];
-  for (std::size_t count = 1 + random.below(3); count > 0; --count) {
-    const std::size_t at = random.below(text.size() + 1);
-    switch (random.below(4)) {
-      case 0:
-        text.insert(at, 1, static_cast<char>(random.bits()));
-        break;
-      case 1:
-        text.insert(at, kTokens[random.below(kTokens.size())]);
-        break;
-      case 2:
-        text.erase(at, random.below(30));
-        break;
-      default:
-        text.insert(random.below(text.size() + 1), text.substr(at, random.below(60)));
-    }
-  }
-  return text;
+  return test::mutated(random, std::move(text), kTokens);
 }
 
 TEST(RegistrationFile, AnyBytesAreRefusedInWordsOrAreAFinitePose) {
