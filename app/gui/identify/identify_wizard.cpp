@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 
 #include "app/gui/identify/pages.h"
+#include "app/gui/wizard_frame.h"
 
 namespace underact::gui {
 
@@ -27,14 +28,7 @@ IdentifyWizard::IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, servo::Host& 
                                                         {NextButton, "identify.next"},
                                                         {FinishButton, "identify.finish"},
                                                         {CancelButton, "identify.cancel"}};
-  for (const auto& [which, name] : names) {
-    button(which)->setObjectName(name);
-    button(which)->setAccessibleName(buttonText(which).remove('&').remove('<').remove('>').trimmed());
-    button(which)->setIcon({});
-  }
-  const int line = fontMetrics().lineSpacing();
-  const QSize most = parent != nullptr ? parent->size() : QSize(1280, 800);  // large text on a small screen
-  resize(QSize(54 * line, 46 * line).boundedTo(most));
+  frameWizard(*this, names, 54);
   connect(&run_, &IdentifyRun::changed, this, [this] {
     if (run_.state() == IdentifyRun::State::Done && currentPage() == measure_) next();
   });

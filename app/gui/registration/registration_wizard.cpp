@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 
 #include "app/gui/registration/pages.h"
+#include "app/gui/wizard_frame.h"
 
 namespace underact::gui {
 
@@ -25,14 +26,7 @@ RegistrationWizard::RegistrationWizard(RegistrationTool& tool, QWidget* parent)
                                                         {NextButton, "registration.next"},
                                                         {FinishButton, "registration.accept"},
                                                         {CancelButton, "registration.cancel"}};
-  for (const auto& [which, name] : names) {
-    button(which)->setObjectName(name);
-    button(which)->setAccessibleName(buttonText(which).remove('&').remove('<').remove('>').trimmed());
-    button(which)->setIcon({});
-  }
-  const int line = fontMetrics().lineSpacing();
-  const QSize most = parent != nullptr ? parent->size() : QSize(1280, 800);  // large text on a small screen
-  resize(QSize(46 * line, 46 * line).boundedTo(most));
+  frameWizard(*this, names, 46);
 }
 
 RegistrationWizard::~RegistrationWizard() {
