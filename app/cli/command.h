@@ -39,6 +39,7 @@ void addFigures(CLI::App& program, const Streams& streams, Exit& exit);
 void addLab(CLI::App& program, const Streams& streams, Exit& exit);
 void addMesh(CLI::App& program, const Streams& streams, Exit& exit);
 void addScene(CLI::App& program, const Streams& streams, Exit& exit);
+void addLesson(CLI::App& program, const Streams& streams, Exit& exit);
 
 /// All commands, in the order of --help.
 std::span<const AddCommand> commands();

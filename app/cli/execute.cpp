@@ -12,7 +12,7 @@ namespace underact::cli {
 std::span<const AddCommand> commands() {
   static constexpr std::array kCommands{addForward,  addInverse,    addJacobian,  addTarget,   addRun,      addLog,
                                         addReplay,   addFigures,    addCalibrate, addIdentify, addRegister, addDevices,
-                                        addShareArm, addServoCheck, addLab,       addMesh,     addScene};
+                                        addShareArm, addServoCheck, addLab,       addMesh,     addScene,    addLesson};
   return kCommands;
 }
 

@@ -8,4 +8,10 @@ namespace underact::cli {
 /// tree that this one was built from, or where UNDERACT_DATA_DIR says. Empty: none were found.
 std::vector<std::string> shippedScenes();
 
+/// The same of the lessons.
+std::vector<std::string> shippedLessons();
+
+/// The folder of those scenes; empty: there is none.
+std::string shippedSceneFolder();
+
 }  // namespace underact::cli

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/lesson/read.h"
+#include "core/lesson/read_parts.h"
+
+namespace underact::lesson {
+namespace {
+
+using json::Value;
+
+/// A finite number, at least `least`; empty: there is none, or it is a problem.
+std::optional<double> readAmount(ObjectReader& object, const char* key, bool required, double least = -kInfinity) {
+  const Value* const value = object.find(key, required);
+  if (value == nullptr) return {};
+  const std::string path = object.pathOf(key);
+  double number = kNotANumber;
+  readNumber(*value, path, number, object.findings());
+  if (value->kind != json::Kind::Number) return {};
+  if (!std::isfinite(number)) {
+    object.findings().add(*value, path, "This is no finite number.");
+  } else if (number < least) {
+    object.findings().add(*value, path, "This must be at least " + json::numberText(least) + ".");
+  } else {
+    return number;
+  }
+  return {};
+}
+
+std::vector<std::string> quantityKeys() {
+  std::vector<std::string> keys;
+  for (const Quantity& quantity : quantities()) keys.emplace_back(quantity.key);
+  return keys;
+}
+
+Measure readMeasure(ObjectReader& object, bool required) {
+  Measure measure;
+  if (const Value* const value = object.find("measure", required)) {
+    measure.quantity =
+        findQuantity(readName(*value, object.pathOf("measure"), quantityKeys(), "quantity", object.findings()));
+  }
+  const std::optional<double> part = readAmount(object, "part", false, 1.0);
+  if (!part || measure.quantity == nullptr) return measure;
+  const auto parts = static_cast<double>(measure.quantity->parts);
+  if (*part > parts || *part != std::floor(*part)) {
+    object.findings().add(
+        *object.find("part"), object.pathOf("part"),
+        "The quantity " + std::string(measure.quantity->key) + " has the parts 1 to " + json::numberText(parts) + ".");
+    return measure;
+  }
+  measure.part = static_cast<std::size_t>(*part);
+  return measure;
+}
+
+bool isOneNumber(const Measure& measure) {
+  return measure.quantity == nullptr || measure.part > 0 || measure.quantity->parts == 1;
+}
+
+/// A number, or a list of as many as the measure has values; null in it: whichever.
+std::vector<double> readPlace(const Value& value, const std::string& path, const Measure& measure, Findings& findings) {
+  if (measure.quantity == nullptr) return {0.0};  // said already
+  if (isOneNumber(measure)) {
+    if (!isKind(value, json::Kind::Number, path, "a number", findings)) return {0.0};
+    if (!std::isfinite(value.number)) findings.add(value, path, "This is no finite number.");
+    return {value.number};
+  }
+  const std::size_t parts = measure.quantity->parts;
+  const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // as many as the robot has joints
+  const std::string expected = "a list of " + std::to_string(parts) + " numbers";
+  if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
+  if (value.items.empty() || value.items.size() > parts || (value.items.size() < parts && !may_be_fewer))
+    findings.add(value, path, "This must be " + expected + "; here it has " + std::to_string(value.items.size()) + ".");
+  std::vector<double> place;
+  for (const Value& item : value.items) {
+    const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != Apart::Turn;
+    if (!is_whichever) isKind(item, json::Kind::Number, path, "a number, or null for whichever", findings);
+    if (item.kind == json::Kind::Number && !std::isfinite(item.number))
+      findings.add(item, path, "This is no finite number.");
+    place.push_back(item.kind == json::Kind::Number ? item.number : kNotANumber);
+  }
+  place.resize(parts, kNotANumber);
+  return place;
+}
+
+/// above, below, near and within.
+Wanted readWanted(ObjectReader& object, const Value& whole) {
+  Wanted wanted;
+  wanted.measure = readMeasure(object, true);
+  const std::optional<double> above = readAmount(object, "above", false), below = readAmount(object, "below", false);
+  const Value* const near = object.find("near");
+  const std::optional<double> within = readAmount(object, "within", near != nullptr, 0.0);
+  wanted.above = above.value_or(-kInfinity), wanted.below = below.value_or(kInfinity);
+  wanted.within = within.value_or(0.0);
+  if (near != nullptr) wanted.near = readPlace(*near, object.pathOf("near"), wanted.measure, object.findings());
+  const bool is_band = object.find("above") != nullptr || object.find("below") != nullptr;
+  if (is_band == (near != nullptr)) {
+    object.findings().add(whole, object.pathOf("measure"),
+                          "Say where it should be: either \"above\" and \"below\", or one of them, or \"near\" and "
+                          "\"within\".");
+  } else if (wanted.above >= wanted.below) {
+    object.findings().add(whole, object.pathOf("above"), "\"above\" must be less than \"below\".");
+  }
+  return wanted;
+}
+
+std::vector<Wanted> readMeanwhile(ObjectReader& object) {
+  std::vector<Wanted> all;
+  const Value* const list = object.find("while");
+  const std::string path = object.pathOf("while");
+  if (list == nullptr || !isKind(*list, json::Kind::Array, path, "a list of conditions", object.findings())) return all;
+  for (std::size_t index = 0; index < std::min(list->items.size(), kMostChecks); ++index) {
+    const std::string at = path + "[" + std::to_string(index) + "]";
+    if (!isKind(list->items[index], json::Kind::Object, at, "a condition in { }", object.findings())) continue;
+    ObjectReader condition(list->items[index], at, "a condition", object.findings());
+    all.push_back(readWanted(condition, list->items[index]));
+    condition.finish();
+  }
+  return all;
+}
+
+Visit readVisit(ObjectReader& object) {
+  Visit visit{readMeasure(object, true), {}, readAmount(object, "within", true, 0.0).value_or(0.0)};
+  const Value& list = *object.find("visit");
+  const std::string path = object.pathOf("visit");
+  if (!isKind(list, json::Kind::Array, path, "a list of places", object.findings())) return visit;
+  if (list.items.empty() || list.items.size() > kMostPlaces)
+    object.findings().add(list, path, "Name 1 to " + std::to_string(kMostPlaces) + " places.");
+  for (std::size_t index = 0; index < std::min(list.items.size(), kMostPlaces); ++index) {
+    const std::string at = path + "[" + std::to_string(index) + "]";
+    visit.places.push_back(readPlace(list.items[index], at, visit.measure, object.findings()));
+  }
+  return visit;
+}
+
+/// A measure that is a number, for what compares by more and less.
+Measure readOneNumber(ObjectReader& object, const Value& whole) {
+  Measure measure = readMeasure(object, true);
+  if (!isOneNumber(measure)) {
+    object.findings().add(whole, object.pathOf("part"),
+                          "The quantity " + std::string(measure.quantity->key) + " has " +
+                              std::to_string(measure.quantity->parts) + " values here; choose one by \"part\".");
+    measure.part = 1;
+  }
+  return measure;
+}
+
+Cross readCross(ObjectReader& object, const Value& whole) {
+  Cross cross;
+  cross.measure = readOneNumber(object, whole);
+  cross.value = readAmount(object, "crosses", true).value_or(0.0);
+  cross.by = readAmount(object, "by", false, 0.0).value_or(0.0);
+  cross.times = static_cast<int>(std::min(readAmount(object, "times", true, 1.0).value_or(1.0), 1e6));
+  cross.in_s = readAmount(object, "in_s", true, 0.0).value_or(1.0);
+  return cross;
+}
+
+AskNumber readNumberQuestion(ObjectReader& object, const Value& whole) {
+  AskNumber ask;
+  ask.question = readLine(object, "question", true);
+  const bool is_measured = object.find("measure") != nullptr;
+  ask.within = readAmount(object, "within", true, 0.0).value_or(0.0);
+  ask.answer = readAmount(object, "answer", !is_measured).value_or(kNotANumber);
+  if (is_measured) ask.measure = readOneNumber(object, whole);
+  if (is_measured && object.find("answer") != nullptr)
+    object.findings().add(whole, object.pathOf("answer"),
+                          "The answer is either measured or given: take \"measure\" or \"answer\" away.");
+  if (const Value* const unit = object.find("unit"))
+    readText(*unit, object.pathOf("unit"), ask.unit, object.findings());
+  if (ask.unit.empty() && ask.measure.quantity != nullptr) ask.unit = ask.measure.quantity->unit;
+  return ask;
+}
+
+AskChoice readChoiceQuestion(ObjectReader& object) {
+  AskChoice ask;
+  ask.question = readLine(object, "question", true);
+  const Value& list = *object.find("choices");
+  const std::string path = object.pathOf("choices");
+  if (isKind(list, json::Kind::Array, path, "a list of answers", object.findings())) {
+    if (list.items.size() < 2 || list.items.size() > 9)
+      object.findings().add(list, path, "Give 2 to 9 answers to choose from.");
+    for (std::size_t index = 0; index < list.items.size(); ++index) {
+      ask.choices.emplace_back();
+      readText(list.items[index], path + "[" + std::to_string(index) + "]", ask.choices.back(), object.findings());
+    }
+  }
+  const double right = readAmount(object, "right", true, 1.0).value_or(1.0);
+  if (right > static_cast<double>(ask.choices.size()) || right != std::floor(right)) {
+    object.findings().add(*object.find("right"), object.pathOf("right"),
+                          "This is the number of the right answer, 1 to " + std::to_string(ask.choices.size()) + ".");
+  } else {
+    ask.right = static_cast<std::size_t>(right);
+  }
+  return ask;
+}
+
+/// What a check is shows by the key that only its kind has.
+Task readTask(ObjectReader& object, const Value& value) {
+  if (value.find("choices") != nullptr) return readChoiceQuestion(object);
+  if (value.find("question") != nullptr) return readNumberQuestion(object, value);
+  if (value.find("visit") != nullptr) return readVisit(object);
+  if (value.find("spans") != nullptr)
+    return Span{readOneNumber(object, value), readAmount(object, "spans", true, 0.0).value_or(0.0)};
+  if (value.find("crosses") != nullptr) return readCross(object, value);
+  Hold hold{readWanted(object, value), readAmount(object, "for_s", false, 0.0).value_or(0.0)};
+  return hold;
+}
+
+}  // namespace
+
+Check readCheck(const Value& value, const std::string& path, Findings& findings) {
+  Check check{Hold{}, {}, {}, {findings.file(), value.line, value.column, path}};
+  if (!isKind(value, json::Kind::Object, path, "a check in { }", findings)) return check;
+  ObjectReader object(value, path, "a check", findings);
+  check.task = readTask(object, value);
+  check.meanwhile = readMeanwhile(object);
+  if (const Value* const say = object.find("say")) readText(*say, object.pathOf("say"), check.say, findings);
+  object.finish();
+  return check;
+}
+
+}  // namespace underact::lesson

@@ -1,0 +1,53 @@
+#include "core/lesson/read_parts.h"
+
+#include <algorithm>
+
+namespace underact::lesson {
+
+std::string readName(const json::Value& value, const std::string& path, const std::vector<std::string>& known,
+                     const std::string& what, Findings& findings) {
+  std::string name;
+  if (!isKind(value, json::Kind::String, path, "the name of a " + what, findings)) return name;
+  readText(value, path, name, findings);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+  const std::string nearest = json::nearestWord(name, known);
+  findings.add(
+      value, path,
+      "There is no " + what + " " + json::shown(name) + ". " +
+          (nearest.empty() ? "There are " + json::listed(known, "and") + "." : "Did you mean \"" + nearest + "\"?"));
+  return name;
+}
+
+std::string readLine(ObjectReader& object, const char* key, bool required) {
+  std::string line;
+  const json::Value* const value = object.find(key, required);
+  if (value == nullptr) return line;
+  readText(*value, object.pathOf(key), line, object.findings());
+  const bool is_blank = line.find_first_not_of(" \t\r\n") == std::string::npos;
+  if (value->kind == json::Kind::String && (is_blank || line.find('\n') != std::string::npos))
+    object.findings().add(*value, object.pathOf(key), "This must be one line of text, and not an empty one.");
+  return line;
+}
+
+std::string readProse(ObjectReader& object, const char* key, bool required) {
+  std::string prose;
+  const json::Value* const value = object.find(key, required);
+  if (value == nullptr) return prose;
+  const std::string path = object.pathOf(key);
+  Findings& findings = object.findings();
+  if (value->kind != json::Kind::Array) {
+    if (isKind(*value, json::Kind::String, path, "text in double quotes, or a list of lines of it", findings))
+      prose = value->text;
+  } else {
+    for (std::size_t index = 0; index < value->items.size(); ++index) {
+      std::string line;
+      readText(value->items[index], path + "[" + std::to_string(index) + "]", line, findings);
+      prose += line + "\n";
+    }
+  }
+  if (required && prose.find_first_not_of(" \t\r\n") == std::string::npos && value->kind != json::Kind::Null)
+    findings.add(*value, path, "There is nothing to read here.");
+  return prose;
+}
+
+}  // namespace underact::lesson
