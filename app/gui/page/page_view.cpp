@@ -1,0 +1,148 @@
+#include "app/gui/page/page_view.h"
+
+#include <QApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QImage>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "app/gui/theme.h"
+#include "app/page/style.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kMargin = 16;
+constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
+
+page::Colours coloursOf(const QPalette& palette) {
+  const QColor ink = palette.color(QPalette::Text), ground = palette.color(QPalette::Base);
+  const auto shade = [&](double share) { return mixed(ground, ink, share).name().toStdString(); };
+  return {.ink = ink.name().toStdString(),
+          .quiet = shade(0.68),
+          .line = shade(0.2),
+          .ground = ground.name().toStdString(),
+          .soft = shade(0.07),
+          .link = palette.color(QPalette::Link).name().toStdString(),
+          .wrong = mixed(Theme().force_limited, ink, 0.25).name().toStdString()};
+}
+
+/// Where a link of a page leads to, as asked() has it.
+QUrl askedFor(const QUrl& link) {
+  if (!link.isRelative()) return link;
+  const QFileInfo file(link.path());
+  QUrl url;
+  url.setScheme(file.suffix() == "json" ? "scene" : "guide");
+  url.setPath(file.completeBaseName());
+  if (link.hasFragment()) url.setFragment(link.fragment());
+  return url;
+}
+
+}  // namespace
+
+PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
+  setOpenLinks(false);
+  document()->setDocumentMargin(kMargin);
+  setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
+  connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
+}
+
+void PageView::showPage(const QString& markdown, const QString& folder) {
+  const QByteArray text = markdown.toUtf8();
+  page_ = page::readPage({text.data(), static_cast<std::size_t>(text.size())}, {});
+  folder_ = folder;
+  render();
+  verticalScrollBar()->setValue(0);
+}
+
+void PageView::render() {
+  const int at = verticalScrollBar()->value();
+  width_ = viewport()->width();
+  document()->setDefaultStyleSheet(QString::fromStdString(page::pageStyle(coloursOf(palette()))));
+  setHtml(QString::fromStdString(page_.html));
+  mark(marked_);
+  verticalScrollBar()->setValue(at);
+}
+
+void PageView::mark(const QStringList& words) {
+  marked_ = words;
+  QList<QTextEdit::ExtraSelection> marks;
+  QTextEdit::ExtraSelection one;
+  one.format.setBackground(mixed(palette().color(QPalette::Base), Theme().force, 0.45));
+  for (const QString& word : words) {
+    for (one.cursor = document()->find(word); !one.cursor.isNull(); one.cursor = document()->find(word, one.cursor))
+      marks << one;
+  }
+  setExtraSelections(marks);
+}
+
+void PageView::setZoom(int percent) {
+  percent = std::clamp(percent, kSmallestZoom, kLargestZoom);
+  if (percent == zoom_) return;
+  zoom_ = percent;
+  QFont scaled = QApplication::font(this);
+  scaled.setPointSizeF(scaled.pointSizeF() * percent / 100.0);
+  setFont(scaled);
+  emit zoomed(percent);
+}
+
+QVariant PageView::loadResource(int type, const QUrl& name) {
+  if (type != QTextDocument::ImageResource) return {};
+  if (!name.isRelative() || QDir::isAbsolutePath(name.path())) return {};  // nothing is fetched
+  QImage image(QDir(folder_).filePath(name.path()));
+  const int room = std::max(1, width_ - 2 * kMargin);
+  const qreal ratio = devicePixelRatioF();
+  if (image.width() > room * ratio) image = image.scaledToWidth(qRound(room * ratio), Qt::SmoothTransformation);
+  image.setDevicePixelRatio(ratio);
+  return image;
+}
+
+void PageView::changeEvent(QEvent* event) {
+  QTextBrowser::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && !page_.html.empty()) render();
+}
+
+void PageView::resizeEvent(QResizeEvent* event) {
+  QTextBrowser::resizeEvent(event);
+  const bool has_picture =
+      std::any_of(page_.links.begin(), page_.links.end(), [](const page::Page::Link& link) { return link.is_picture; });
+  if (has_picture && viewport()->width() != width_) render();
+}
+
+void PageView::wheelEvent(QWheelEvent* event) {
+  if (!event->modifiers().testFlag(Qt::ControlModifier)) return QTextBrowser::wheelEvent(event);
+  const int notches = event->angleDelta().y();
+  if (notches != 0) setZoom(zoom_ + (notches > 0 ? kZoomStep : -kZoomStep));
+  event->accept();
+}
+
+void PageView::follow(const QUrl& link) {
+  if (link.scheme() == "http" || link.scheme() == "https") return confirmAddress(link);
+  if (link.isRelative() && link.path().isEmpty()) return scrollToAnchor(link.fragment());
+  const QUrl to = askedFor(link);
+  static const QStringList kKnown{"scene", "lesson", "action", "guide"};
+  if (kKnown.contains(to.scheme())) emit asked(to);
+}
+
+void PageView::confirmAddress(const QUrl& address) {
+  auto* box = new QMessageBox(QMessageBox::Question, tr("A page on the net"),
+                              tr("This link leads out of the program, to:"), QMessageBox::Cancel, this);
+  box->setObjectName("dialog.address");
+  box->setInformativeText(address.toDisplayString());
+  box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  QPushButton* open = box->addButton(tr("Open in browser"), QMessageBox::AcceptRole);
+  open->setObjectName("dialog.address.open");
+  connect(open, &QPushButton::clicked, box, [address] { QDesktopServices::openUrl(address); });
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->show();
+}
+
+}  // namespace underact::gui
