@@ -204,6 +204,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  actions_->perform("lesson.leave");  // what is asked about and remembered is the user's own
   if (!files_->settleEdits()) {
     event->ignore();
     return;

@@ -19,6 +19,7 @@
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/help_dialog.h"
 #include "app/gui/identify/identify_tool.h"
+#include "app/gui/lessons/lesson_library.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
@@ -119,6 +120,8 @@ void MainWindow::addActions() {
                 [this](const QVariantList& path) {
                   if (!path.isEmpty() && isSession(path.first().toString()))
                     return actions_->perform("replay.open", path);
+                  if (!path.isEmpty() && isLessonFile(path.first().toString()))
+                    return actions_->perform("lesson.open", path);
                   if (!path.isEmpty() && isMeshFile(path.first().toString()))
                     return actions_->perform("mesh.add", path);
                   if (!path.isEmpty() && isCurveFile(path.first().toString()))
@@ -127,6 +130,7 @@ void MainWindow::addActions() {
                   files_->chooseAndOpen();
                   return true;
                 });
+  actions_->addCommand("scene.settle", [this](const QVariantList&) { return files_->settleEdits(); });
   addMeshActions(*actions_, *mesh_files_);
   addCurveActions(*actions_, *curve_files_);
   actions_

@@ -108,6 +108,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(bar->addMenu(tr("&Replay")), "menu.replay"), actions,
        {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
         "replay.loop_out", "-", "replay.what_if", "-", "replay.close"});
+  fill(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
+       {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fill(view, actions,
        {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",

@@ -10,6 +10,7 @@
 #include "app/gui/hands/hands_panel.h"
 #include "app/gui/kinematics_panel.h"
 #include "app/gui/lab/lab_panel.h"
+#include "app/gui/lessons/lessons_panel.h"
 #include "app/gui/plots_panel.h"
 #include "app/gui/replay/session_panel.h"
 #include "app/gui/robot_panel.h"
@@ -31,7 +32,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 16> kRows{{
+  static const std::array<PanelRow, 17> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -62,6 +63,9 @@ std::span<const PanelRow> panels() {
       {"hands", QT_TRANSLATE_NOOP("panel", "Hands"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
        QT_TRANSLATE_NOOP("panel", "Mouse, game controllers and 3D mice: which are there, and what moves what."),
        make<HandsPanel>, "scenes"},
+      {"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea, "Ctrl+L",
+       QT_TRANSLATE_NOOP("panel", "Exercises in robot kinematics and forces, checked by what the hand does."),
+       make<LessonsPanel>, "scenes"},
       {"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
        QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
        make<ServoPanel>, "scenes"},

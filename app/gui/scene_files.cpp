@@ -11,6 +11,7 @@
 
 #include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
+#include "app/gui/lessons/lesson_library.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_dialog.h"
 #include "app/gui/scene_library.h"
@@ -99,7 +100,9 @@ bool SceneFiles::put(scene::Description scene) {
     return false;
   }
   problems_->hide();
-  if (!path.isEmpty() && QFileInfo(path).absolutePath() != sceneFolder()) recent_.add(path);
+  const QString folder = QFileInfo(path).absolutePath();
+  const bool ships = folder == sceneFolder() || (!lessonFolder().isEmpty() && folder.startsWith(lessonFolder()));
+  if (!path.isEmpty() && !ships) recent_.add(path);
   return true;
 }
 

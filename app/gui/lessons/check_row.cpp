@@ -1,0 +1,112 @@
+#include "app/gui/lessons/check_row.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <optional>
+
+#include "app/gui/lessons/lesson_words.h"
+#include "app/gui/push_button.h"
+#include "app/gui/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLettersOfNumber = 10;
+
+/// As the user's system writes numbers, or with a point, and with a real minus sign.
+std::optional<double> numberIn(QString text) {
+  text = text.trimmed().replace(QChar(0x2212), '-');
+  bool is_number = false;
+  double number = text.toDouble(&is_number);
+  if (!is_number) number = QLocale().toDouble(text, &is_number);
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+CheckRow::CheckRow(const lesson::Check& check, std::size_t number, QWidget* parent)
+    : QWidget(parent),
+      name_(QString("panel.lessons.check%1").arg(number)),
+      said_(toldLabel(qPrintable(name_ + ".said"), tr("Check %1").arg(number), "", this)) {
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 4, 0, 4);
+  column->setSpacing(4);
+  if (const std::string* const question = lesson::questionOf(check)) {
+    auto* const asked = toldLabel(qPrintable(name_ + ".question"), tr("Question %1").arg(number), "section", this);
+    asked->setText(QString::fromStdString(*question));
+    column->addWidget(asked);
+  }
+  if (const auto* const ask = std::get_if<lesson::AskNumber>(&check.task)) addNumber(*ask);
+  if (const auto* const ask = std::get_if<lesson::AskChoice>(&check.task)) addChoices(*ask);
+  column->addWidget(said_);
+}
+
+void CheckRow::addNumber(const lesson::AskNumber& ask) {
+  const QString unit = QString::fromStdString(ask.unit);
+  number_ = new QLineEdit(this);
+  number_->setObjectName(name_ + ".number");
+  number_->setAccessibleName(tr("Answer to: %1").arg(QString::fromStdString(ask.question)));
+  number_->setToolTip(tr("A number; Enter gives it."));
+  number_->setMaximumWidth(kLettersOfNumber * fontMetrics().averageCharWidth() + 24);
+  auto* const line = new QHBoxLayout;
+  line->setSpacing(8);
+  line->addWidget(number_);
+  line->addWidget(new QLabel(unit, this));
+  QPushButton* const give = pushButton(name_ + ".give", tr("Check"), tr("Looks whether the answer is right."), this);
+  line->addWidget(give);
+  line->addStretch(1);
+  static_cast<QVBoxLayout*>(layout())->addLayout(line);
+  connect(number_, &QLineEdit::returnPressed, this, &CheckRow::give);
+  connect(give, &QPushButton::clicked, this, &CheckRow::give);
+}
+
+void CheckRow::addChoices(const lesson::AskChoice& ask) {
+  choices_ = new QButtonGroup(this);
+  auto* const column = static_cast<QVBoxLayout*>(layout());
+  for (std::size_t index = 0; index < ask.choices.size(); ++index) {
+    const QString text = QString::fromStdString(ask.choices[index]);
+    auto* const button = new QRadioButton(QString(text).replace('&', "&&"), this);
+    button->setObjectName(QString("%1.choice%2").arg(name_).arg(index + 1));
+    button->setAccessibleName(text);
+    button->setToolTip(tr("An answer to: %1").arg(QString::fromStdString(ask.question)));
+    choices_->addButton(button, static_cast<int>(index) + 1);
+    column->addWidget(button);
+  }
+  QPushButton* const give = pushButton(name_ + ".give", tr("Check"), tr("Looks whether the answer is right."), this);
+  give->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  column->addWidget(give);
+  connect(give, &QPushButton::clicked, this, &CheckRow::give);
+}
+
+void CheckRow::give() {
+  if (choices_ != nullptr) {
+    if (choices_->checkedId() > 0) emit answered(choices_->checkedId());
+    return;
+  }
+  if (const std::optional<double> number = numberIn(number_->text())) {
+    emit answered(*number);
+  } else {
+    said_->setText(tr("“%1” is no number.").arg(number_->text()));
+  }
+}
+
+void CheckRow::present(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech) {
+  const QString text = checkText(check, state, speech);
+  const bool shows_slip = number_ != nullptr && !state.solved && !number_->text().isEmpty() &&
+                          !numberIn(number_->text());  // what give() has said of it stays
+  if (said_->text() != text && !shows_slip) said_->setText(text);
+  const char* const role = state.solved ? "running" : "";
+  if (said_->property("role").toString() == role) return;
+  said_->setProperty("role", role);
+  said_->style()->unpolish(said_);
+  said_->style()->polish(said_);
+}
+
+}  // namespace underact::gui

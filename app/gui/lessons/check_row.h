@@ -1,0 +1,36 @@
+#pragma once
+#include <QWidget>
+
+#include "core/lesson/check.h"
+#include "core/lesson/tell.h"
+
+class QButtonGroup;
+class QLabel;
+class QLineEdit;
+
+namespace underact::gui {
+
+/// One check of a step: its question with what answers it, where it has one, and a line of what was done and what is
+/// missing.
+class CheckRow : public QWidget {
+  Q_OBJECT
+ public:
+  /// number: of the check in its step, from 1.
+  CheckRow(const lesson::Check& check, std::size_t number, QWidget* parent);
+  void present(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech);
+
+ signals:
+  void answered(double answer);
+
+ private:
+  void addNumber(const lesson::AskNumber& ask);
+  void addChoices(const lesson::AskChoice& ask);
+  void give();
+
+  QString name_;  // of the objects in it begins so
+  QLabel* said_;
+  QLineEdit* number_ = nullptr;
+  QButtonGroup* choices_ = nullptr;
+};
+
+}  // namespace underact::gui

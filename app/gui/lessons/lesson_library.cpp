@@ -1,0 +1,77 @@
+#include "app/gui/lessons/lesson_library.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSettings>
+#include <QUrl>
+#include <algorithm>
+
+#include "core/lesson/read.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr qint64 kLookedAt = 1 << 20;  // bytes; a longer file is no lesson
+
+/// A key of the settings: a path has slashes, which part groups there. A lesson that ships counts wherever it lies.
+QString keyOf(const QString& path) {
+  const QFileInfo file(path);
+  const bool ships = file.absolutePath() == lessonFolder();
+  const QString name = ships ? file.completeBaseName() : file.absoluteFilePath();
+  return "lessons/solved/" + QString::fromLatin1(QUrl::toPercentEncoding(name));
+}
+
+}  // namespace
+
+QString lessonFolder() {
+  QStringList folders;
+  if (qEnvironmentVariableIsSet("UNDERACT_DATA_DIR")) folders << qEnvironmentVariable("UNDERACT_DATA_DIR") + "/lessons";
+  folders << QCoreApplication::applicationDirPath() + "/../share/underact/lessons";
+  folders << QCoreApplication::applicationDirPath() + "/../../resources/lessons";  // run from build/release
+  for (const QString& folder : folders) {
+    if (!folder.isEmpty() && QDir(folder).exists()) return QDir(folder).canonicalPath();
+  }
+  return {};
+}
+
+std::vector<lesson::Lesson> shippedLessons() {
+  const QString folder = lessonFolder();
+  std::vector<lesson::Lesson> lessons;
+  if (folder.isEmpty()) return lessons;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+    if (file.fileName().endsWith("schema.json")) continue;
+    Result<lesson::Lesson> read = lesson::readLessonFile(file.absoluteFilePath().toStdString());
+    if (read) lessons.push_back(std::move(read).value());
+  }
+  std::stable_sort(lessons.begin(), lessons.end(),
+                   [](const lesson::Lesson& a, const lesson::Lesson& b) { return a.order < b.order; });
+  return lessons;
+}
+
+bool isLessonFile(const QString& path) {
+  QFile file(path);
+  if (!path.endsWith(".json", Qt::CaseInsensitive) || !file.open(QIODevice::ReadOnly)) return false;
+  return lesson::looksLikeLesson(file.read(kLookedAt).toStdString());
+}
+
+QString lessonPath(const QString& name) {
+  if (name.contains('/') || name.endsWith(".json")) return QFileInfo(name).absoluteFilePath();
+  return QDir(lessonFolder()).filePath(name + ".json");
+}
+
+QSet<std::size_t> solvedSteps(const QString& path) {
+  QSet<std::size_t> steps;
+  for (const QString& step : QSettings().value(keyOf(path)).toStringList()) steps.insert(step.toULongLong());
+  return steps;
+}
+
+void rememberSolved(const QString& path, std::size_t step) {
+  QSettings stored;
+  QStringList steps = stored.value(keyOf(path)).toStringList();
+  if (steps.contains(QString::number(step))) return;
+  stored.setValue(keyOf(path), steps << QString::number(step));
+}
+
+}  // namespace underact::gui

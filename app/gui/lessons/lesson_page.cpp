@@ -1,0 +1,165 @@
+#include "app/gui/lessons/lesson_page.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/lessons/check_row.h"
+#include "app/gui/lessons/lesson_run.h"
+#include "app/gui/lessons/lesson_words.h"
+#include "app/gui/page/page_view.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/told_label.h"
+
+namespace underact::gui {
+
+LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
+    : QWidget(parent),
+      run_(run),
+      lesson_(toldLabel("panel.lessons.lesson", tr("Lesson"), "quiet", this)),
+      title_(toldLabel("panel.lessons.step", tr("Step"), "section", this)),
+      text_(new PageView(this)),
+      checks_(makeChecks()),
+      servo_(toldLabel("panel.lessons.servo", tr("Servo"), "amber", this)),
+      name_(new QLineEdit(this)),
+      note_(toldLabel("panel.lessons.note", tr("Report"), "quiet", this)),
+      speech_(lessonSpeech()) {
+  text_->setObjectName("panel.lessons.text");
+  text_->setAccessibleName(tr("Text of the step"));
+  text_->setFrameShape(QFrame::NoFrame);
+  name_->setObjectName("panel.lessons.name");
+  name_->setAccessibleName(tr("Name in the report"));
+  name_->setPlaceholderText(tr("Name in the report (may stay empty)"));
+  name_->setToolTip(tr("It is written into the report alone, and kept nowhere else."));
+  note_->hide();
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(4);
+  column->addWidget(lesson_);
+  column->addWidget(title_);
+  column->addWidget(text_, 3);
+  column->addWidget(panelScroll(checks_, this), 2);
+  column->addWidget(servo_);
+  addButtons(column, actions);
+  column->addWidget(note_);
+}
+
+QWidget* LessonPage::makeChecks() {
+  auto* const content = new QWidget(this);
+  auto* const column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  return content;
+}
+
+void LessonPage::addButtons(QVBoxLayout* column, Actions& actions) {
+  auto* const grid = new QGridLayout;
+  grid->setSpacing(8);
+  const char* const names[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "", "lesson.report"};
+  for (int index = 0; index < 6; ++index) {
+    QAction* const action = actions.find(names[index]);
+    if (action == nullptr) continue;
+    auto* const button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setObjectName(QString("panel.%1").arg(names[index]));
+    button->setAccessibleName(action->text().remove('&'));
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setProperty("role", "choice");
+    grid->addWidget(button, index / 3 * 2, index % 3);
+  }
+  grid->addWidget(name_, 1, 0, 1, 3);
+  column->addLayout(grid);
+}
+
+void LessonPage::showStep() {
+  hinted_ = false;
+  note_->hide();
+  for (CheckRow* const row : rows_) delete row;
+  rows_.clear();
+  if (!run_.isOn()) return;
+  const std::vector<lesson::Check>& checks = run_.step().checks;
+  for (std::size_t index = 0; index < checks.size(); ++index) {
+    auto* const row = new CheckRow(checks[index], index + 1, checks_);
+    connect(row, &CheckRow::answered, this, [this, index](double answer) { run_.answer(index, answer); });
+    static_cast<QVBoxLayout*>(checks_->layout())->addWidget(row);
+    row->show();
+    rows_.push_back(row);
+  }
+  showText();
+  present();
+}
+
+void LessonPage::showText() {
+  QString text = QString::fromStdString(run_.step().text);
+  if (hinted_) {
+    const QString hint = QString::fromStdString(run_.step().hint);
+    text += "\n\n" + tr("**Hint:**") + " " + hint + "\n";
+  }
+  text_->showPage(text, QFileInfo(run_.path()).absolutePath());
+}
+
+void LessonPage::showHead() {
+  const std::size_t all = run_.lesson().steps.size();
+  const QString where = tr("%1 – step %2 of %3");
+  lesson_->setText(where.arg(QString::fromStdString(run_.lesson().title)).arg(run_.at() + 1).arg(all));
+  const QString title = QString::fromStdString(run_.step().title);
+  title_->setText(run_.isSolved(run_.at()) ? tr("✓ %1 (solved)").arg(title) : title);
+}
+
+/// Nothing pushes, and the step is about forces.
+QString LessonPage::asksForStart() const {
+  if (run_.isServoRunning() || run_.isSolved(run_.at())) return {};
+  for (const lesson::Check& check : run_.step().checks) {
+    const auto* const hold = std::get_if<lesson::Hold>(&check.task);
+    const QString key = hold == nullptr ? QString() : hold->wanted.measure.quantity->key;
+    if (key.endsWith("_N") || key == "torque_N_mm")
+      return tr("The servo is stopped. Press Start (F5) to feel the force.");
+  }
+  return {};
+}
+
+void LessonPage::present() {
+  if (!run_.isOn()) return;
+  showHead();
+  const std::vector<lesson::CheckState>& states = run_.states(run_.at());
+  for (std::size_t index = 0; index < rows_.size() && index < states.size(); ++index) {
+    rows_[index]->present(run_.step().checks[index], states[index], speech_);
+  }
+  const QString start = asksForStart();
+  servo_->setVisible(!start.isEmpty());
+  servo_->setText(start);
+}
+
+bool LessonPage::hasHint() const {
+  return run_.isOn() && !run_.step().hint.empty() && !hinted_;
+}
+
+bool LessonPage::showHint() {
+  if (!hasHint()) return false;
+  hinted_ = true;
+  showText();
+  text_->moveCursor(QTextCursor::End);
+  text_->ensureCursorVisible();
+  return true;
+}
+
+QString LessonPage::typedName() const {
+  return name_->text().trimmed();
+}
+
+void LessonPage::setNote(const QString& text) {
+  note_->setText(text);
+  note_->setVisible(!text.isEmpty());
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,56 @@
+#pragma once
+#include <QWidget>
+#include <vector>
+
+#include "core/lesson/tell.h"
+
+class QLabel;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class Actions;
+class CheckRow;
+class LessonRun;
+class PageView;
+
+/// The step of a lesson that is on: what to read, what to do, how far it is done, and the way on.
+class LessonPage : public QWidget {
+  Q_OBJECT
+ public:
+  LessonPage(LessonRun& run, Actions& actions, QWidget* parent);
+
+  /// Another step.
+  void showStep();
+  /// The checks anew.
+  void present();
+  /// The step's hint below its text. false: it has none, or shows it.
+  bool showHint();
+  bool hasHint() const;
+  /// As typed for the report.
+  QString typedName() const;
+  void setNote(const QString& text);
+  PageView& text() { return *text_; }
+
+ private:
+  QWidget* makeChecks();
+  void addButtons(QVBoxLayout* column, Actions& actions);
+  void showText();
+  void showHead();
+  QString asksForStart() const;
+
+  LessonRun& run_;
+  QLabel* lesson_;
+  QLabel* title_;
+  PageView* text_;
+  QWidget* checks_;
+  QLabel* servo_;
+  QLineEdit* name_;
+  QLabel* note_;
+  std::vector<CheckRow*> rows_;
+  lesson::Speech speech_;
+  bool hinted_ = false;
+};
+
+}  // namespace underact::gui

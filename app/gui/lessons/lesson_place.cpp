@@ -1,0 +1,111 @@
+#include "app/gui/lessons/lesson_place.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <algorithm>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/panels.h"
+#include "app/gui/scene_library.h"
+#include "core/lesson/window_names.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kTextLines = 24;   // of the font's height: how wide a lesson's text is at first
+constexpr int kPanelLines = 20;  // and the panels at the other side
+
+QString layerAction(const char* name) {
+  return QString("layer.%1").arg(name);
+}
+
+}  // namespace
+
+QMainWindow* LessonPlace::window() const {
+  return qobject_cast<QMainWindow*>(panel_.window());
+}
+
+bool LessonPlace::keep() {
+  if (!parts_.actions.perform("scene.settle")) return false;
+  path_ = parts_.document.path();
+  scene_ = parts_.document.isOpen() ? parts_.document.scene() : scene::Description{};
+  shown_.clear();
+  for (const char* name : lesson::layerNames()) {
+    layers_[layerAction(name)] = parts_.actions.find(layerAction(name))->isChecked();
+  }
+  docks_ = window()->saveState();
+  parts_.document.undoStack().setClean();  // it is settled
+  return true;
+}
+
+bool LessonPlace::arrange(const lesson::Lesson& lesson, std::size_t step) {
+  const lesson::Step& now = lesson.steps[step];
+  const QString path = QFileInfo(QString::fromStdString(lesson::sceneFileOf(lesson, step, sceneFolder().toStdString())))
+                           .absoluteFilePath();
+  if ((!now.scene.empty() || parts_.document.path() != path) && !openScene(path)) return false;
+  showLayers(now.layers);
+  showPanels(now.panels);
+  if (!now.camera.empty()) parts_.actions.perform("view." + QString::fromStdString(now.camera));
+  return true;
+}
+
+bool LessonPlace::openScene(const QString& path) {
+  letGoOfExercise();
+  if (!parts_.actions.perform("scene.open", path)) return false;
+  shown_ = path;
+  return true;
+}
+
+void LessonPlace::letGoOfExercise() {
+  if (!shown_.isEmpty() && parts_.document.path() == shown_) parts_.document.undoStack().setClean();
+}
+
+void LessonPlace::showLayers(const std::vector<std::string>& layers) {
+  for (const char* name : lesson::layerNames()) {
+    const bool wanted = std::find(layers.begin(), layers.end(), name) != layers.end();
+    const QString action = layerAction(name);
+    const bool on = wanted || layers_.value(action);
+    if (parts_.actions.find(action)->isChecked() != on) parts_.actions.perform(action, on);
+  }
+}
+
+/// The lesson alone at the left, the panels of the step at the right, so that both can be seen beside the view.
+void LessonPlace::showPanels(const std::vector<std::string>& panels) {
+  QMainWindow* const main = window();
+  auto* const own = qobject_cast<QDockWidget*>(panel_.parentWidget());
+  QDockWidget* first = nullptr;
+  for (const PanelRow& row : gui::panels()) {
+    auto* const dock = main->findChild<QDockWidget*>(QString("dock.%1").arg(row.key));
+    if (dock == own) continue;
+    const bool wanted = std::find(panels.begin(), panels.end(), row.key) != panels.end();
+    if (wanted && row.area != Qt::BottomDockWidgetArea) {
+      main->addDockWidget(Qt::RightDockWidgetArea, dock);
+      if (first != nullptr) main->tabifyDockWidget(first, dock);
+      if (first == nullptr) first = dock;
+    }
+    dock->setVisible(wanted);
+  }
+  panel_.bringForward();
+  const int line = main->fontMetrics().height();
+  main->resizeDocks({own}, {kTextLines * line}, Qt::Horizontal);
+  if (first == nullptr) return;
+  first->raise();
+  main->resizeDocks({first}, {kPanelLines * line}, Qt::Horizontal);
+}
+
+void LessonPlace::putBack() {
+  const bool is_lessons = parts_.document.path() == shown_;
+  letGoOfExercise();
+  if (is_lessons && !path_.isEmpty()) {
+    parts_.actions.perform("scene.open", path_);
+  } else if (is_lessons && !scene_.constraints.empty()) {
+    static_cast<void>(parts_.document.open(scene_));  // it was in effect before
+  }
+  showLayers({});
+  window()->restoreState(docks_);
+}
+
+}  // namespace underact::gui

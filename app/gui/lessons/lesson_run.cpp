@@ -1,0 +1,97 @@
+#include "app/gui/lessons/lesson_run.h"
+
+#include <utility>
+
+#include "app/gui/document.h"
+#include "app/gui/lessons/lesson_library.h"
+#include "app/gui/replay/player.h"
+#include "core/arm/preset.h"
+#include "core/lesson/read.h"
+
+namespace underact::gui {
+
+LessonRun::LessonRun(const PanelParts& parts, Panel& panel) : QObject(&panel), parts_(parts), place_(parts, panel) {}
+
+bool LessonRun::begin(const QString& path, QString& why) {
+  Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());
+  if (!read) {
+    why = tr("“%1” has mistakes, which are listed.").arg(path);
+    emit problems(path, read.problems());
+    return false;
+  }
+  if (parts_.player.isOpen()) {
+    why = tr("A recorded session is being replayed. Close it, then begin the lesson.");
+    return false;
+  }
+  if (!isOn() && !place_.keep()) return false;  // the user thought better of it
+  lesson_ = std::move(read).value();
+  path_ = path;
+  states_.assign(lesson_->steps.size(), {});
+  solved_ = solvedSteps(path);
+  std::size_t first = 0;
+  while (first + 1 < lesson_->steps.size() && isSolved(first)) ++first;
+  if (isAllSolved()) first = 0;  // once more, from the beginning
+  if (go(first)) return true;
+  leave();
+  return false;
+}
+
+bool LessonRun::go(std::size_t step) {
+  if (!isOn() || step >= lesson_->steps.size() || !place_.arrange(*lesson_, step)) return false;
+  at_ = step;
+  if (states_[at_].empty()) states_[at_].resize(lesson_->steps[at_].checks.size());
+  settle();
+  emit changed();
+  return true;
+}
+
+void LessonRun::leave() {
+  if (!isOn()) return;
+  lesson_.reset();
+  states_.clear();
+  emit changed();
+  place_.putBack();
+}
+
+bool LessonRun::answer(std::size_t check, double number) {
+  if (!isOn() || check >= step().checks.size() || lesson::questionOf(step().checks[check]) == nullptr) return false;
+  lesson::CheckState& state = states_[at_][check];
+  state = lesson::afterAnswer(step().checks[check], std::move(state), number);
+  settle();
+  emit progressed();
+  return true;
+}
+
+void LessonRun::add(const servo::TickRecord& tick) {
+  if (!isOn() || !parts_.document.isOpen()) return;
+  const arm::Preset* const preset = arm::findPreset(parts_.document.scene().arm);
+  if (preset == nullptr) return;
+  const lesson::Seen seen{tick, parts_.document.scene(), *preset, robot_};
+  std::vector<lesson::CheckState>& states = states_[at_];
+  for (std::size_t index = 0; index < states.size(); ++index) {
+    states[index] = lesson::afterTick(step().checks[index], std::move(states[index]), seen);
+  }
+}
+
+void LessonRun::look(const servo::Snapshot& snapshot) {
+  if (!isOn()) return;
+  servo_runs_ = snapshot.mode == servo::Mode::Running;
+  robot_ = {};
+  for (const tick::Held& held : snapshot.report.held) {
+    if (held.robot.joints == 0) continue;
+    robot_ = held.robot;
+    break;
+  }
+  settle();
+  emit progressed();
+}
+
+/// The step that is on counts as solved where its checks are.
+void LessonRun::settle() {
+  if (isSolved(at_) || !lesson::isSolved(states_[at_])) return;
+  solved_.insert(at_);
+  rememberSolved(path_, at_);
+  emit solved();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,60 @@
+#pragma once
+#include <QObject>
+#include <QSet>
+#include <optional>
+#include <vector>
+
+#include "app/gui/lessons/lesson_place.h"
+#include "core/lesson/check.h"
+
+namespace underact::gui {
+
+/// A lesson that is being done: where in it, what its checks have seen, and what is solved.
+class LessonRun : public QObject {
+  Q_OBJECT
+ public:
+  LessonRun(const PanelParts& parts, Panel& panel);
+
+  /// Begins a lesson at its first step that is not solved, in place of one that is on. why: where it is not begun.
+  bool begin(const QString& path, QString& why);
+  bool go(std::size_t step);
+  /// An answer to the question of a check: a number, or the number of a choice. false: there is no such question.
+  bool answer(std::size_t check, double number);
+  void leave();
+
+  void add(const servo::TickRecord& tick);
+  void look(const servo::Snapshot& snapshot);
+
+  bool isOn() const { return lesson_.has_value(); }
+  const lesson::Lesson& lesson() const { return *lesson_; }
+  const QString& path() const { return path_; }
+  std::size_t at() const { return at_; }
+  const lesson::Step& step() const { return lesson_->steps[at_]; }
+  /// What the checks of a step have seen in this sitting.
+  const std::vector<lesson::CheckState>& states(std::size_t step) const { return states_[step]; }
+  /// Of a step, in this sitting or another one. One without checks is at once.
+  bool isSolved(std::size_t step) const { return solved_.contains(step); }
+  bool isAllSolved() const { return static_cast<std::size_t>(solved_.size()) == lesson_->steps.size(); }
+  bool isServoRunning() const { return servo_runs_; }
+
+ signals:
+  void changed();     // another step, another lesson, or none
+  void progressed();  // a frame has gone by, or an answer was given
+  void solved();      // the step just was
+  void problems(const QString& path, const underact::Problems& problems);
+
+ private:
+  void settle();
+
+  PanelParts parts_;
+  LessonPlace place_;
+  std::optional<lesson::Lesson> lesson_;
+  QString path_;
+  std::size_t at_ = 0;
+  std::vector<std::vector<lesson::CheckState>> states_;
+  QSet<std::size_t> solved_;
+  target::Robot robot_;  // of the last frame
+  bool servo_runs_ = false;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,74 @@
+#include "app/gui/lessons/lesson_words.h"
+
+#include <underact/version.h>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+#include "app/gui/words.h"
+
+namespace underact::gui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("lessons", text);
+}
+
+QString row(const QString& head, const QString& cell) {
+  return QString("<tr><th>%1</th><td>%2</td></tr>\n").arg(head.toHtmlEscaped(), cell.toHtmlEscaped());
+}
+
+QString stepText(const LessonRun& run, std::size_t step, const lesson::Speech& speech) {
+  const lesson::Step& its = run.lesson().steps[step];
+  QString text = QString("<h2>%1. %2</h2>\n<p><b>%3</b></p>\n")
+                     .arg(step + 1)
+                     .arg(QString::fromStdString(its.title).toHtmlEscaped(),
+                          run.isSolved(step) ? tr("✓ Solved") : tr("○ Not solved"));
+  const std::vector<lesson::CheckState>& states = run.states(step);
+  if (states.empty() && run.isSolved(step) && !its.checks.empty())
+    return text + "<p>" + tr("On another day.").toHtmlEscaped() + "</p>\n";
+  text += "<ul>\n";
+  for (std::size_t index = 0; index < states.size(); ++index) {
+    const std::string* const question = lesson::questionOf(its.checks[index]);
+    const QString asked = question == nullptr ? QString() : QString::fromStdString(*question) + " ";
+    text += QString("<li>%1</li>\n").arg((asked + checkText(its.checks[index], states[index], speech)).toHtmlEscaped());
+  }
+  return text + "</ul>\n";
+}
+
+}  // namespace
+
+lesson::Speech lessonSpeech() {
+  lesson::Speech speech;
+  speech.words = [](const char* text) { return QCoreApplication::translate("lesson", text).toStdString(); };
+  speech.number = [](double number, int decimals) { return numberText(number, decimals).toStdString(); };
+  return speech;
+}
+
+QString checkText(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech) {
+  const QString said = QString::fromStdString(tell(check, state, speech));
+  return (state.solved ? tr("✓ Solved: %1") : tr("○ To do: %1")).arg(said);
+}
+
+QString lessonReport(const LessonRun& run, const QString& name, const QDateTime& when) {
+  const lesson::Speech speech = lessonSpeech();
+  const QString title = QString::fromStdString(run.lesson().title);
+  std::size_t solved = 0;
+  for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) solved += run.isSolved(step) ? 1 : 0;
+  QString page = QString(
+                     "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>%1</title>\n"
+                     "<style>body{font-family:sans-serif;max-width:40em;margin:2em auto}"
+                     "th{text-align:left;padding-right:1em}h2{font-size:1.1em}</style></head><body>\n<h1>%1</h1>\n")
+                     .arg(title.toHtmlEscaped());
+  page += "<table>\n";
+  if (!name.isEmpty()) page += row(tr("Name"), name);
+  page += row(tr("Date"), QLocale().toString(when, QLocale::LongFormat));
+  page += row(tr("Solved"), tr("%1 of %2 steps").arg(solved).arg(run.lesson().steps.size()));
+  page += row(tr("Program"), QString("Underact %1").arg(kVersion));
+  page += "</table>\n";
+  for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) page += stepText(run, step, speech);
+  return page + "</body></html>\n";
+}
+
+}  // namespace underact::gui

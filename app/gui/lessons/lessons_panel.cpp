@@ -1,0 +1,193 @@
+#include "app/gui/lessons/lessons_panel.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QSaveFile>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/lessons/lesson_library.h"
+#include "app/gui/lessons/lesson_list.h"
+#include "app/gui/lessons/lesson_page.h"
+#include "app/gui/lessons/lesson_run.h"
+#include "app/gui/lessons/lesson_words.h"
+#include "app/gui/page/page_view.h"
+#include "app/gui/problems_dialog.h"
+#include "app/gui/scene_library.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr const char* kRecent = "lessons/recent";
+
+}  // namespace
+
+LessonsPanel::LessonsPanel(const PanelParts& parts, QWidget* parent)
+    : Panel(parent),
+      parts_(parts),
+      recent_(new RecentFiles(this)),
+      run_(new LessonRun(parts, *this)),
+      problems_(new ProblemsDialog(this)),
+      pages_(new QStackedWidget(this)) {
+  recent_->set(QSettings().value(kRecent).toStringList());
+  addActions();
+  addStepActions();
+  pages_->addWidget(list_ = new LessonList(*recent_, parts_.actions, pages_));
+  pages_->addWidget(page_ = new LessonPage(*run_, parts_.actions, pages_));
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(pages_);
+  connect(recent_, &RecentFiles::changed, this, [this] { QSettings().setValue(kRecent, recent_->paths()); });
+  connect(run_, &LessonRun::changed, this, &LessonsPanel::showState);
+  connect(run_, &LessonRun::progressed, page_, &LessonPage::present);
+  connect(run_, &LessonRun::solved, this, &LessonsPanel::saySolved);
+  connect(run_, &LessonRun::problems, problems_, &ProblemsDialog::show);
+  connect(problems_, &ProblemsDialog::openAnother, this, &LessonsPanel::chooseLesson);
+  connect(&page_->text(), &PageView::asked, this, &LessonsPanel::follow);
+  showState();
+}
+
+void LessonsPanel::addActions() {
+  parts_.actions.add({"lesson.open", tr("&Open a lesson…"), QKeySequence("Ctrl+Alt+Shift+O"),
+                      tr("Opens a lesson file, as a teacher writes it.")},
+                     [this](const QVariantList& path) {
+                       if (!path.isEmpty()) return start(path.first().toString());
+                       chooseLesson();
+                       return true;
+                     });
+  parts_.actions.add({"lesson.leave", tr("&Leave the lesson"), QKeySequence("Ctrl+Shift+L"),
+                      tr("Back to the scene and the panels of before.")},
+                     [this](const QVariantList&) {
+                       const bool was_on = run_->isOn();
+                       run_->leave();
+                       return was_on;
+                     });
+  parts_.actions.add({"lesson.report", tr("Save &report…"), QKeySequence("Ctrl+Shift+S"),
+                      tr("Saves what was done in the lesson, and what was measured, as a page.")},
+                     [this](const QVariantList& path) {
+                       if (!path.isEmpty()) return saveReport(path.first().toString());
+                       chooseReport();
+                       return true;
+                     });
+  parts_.actions.addCommand("lesson.start",
+                            [this](const QVariantList& name) { return start(lessonPath(name.value(0).toString())); });
+  parts_.actions.addCommand("lesson.answer", [this](const QVariantList& values) {  // number of the check, answer
+    const int check = values.value(0).toInt();
+    return values.size() == 2 && check > 0 && run_->answer(static_cast<std::size_t>(check - 1), values[1].toDouble());
+  });
+}
+
+void LessonsPanel::addStepActions() {
+  parts_.actions.add({"lesson.next", tr("&Next"), QKeySequence("F8"), tr("The next step of the lesson.")},
+                     [this](const QVariantList&) { return step(1); });
+  parts_.actions.add({"lesson.back", tr("&Back"), QKeySequence("F7"), tr("The step of the lesson before this one.")},
+                     [this](const QVariantList&) { return step(-1); });
+  parts_.actions.add(
+      {"lesson.hint", tr("&Show me"), QKeySequence("Ctrl+Shift+H"), tr("Shows a hint for this step, below its text.")},
+      [this](const QVariantList&) {
+        const bool shown = page_->showHint();
+        enableActions();
+        return shown;
+      });
+}
+
+bool LessonsPanel::start(const QString& path) {
+  QString why;
+  bringForward();
+  const bool begun = run_->begin(path, why);
+  list_->setNote(begun ? QString() : why);
+  if (begun && QFileInfo(path).absolutePath() != lessonFolder()) recent_->add(QFileInfo(path).absoluteFilePath());
+  return begun;
+}
+
+bool LessonsPanel::step(int by) {
+  const auto to = static_cast<std::ptrdiff_t>(run_->at()) + by;
+  return run_->isOn() && to >= 0 && run_->go(static_cast<std::size_t>(to));
+}
+
+void LessonsPanel::showState() {
+  if (run_->isOn()) {
+    page_->showStep();
+    pages_->setCurrentWidget(page_);
+  } else {
+    const bool had_focus = page_->isAncestorOf(window()->focusWidget());
+    list_->rebuild();
+    pages_->setCurrentWidget(list_);
+    if (had_focus) list_->setFocus();
+  }
+  enableActions();
+}
+
+void LessonsPanel::enableActions() {
+  const bool on = run_->isOn();
+  for (const char* name : {"lesson.leave", "lesson.report"}) parts_.actions.find(name)->setEnabled(on);
+  parts_.actions.find("lesson.back")->setEnabled(on && run_->at() > 0);
+  parts_.actions.find("lesson.next")->setEnabled(on && run_->at() + 1 < run_->lesson().steps.size());
+  parts_.actions.find("lesson.hint")->setEnabled(page_ != nullptr && page_->hasHint());
+}
+
+void LessonsPanel::add(const servo::TickRecord& tick) {
+  run_->add(tick);
+}
+
+void LessonsPanel::present(const servo::Snapshot& snapshot) {
+  run_->look(snapshot);
+}
+
+/// To a screen reader, at once, wherever it is.
+void LessonsPanel::saySolved() {
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
+}
+
+void LessonsPanel::follow(const QUrl& link) {
+  const QString to = link.path();
+  if (link.scheme() == "scene") parts_.actions.perform("scene.open", QDir(sceneFolder()).filePath(to + ".json"));
+  if (link.scheme() == "lesson") parts_.actions.perform("lesson.start", to);
+  if (link.scheme() == "action") parts_.actions.perform(to);
+  if (link.scheme() == "guide")
+    parts_.actions.perform("help.guide", link.hasFragment() ? to + "#" + link.fragment() : to);
+}
+
+bool LessonsPanel::saveReport(const QString& path) {
+  if (!run_->isOn() || path.isEmpty()) return false;
+  const QByteArray page = lessonReport(*run_, page_->typedName(), QDateTime::currentDateTime()).toUtf8();
+  QSaveFile file(path);  // whole or not at all
+  const bool saved = file.open(QIODevice::WriteOnly) && file.write(page) == page.size() && file.commit();
+  page_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
+                       : tr("Not saved: %1. Choose another place.").arg(file.errorString()));
+  return saved;
+}
+
+void LessonsPanel::chooseReport() {
+  const QString name = QFileInfo(run_->path()).completeBaseName() + "-report.html";
+  const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+  auto* const dialog =
+      new QFileDialog(this, tr("Save the report"), documents.filePath(name), tr("Web pages (*.html);;All files (*)"));
+  dialog->setObjectName("dialog.save_lesson_report");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("html");
+  dialog->selectFile(name);
+  connect(dialog, &QFileDialog::fileSelected, this, &LessonsPanel::saveReport);
+  dialog->open();
+}
+
+void LessonsPanel::chooseLesson() {
+  auto* const dialog =
+      new QFileDialog(this, tr("Open a lesson"), lessonFolder(), tr("Lessons (*.json);;All files (*)"));
+  dialog->setObjectName("dialog.open_lesson");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &LessonsPanel::start);
+  dialog->open();
+}
+
+}  // namespace underact::gui

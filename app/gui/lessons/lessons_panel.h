@@ -1,0 +1,44 @@
+#pragma once
+#include "app/gui/panel.h"
+
+class QStackedWidget;
+class QUrl;
+
+namespace underact::gui {
+
+class LessonList;
+class LessonPage;
+class LessonRun;
+class ProblemsDialog;
+
+/// Lessons to choose from and, once one is begun, its steps.
+class LessonsPanel : public Panel {
+  Q_OBJECT
+ public:
+  LessonsPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void add(const servo::TickRecord& tick) override;
+
+ private:
+  void addActions();
+  void addStepActions();
+  bool start(const QString& path);
+  bool step(int by);
+  bool saveReport(const QString& path);
+  void chooseLesson();
+  void chooseReport();
+  void showState();
+  void enableActions();
+  void follow(const QUrl& link);
+  void saySolved();
+
+  PanelParts parts_;
+  RecentFiles* recent_;  // lesson files; those of scenes are another list
+  LessonRun* run_;
+  ProblemsDialog* problems_;
+  QStackedWidget* pages_;
+  LessonList* list_ = nullptr;
+  LessonPage* page_ = nullptr;
+};
+
+}  // namespace underact::gui
