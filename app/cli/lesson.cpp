@@ -1,19 +1,14 @@
-#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
-#include <optional>
 #include <ostream>
-#include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/hands.h"
 #include "app/cli/json_object.h"
+#include "app/cli/lesson_try.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
 #include "core/lesson/read.h"
-#include "core/lesson/tell.h"
-#include "device/lesson_trial.h"
 
 namespace underact::cli {
 namespace {
@@ -60,124 +55,27 @@ Exit list(bool json, const Streams& streams) {
       continue;
     }
     streams.out << std::left << std::setw(28) << std::filesystem::path(path).stem().string() << std::setw(3)
-                << read.value().steps.size() << " steps  " << read.value().title << '\n';
+                << read.value().steps.size() << "steps  " << read.value().title << '\n';
   }
   return Exit::Well;
 }
 
-struct TryOptions {
-  std::string lesson;
-  std::size_t step = 1;
-  std::string hand;
-  double seconds = 0.0;
-  bool stopped = false;
-  std::vector<double> answers;
-  std::vector<std::string> settings;
-  std::uint64_t seed = 1;
-  bool json = false;
-};
-
-/// A file, or the one of that name that ships.
-std::string lessonFile(const std::string& lesson) {
-  for (const std::string& path : shippedLessons()) {
-    if (std::filesystem::path(path).stem() == lesson) return path;
+Exit tellQuantities(bool json, const Streams& streams) {
+  for (const lesson::Quantity& quantity : lesson::quantities()) {
+    if (json) {
+      JsonObject object;
+      object.addText("key", quantity.key);
+      object.addText("unit", quantity.unit);
+      object.addInteger("parts", quantity.parts);
+      object.addText("what", quantity.what);
+      streams.out << object.text() << '\n';
+      continue;
+    }
+    const std::string parts = quantity.parts == 1 ? "" : std::to_string(quantity.parts) + " values";
+    streams.out << std::left << std::setw(22) << quantity.key << std::setw(9) << quantity.unit << std::setw(10) << parts
+                << quantity.what << '\n';
   }
-  return lesson;
-}
-
-Exit fail(const Problems& problems, const Streams& streams) {
-  print(problems, streams.err);
-  return exitOf(problems);
-}
-
-/// "kp_N_per_mm=0.8"; false: it has no such form.
-bool readSettings(const std::vector<std::string>& texts, std::vector<device::LessonSetting>& into) {
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) return false;
-    into.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
-  return true;
-}
-
-void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome, bool json, const Streams& streams) {
-  const lesson::Speech speech;
-  std::vector<JsonObject> checks;
-  for (std::size_t index = 0; index < step.checks.size(); ++index) {
-    const lesson::CheckState& state = outcome.states[index];
-    const std::string said = tell(step.checks[index], state, speech);
-    if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << said << '\n';
-    JsonObject& object = checks.emplace_back();
-    object.addBool("solved", state.solved);
-    object.addText("said", said);
-  }
-  if (json) {
-    JsonObject object;
-    object.addBool("solved", outcome.isSolved());
-    object.addList("checks", checks);
-    streams.out << object.text() << '\n';
-  }
-  if (outcome.fault.kind != FaultKind::None) streams.err << describe(outcome.fault) << '\n';
-}
-
-Exit tryStep(const TryOptions& options, const Streams& streams) {
-  const std::string file = lessonFile(options.lesson);
-  const Result<lesson::Lesson> read = lesson::readLessonFile(file);
-  if (!read) return fail(read.problems(), streams);
-  const lesson::Lesson& lesson = read.value();
-  if (options.step < 1 || options.step > lesson.steps.size()) {
-    streams.err << "--step: the lesson has the steps 1 to " << lesson.steps.size() << ".\n";
-    return Exit::Usage;
-  }
-  device::LessonAttempt attempt;
-  if (!readSettings(options.settings, attempt.settings)) {
-    streams.err << "--set: this must be KEY=VALUE, as in kp_N_per_mm=0.8.\n";
-    return Exit::Usage;
-  }
-  Result<sim::HandScript> hand = findHand(options.hand, options.seed);
-  if (!hand) {
-    print(hand.problems(), streams.err);
-    return exitOfHand(options.hand, hand.problems());
-  }
-  attempt.hand = std::move(hand).value();
-  attempt.seconds = options.seconds, attempt.answers = options.answers, attempt.starts = !options.stopped;
-  Result<LoadedScene> scene = loadScene(lesson::sceneFileOf(lesson, options.step - 1, shippedSceneFolder()), streams);
-  if (!scene) return fail(scene.problems(), streams);
-  const lesson::Step& step = lesson.steps[options.step - 1];
-  const Result<device::LessonOutcome> outcome = tryLessonStep(step, std::move(scene.value().description), attempt);
-  if (!outcome) return fail(outcome.problems(), streams);
-  printOutcome(step, outcome.value(), options.json, streams);
-  if (outcome.value().fault.kind != FaultKind::None) return Exit::Fault;
-  return outcome.value().isSolved() ? Exit::Well : Exit::BadInput;
-}
-
-void addTry(CLI::App& command, const Streams& streams, Exit& exit) {
-  CLI::App* trying = command.add_subcommand(
-      "try", "Let a scripted hand do a step of a lesson, and say what of it is solved and what is missing");
-  const auto options = std::make_shared<TryOptions>();
-  trying->add_option("lesson", options->lesson, "Lesson file, or the name of one that ships")->required();
-  trying->add_option("--step", options->step, "Which step, from 1")->capture_default_str();
-  trying->add_option("--hand", options->hand, "A built-in hand, or a hand file")->required();
-  trying->add_option("--seconds", options->seconds, "How long; by itself to the end of the hand's path and 1 s more")
-      ->check(CLI::Range(0.001, 3600.0));
-  trying->add_flag("--stopped", options->stopped, "The servo stays stopped: the hand moves the arm, nothing pushes");
-  trying
-      ->add_option("--answer", options->answers,
-                   "To a question of the step, in their order: a number, or the "
-                   "number of a choice")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  trying
-      ->add_option("--set", options->settings,
-                   "KEY=VALUE, what the student changes: law, kp_N_per_mm, "
-                   "kd_N_s_per_mm, ki_N_per_mm_s, passivity, t, ko_N_mm_per_rad")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  trying->add_option("--seed", options->seed, "Of a built-in hand")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  trying->add_flag("--json", options->json, "One JSON object in place of lines");
-  trying->callback([options, &streams, &exit] { exit = tryStep(*options, streams); });
+  return Exit::Well;
 }
 
 }  // namespace
@@ -198,7 +96,12 @@ void addLesson(CLI::App& program, const Streams& streams, Exit& exit) {
   listing->add_flag("--json", *json, "A JSON object a line in place of a table");
   listing->callback([json, &streams, &exit] { exit = list(*json, streams); });
 
-  addTry(*command, streams, exit);
+  CLI::App* telling = command->add_subcommand("quantities", "What a lesson can measure: key, unit, what it is");
+  const auto json_too = std::make_shared<bool>(false);
+  telling->add_flag("--json", *json_too, "A JSON object a line in place of a table");
+  telling->callback([json_too, &streams, &exit] { exit = tellQuantities(*json_too, streams); });
+
+  addLessonTry(*command, streams, exit);
 }
 
 }  // namespace underact::cli

@@ -1,0 +1,329 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QRadioButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTextEdit>
+#include <QToolButton>
+
+#include "app/gui/lessons/lesson_library.h"
+#include "app/gui/panels.h"
+#include "core/arm/forward.h"
+#include "core/base/units.h"
+#include "core/lesson/read.h"
+#include "core/lesson/window_names.h"
+#include "device/simulated_arm.h"
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+QString said(Story& story, int check) {
+  return story.find<QLabel>(QString("panel.lessons.check%1.said").arg(check))->text();
+}
+
+QString title(Story& story) {
+  return story.find<QLabel>("panel.lessons.step")->text();
+}
+
+void lead(Story& story, const Vec3& p_mm) {
+  sim::HandWish wish = story.arm().wished();
+  wish.p_WT = 1e-3 * p_mm;
+  story.arm().wish(wish);
+  story.run(2000);
+}
+
+bool isOpen(Story& story, const char* panel) {
+  return !story.find<QDockWidget>(QString("dock.%1").arg(panel))->isHidden();
+}
+
+/// What of the window a lesson changes.
+QString shapeOf(Story& story) {
+  QString shape = story.window().document().path();
+  for (const PanelRow& row : panels()) shape += isOpen(story, row.key) ? QString(" %1").arg(row.key) : QString();
+  for (const char* layer : lesson::layerNames()) {
+    const QAction* const action = story.window().actions().find(QString("layer.%1").arg(layer));
+    shape += action->isChecked() ? QString(" +%1").arg(layer) : QString();
+  }
+  return shape;
+}
+
+/// The lesson's second and third kind of keys, so that a whole lesson is done without a mouse.
+void typeAnswer(Story& story, int check, const QString& text) {
+  story.type(story.find(QString("panel.lessons.check%1.number").arg(check)), text);
+}
+
+/// Arrow keys in the view: so many steps of 10 mm, or of 2 mm without Shift.
+void steps(Story& story, Qt::Key key, int count, Qt::KeyboardModifiers modifiers = Qt::ShiftModifier) {
+  for (int step = 0; step < count; ++step) {
+    QTest::keyPress(story.window().windowHandle(), key, modifiers);
+    story.run(100);
+    QTest::keyRelease(story.window().windowHandle(), key, modifiers);
+  }
+  story.run(500);
+}
+
+}  // namespace
+
+TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
+  Story story("02_sphere");
+  story.key(Qt::Key_L, Qt::ControlModifier);  // the panel
+  auto* const list = story.find<QListWidget>("panel.lessons.list");
+  ASSERT_TRUE(list->isVisible());
+  list->setFocus(Qt::TabFocusReason);
+  story.key(Qt::Key_Home);
+  while (list->currentItem() == nullptr || list->currentItem()->data(Qt::UserRole).isNull()) story.key(Qt::Key_Down);
+  story.key(Qt::Key_Return);
+  story.settle();
+  ASSERT_EQ(title(story), "The frame W");
+  story.perform("view.front");
+  story.settle(400);
+  story.key(Qt::Key_F2);  // the arrow keys move the hand; it starts at (0, 0, 60)
+  steps(story, Qt::Key_Right, 4);
+  steps(story, Qt::Key_Left, 4);
+  steps(story, Qt::Key_Up, 4);
+  EXPECT_TRUE(said(story, 1).contains("2 of 3 reached")) << said(story, 1).toStdString();
+  steps(story, Qt::Key_Down, 4);
+  steps(story, Qt::Key_PageUp, 4);
+  EXPECT_TRUE(title(story).contains("✓")) << said(story, 1).toStdString();
+  story.key(Qt::Key_F8);  // next
+  ASSERT_EQ(title(story), "The same place from B");
+  const Vec3 p_mm = 1e3 * story.snapshot().report.p_WT;
+  typeAnswer(story, 1, QString::number(p_mm.z() + 176.0));
+  typeAnswer(story, 2, QString::number(p_mm.x()));
+  typeAnswer(story, 3, "much");
+  EXPECT_EQ(said(story, 3), "“much” is no number.");
+  typeAnswer(story, 3, QString::number(p_mm.y() - 30.0));
+  EXPECT_TRUE(title(story).contains("✓")) << said(story, 3).toStdString();
+  story.key(Qt::Key_F8);
+  story.perform("view.front");
+  story.settle(400);
+  story.key(Qt::Key_F2);
+  steps(story, Qt::Key_Up, 4);  // to (0, 40, 40) from (0, 0, 20)
+  steps(story, Qt::Key_PageDown, 2);
+  story.run(1500);
+  EXPECT_TRUE(title(story).contains("✓")) << said(story, 1).toStdString();
+  story.key(Qt::Key_F8);
+  story.key(Qt::Key_F2);
+  for (int turn = 0; turn < 60 && !title(story).contains("✓"); ++turn) {
+    steps(story, turn < 30 ? Qt::Key_Left : Qt::Key_Right, 1, Qt::ControlModifier);  // seen from the side
+    steps(story, turn < 30 ? Qt::Key_Up : Qt::Key_Down, 1, Qt::ControlModifier);
+  }
+  EXPECT_TRUE(title(story).contains("✓")) << said(story, 1).toStdString();
+  story.key(Qt::Key_F8);
+  for (int check = 1; check <= 2; ++check) {
+    auto* const choice =
+        story.find<QRadioButton>(QString("panel.lessons.check%1.choice%2").arg(check).arg(check == 1 ? 3 : 1));
+    choice->setFocus(Qt::TabFocusReason);
+    story.key(Qt::Key_Space);
+    story.find(QString("panel.lessons.check%1.give").arg(check))->setFocus(Qt::TabFocusReason);
+    story.key(Qt::Key_Space);
+  }
+  EXPECT_TRUE(title(story).contains("✓"));
+  EXPECT_EQ(solvedSteps(lessonPath("01_frames")).size(), 5);
+  story.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(story.find("panel.lessons.list")->isVisible());
+}
+
+TEST(LessonsStory, AWrongHandIsToldWhatIsMissing) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("lesson.start", "07_stiffness"));
+  story.settle();
+  EXPECT_TRUE(story.find("panel.lessons.servo")->isVisible());  // nothing pushes yet
+  story.perform("session.start");
+  lead(story, {0, 0, 0});
+  lead(story, {3, 0, 0});
+  EXPECT_FALSE(story.find("panel.lessons.servo")->isVisible());
+  const QString missing = said(story, 1);
+  EXPECT_TRUE(missing.startsWith("○ To do: Held for 0.0 of 1.0 s. The force is 0.1")) << missing.toStdString();
+  EXPECT_TRUE(missing.endsWith("it should be between 0.35 N and 0.45 N.")) << missing.toStdString();
+  EXPECT_FALSE(title(story).contains("✓"));
+  lead(story, {9.3, 0, 0});
+  lead(story, {9.3, 0, 0});
+  EXPECT_TRUE(said(story, 1).startsWith("✓ Solved: Held for 1.0 of 1.0 s.")) << said(story, 1).toStdString();
+  EXPECT_TRUE(title(story).contains("✓"));
+}
+
+TEST(LessonsStory, TheGainsThatAStudentSetsCount) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("lesson.start", "07_stiffness"));
+  ASSERT_TRUE(story.perform("lesson.next"));
+  ASSERT_TRUE(story.perform("lesson.next"));
+  story.perform("session.start");
+  lead(story, {0, 0, 0});
+  lead(story, {8, 0, 0});
+  EXPECT_TRUE(said(story, 1).contains("○"));
+  ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.1));
+  story.run(3000);
+  EXPECT_TRUE(said(story, 1).contains("✓")) << said(story, 1).toStdString();
+  EXPECT_TRUE(said(story, 2).contains("✓")) << said(story, 2).toStdString();
+  ASSERT_TRUE(story.perform("lesson.next"));  // nobody is asked what becomes of an exercise's gains
+}
+
+TEST(LessonsStory, AReportSaysWhatWasDoneAndNamesNobodyUnasked) {
+  Story story("02_sphere");
+  EXPECT_FALSE(story.perform("lesson.report", temporaryFile("none.html")));
+  ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
+  story.run(100);
+  EXPECT_FALSE(story.perform("lesson.answer", 2, 8));
+  ASSERT_TRUE(story.perform("lesson.answer", 1, 7));
+  EXPECT_TRUE(said(story, 1).contains("7 is not right")) << said(story, 1).toStdString();
+  ASSERT_TRUE(story.perform("lesson.answer", 1, 8));
+  const auto report = [&story] {
+    const QString path = temporaryFile("report.html");
+    EXPECT_TRUE(story.perform("lesson.report", path));
+    EXPECT_TRUE(story.find<QLabel>("panel.lessons.note")->text().contains("report.html"));
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return QString::fromUtf8(file.readAll());
+  };
+  const QString first = report();
+  EXPECT_TRUE(first.contains("<h1>Eight inverse solutions</h1>"));
+  EXPECT_TRUE(first.contains("1 of 5 steps"));
+  EXPECT_TRUE(first.contains("✓ Solved: 8")) << first.toStdString();
+  EXPECT_TRUE(first.contains("Underact "));
+  EXPECT_FALSE(first.contains("<th>Name</th>"));
+  story.find<QLineEdit>("panel.lessons.name")->setText("A. & B.");
+  EXPECT_TRUE(report().contains("<th>Name</th><td>A. &amp; B.</td>"));
+  EXPECT_FALSE(story.perform("lesson.report", "/nowhere/report.html"));
+  EXPECT_TRUE(story.find<QLabel>("panel.lessons.note")->text().startsWith("Not saved"));
+}
+
+TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
+  Story story("05_circle");
+  story.perform("layer.ghosts", true);
+  story.perform("dock.plots", false);
+  const QString before = shapeOf(story);
+  ASSERT_TRUE(story.perform("lesson.start", "05_jacobian"));
+  story.settle();
+  EXPECT_NE(shapeOf(story), before);
+  EXPECT_TRUE(isOpen(story, "kinematics"));
+  EXPECT_TRUE(isOpen(story, "lessons"));
+  EXPECT_FALSE(isOpen(story, "scenes"));
+  EXPECT_TRUE(story.view().layers().motion_ellipsoid);
+  ASSERT_TRUE(story.perform("lesson.next"));
+  ASSERT_TRUE(story.perform("lesson.back"));
+  EXPECT_FALSE(story.perform("lesson.back"));
+  ASSERT_TRUE(story.perform("lesson.leave"));
+  story.settle();
+  EXPECT_EQ(shapeOf(story), before);
+  EXPECT_FALSE(story.perform("lesson.leave"));
+  EXPECT_FALSE(story.perform("lesson.next"));
+}
+
+TEST(LessonsStory, TheHintComesWhereItIsAskedFor) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("lesson.start", "01_frames"));
+  auto* const text = story.find<QTextEdit>("panel.lessons.text");
+  EXPECT_FALSE(text->toPlainText().contains("Hint:"));
+  ASSERT_TRUE(story.perform("lesson.hint"));
+  EXPECT_TRUE(text->toPlainText().contains("Hint:"));
+  EXPECT_FALSE(story.perform("lesson.hint"));
+  EXPECT_FALSE(story.window().actions().find("lesson.hint")->isEnabled());
+}
+
+TEST(LessonsStory, ATeachersFileIsOpenedDroppedAndListedLately) {
+  const QString path = temporaryFile("springs.json", R"({"underact_lesson": 1, "title": "My springs", "steps": [
+    {"title": "Pull", "text": "Pull at it.", "scene": "01_point", "checks": [{"measure": "force_N", "above": 0.2}]}]})");
+  {
+    Story story("02_sphere");
+    ASSERT_TRUE(story.perform("scene.open", path));  // as a drop does, and the command line
+    EXPECT_EQ(title(story), "Pull");
+    EXPECT_EQ(story.host().scene().title, "Point");
+    story.perform("lesson.leave");
+    EXPECT_EQ(story.host().scene().title, "Sphere");
+  }
+  Story again("02_sphere", {.first_start = false});
+  auto* const list = again.find<QListWidget>("panel.lessons.list");
+  EXPECT_EQ(list->findItems("My springs", Qt::MatchExactly).size(), 1);
+}
+
+TEST(LessonsStory, AFileWithMistakesIsToldAndNothingChanges) {
+  const QString path =
+      temporaryFile("bad.json", R"({"underact_lesson": 1, "titel": "x", "steps": [{"title": "a", "text": "b"}]})");
+  Story story("02_sphere");
+  const QString before = story.window().document().path();
+  EXPECT_FALSE(story.perform("lesson.open", path));
+  EXPECT_TRUE(story.find<QLabel>("panel.lessons.why")->text().contains("bad.json"));
+  EXPECT_EQ(story.window().document().path(), before);
+  EXPECT_FALSE(story.perform("lesson.next"));
+}
+
+TEST(LessonsStory, WhatWasSolvedIsRememberedAndGoesOnThere) {
+  {
+    Story story("02_sphere");
+    ASSERT_TRUE(story.perform("lesson.start", "02_dh"));
+    ASSERT_TRUE(story.perform("lesson.answer", 1, 127.5));
+    ASSERT_TRUE(story.perform("lesson.answer", 2, 149.4));
+    EXPECT_TRUE(title(story).contains("✓"));
+  }
+  Story story("02_sphere", {.first_start = false});
+  const auto* const list = story.find<QListWidget>("panel.lessons.list");
+  EXPECT_EQ(list->findItems("○ Denavit-Hartenberg parameters (1 of 5)", Qt::MatchExactly).size(), 1);
+  EXPECT_EQ(story.host().scene().title, "Sphere");  // the lesson was left with the window
+  ASSERT_TRUE(story.perform("lesson.start", "02_dh"));
+  EXPECT_EQ(title(story), "One of them moves");
+}
+
+TEST(LessonsStory, TheNamesThatALessonMayUseAreTheWindowsOwn) {
+  Story story("02_sphere");
+  QStringList own, known;
+  for (const PanelRow& row : panels()) own << row.key;
+  for (const char* name : lesson::panelNames()) known << name;
+  own.sort(), known.sort();
+  EXPECT_EQ(own, known);
+  for (const char* name : lesson::cameraNames()) {
+    EXPECT_NE(story.window().actions().find(QString("view.%1").arg(name)), nullptr) << name;
+  }
+  own.clear(), known.clear();
+  for (const QString& action : story.window().actions().names()) {
+    if (action.startsWith("layer.")) own << action.mid(6);
+  }
+  for (const char* name : lesson::layerNames()) known << name;
+  own.sort(), known.sort();
+  EXPECT_EQ(own, known);
+}
+
+/// A picture of each lesson for the guide: its first step, half the window's size.
+TEST(LessonsStory, PicturesOfEachLesson) {
+  Story story("02_sphere");
+  const QString folder = QString(UNDERACT_BINARY) + "/pictures/lessons";
+  QDir().mkpath(folder);
+  for (const lesson::Lesson& lesson : shippedLessons()) {
+    const QString path = QString::fromStdString(lesson.file);
+    ASSERT_TRUE(story.perform("lesson.start", path));
+    story.run(500);
+    story.settle(300);
+    const QImage whole = story.picture();
+    EXPECT_EQ(whole.size(), QSize(1280, 800));
+    const QImage small = whole.scaledToWidth(960, Qt::SmoothTransformation);
+    const QString name = "/" + QFileInfo(path).completeBaseName() + ".png";
+    EXPECT_TRUE(small.save(folder + name));
+    if (!qEnvironmentVariableIsSet("UNDERACT_UPDATE_PICTURES")) continue;
+    const QString kept = QString(UNDERACT_SOURCE) + "/resources/pictures/lessons";
+    QDir().mkpath(kept);
+    EXPECT_TRUE(small.save(kept + name));
+  }
+}
+
+TEST(LessonsStory, InTheDarkItCanBeRead) {
+  Story story("02_sphere");
+  story.perform("view.theme.dark");
+  ASSERT_TRUE(story.perform("lesson.start", "03_forward"));
+  story.run(500);
+  story.settle(300);
+  EXPECT_TRUE(story.picture().save(QString(UNDERACT_BINARY) + "/pictures/lesson_dark.png"));
+  const QImage text = story.find("panel.lessons.text")->grab().toImage();
+  EXPECT_LT(qGray(text.pixel(2, text.height() - 2)), 80);  // no white page in a dark window
+}
+
+}  // namespace underact::gui::test
