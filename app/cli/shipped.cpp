@@ -13,7 +13,10 @@ namespace {
 std::vector<std::string> filesOf(const char* name, const char* in_sources) {
   namespace fs = std::filesystem;
   std::vector<fs::path> folders;
-  if (const char* data = std::getenv("UNDERACT_DATA_DIR")) folders.push_back(fs::path(data) / name);
+  if (const char* data = std::getenv("UNDERACT_DATA_DIR")) {
+    folders.push_back(fs::path(data) / name);
+    folders.push_back(fs::path(data) / in_sources);
+  }
   folders.push_back(fs::path(programFolder()) / "../share/underact" / name);
   folders.push_back(fs::path(programFolder()) / "../.." / in_sources);
   std::error_code error;

@@ -72,8 +72,7 @@ class Teller {
 
   std::string operator()(const AskNumber& ask) const {
     if (!state_.answer) return words(QT_TRANSLATE_NOOP("lesson", "Type your answer."));
-    const int decimals = ask.measure.quantity != nullptr ? ask.measure.quantity->decimals + 1 : 3;
-    return answered(speech_.number(*state_.answer, decimals) + (ask.unit.empty() ? "" : " " + ask.unit));
+    return answered(withUnit(*state_.answer, decimalsOf(*state_.answer), ask.unit.c_str()));
   }
 
   std::string operator()(const AskChoice& ask) const {
@@ -91,6 +90,16 @@ class Teller {
 
  private:
   std::string words(const char* text) const { return speech_.words(text); }
+
+  /// As many as it was probably typed with.
+  static int decimalsOf(double number) {
+    int decimals = 0;
+    for (double scaled = number; decimals < 4 && std::abs(scaled - std::round(scaled)) > 1e-9 * std::abs(scaled);) {
+      scaled *= 10.0;
+      ++decimals;
+    }
+    return decimals;
+  }
 
   std::string answered(const std::string& answer) const {
     return filled(words(state_.solved ? QT_TRANSLATE_NOOP("lesson", "%1 is right.")

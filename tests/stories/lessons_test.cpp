@@ -47,14 +47,14 @@ bool isOpen(Story& story, const char* panel) {
 }
 
 /// What of the window a lesson changes.
-QString shapeOf(Story& story) {
+std::string shapeOf(Story& story) {
   QString shape = story.window().document().path();
   for (const PanelRow& row : panels()) shape += isOpen(story, row.key) ? QString(" %1").arg(row.key) : QString();
   for (const char* layer : lesson::layerNames()) {
     const QAction* const action = story.window().actions().find(QString("layer.%1").arg(layer));
     shape += action->isChecked() ? QString(" +%1").arg(layer) : QString();
   }
-  return shape;
+  return shape.toStdString();
 }
 
 /// The lesson's second and third kind of keys, so that a whole lesson is done without a mouse.
@@ -80,8 +80,9 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   auto* const list = story.find<QListWidget>("panel.lessons.list");
   ASSERT_TRUE(list->isVisible());
   list->setFocus(Qt::TabFocusReason);
-  story.key(Qt::Key_Home);
-  while (list->currentItem() == nullptr || list->currentItem()->data(Qt::UserRole).isNull()) story.key(Qt::Key_Down);
+  for (int row = 0; row < 3 && list->currentItem() == nullptr; ++row) story.key(Qt::Key_Down);
+  ASSERT_NE(list->currentItem(), nullptr);
+  EXPECT_EQ(list->currentItem()->text(), "Frames and transforms");
   story.key(Qt::Key_Return);
   story.settle();
   ASSERT_EQ(title(story), "The frame W");
@@ -202,7 +203,7 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
   Story story("05_circle");
   story.perform("layer.ghosts", true);
   story.perform("dock.plots", false);
-  const QString before = shapeOf(story);
+  const std::string before = shapeOf(story);
   ASSERT_TRUE(story.perform("lesson.start", "05_jacobian"));
   story.settle();
   EXPECT_NE(shapeOf(story), before);

@@ -27,7 +27,10 @@ QString keyOf(const QString& path) {
 
 QString lessonFolder() {
   QStringList folders;
-  if (qEnvironmentVariableIsSet("UNDERACT_DATA_DIR")) folders << qEnvironmentVariable("UNDERACT_DATA_DIR") + "/lessons";
+  if (qEnvironmentVariableIsSet("UNDERACT_DATA_DIR")) {
+    const QString data = qEnvironmentVariable("UNDERACT_DATA_DIR");
+    folders << data + "/lessons" << data + "/resources/lessons";  // installed, or the sources
+  }
   folders << QCoreApplication::applicationDirPath() + "/../share/underact/lessons";
   folders << QCoreApplication::applicationDirPath() + "/../../resources/lessons";  // run from build/release
   for (const QString& folder : folders) {

@@ -57,6 +57,7 @@ QWidget* LessonPage::makeChecks() {
   auto* const column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
+  column->setAlignment(Qt::AlignTop);
   return content;
 }
 

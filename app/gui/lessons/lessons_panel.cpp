@@ -100,8 +100,8 @@ void LessonsPanel::addStepActions() {
 
 bool LessonsPanel::start(const QString& path) {
   QString why;
-  bringForward();
   const bool begun = run_->begin(path, why);
+  if (!begun) bringForward();  // with what is wrong
   list_->setNote(begun ? QString() : why);
   if (begun && QFileInfo(path).absolutePath() != lessonFolder()) recent_->add(QFileInfo(path).absoluteFilePath());
   return begun;

@@ -76,7 +76,7 @@ TEST(Hold, SaysWhatIsAndWhatShouldBe) {
 }
 
 TEST(Near, CountsTheWayOfPlacesAndTheLargestOfAngles) {
-  const Check place = checkOf(R"({"measure": "tip_mm", "near": [10, 20, 30], "within": 5})");
+  const Check place = checkOf(R"({"measure": "tip_mm", "near": [10, 20, 30], "within": 5.001})");
   const auto isThere = [&place](const Vec3& p_mm) {
     return after(place, 2e-3, [&](Moment& moment, double) { moment.tick.p_WT = 1e-3 * p_mm; }).solved;
   };
@@ -156,7 +156,7 @@ TEST(AskNumber, TakesWhatIsWithinTheTolerance) {
   const CheckState wrong = afterAnswer(check, {}, 128.1);
   EXPECT_FALSE(wrong.solved);
   EXPECT_EQ(said(check, {}), "Type your answer.");
-  EXPECT_EQ(said(check, wrong), "128.100 mm is not right. Look again.");
+  EXPECT_EQ(said(check, wrong), "128.1 mm is not right. Look again.");
   EXPECT_TRUE(afterAnswer(check, wrong, 127.5).solved);  // another go
   EXPECT_FALSE(afterAnswer(check, {}, kNotANumber).solved);
 }
