@@ -184,7 +184,9 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
       readText(list.items[index], path + "[" + std::to_string(index) + "]", ask.choices.back(), object.findings());
     }
   }
-  const double right = readAmount(object, "right", true, 1.0).value_or(1.0);
+  const std::optional<double> read = readAmount(object, "right", true, 1.0);
+  const double right = read.value_or(1.0);
+  if (!read) return ask;  // said already
   if (right > static_cast<double>(ask.choices.size()) || right != std::floor(right)) {
     object.findings().add(*object.find("right"), object.pathOf("right"),
                           "This is the number of the right answer, 1 to " + std::to_string(ask.choices.size()) + ".");

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/lesson/quantity.h"
 #include "tests/cli/session.h"
@@ -15,13 +16,24 @@ const std::string kPull =
   "scene": "01_point", "checks": [{"measure": "asked_N", "above": 0.5, "for_s": 0.5},
                                   {"question": "How many?", "answer": 3, "within": 0}]}]})";
 
+/// The scenes and lessons of the sources are those that ship.
+class LessonCommand : public testing::Test {
+ protected:
+  void SetUp() override { setenv("UNDERACT_DATA_DIR", UNDERACT_SOURCE, 1); }
+  void TearDown() override { unsetenv("UNDERACT_DATA_DIR"); }
+};
+class LessonCheck : public LessonCommand {};
+class LessonTry : public LessonCommand {};
+class LessonQuantities : public LessonCommand {};
+class LessonList : public LessonCommand {};
+
 /// A hand that stands so far from the point.
 std::string handAt(double x_mm) {
   return R"({"underact_hand": 1, "path": [{"t_s": 0, "p_mm": [0, 0, 0]}, {"t_s": 2, "p_mm": [)" + std::to_string(x_mm) +
          R"(, 0, 0]}]})";
 }
 
-TEST(LessonCheck, SaysNothingOfTheLessonsThatShip) {
+TEST_F(LessonCheck, SaysNothingOfTheLessonsThatShip) {
   std::vector<std::string> arguments{"lesson", "check"};
   for (const json::Value& line : lines(runCli({"lesson", "list", "--json"}).out)) {
     arguments.push_back(textAt(line, "file"));
@@ -32,7 +44,7 @@ TEST(LessonCheck, SaysNothingOfTheLessonsThatShip) {
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
-TEST(LessonCheck, PrintsALineAProblemOfTheLessonAndOfItsScenes) {
+TEST_F(LessonCheck, PrintsALineAProblemOfTheLessonAndOfItsScenes) {
   const ScratchFile bad(R"({"underact_lesson": 1, "title": "T",
  "steps": [{"title": "A", "text": "x", "scene": "02_sphere", "cheks": []}]})",
                         "bad.json");
@@ -44,19 +56,19 @@ TEST(LessonCheck, PrintsALineAProblemOfTheLessonAndOfItsScenes) {
   EXPECT_EQ(outcome.exit, Exit::BadInput);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 3) << outcome.out;
-  EXPECT_NE(outcome.out.find(bad.path() + ":2:60: error: steps[0].cheks: "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(bad.path() + ":2:62: error: steps[0].cheks: "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Did you mean \"checks\"?"), std::string::npos);
   EXPECT_NE(outcome.out.find("no constraint of it is a virtual manipulator"), std::string::npos);
   EXPECT_NE(outcome.out.find("nowhere.json"), std::string::npos);
 }
 
-TEST(LessonCheck, AFileThatCannotBeReadGivesItsOwnStatus) {
+TEST_F(LessonCheck, AFileThatCannotBeReadGivesItsOwnStatus) {
   const Outcome outcome = runCli({"lesson", "check", "/nowhere/lesson.json"});
   EXPECT_EQ(outcome.exit, Exit::File);
   EXPECT_EQ(outcome.out, "");
 }
 
-TEST(LessonTry, SaysWhatIsSolvedAndWhatIsMissing) {
+TEST_F(LessonTry, SaysWhatIsSolvedAndWhatIsMissing) {
   const ScratchFile lesson(kPull, "pull.json"), strong(handAt(10), "strong.json"), weak(handAt(1), "weak.json");
   const Outcome right = runCli({"lesson", "try", lesson.path(), "--hand", strong.path(), "--answer", "3"});
   EXPECT_EQ(right.exit, Exit::Well) << right.out;
@@ -68,7 +80,7 @@ TEST(LessonTry, SaysWhatIsSolvedAndWhatIsMissing) {
   EXPECT_NE(wrong.out.find("missing  4 is not right."), std::string::npos) << wrong.out;
 }
 
-TEST(LessonTry, GivesOneObjectForPrograms) {
+TEST_F(LessonTry, GivesOneObjectForPrograms) {
   const ScratchFile lesson(kPull, "pull.json"), strong(handAt(10), "strong.json");
   const Outcome outcome = runCli({"lesson", "try", lesson.path(), "--hand", strong.path(), "--json"});
   EXPECT_EQ(outcome.exit, Exit::BadInput);  // nobody answered
@@ -78,7 +90,7 @@ TEST(LessonTry, GivesOneObjectForPrograms) {
   EXPECT_FALSE(object.find("checks")->items.at(1).find("solved")->boolean);
 }
 
-TEST(LessonTry, TakesALessonByItsNameAndSettingsOfTheStudent) {
+TEST_F(LessonTry, TakesALessonByItsNameAndSettingsOfTheStudent) {
   const Outcome outcome = runCli({"lesson", "try", "07_stiffness", "--step", "5", "--hand", "still", "--seconds", "1",
                                   "--set", "kp_N_per_mm=0.1", "--set", "kd_N_s_per_mm=0.0023"});
   EXPECT_EQ(outcome.exit, Exit::Well) << outcome.out << outcome.err;
@@ -87,7 +99,7 @@ TEST(LessonTry, TakesALessonByItsNameAndSettingsOfTheStudent) {
   EXPECT_NE(odd.err.find("is none"), std::string::npos) << odd.err;
 }
 
-TEST(LessonTry, WrongUsageIsTold) {
+TEST_F(LessonTry, WrongUsageIsTold) {
   const ScratchFile lesson(kPull, "pull.json");
   EXPECT_EQ(runCli({"lesson", "try", lesson.path(), "--hand", "still", "--step", "2"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lesson", "try", lesson.path(), "--hand", "stil"}).exit, Exit::Usage);
@@ -97,14 +109,14 @@ TEST(LessonTry, WrongUsageIsTold) {
   EXPECT_EQ(runCli({"lesson", "try", "/nowhere.json", "--hand", "still"}).exit, Exit::File);
 }
 
-TEST(LessonQuantities, AreAllListed) {
+TEST_F(LessonQuantities, AreAllListed) {
   EXPECT_EQ(lines(runCli({"lesson", "quantities", "--json"}).out).size(), lesson::quantities().size());
   const Outcome table = runCli({"lesson", "quantities"});
   EXPECT_NE(table.out.find("force_N"), std::string::npos);
   EXPECT_EQ(table.exit, Exit::Well);
 }
 
-TEST(LessonList, NamesEachWithItsSteps) {
+TEST_F(LessonList, NamesEachWithItsSteps) {
   const Outcome outcome = runCli({"lesson", "list"});
   EXPECT_EQ(outcome.exit, Exit::Well);
   EXPECT_NE(outcome.out.find("04_inverse                  5  steps  Eight inverse solutions"), std::string::npos)

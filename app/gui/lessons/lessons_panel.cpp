@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
+#include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStackedWidget>
@@ -34,7 +35,6 @@ LessonsPanel::LessonsPanel(const PanelParts& parts, QWidget* parent)
       parts_(parts),
       recent_(new RecentFiles(this)),
       run_(new LessonRun(parts, *this)),
-      problems_(new ProblemsDialog(this)),
       pages_(new QStackedWidget(this)) {
   recent_->set(QSettings().value(kRecent).toStringList());
   addActions();
@@ -48,8 +48,7 @@ LessonsPanel::LessonsPanel(const PanelParts& parts, QWidget* parent)
   connect(run_, &LessonRun::changed, this, &LessonsPanel::showState);
   connect(run_, &LessonRun::progressed, page_, &LessonPage::present);
   connect(run_, &LessonRun::solved, this, &LessonsPanel::saySolved);
-  connect(run_, &LessonRun::problems, problems_, &ProblemsDialog::show);
-  connect(problems_, &ProblemsDialog::openAnother, this, &LessonsPanel::chooseLesson);
+  connect(run_, &LessonRun::problems, this, &LessonsPanel::showProblems);
   connect(&page_->text(), &PageView::asked, this, &LessonsPanel::follow);
   showState();
 }
@@ -105,6 +104,18 @@ bool LessonsPanel::start(const QString& path) {
   list_->setNote(begun ? QString() : why);
   if (begun && QFileInfo(path).absolutePath() != lessonFolder()) recent_->add(QFileInfo(path).absoluteFilePath());
   return begun;
+}
+
+/// Made where it is needed: the window has one of its own for scenes, whose parts have the same names.
+void LessonsPanel::showProblems(const QString& path, const Problems& problems) {
+  if (problems_ == nullptr) {
+    problems_ = new ProblemsDialog(this);
+    problems_->setAttribute(Qt::WA_DeleteOnClose);
+    problems_->setWindowTitle(tr("Lesson not opened"));
+    problems_->findChild<QPushButton*>("dialog.problems.another")->setAccessibleName(tr("Open another lesson file"));
+    connect(problems_, &ProblemsDialog::openAnother, this, &LessonsPanel::chooseLesson);
+  }
+  problems_->show(path, problems);
 }
 
 bool LessonsPanel::step(int by) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <QPointer>
+
 #include "app/gui/panel.h"
 
 class QStackedWidget;
@@ -25,6 +27,7 @@ class LessonsPanel : public Panel {
   bool start(const QString& path);
   bool step(int by);
   bool saveReport(const QString& path);
+  void showProblems(const QString& path, const Problems& problems);
   void chooseLesson();
   void chooseReport();
   void showState();
@@ -35,7 +38,7 @@ class LessonsPanel : public Panel {
   PanelParts parts_;
   RecentFiles* recent_;  // lesson files; those of scenes are another list
   LessonRun* run_;
-  ProblemsDialog* problems_;
+  QPointer<ProblemsDialog> problems_;  // of a lesson that was not opened
   QStackedWidget* pages_;
   LessonList* list_ = nullptr;
   LessonPage* page_ = nullptr;
