@@ -8,8 +8,9 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
-#include <QTextBlock>
+#include <QTextCursor>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -77,10 +78,33 @@ void PageView::mark(const QStringList& words) {
   QTextEdit::ExtraSelection one;
   one.format.setBackground(mixed(palette().color(QPalette::Base), Theme().force, 0.45));
   for (const QString& word : words) {
-    for (one.cursor = document()->find(word); !one.cursor.isNull(); one.cursor = document()->find(word, one.cursor))
+    const QRegularExpression start(
+        "\\b" + QRegularExpression::escape(word),
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    for (one.cursor = document()->find(start); !one.cursor.isNull(); one.cursor = document()->find(start, one.cursor))
       marks << one;
   }
+  std::sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.cursor < b.cursor; });
   setExtraSelections(marks);
+}
+
+bool PageView::toMark(bool next) {
+  const QList<QTextEdit::ExtraSelection> marks = extraSelections();
+  if (marks.isEmpty()) return false;
+  const QTextCursor here = textCursor();
+  const auto is_after = [&](const auto& mark) { return mark.cursor.selectionStart() >= here.selectionEnd(); };
+  const auto is_before = [&](const auto& mark) { return mark.cursor.selectionEnd() <= here.selectionStart(); };
+  QTextCursor to = next ? marks.first().cursor : marks.last().cursor;
+  if (next) {
+    const auto found = std::find_if(marks.begin(), marks.end(), is_after);
+    if (found != marks.end()) to = found->cursor;
+  } else {
+    const auto found = std::find_if(marks.rbegin(), marks.rend(), is_before);
+    if (found != marks.rend()) to = found->cursor;
+  }
+  setTextCursor(to);
+  ensureCursorVisible();
+  return true;
 }
 
 void PageView::setZoom(int percent) {
