@@ -36,9 +36,7 @@ class Writer {
 
  private:
   void put(std::string_view html) { page_.html += html; }
-  void say(std::string_view plain) {
-    (in_heading_ ? heading_ : page_.sections.back().text) += plain;
-  }
+  void say(std::string_view plain) { (in_heading_ ? heading_ : page_.sections.back().text) += plain; }
   void openParagraph() {
     paragraph_at_ = page_.html.size();
     put("<p>");

@@ -33,6 +33,8 @@ GuideList::GuideList(const guide::Guide& guide, QWidget* parent)
   hits_->setObjectName("guide.hits");
   hits_->setAccessibleName(tr("What was found"));
   hits_->setWordWrap(true);
+  hits_->setResizeMode(QListView::Adjust);
+  hits_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   addWidget(contents_);
   addWidget(hits_);
   connect(contents_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {

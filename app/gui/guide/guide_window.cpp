@@ -36,8 +36,9 @@ GuideWindow::GuideWindow(guide::Guide guide, int zoom, QWidget* parent)
   halves->addWidget(list_);
   halves->addWidget(page_);
   halves->setStretchFactor(1, 1);
-  const int letter = fontMetrics().averageCharWidth();
-  halves->setSizes({36 * letter, 100 * letter});
+  const int beside = 46 * fontMetrics().averageCharWidth();
+  halves->resize(size());  // what is given out is what there is
+  halves->setSizes({beside, width() - beside});
   halves->setChildrenCollapsible(false);
   auto* column = new QVBoxLayout(this);
   column->addWidget(buildBar());

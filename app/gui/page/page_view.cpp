@@ -21,6 +21,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kMargin = 16;
+constexpr qsizetype kShort = 3;  // letters of a word
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
 page::Colours coloursOf(const QPalette& palette) {
@@ -78,8 +79,9 @@ void PageView::mark(const QStringList& words) {
   QTextEdit::ExtraSelection one;
   one.format.setBackground(mixed(palette().color(QPalette::Base), Theme().force, 0.45));
   for (const QString& word : words) {
+    const QString end = word.size() < kShort ? "\\b" : "";  // "to" is not meant to be in "told"
     const QRegularExpression start(
-        "\\b" + QRegularExpression::escape(word),
+        "\\b" + QRegularExpression::escape(word) + end,
         QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
     for (one.cursor = document()->find(start); !one.cursor.isNull(); one.cursor = document()->find(start, one.cursor))
       marks << one;
