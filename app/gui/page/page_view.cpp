@@ -51,6 +51,7 @@ QUrl askedFor(const QUrl& link) {
 
 PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
   document()->setDocumentMargin(kMargin);
   setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
   connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
