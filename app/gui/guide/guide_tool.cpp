@@ -77,7 +77,7 @@ void GuideTool::follow(const QUrl& link) {
   if (link.scheme() == "action") {
     actions_.perform(name);
   } else if (link.scheme() == "lesson") {
-    actions_.perform("lesson.open", name);
+    actions_.perform("lesson.start", name);
   } else if (link.scheme() == "scene" && !name.contains('/')) {
     actions_.perform("scene.open", QDir(sceneFolder()).filePath(name + ".json"));
   }
