@@ -6,10 +6,12 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTreeWidget>
 
@@ -84,6 +86,25 @@ TEST(GuideWindowStory, EveryPanelAndEveryWidgetInItHasAPageThatIsThere) {
     for (const QWidget* part : panel->findChildren<QWidget*>())
       EXPECT_TRUE(isPlace(helpPlaceOf(part))) << part->objectName().toStdString();
   }
+}
+
+TEST(GuideWindowStory, EveryDialogHasARowOfItsOwnInThePagesForF1) {
+  const QRegularExpression dialog("\"(dialog\\.[a-z_]+)\"");
+  int dialogs = 0;
+  for (QDirIterator files(QString(UNDERACT_SOURCE) + "/app/gui", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
+       files.hasNext();) {
+    QFile file(files.next());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    for (const QRegularExpressionMatch& match : dialog.globalMatch(text)) {
+      const QString name = match.captured(1);
+      EXPECT_TRUE(std::any_of(helpPages().begin(), helpPages().end(),
+                              [&](const HelpPage& page) { return name == QLatin1String(page.part); }))
+          << name.toStdString() << ": app/gui/guide/help_pages.cpp names its page";
+      ++dialogs;
+    }
+  }
+  EXPECT_GT(dialogs, 25);
 }
 
 TEST(GuideWindowStory, EveryRowOfThePagesForF1LeadsToAHeadingThatIsThere) {
