@@ -139,6 +139,17 @@ class Commands(unittest.TestCase):
             for option in (word.split("=")[0] for word in words if word.startswith("--")):
                 self.assertIn(option, said.stdout, f"{page}:{line}")
 
+    def test_programs_that_are_not_run_are_there(self):
+        for page, line, command, _ in commands():
+            program = command.split()[0]
+            if program.startswith("build/release/"):
+                path = BUILD / program.removeprefix("build/release/")
+            elif program.startswith("packaging/"):
+                path = ROOT / program
+            else:
+                continue
+            self.assertTrue(os.access(path, os.X_OK), f"{page}:{line}: {path}")
+
     def test_every_reason_is_needed(self):
         shown = [row[2] for row in commands()]
         for start, reason in reasons().items():
