@@ -22,6 +22,19 @@ std::string textOf(const json::Value& scene, const char* key) {
   return value == nullptr ? std::string() : value->text;
 }
 
+/// What a class reads of the scene; Markdown with formulas as it stands in the file.
+void writeTeaching(const json::Value& scene, std::ostream& out) {
+  const json::Value* teach = scene.find("teach");
+  if (teach == nullptr) return;
+  struct Row {
+    const char *key, *word;
+  };
+  for (const Row& row : {Row{"feel", "Feel"}, Row{"try", "Try"}, Row{"equation", "Equation"}}) {
+    const std::string text = textOf(*teach, row.key);
+    if (!text.empty()) out << "\n**" << row.word << ":** " << text << '\n';
+  }
+}
+
 }  // namespace
 
 Result<std::string> sceneList(const std::string& folder) {
@@ -48,6 +61,7 @@ Result<std::string> sceneList(const std::string& folder) {
     out << "\n## " << plainText(name) << "\n\n**[" << plainText(textOf(scene.value(), "title")) << "](scene:" << name
         << ")**\n\n"
         << plainText(textOf(scene.value(), "about")) << '\n';
+    writeTeaching(scene.value(), out);
   }
   if (!problems.empty()) return problems;
   return out.str();

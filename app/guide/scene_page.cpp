@@ -40,13 +40,16 @@ class ScenePage {
   ScenePage(const Value& schema, std::string file) : schema_(schema), file_(std::move(file)) {}
 
   Result<std::string> make() {
+    const Value* types = member(member(member(member(&schema_, "properties"), "constraints"), "items"), "oneOf");
+    if (types == nullptr || !hasParts()) return Problems{{"This is no schema of scenes.", {file_}}};
     out_ << "# Scene reference\n\nEvery key of a scene file, made from `scenes/scene.schema.json`, which editors read, "
-            "too. "
-            "[Scene files](scenes.md) tells how they work together. "
+            "too. [Scene files](scenes.md) tells how they work together. "
          << plainText(textOf(schema_, "description", "the scene")) << "\n\n## The scene\n\n";
     writeTable(schema_);
-    writeObjects(*property(schema_, "simulation"), "simulation");
-    const Value* types = property(schema_, "constraints")->find("items")->find("oneOf");
+    const Value* keys = schema_.find("properties");
+    for (std::size_t i = 0; i < keys->keys.size(); ++i) {
+      if (isObject(keys->items[i])) writeObject(keys->items[i], keys->keys[i]);
+    }
     for (const Value& type : types->items) writeSection(nameOfRef(type), "A constraint of the type ");
     for (const char* part : kParts) writeSection(part, "");
     if (!problems_.empty()) return problems_;
@@ -56,6 +59,20 @@ class ScenePage {
   }
 
  private:
+  static const Value* member(const Value* object, const char* key) {
+    return object == nullptr ? nullptr : object->find(key);
+  }
+  /// Whether everything that is referred to is there.
+  bool hasParts() const {
+    const Value* parts = schema_.find("$defs");
+    return parts != nullptr && hasParts(schema_, *parts) &&
+           std::all_of(kParts.begin(), kParts.end(), [&](const char* part) { return parts->find(part) != nullptr; });
+  }
+  static bool hasParts(const Value& value, const Value& parts) {
+    const Value* ref = value.find("$ref");
+    if (ref != nullptr && (ref->text.rfind(kRef, 0) != 0 || parts.find(nameOfRef(value)) == nullptr)) return false;
+    return std::all_of(value.items.begin(), value.items.end(), [&](const Value& v) { return hasParts(v, parts); });
+  }
   static const Value* property(const Value& object, const std::string& key) {
     const Value* properties = object.find("properties");
     return properties == nullptr ? nullptr : properties->find(key);
@@ -90,8 +107,9 @@ class ScenePage {
     }
   }
 
-  /// An object that stands in one place alone.
-  void writeObjects(const Value& object, const std::string& name) {
+  /// An object that stands in one place alone, and so in none of $defs.
+  static bool isObject(const Value& value) { return value.find("properties") != nullptr; }
+  void writeObject(const Value& object, const std::string& name) {
     out_ << "## " << name << "\n\n" << plainText(textOf(object, "description", name)) << "\n\n";
     writeTable(object);
   }
@@ -122,7 +140,7 @@ class ScenePage {
   std::string kindOf(const Value& value, const std::string& key) {
     const std::string name = nameOfRef(value);
     if (isPart(name)) return "[" + name + "](#" + name + ")";
-    if (key == "simulation") return "[simulation](#simulation)";
+    if (isObject(value)) return "[" + key + "](#" + key + ")";
     const Value& is = resolved(value);
     if (const Value* constant = is.find("const")) return inCode(shownValue(*constant));
     if (const Value* words = is.find("enum")) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "app/guide/scene_page.h"
 #include "app/guide/search.h"
 #include "app/guide/site.h"
 #include "tests/support/scratch_folder.h"
@@ -177,6 +178,39 @@ TEST(SearchOfPages, FindsInTheGuideWhatPeopleLookFor) {
   EXPECT_EQ(first("hold to run"), "servo");
   EXPECT_EQ(first("jacobian singularities"), "course_jacobian");
   EXPECT_EQ(first("kp_N_per_mm").substr(0, 5), "scene");
+}
+
+TEST(SceneList, HasTitleAboutAndWhatAClassReadsOfIt) {
+  const test::ScratchFolder scratch;
+  write(scratch.file("02_b.json"), R"({"title": "B_2", "about": "Two *stars*.", "teach": {"try": "Turn $x$."}})");
+  write(scratch.file("01_a.json"), R"({"title": "A", "about": "One."})");
+  write(scratch.file("scene.schema.json"), "{}");
+  const Result<std::string> page = sceneList(scratch.path());
+  ASSERT_TRUE(page);
+  const page::Page read = page::readPage(page.value(), "list");
+  ASSERT_EQ(read.headings.size(), 3u);
+  EXPECT_EQ(read.headings[1].anchor, "01_a");
+  EXPECT_EQ(read.headings[2].anchor, "02_b");
+  EXPECT_EQ(read.links[1].to, "scene:02_b");
+  EXPECT_NE(read.html.find("Two *stars*."), std::string::npos);
+  EXPECT_NE(read.html.find("Turn <span class=\"formula\"><i>x</i></span>."), std::string::npos) << read.html;
+  write(scratch.file("03_c.json"), "{");
+  EXPECT_FALSE(sceneList(scratch.path()));
+}
+
+TEST(ScenePage, WhatIsNoSchemaOfScenesIsRefused) {
+  const test::ScratchFolder scratch;
+  const std::string schema = textOf(UNDERACT_SOURCE "/scenes/scene.schema.json");
+  for (const char* part :
+       {"\"constraints\": {", "\"$defs\": {", "\"oneOf\": [", "\"sphere\": {", "\"control\": {\n      \"type\""}) {
+    std::string damaged = schema;
+    const std::size_t at = damaged.find(part);
+    ASSERT_NE(at, std::string::npos) << part;
+    damaged[at + 1] = 'X';
+    EXPECT_FALSE(scenePage(scratch.write("schema.json", damaged))) << part;
+  }
+  EXPECT_TRUE(scenePage(scratch.write("schema.json", schema)));
+  EXPECT_FALSE(scenePage(scratch.write("schema.json", "[]")));
 }
 
 TEST(StaticPages, EveryLinkOfEveryPageIsAFileAndNothingComesFromTheNet) {
