@@ -256,6 +256,24 @@ TEST(GuideWindowStory, EveryPartHasANameForStoriesAndOneForScreenReadersAndTabRe
   }
 }
 
+TEST(GuideWindowStory, TextOfTwiceTheSizeIsNotCut) {
+  const QFont usual = QApplication::font();
+  QFont large = usual;
+  large.setPointSizeF(2.0 * usual.pointSizeF());
+  QApplication::setFont(large);
+  {
+    Reader reader("course_spring");
+    for (const char* name : {"guide.back", "guide.forward", "guide.smaller", "guide.larger", "guide.search"}) {
+      const QWidget* part = reader.find(name);
+      EXPECT_GE(part->width(), part->minimumSizeHint().width()) << name;
+      EXPECT_GE(part->height(), QFontMetrics(large).height()) << name;
+    }
+    EXPECT_EQ(reader.page().horizontalScrollBar()->maximum(), 0);
+    savePicture(&reader.guide(), "guide_large_text");
+  }
+  QApplication::setFont(usual);
+}
+
 TEST(GuideWindowStory, PicturesAreShownAndFitThePage) {
   Reader reader("course_jacobian");
   reader.settle();
