@@ -36,10 +36,7 @@ class Writer {
 
  private:
   void put(std::string_view html) { page_.html += html; }
-  void say(std::string_view plain) {
-    if (in_heading_) heading_ += plain;
-    page_.sections.back().text += plain;
-  }
+  void say(std::string_view plain) { (in_heading_ ? heading_ : page_.sections.back().text) += plain; }
   void openParagraph() {
     paragraph_at_ = page_.html.size();
     put("<p>");
@@ -275,6 +272,11 @@ int Writer::leave(MD_SPANTYPE type, void*) {
 
 void Writer::formula(bool display) {
   in_formula_ = false;
+  // A sum of money, as in "5 $ here and 6 $ there": a formula has no blanks at its ends.
+  if (!display && (formula_.empty() || formula_.front() == ' ' || formula_.back() == ' ')) {
+    put(escaped("$" + formula_ + "$"));
+    return say("$" + formula_ + "$");
+  }
   const bool is_own_block = display && in_paragraph_;
   Result<std::string> made = texToHtml(formula_, display, {file_, line_});
   if (is_own_block) closeParagraph();  // a table stands in no paragraph

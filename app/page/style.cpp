@@ -5,6 +5,14 @@
 
 namespace underact::page {
 
+Colours lightColours() {
+  return {"#1b1c1e", "#63646a", "#d0d0d0", "#ffffff", "#f0f0ee", "#0072b2", "#a94b08"};
+}
+
+Colours darkColours() {
+  return {"#f2f2ee", "#aeafae", "#484a4c", "#1e1f22", "#2c2d30", "#56b4e9", "#e58a50"};
+}
+
 std::string pageStyle(const Colours& colours) {
   std::string sheet = R"(
 a { color: %link; }

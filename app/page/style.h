@@ -8,6 +8,10 @@ struct Colours {
   std::string ink, quiet, line, ground, soft, link, wrong;
 };
 
+/// The window's own, for pages that are read elsewhere.
+Colours lightColours();
+Colours darkColours();
+
 /// The style sheet of what readPage() makes, in the part of CSS that browsers and Qt's rich text share.
 std::string pageStyle(const Colours& colours);
 

@@ -30,6 +30,7 @@ bool isSingle(const TexNode& node) {
 
 /// An operator is a sign where nothing stands before it that it could join to what follows.
 bool isSign(const TexNode& row, std::size_t index) {
+  while (index > 0 && row.parts[index - 1].kind == TexKind::Space && !row.parts[index - 1].text.empty()) --index;
   if (index == 0) return true;
   const TexNode& before = row.parts[index - 1];
   return before.kind == TexKind::Operator || before.text == "(" || before.text == "[" || before.text == ", ";

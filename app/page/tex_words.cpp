@@ -10,6 +10,7 @@ constexpr auto kUpright = TexKind::Upright;
 constexpr auto kOperator = TexKind::Operator;
 constexpr auto kSpace = TexKind::Space;
 
+// Of the wide spaces Qt makes one narrow one, but not of those that do not break.
 constexpr std::array kWords{
     TexWord{"alpha", kLetter, "α"},
     TexWord{"beta", kLetter, "β"},
@@ -112,12 +113,12 @@ constexpr std::array kWords{
     TexWord{"_", kUpright, "_"},
     TexWord{"#", kUpright, "#"},
     TexWord{",", kSpace, "\u2009"},
-    TexWord{":", kSpace, "\u2005"},
-    TexWord{";", kSpace, "\u2004"},
+    TexWord{":", kSpace, "\u2009"},
+    TexWord{";", kSpace, "\u00a0"},
     TexWord{"!", kSpace, ""},
     TexWord{" ", kSpace, "\u00a0"},
-    TexWord{"quad", kSpace, "\u2003"},
-    TexWord{"qquad", kSpace, "\u2003\u2003"},
+    TexWord{"quad", kSpace, "\u00a0\u00a0\u00a0\u00a0"},
+    TexWord{"qquad", kSpace, "\u00a0\u00a0\u00a0\u00a0\u00a0\u00a0\u00a0\u00a0"},
 };
 
 struct Accent {

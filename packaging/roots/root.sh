@@ -6,7 +6,7 @@ make_root() {
   command -v debootstrap >/dev/null || { echo "SKIPPED: debootstrap is not installed"; exit 77; }
   mkdir -p "$cache"
   if [ ! -f "$cache/$suite.tar" ]; then
-    mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | grep -oE 'https?://[^ ]+/debian/?( |$)' | head -n 1 | tr -d ' ')
+    mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | grep -oE 'https?://[^ ]+/debian/?( |$)' | head -n 1 | tr -d ' ' || true)
     work=$(mktemp -d)
     debootstrap --variant=minbase --include=ca-certificates "$suite" "$work" "${mirror:-http://deb.debian.org/debian}" \
       >"$cache/$suite.log" 2>&1 || { tail -n 5 "$cache/$suite.log"; exit 1; }

@@ -1,4 +1,6 @@
 """Debian packages of this build: what is in them, and that Debian's own checks agree."""
+import gzip
+import json
 import pathlib
 import re
 import shutil
@@ -121,6 +123,14 @@ class Debian(unittest.TestCase):
         self.assertTrue((self.root / "usr/share/underact/limits.d/underact.conf").is_file())
         self.assertFalse((self.root / "etc").exists())
         self.assertTrue((self.root / "lib/udev/rules.d/70-underact.rules").is_file())
+
+    def test_the_list_of_parts_is_of_this_version_and_names_what_the_programs_need(self):
+        packed = self.root / "usr/share/doc/underact-cli/underact.spdx.json.gz"
+        parts = json.loads(gzip.decompress(packed.read_bytes()))
+        self.assertEqual(parts["spdxVersion"], "SPDX-2.3")
+        names = {part["name"]: part.get("versionInfo") for part in parts["packages"]}
+        self.assertTrue(any(name.startswith("libvtk9") for name in names), names)
+        self.assertIn(self.field("underact", "Version"), names.values())
 
     def test_taken_apart_anywhere_the_programs_find_their_data(self):
         version = self.field("underact-cli", "Version")

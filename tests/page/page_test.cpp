@@ -27,7 +27,7 @@ TEST(Page, SectionsHoldTheTextBetweenHeadings) {
       readPage("before\n\n# One\n\nfirst *word*\nsecond\n\n- item\n\n# Two\n\n| a | b |\n|---|---|\n| c | d |\n", "");
   ASSERT_EQ(page.sections.size(), 3u);
   EXPECT_EQ(page.sections[1].title, "One");
-  EXPECT_EQ(page.sections[1].text, "first word second\nitem\n\n\n") << "a word is none with its neighbour";
+  EXPECT_EQ(page.sections[1].text, "first word second\nitem\n\n") << "a word is none with its neighbour";
   EXPECT_NE(page.sections[2].text.find("c\nd"), std::string::npos);
 }
 

@@ -43,6 +43,27 @@ TEST(HandsStory, WithinTheDeadZoneNothingMovesAndBeyondItBeginsAtZero) {
   EXPECT_EQ(desk.wish().x(), there);
 }
 
+TEST(HandsStory, WhileAnotherWindowHasTheKeyboardNothingMovesAndWhatIsHeldThenMovesNothingAfter) {
+  HandsDesk desk;
+  const Vec3 before = desk.wish();
+  QWidget other;
+  other.show();
+  desk.story().bringToFront(&other);
+  ASSERT_TRUE(comes([&] { return !desk.story().window().isActiveWindow(); }));
+  desk.pad.push(0, 1.0);
+  desk.hold(500);
+  EXPECT_EQ(desk.wish(), before);
+  desk.story().bringToFront(&desk.story().window());
+  ASSERT_TRUE(comes([&] { return desk.story().window().isActiveWindow(); }));
+  desk.hold(500);
+  EXPECT_EQ(desk.wish(), before);  // held from before
+  desk.pad.rest();
+  desk.hold(1);
+  desk.pad.push(0, 1.0);
+  desk.hold(100);
+  EXPECT_NEAR(desk.wish().x(), before.x() + 0.012, 1e-9);
+}
+
 TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
   {
     HandsDesk desk;

@@ -8,8 +8,9 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
-#include <QTextBlock>
+#include <QTextCursor>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -20,6 +21,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kMargin = 16;
+constexpr qsizetype kShort = 3;  // letters of a word
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
 page::Colours coloursOf(const QPalette& palette) {
@@ -49,6 +51,7 @@ QUrl askedFor(const QUrl& link) {
 
 PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
   document()->setDocumentMargin(kMargin);
   setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
   connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
@@ -77,10 +80,34 @@ void PageView::mark(const QStringList& words) {
   QTextEdit::ExtraSelection one;
   one.format.setBackground(mixed(palette().color(QPalette::Base), Theme().force, 0.45));
   for (const QString& word : words) {
-    for (one.cursor = document()->find(word); !one.cursor.isNull(); one.cursor = document()->find(word, one.cursor))
+    const QString end = word.size() < kShort ? "\\b" : "";  // "to" is not meant to be in "told"
+    const QRegularExpression start(
+        "\\b" + QRegularExpression::escape(word) + end,
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    for (one.cursor = document()->find(start); !one.cursor.isNull(); one.cursor = document()->find(start, one.cursor))
       marks << one;
   }
+  std::sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.cursor < b.cursor; });
   setExtraSelections(marks);
+}
+
+bool PageView::toMark(bool next) {
+  const QList<QTextEdit::ExtraSelection> marks = extraSelections();
+  if (marks.isEmpty()) return false;
+  const QTextCursor here = textCursor();
+  const auto is_after = [&](const auto& mark) { return mark.cursor.selectionStart() >= here.selectionEnd(); };
+  const auto is_before = [&](const auto& mark) { return mark.cursor.selectionEnd() <= here.selectionStart(); };
+  QTextCursor to = next ? marks.first().cursor : marks.last().cursor;
+  if (next) {
+    const auto found = std::find_if(marks.begin(), marks.end(), is_after);
+    if (found != marks.end()) to = found->cursor;
+  } else {
+    const auto found = std::find_if(marks.rbegin(), marks.rend(), is_before);
+    if (found != marks.rend()) to = found->cursor;
+  }
+  setTextCursor(to);
+  ensureCursorVisible();
+  return true;
 }
 
 void PageView::setZoom(int percent) {

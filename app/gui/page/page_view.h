@@ -19,8 +19,10 @@ class PageView : public QTextBrowser {
   /// In percent of the program's own font; 50 to 300.
   void setZoom(int percent);
   int zoom() const { return zoom_; }
-  /// Marks every place of these words, small and capital letters being the same.
+  /// Marks every word that begins with one of these, small and capital letters being the same.
   void mark(const QStringList& words);
+  /// Goes to the next mark from here, or the one before; behind the last comes the first. false: there is none.
+  bool toMark(bool next);
 
  signals:
   /// "scene:NAME", "lesson:NAME", "action:NAME" and "guide:PAGE#anchor"; a link to another page of the folder
