@@ -3,8 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-// What translators find by; here the text stands as it is.
-#define QT_TRANSLATE_NOOP(context, text) text
+#include "core/lesson/translate.h"
 
 namespace underact::lesson {
 namespace {

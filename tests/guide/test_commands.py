@@ -31,6 +31,7 @@ MESH = (
     "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 9 0 0\n"
     "   vertex 0 9 0\n  endloop\n endfacet\nendsolid a\n"
 )
+LESSON = ("springs.json", "pull.json")  # as writing_lessons.md shows them
 RECORD = "underact-cli run scenes/02_sphere.json --hand sweep --seconds 5 --fast --record first.h5"
 
 
@@ -78,6 +79,9 @@ class Commands(unittest.TestCase):
         shutil.copytree(ROOT / "scenes", cls.folder / "scenes", symlinks=True)
         shutil.copy(ROOT / "scenes/05_circle.json", cls.folder / "my_scene.json")
         (cls.folder / "bracket.stl").write_text(MESH)
+        page = (ROOT / "resources/guide/writing_lessons.md").read_text(encoding="utf-8")
+        for name, text in zip(LESSON, re.findall(r"```json\n(.*?)```", page, re.DOTALL)):
+            (cls.folder / name).write_text(text)
         (cls.folder / "poses.txt").write_text('{"p_mm": [30, 0, 0]}\n')
         done = cls.run_one(RECORD)
         assert done.returncode == 0, done.stderr
@@ -103,7 +107,7 @@ class Commands(unittest.TestCase):
         with tempfile.TemporaryDirectory(dir=self.folder) as name:
             folder = pathlib.Path(name)
             for path in self.folder.iterdir():
-                if path.name in ("scenes", "my_scene.json", "bracket.stl", "poses.txt"):
+                if path.name in ("scenes", "my_scene.json", "bracket.stl", "poses.txt", *LESSON):
                     (folder / path.name).symlink_to(path)
             shutil.copy(self.folder / "kept.h5", folder / "first.h5")
             try:

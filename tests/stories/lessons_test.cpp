@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
@@ -8,12 +10,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMimeData>
+#include <QMessageBox>
 #include <QRadioButton>
 #include <QSettings>
-#include <QStackedWidget>
 #include <QTextEdit>
-#include <QToolButton>
+#include <QTimer>
 
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/panels.h"
@@ -40,6 +41,16 @@ void lead(Story& story, const Vec3& p_mm) {
   wish.p_WT = 1e-3 * p_mm;
   story.arm().wish(wish);
   story.run(2000);
+}
+
+/// What the question about edits, which comes next, is answered.
+void answerUnsaved(QMessageBox::StandardButton button) {
+  QTimer::singleShot(100, [button] {
+    auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    EXPECT_EQ(box->objectName(), "dialog.unsaved");
+    box->button(button)->click();
+  });
 }
 
 bool isOpen(Story& story, const char* panel) {
@@ -218,6 +229,40 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
   EXPECT_EQ(shapeOf(story), before);
   EXPECT_FALSE(story.perform("lesson.leave"));
   EXPECT_FALSE(story.perform("lesson.next"));
+}
+
+TEST(LessonsStory, EditsFromBeforeAreAskedAboutAndNotLost) {
+  Story story("02_sphere");
+  story.perform("gains.set", "kp", "x", 0.7);
+  answerUnsaved(QMessageBox::Cancel);
+  EXPECT_FALSE(story.perform("lesson.start", "06_statics"));
+  EXPECT_EQ(story.host().scene().title, "Sphere");
+  EXPECT_DOUBLE_EQ(story.host().scene().control.gains.kp_N_per_mm.x(), 0.7);
+  answerUnsaved(QMessageBox::Discard);
+  ASSERT_TRUE(story.perform("lesson.start", "06_statics"));
+  EXPECT_EQ(story.host().scene().title, "Point");
+  story.perform("lesson.leave");
+  EXPECT_EQ(story.host().scene().title, "Sphere");
+}
+
+TEST(LessonsStory, AWindowClosedInALessonKeepsItsOwnSceneAndDocks) {
+  {
+    Story story("05_circle");
+    ASSERT_TRUE(story.perform("lesson.start", "06_statics"));
+    story.perform("gains.set", "kp", "x", 0.3);  // an exercise: nobody is asked
+  }
+  EXPECT_TRUE(QSettings().value("files/last").toString().endsWith("05_circle.json"));
+  Story again("", {.first_start = false});
+  EXPECT_TRUE(isOpen(again, "scenes"));
+  EXPECT_TRUE(isOpen(again, "feel"));
+}
+
+TEST(LessonsStory, ASceneThatWasOpenedMeanwhileStays) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("lesson.start", "06_statics"));
+  ASSERT_TRUE(story.perform("scene.open", shippedScene("04_plane")));
+  ASSERT_TRUE(story.perform("lesson.leave"));
+  EXPECT_EQ(story.host().scene().title, "Tilted plane");
 }
 
 TEST(LessonsStory, TheHintComesWhereItIsAskedFor) {
