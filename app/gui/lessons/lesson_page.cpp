@@ -20,6 +20,12 @@
 #include "app/gui/told_label.h"
 
 namespace underact::gui {
+namespace {
+
+// Two rows of three; the empty one is a gap.
+constexpr const char* kButtons[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "", "lesson.report"};
+
+}  // namespace
 
 LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
     : QWidget(parent),
@@ -64,13 +70,12 @@ QWidget* LessonPage::makeChecks() {
 void LessonPage::addButtons(QVBoxLayout* column, Actions& actions) {
   auto* const grid = new QGridLayout;
   grid->setSpacing(8);
-  const char* const names[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "", "lesson.report"};
   for (int index = 0; index < 6; ++index) {
-    QAction* const action = actions.find(names[index]);
+    QAction* const action = actions.find(kButtons[index]);
     if (action == nullptr) continue;
     auto* const button = new QToolButton(this);
     button->setDefaultAction(action);
-    button->setObjectName(QString("panel.%1").arg(names[index]));
+    button->setObjectName(QString("panel.%1").arg(kButtons[index]));
     button->setAccessibleName(action->text().remove('&'));
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -96,8 +101,27 @@ void LessonPage::showStep() {
     row->show();
     rows_.push_back(row);
   }
+  orderTabs();
   showText();
   present();
+}
+
+/// From the text through the checks to the buttons: what was made last would else come last.
+void LessonPage::orderTabs() {
+  QWidget* last = text_;
+  for (CheckRow* const row : rows_) {
+    for (QWidget* const widget : row->findChildren<QWidget*>()) {
+      if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;
+      setTabOrder(last, widget);
+      last = widget;
+    }
+  }
+  for (const char* const name : kButtons) {
+    auto* const button = findChild<QToolButton*>(QString("panel.%1").arg(name));
+    if (button == nullptr) continue;
+    setTabOrder(last, button);
+    last = button;
+  }
 }
 
 void LessonPage::showText() {

@@ -36,6 +36,7 @@ class LessonPage : public QWidget {
  private:
   QWidget* makeChecks();
   void addButtons(QVBoxLayout* column, Actions& actions);
+  void orderTabs();
   void showText();
   void showHead();
   QString asksForStart() const;
