@@ -345,7 +345,7 @@ TEST(LessonsStory, TheNamesThatALessonMayUseAreTheWindowsOwn) {
   EXPECT_EQ(own, known);
 }
 
-/// A picture of each lesson for the guide: its first step, half the window's size.
+/// A picture of each lesson for the guide: its first step, smaller than the window.
 TEST(LessonsStory, PicturesOfEachLesson) {
   Story story("02_sphere");
   const QString folder = QString(UNDERACT_BINARY) + "/pictures/lessons";
@@ -357,7 +357,7 @@ TEST(LessonsStory, PicturesOfEachLesson) {
     story.settle(300);
     const QImage whole = story.picture();
     EXPECT_EQ(whole.size(), QSize(1280, 800));
-    const QImage small = whole.scaledToWidth(960, Qt::SmoothTransformation);
+    const QImage small = whole.scaledToWidth(800, Qt::SmoothTransformation);
     const QString name = "/" + QFileInfo(path).completeBaseName() + ".png";
     EXPECT_TRUE(small.save(folder + name));
     if (!qEnvironmentVariableIsSet("UNDERACT_UPDATE_PICTURES")) continue;
