@@ -367,6 +367,26 @@ TEST(LessonsStory, PicturesOfEachLesson) {
   }
 }
 
+TEST(LessonsStory, AtTheSmallestUsableSizeItCanStillBeDone) {
+  Story story("02_sphere", {.size = {1024, 700}});
+  story.perform("dock.lessons", true);
+  ASSERT_TRUE(story.perform("lesson.start", "02_dh"));
+  ASSERT_TRUE(story.perform("lesson.answer", 1, 127.5));
+  ASSERT_TRUE(story.perform("lesson.answer", 2, 150));
+  story.run(500);
+  story.settle(300);
+  EXPECT_TRUE(story.picture().save(QString(UNDERACT_BINARY) + "/pictures/lesson_small.png"));
+  for (const char* name : {"panel.lesson.next", "panel.lesson.report", "panel.lessons.check1.number"}) {
+    const QWidget* const widget = story.find(name);
+    EXPECT_TRUE(story.window().rect().contains({widget->mapTo(&story.window(), QPoint()), widget->size()})) << name;
+    EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << name;
+  }
+  EXPECT_GE(story.view().width(), 320);
+  story.perform("lesson.leave");
+  story.settle(100);
+  EXPECT_TRUE(story.picture().save(QString(UNDERACT_BINARY) + "/pictures/lessons_list.png"));
+}
+
 TEST(LessonsStory, InTheDarkItCanBeRead) {
   Story story("02_sphere");
   story.perform("view.theme.dark");

@@ -2,7 +2,7 @@
 
 #include <QAction>
 #include <QFileInfo>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -22,8 +22,8 @@
 namespace underact::gui {
 namespace {
 
-// Two rows of three; the empty one is a gap.
-constexpr const char* kButtons[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "", "lesson.report"};
+constexpr const char* kButtons[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "lesson.report"};
+constexpr const char* kSecondRow = "lesson.leave";  // begins with it; the field for a name stands between
 
 }  // namespace
 
@@ -68,23 +68,24 @@ QWidget* LessonPage::makeChecks() {
 }
 
 void LessonPage::addButtons(QVBoxLayout* column, Actions& actions) {
-  auto* const grid = new QGridLayout;
-  grid->setSpacing(8);
-  for (int index = 0; index < 6; ++index) {
-    QAction* const action = actions.find(kButtons[index]);
-    if (action == nullptr) continue;
+  QHBoxLayout* row = nullptr;
+  for (const char* const name : kButtons) {
+    if (row == nullptr || QString(name) == kSecondRow) {
+      if (row != nullptr) column->addWidget(name_);
+      column->addLayout(row = new QHBoxLayout);
+      row->setSpacing(8);
+    }
+    QAction* const action = actions.find(name);
     auto* const button = new QToolButton(this);
     button->setDefaultAction(action);
-    button->setObjectName(QString("panel.%1").arg(kButtons[index]));
+    button->setObjectName(QString("panel.%1").arg(name));
     button->setAccessibleName(action->text().remove('&'));
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::StrongFocus);
     button->setProperty("role", "choice");
-    grid->addWidget(button, index / 3 * 2, index % 3);
+    row->addWidget(button);
   }
-  grid->addWidget(name_, 1, 0, 1, 3);
-  column->addLayout(grid);
 }
 
 void LessonPage::showStep() {
