@@ -1,11 +1,14 @@
 // Makes what a package carries besides the programs, from their own grammars, when it is built: man pages, and
-// completion for shells. It is not installed.
+// completion for shells; the guide's pages of commands, scene keys and scenes; and the guide as static pages. It is not
+// installed.
 #include <array>
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/describe/command_page.h"
 #include "app/describe/completion.h"
 #include "app/describe/man_page.h"
+#include "app/guide/make.h"
 #include "app/options/window_options.h"
 #include "app/sweeper/command.h"
 
@@ -36,13 +39,29 @@ int run(const std::string& what, const std::string& name) {
     std::cout << row.make(program) << std::flush;
     return std::cout ? 0 : 4;
   }
-  std::cerr << "underact-describe man|bash|zsh|fish underact|underact-cli|underact-sweep\n";
+  std::cerr << "underact-describe man|bash|zsh|fish underact|underact-cli|underact-sweep\n"
+               "underact-describe commands\n"
+               "underact-describe scene-keys SCHEMA\n"
+               "underact-describe scene-list FOLDER\n"
+               "underact-describe guide FOLDER OUT\n";
   return 2;
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.size() == 1 && words[0] == "commands") {
+    std::cout << commandPage({ofProgram("underact"), ofProgram("underact-cli"), ofProgram("underact-sweep")})
+              << std::flush;
+    return std::cout ? 0 : 4;
+  }
+  if (words.size() == 2 && words[0] == "scene-keys") return guide::printSceneKeys(words[1], std::cout, std::cerr);
+  if (words.size() == 2 && words[0] == "scene-list") return guide::printSceneList(words[1], std::cout, std::cerr);
+  if (words.size() == 3 && words[0] == "guide") return guide::makeSite(words[1], words[2], std::cerr);
+  return run(words.size() == 2 ? words[0] : "", words.size() == 2 ? words[1] : "");
 }
 
 }  // namespace
 }  // namespace underact::describe
 
 int main(int argc, char** argv) {
-  return underact::describe::run(argc == 3 ? argv[1] : "", argc == 3 ? argv[2] : "");
+  return underact::describe::run({argv + 1, argv + argc});
 }

@@ -6,8 +6,12 @@
 #include <array>
 #include <sstream>
 
+#include "app/guide/markdown.h"
+
 namespace underact::describe {
 namespace {
+
+using guide::sentence;
 
 /// What troff would take for its own: a dash is a hyphen, a backslash its escape, and a line's first dot a request.
 std::string escaped(const std::string& text) {
@@ -31,11 +35,6 @@ std::string bold(const std::string& text) {
 }
 std::string slanted(const std::string& text) {
   return "\\fI" + escaped(text) + "\\fR";
-}
-
-std::string sentence(std::string text) {
-  if (!text.empty() && std::string(".!?)").find(text.back()) == std::string::npos) text += '.';
-  return text;
 }
 
 /// "--rate N", or what stands in its place.

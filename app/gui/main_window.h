@@ -24,6 +24,7 @@ class CurveFiles;
 class Document;
 class FaultWatch;
 class FramePacer;
+class GuideTool;
 class Hand;
 class MovingHands;
 class IdentifyTool;
@@ -123,6 +124,7 @@ class MainWindow : public QMainWindow {
   FramePacer* pacer_;
   ArmInUse* arm_in_use_;
   IdentifyTool* identify_;
+  GuideTool* guide_;
   QHash<QString, QDockWidget*> docks_;
   QHash<QString, Panel*> panels_;
   bool arranged_ = false;

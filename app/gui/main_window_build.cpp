@@ -15,6 +15,7 @@
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
 #include "app/gui/gallery/gallery_actions.h"
+#include "app/gui/guide/guide_tool.h"
 #include "app/gui/hand.h"
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/help_dialog.h"
@@ -68,7 +69,8 @@ MainWindow::MainWindow(const WindowParts& parts)
       live_(new LiveData(parts.host, *actions_, this)),
       pacer_(new FramePacer(this)),
       arm_in_use_(new ArmInUse(parts.arm, settings_.arm_model, this)),
-      identify_(new IdentifyTool({parts.host, *document_, *view_, *player_, *arm_in_use_, *arms_}, *actions_, this)) {
+      identify_(new IdentifyTool({parts.host, *document_, *view_, *player_, *arm_in_use_, *arms_}, *actions_, this)),
+      guide_(new GuideTool(*actions_, settings_.guide_page, settings_.guide_zoom, this)) {
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -177,8 +179,7 @@ void MainWindow::addHelpActions() {
         arrangeDocks();
         return true;
       });
-  actions_->add({"help.keys", tr("&Mouse and keys"), QKeySequence("F1"), tr("What the mouse and the keys do."), "help",
-                 tr("Help")},
+  actions_->add({"help.keys", tr("&Mouse and keys"), QKeySequence("Shift+F1"), tr("What the mouse and the keys do.")},
                 [this](const QVariantList&) {
                   auto* dialog = new HelpDialog(*actions_, this);
                   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -329,6 +330,8 @@ void MainWindow::remember() {
   settings_.hold_to_run = parts_.host.holdToRun();
   settings_.servo_rate_hz = rate_->chosen().value_or(settings_.servo_rate_hz);
   settings_.has_pushed = hand_->hasPushed();
+  settings_.guide_page = guide_->place();
+  settings_.guide_zoom = guide_->zoom();
   settings_.arm_model = arm_in_use_->text();
   if (parts_.chosen != nullptr) settings_.device = arms_->wanted();
   writeSettings(settings_);

@@ -118,7 +118,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
   for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));
   fill(layout, actions, {"-", "layout.reset"});
-  fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions, {"help.keys", "help.figures", "-", "help.about"});
+  fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
+       {"help.guide", "help.keys", "help.figures", "-", "help.about"});
 }
 
 void buildToolBar(QMainWindow* window, Actions& actions) {
@@ -156,7 +157,7 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   button("menu.layers", "menu");
   qobject_cast<QToolButton*>(bar->widgetForAction(layers))->setPopupMode(QToolButton::InstantPopup);
   bar->addSeparator();
-  button("help.keys", "");
+  button("help.guide", "");
 }
 
 }  // namespace underact::gui

@@ -64,6 +64,8 @@ Settings readSettings() {
   settings.device = stored.value("arm/device").toString();
   const int rate_hz = stored.value("servo/rate_hz", fresh.servo_rate_hz).toInt();
   if (rate_hz >= servo::kSlowest_hz && rate_hz <= servo::kFastest_hz) settings.servo_rate_hz = rate_hz;
+  settings.guide_page = stored.value("guide/page").toString();
+  settings.guide_zoom = std::clamp(stored.value("guide/zoom", fresh.guide_zoom).toInt(), 50, 300);
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
   return settings;
 }
@@ -88,6 +90,8 @@ void writeSettings(const Settings& settings) {
   stored.setValue("arm/model", settings.arm_model);
   stored.setValue("arm/device", settings.device);
   stored.setValue("servo/rate_hz", settings.servo_rate_hz);
+  stored.setValue("guide/page", settings.guide_page);
+  stored.setValue("guide/zoom", settings.guide_zoom);
   stored.setValue("hints/has_pushed", settings.has_pushed);
 }
 

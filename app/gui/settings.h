@@ -22,6 +22,8 @@ struct Settings {
   QString arm_model;         // that is simulated, as its file says it; empty: the vendor's figures
   QString device;            // the arm that was in use; empty: the simulated one
   int servo_rate_hz = 1000;  // that was chosen last; the command line's goes first
+  QString guide_page;        // where the guide was read last: "PAGE#heading"; empty: never
+  int guide_zoom = 100;      // percent
   bool has_pushed = false;   // a hand has pushed once: the first hint has done its work
 };
 

@@ -141,8 +141,9 @@ void HandsPanel::describe() {
   if (lacks)
     say(about_, QString::fromStdString(entry->seen.missing.front().sentence));
   else if (entry == nullptr)
-    say(about_, tr("Drag the stylus in the view, or click the view and press the arrow keys. F1 lists them all. A "
-                   "controller or 3D mouse that is plugged in comes into this list."));
+    say(about_,
+        tr("Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A "
+           "controller or 3D mouse that is plugged in comes into this list."));
   else
     say(about_, tr("A %1, untested. Its mapping is kept.").arg(kindText(entry->seen.kind)));
   editor_->setDevice(entry == nullptr ? QString() : entry->id());

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/describe/grammar.h"
+
+namespace underact::describe {
+
+/// The guide's page of every command and option, as Markdown.
+std::string commandPage(const std::vector<Command>& programs);
+
+}  // namespace underact::describe

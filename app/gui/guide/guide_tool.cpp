@@ -1,0 +1,86 @@
+#include "app/gui/guide/guide_tool.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
+#include "app/gui/actions.h"
+#include "app/gui/guide/guide_window.h"
+#include "app/gui/guide/help_pages.h"
+#include "app/gui/problems_box.h"
+#include "app/gui/scene_library.h"
+
+namespace underact::gui {
+
+QString guideFolder() {
+  QStringList folders;
+  const QString data = qEnvironmentVariable("UNDERACT_DATA_DIR");
+  if (!data.isEmpty()) folders << data + "/guide" << data + "/resources/guide";
+  folders << QCoreApplication::applicationDirPath() + "/../share/underact/guide";
+  folders << QCoreApplication::applicationDirPath() + "/../../resources/guide";  // run from the source tree
+  for (const QString& folder : folders) {
+    if (QFileInfo::exists(folder + "/contents.json")) return QDir(folder).absolutePath();
+  }
+  return {};
+}
+
+GuideTool::GuideTool(Actions& actions, QString place, int zoom, QWidget* window)
+    : QObject(window), actions_(actions), place_(std::move(place)), zoom_(zoom), main_(window) {
+  // Where nothing has the focus: where the guide was read last.
+  const auto wanted = [this](const QVariantList& arguments) {
+    if (!arguments.isEmpty()) return arguments.first().toString();
+    const QWidget* focus = QApplication::focusWidget();
+    if (window_ != nullptr && focus != nullptr && focus->window() == window_) return QString("window#this-guide");
+    return focus == nullptr ? place_ : helpPlaceOf(focus);
+  };
+  actions.add({"help.guide", tr("&Guide"), QKeySequence("F1"), tr("The guide, at the page for what has the focus."),
+               "help", tr("Guide")},
+              [this, wanted](const QVariantList& arguments) { return open(wanted(arguments)); });
+  actions.addCommand("guide.search", [this](const QVariantList& words) {
+    if (!open(this->place())) return false;
+    window_->search(words.value(0).toString());
+    return true;
+  });
+}
+
+QString GuideTool::place() const {
+  return window_ == nullptr ? place_ : window_->place();
+}
+
+int GuideTool::zoom() const {
+  return window_ == nullptr ? zoom_ : window_->zoom();
+}
+
+bool GuideTool::open(const QString& place) {
+  if (window_ == nullptr) {
+    const QString folder = guideFolder();
+    Result<guide::Guide> read = folder.isEmpty()
+                                    ? Problems{{tr("The guide's pages are not beside the program.").toStdString()}}
+                                    : guide::readGuide(folder.toStdString());
+    if (!read) {
+      showProblemsBox("dialog.guide_problems", tr("Guide"), tr("The guide cannot be opened."), read.problems(), main_);
+      return false;
+    }
+    window_ = new GuideWindow(std::move(read).value(), zoom_, main_);
+    connect(window_, &GuideWindow::asked, this, &GuideTool::follow);
+  }
+  if (!window_->open(place) && window_->place().isEmpty()) window_->open("start");
+  window_->show();
+  window_->raise();
+  window_->activateWindow();
+  return true;
+}
+
+void GuideTool::follow(const QUrl& link) {
+  const QString name = link.path();
+  if (link.scheme() == "action") {
+    actions_.perform(name);
+  } else if (link.scheme() == "lesson") {
+    actions_.perform("lesson.start", name);
+  } else if (link.scheme() == "scene" && !name.contains('/')) {
+    actions_.perform("scene.open", QDir(sceneFolder()).filePath(name + ".json"));
+  }
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,56 @@
+#pragma once
+#include <QStringList>
+#include <QWidget>
+
+#include "app/guide/search.h"
+
+class QLineEdit;
+class QUrl;
+
+namespace underact::gui {
+
+class GuideList;
+class PageView;
+
+/// The user's guide: contents and search on the left, a page on the right. A window of its own beside the main one, so
+/// that a page can be read while the servo runs.
+class GuideWindow : public QWidget {
+  Q_OBJECT
+ public:
+  /// zoom: of the pages, percent.
+  GuideWindow(guide::Guide guide, int zoom, QWidget* parent);
+
+  /// place: "PAGE" or "PAGE#heading". false: there is no such page, and the one before it stays.
+  bool open(const QString& place);
+  /// What is shown now; empty: nothing yet.
+  QString place() const { return at_ < 0 ? QString() : places_[at_]; }
+  int zoom() const;
+  /// Types it into the search field.
+  void search(const QString& words);
+
+ signals:
+  /// A link that is no page: "scene:02_sphere", "lesson:...", "action:...".
+  void asked(const QUrl& link);
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  QWidget* buildBar();
+  void find(const QString& words);
+  void go(int steps);
+  bool present(const QString& place);
+  void follow(const QUrl& link);
+  bool doKey(int key, Qt::KeyboardModifiers modifiers, bool really);
+
+  guide::Guide guide_;
+  guide::Search search_;
+  GuideList* list_;
+  PageView* page_;
+  QLineEdit* field_;
+  QWidget *back_ = nullptr, *forward_ = nullptr;
+  QStringList places_;
+  qsizetype at_ = -1;  // in places_
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace underact::guide {
+
+// Pieces of a page of Markdown.
+
+/// The text with what Markdown would take for its own escaped.
+std::string plainText(const std::string& text);
+
+/// The same, for a cell of a table.
+std::string cellText(const std::string& text);
+
+/// As code; in a cell, too.
+std::string inCode(const std::string& text);
+
+/// "`a`, `b`".
+std::string listedInCode(const std::vector<std::string>& words);
+
+/// Lines as a block of code.
+std::string asBlock(const std::string& lines);
+
+/// With a full stop, where it has no end of its own.
+std::string sentence(std::string text);
+
+}  // namespace underact::guide

@@ -1,0 +1,202 @@
+#include "app/guide/scene_page.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "app/guide/markdown.h"
+#include "core/json/json.h"
+#include "core/json/text_file.h"
+
+namespace underact::guide {
+namespace {
+
+using json::Value;
+
+constexpr std::string_view kRef = "#/$defs/";
+/// Parts of a scene that several keys have, each with a section of its own, in the order of reading.
+constexpr std::array kParts{"control", "velocity", "influence", "friction", "joint", "solver", "curve_guide"};
+
+std::string shownValue(const Value& value) {
+  switch (value.kind) {
+    case json::Kind::Bool:
+      return value.boolean ? "true" : "false";
+    case json::Kind::Number:
+      return json::numberText(value.number);
+    case json::Kind::String:
+      return value.text;
+    default:
+      return {};
+  }
+}
+
+bool isPart(const std::string& name) {
+  return std::find(kParts.begin(), kParts.end(), name) != kParts.end();
+}
+
+/// Writes the page; what the schema leaves out is a problem.
+class ScenePage {
+ public:
+  ScenePage(const Value& schema, std::string file) : schema_(schema), file_(std::move(file)) {}
+
+  Result<std::string> make() {
+    const Value* types = member(member(member(member(&schema_, "properties"), "constraints"), "items"), "oneOf");
+    if (types == nullptr || !hasParts()) return Problems{{"This is no schema of scenes.", {file_}}};
+    out_ << "# Scene reference\n\nEvery key of a scene file, made from `scenes/scene.schema.json`, which editors read, "
+            "too. [Scene files](scenes.md) tells how they work together. "
+         << plainText(textOf(schema_, "description", "the scene")) << "\n\n## The scene\n\n";
+    writeTable(schema_);
+    const Value* keys = schema_.find("properties");
+    for (std::size_t i = 0; i < keys->keys.size(); ++i) {
+      if (isObject(keys->items[i])) writeObject(keys->items[i], keys->keys[i]);
+    }
+    for (const Value& type : types->items) writeSection(nameOfRef(type), "A constraint of the type ");
+    for (const char* part : kParts) writeSection(part, "");
+    if (!problems_.empty()) return problems_;
+    std::string text = out_.str();
+    text.pop_back();
+    return text;
+  }
+
+ private:
+  static const Value* member(const Value* object, const char* key) {
+    return object == nullptr ? nullptr : object->find(key);
+  }
+  /// Whether everything that is referred to is there.
+  bool hasParts() const {
+    const Value* parts = schema_.find("$defs");
+    return parts != nullptr && hasParts(schema_, *parts) &&
+           std::all_of(kParts.begin(), kParts.end(), [&](const char* part) { return parts->find(part) != nullptr; });
+  }
+  static bool hasParts(const Value& value, const Value& parts) {
+    const Value* ref = value.find("$ref");
+    if (ref != nullptr && (ref->text.rfind(kRef, 0) != 0 || parts.find(nameOfRef(value)) == nullptr)) return false;
+    return std::all_of(value.items.begin(), value.items.end(), [&](const Value& v) { return hasParts(v, parts); });
+  }
+  static const Value* property(const Value& object, const std::string& key) {
+    const Value* properties = object.find("properties");
+    return properties == nullptr ? nullptr : properties->find(key);
+  }
+  static std::string nameOfRef(const Value& value) {
+    const Value* ref = value.find("$ref");
+    return ref == nullptr ? std::string() : ref->text.substr(kRef.size());
+  }
+  const Value& resolved(const Value& value) const {
+    const std::string name = nameOfRef(value);
+    return name.empty() ? value : *schema_.find("$defs")->find(name);
+  }
+
+  std::string textOf(const Value& value, const char* key, const std::string& what) {
+    const Value* text = value.find(key);
+    if (text == nullptr) text = resolved(value).find(key);
+    if (text == nullptr || text->text.empty())
+      problems_.push_back({"The schema does not describe " + what + ".", {file_, value.line}});
+    return text == nullptr ? std::string() : text->text;
+  }
+
+  void writeSection(const std::string& name, const std::string& kind) {
+    const Value& part = *schema_.find("$defs")->find(name);
+    out_ << "## " << name << "\n\n"
+         << (kind.empty() ? "" : kind + inCode(name) + ". ") << plainText(textOf(part, "description", name)) << "\n\n";
+    const Value* either = part.find("oneOf");
+    if (either == nullptr) return writeTable(part);
+    for (const Value& one : either->items) {
+      const Value* filter = property(one, "filter");
+      out_ << "### " << name << ": " << (filter == nullptr ? "one" : filter->find("const")->text) << "\n\n";
+      writeTable(one);
+    }
+  }
+
+  /// An object that stands in one place alone, and so in none of $defs.
+  static bool isObject(const Value& value) { return value.find("properties") != nullptr; }
+  void writeObject(const Value& object, const std::string& name) {
+    out_ << "## " << name << "\n\n" << plainText(textOf(object, "description", name)) << "\n\n";
+    writeTable(object);
+  }
+
+  void writeTable(const Value& object) {
+    const Value* properties = object.find("properties");
+    const Value* required = object.find("required");
+    out_ << "| key | value | by itself | meaning |\n|---|---|---|---|\n";
+    for (std::size_t i = 0; i < properties->keys.size(); ++i) {
+      const std::string& key = properties->keys[i];
+      const Value& value = properties->items[i];
+      const bool is_said = (key == "type" || key == "filter") && value.find("const") != nullptr;
+      if (is_said) continue;  // by the heading
+      const bool is_required = required != nullptr && std::any_of(required->items.begin(), required->items.end(),
+                                                                  [&](const Value& r) { return r.text == key; });
+      const Value* usual = value.find("default");
+      if (usual == nullptr) usual = resolved(value).find("default");
+      out_ << "| " << inCode(key) << " | " << kindOf(value, key) << " | "
+           << (is_required        ? "required"
+               : usual == nullptr ? ""
+                                  : inCode(shownValue(*usual)))
+           << " | " << cellText(textOf(value, "description", key)) << " |\n";
+    }
+    out_ << '\n';
+  }
+
+  /// "a number from 0 to 1", "3 numbers", a link to its section.
+  std::string kindOf(const Value& value, const std::string& key) {
+    const std::string name = nameOfRef(value);
+    if (isPart(name)) return "[" + name + "](#" + name + ")";
+    if (isObject(value)) return "[" + key + "](#" + key + ")";
+    const Value& is = resolved(value);
+    if (const Value* constant = is.find("const")) return inCode(shownValue(*constant));
+    if (const Value* words = is.find("enum")) {
+      std::vector<std::string> all;
+      for (const Value& word : words->items) all.push_back(shownValue(word));
+      return listedInCode(all);
+    }
+    if (is.find("oneOf") != nullptr) return "a number, or 3";
+    const std::string type = is.find("type") == nullptr ? "" : is.find("type")->text;
+    if (type == "array") return listOf(is);
+    if (type == "boolean") return "`true`, `false`";
+    if (type == "string") return "text";
+    return (type == "integer" ? "a whole number" : "a number") + rangeOf(is);
+  }
+
+  std::string listOf(const Value& is) {
+    const Value& items = *is.find("items");
+    const Value* least = is.find("minItems");
+    const Value* most = is.find("maxItems");
+    std::string count = least == nullptr ? "" : json::numberText(least->number);
+    if (most != nullptr && json::numberText(most->number) != count) count += " to " + json::numberText(most->number);
+    const std::string name = nameOfRef(items);
+    if (isPart(name)) return count + " of [" + name + "](#" + name + ")";
+    if (items.find("oneOf") != nullptr) return count + " constraints, of the types below";
+    if (items.find("type") != nullptr && items.find("type")->text == "array")
+      return count + " rows of " + listOf(items);
+    return count + " numbers" + rangeOf(resolved(items));
+  }
+
+  static std::string rangeOf(const Value& is) {
+    const auto bound = [&](const char* key) {
+      const Value* value = is.find(key);
+      std::string text = value == nullptr ? std::string() : json::numberText(value->number);
+      if (const std::size_t at = text.find("e+0"); at != std::string::npos) text.erase(at + 1, 2);  // 1e6, not 1e+06
+      return text;
+    };
+    const std::string least = bound("minimum"), above = bound("exclusiveMinimum"), most = bound("maximum");
+    if (!above.empty()) return " above " + above + (most.empty() ? "" : ", at most " + most);
+    if (!least.empty() && !most.empty()) return " from " + least + " to " + most;
+    return {};
+  }
+
+  const Value& schema_;
+  std::string file_;
+  std::ostringstream out_;
+  Problems problems_;
+};
+
+}  // namespace
+
+Result<std::string> scenePage(const std::string& schema_file) {
+  const Result<std::string> text = json::readTextFile(schema_file, "a schema");
+  if (!text) return text.problems();
+  const Result<Value> schema = json::parse(text.value(), schema_file);
+  if (!schema) return schema.problems();
+  return ScenePage(schema.value(), schema_file).make();
+}
+
+}  // namespace underact::guide

@@ -1,0 +1,88 @@
+#include "app/page/page.h"
+
+#include <gtest/gtest.h>
+
+namespace underact::page {
+namespace {
+
+bool has(const Page& page, const std::string& html) {
+  return page.html.find(html) != std::string::npos;
+}
+
+TEST(Page, HeadingsHaveAnchorsAsGitHubMakesThem) {
+  const Page page = readPage("# The tick\n\ntext\n\n## Loop rate, in `Hz`\n\n## Loop rate, in Hz\n", "a.md");
+  EXPECT_EQ(page.title, "The tick");
+  ASSERT_EQ(page.headings.size(), 3u);
+  EXPECT_EQ(page.headings[1].anchor, "loop-rate-in-hz");
+  EXPECT_EQ(page.headings[1].level, 2);
+  EXPECT_EQ(page.headings[2].anchor, "loop-rate-in-hz-1");
+  EXPECT_TRUE(
+      has(page, "<h2 id=\"loop-rate-in-hz\"><a name=\"loop-rate-in-hz\"></a>Loop rate, in <code>Hz</code></h2>"))
+      << page.html;
+  EXPECT_TRUE(page.problems.empty());
+}
+
+TEST(Page, SectionsHoldTheTextBetweenHeadings) {
+  const Page page =
+      readPage("before\n\n# One\n\nfirst *word*\nsecond\n\n- item\n\n# Two\n\n| a | b |\n|---|---|\n| c | d |\n", "");
+  ASSERT_EQ(page.sections.size(), 3u);
+  EXPECT_EQ(page.sections[1].title, "One");
+  EXPECT_EQ(page.sections[1].text, "first word second\nitem\n\n") << "a word is none with its neighbour";
+  EXPECT_NE(page.sections[2].text.find("c\nd"), std::string::npos);
+}
+
+TEST(Page, LinksAndPicturesAreListedWithTheirLines) {
+  const Page page =
+      readPage("a\n\n[b](c.md#d) and\n![e](f.png)\n", "x.md", [](const std::string& to) { return "made/" + to; });
+  ASSERT_EQ(page.links.size(), 2u);
+  EXPECT_EQ(page.links[0].to, "c.md#d");
+  EXPECT_FALSE(page.links[0].is_picture);
+  EXPECT_TRUE(page.links[1].is_picture);
+  EXPECT_TRUE(has(page, "<a href=\"made/c.md#d\">b</a>")) << page.html;
+  EXPECT_TRUE(has(page, "<img src=\"made/f.png\" alt=\"e\">")) << page.html;
+}
+
+TEST(Page, FormulasBecomeHtmlAndTheirProblemsHaveALine) {
+  const Page page = readPage("An $x_1$ here.\n\nTwo\n\n$$\\frac{a}{b}$$\n\nand $\\nothing$\n", "x.md");
+  EXPECT_TRUE(has(page, "<span class=\"formula\"><i>x</i><sub>1</sub></span>")) << page.html;
+  EXPECT_TRUE(has(page, "<table class=\"formula\"")) << page.html;
+  EXPECT_FALSE(has(page, "<p></p>")) << page.html;
+  EXPECT_FALSE(has(page, "<p><table")) << page.html;
+  ASSERT_EQ(page.problems.size(), 1u);
+  EXPECT_EQ(page.problems[0].place.line, 7);
+  EXPECT_TRUE(has(page, "<code class=\"wrong\">\\nothing</code>")) << "as it was written";
+}
+
+TEST(Page, ADollarThatIsMoneyOrAShellIsNone) {
+  const Page page = readPage("    $ underact-cli fk\n\nIt costs 5 $ here, $HOME is `$HOME`.\n", "x.md");
+  EXPECT_TRUE(page.problems.empty());
+  EXPECT_FALSE(has(page, "formula")) << page.html;
+}
+
+TEST(Page, SpansThatCrossAreClosedInTheirOrder) {
+  const Page page = readPage("**[a](*[b:c)**, **[d e](f:g)** and **$$x$$**\n\n# H $$y$$\n", "x.md");
+  EXPECT_EQ(page.html.find("<table"), std::string::npos) << "a formula in something bold stays in its line";
+  for (const char* tag : {"strong", "em", "a"}) {
+    const auto count = [&](const std::string& what) {
+      std::size_t found = 0;
+      for (std::size_t at = page.html.find(what); at != std::string::npos; at = page.html.find(what, at + 1)) ++found;
+      return found;
+    };
+    const std::string name = tag;
+    EXPECT_EQ(count("<" + name + ">") + count("<" + name + " "), count("</" + name + ">")) << page.html;
+  }
+}
+
+TEST(Page, HtmlOfItsOwnIsText) {
+  const Page page = readPage("<script>x</script>\n\na <b>c</b> [l](javascript:x)\n", "x.md");
+  EXPECT_FALSE(has(page, "<script")) << page.html;
+  EXPECT_FALSE(has(page, "<b>")) << page.html;
+}
+
+TEST(Page, WhatIsTooLargeOrTooDeepIsRefused) {
+  EXPECT_EQ(readPage(std::string((1U << 20U) + 1, 'x'), "x.md").problems.size(), 1u);
+  EXPECT_EQ(readPage(std::string(5000, '>') + " x", "x.md").problems.size(), 1u);
+}
+
+}  // namespace
+}  // namespace underact::page
