@@ -47,7 +47,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 8;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 9;  // up by one where a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& parts)
     : parts_(parts),

@@ -6,6 +6,8 @@
 #include "app/gui/arm_panel.h"
 #include "app/gui/calibration/calibration_panel.h"
 #include "app/gui/devices/devices_panel.h"
+#include "app/gui/explore/dh_panel.h"
+#include "app/gui/explore/transform_panel.h"
 #include "app/gui/feel_panel.h"
 #include "app/gui/hands/hands_panel.h"
 #include "app/gui/kinematics_panel.h"
@@ -32,7 +34,7 @@ Panel* make(const PanelParts& parts, QWidget* parent) {
 }  // namespace
 
 std::span<const PanelRow> panels() {
-  static const std::array<PanelRow, 17> kRows{{
+  static const std::array<PanelRow, 19> kRows{{
       {"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
        QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."), make<ScenesPanel>},
       {"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
@@ -47,6 +49,12 @@ std::span<const PanelRow> panels() {
       {"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea, "Ctrl+Alt+6",
        QT_TRANSLATE_NOOP("panel", "Joints, DH table, inverse solutions, Jacobian and singularities."),
        make<KinematicsPanel>, "scenes"},
+      {"dh", QT_TRANSLATE_NOOP("panel", "DH table"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+E",
+       QT_TRANSLATE_NOOP("panel", "A DH table to be changed, drawn with the arm's joints beside the arm."),
+       make<DhPanel>, "scenes"},
+      {"transform", QT_TRANSLATE_NOOP("panel", "Transforms"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+O",
+       QT_TRANSLATE_NOOP("panel", "Turns and shifts put together, in both orders side by side."), make<TransformPanel>,
+       "scenes"},
       {"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
        QT_TRANSLATE_NOOP("panel",
                          "The robot that exists only in software: joints, springs, turning stiffness, solver."),

@@ -37,6 +37,30 @@ class Writer {
  private:
   void put(std::string_view html) { page_.html += html; }
   void say(std::string_view plain) { (in_heading_ ? heading_ : page_.sections.back().text) += plain; }
+  // md4c 0.4.8 may end a span that it has not begun, or inside another one (an asterisk in a link's target): what is
+  // open is closed in its order all the same.
+  void openSpan(const char* tag, const std::string& attributes = {}) {
+    put("<" + std::string(tag) + attributes + ">");
+    spans_.push_back(tag);
+  }
+  void closeSpan(std::string_view tag) {
+    if (std::find(spans_.begin(), spans_.end(), tag) == spans_.end()) return;
+    while (closeLastSpan() != tag) {
+    }
+  }
+  std::string closeLastSpan() {
+    std::string tag = std::move(spans_.back());
+    spans_.pop_back();
+    put("</" + tag + ">");
+    return tag;
+  }
+  /// No span goes on behind its block.
+  void endSpans() {
+    if (in_picture_ > 0) put(picture_ + "\">");
+    in_picture_ = 0;
+    if (in_formula_) formula(false);
+    while (!spans_.empty()) closeLastSpan();
+  }
   void openParagraph() {
     paragraph_at_ = page_.html.size();
     put("<p>");
@@ -57,6 +81,7 @@ class Writer {
   const LinkTo& link_to_;
   Page page_;
   std::string heading_, formula_, picture_;
+  std::vector<std::string> spans_;  // that are open, the innermost last
   std::size_t heading_at_ = 0, paragraph_at_ = 0;
   std::map<std::string, int> anchors_;  // how often each was met
   int depth_ = 0, in_picture_ = 0, line_ = 0;
@@ -154,6 +179,7 @@ int Writer::enter(MD_BLOCKTYPE type, void* detail) {
 
 int Writer::leave(MD_BLOCKTYPE type, void* detail) {
   depth_--;
+  endSpans();
   switch (type) {
     case MD_BLOCK_QUOTE:
       put("</blockquote>\n");
@@ -213,19 +239,19 @@ int Writer::enter(MD_SPANTYPE type, void* detail) {
   if (in_picture_ > 0) return 0;
   switch (type) {
     case MD_SPAN_EM:
-      put("<em>");
+      openSpan("em");
       break;
     case MD_SPAN_STRONG:
-      put("<strong>");
+      openSpan("strong");
       break;
     case MD_SPAN_DEL:
-      put("<s>");
+      openSpan("s");
       break;
     case MD_SPAN_CODE:
-      put("<code>");
+      openSpan("code");
       break;
     case MD_SPAN_A:
-      put("<a href=\"" + linked(textOf(static_cast<MD_SPAN_A_DETAIL*>(detail)->href), false) + "\">");
+      openSpan("a", " href=\"" + linked(textOf(static_cast<MD_SPAN_A_DETAIL*>(detail)->href), false) + "\"");
       break;
     case MD_SPAN_LATEXMATH:
     case MD_SPAN_LATEXMATH_DISPLAY:
@@ -240,29 +266,29 @@ int Writer::enter(MD_SPANTYPE type, void* detail) {
 
 int Writer::leave(MD_SPANTYPE type, void*) {
   depth_--;
-  if (type == MD_SPAN_IMG && --in_picture_ == 0) put(picture_ + "\">");
+  if (type == MD_SPAN_IMG && in_picture_ > 0 && --in_picture_ == 0) put(picture_ + "\">");
   if (in_picture_ > 0) return 0;
   switch (type) {
     case MD_SPAN_EM:
-      put("</em>");
+      closeSpan("em");
       break;
     case MD_SPAN_STRONG:
-      put("</strong>");
+      closeSpan("strong");
       break;
     case MD_SPAN_DEL:
-      put("</s>");
+      closeSpan("s");
       break;
     case MD_SPAN_CODE:
-      put("</code>");
+      closeSpan("code");
       break;
     case MD_SPAN_A:
-      put("</a>");
+      closeSpan("a");
       break;
     case MD_SPAN_LATEXMATH:
-      formula(false);
+      if (in_formula_) formula(false);
       break;
     case MD_SPAN_LATEXMATH_DISPLAY:
-      formula(true);
+      if (in_formula_) formula(true);
       break;
     default:
       break;
@@ -277,9 +303,10 @@ void Writer::formula(bool display) {
     put(escaped("$" + formula_ + "$"));
     return say("$" + formula_ + "$");
   }
-  const bool is_own_block = display && in_paragraph_;
-  Result<std::string> made = texToHtml(formula_, display, {file_, line_});
-  if (is_own_block) closeParagraph();  // a table stands in no paragraph
+  // A table stands in no paragraph and in nothing bold.
+  const bool is_own_block = display && in_paragraph_ && spans_.empty();
+  Result<std::string> made = texToHtml(formula_, display && spans_.empty() && !in_heading_, {file_, line_});
+  if (is_own_block) closeParagraph();
   if (made) {
     put(made.value());
   } else {

@@ -16,9 +16,9 @@ std::span<const char* const> layerNames() {
 }
 
 std::span<const char* const> panelNames() {
-  static constexpr const char* kAll[] = {"scenes",  "feel",        "shape",    "arm",     "plots",  "kinematics",
-                                         "robot",   "servo",       "second",   "hands",   "step",   "lab",
-                                         "devices", "calibration", "sessions", "session", "lessons"};
+  static constexpr const char* kAll[] = {
+      "scenes", "feel", "shape",   "arm",         "plots",    "kinematics", "robot",   "servo", "second",   "hands",
+      "step",   "lab",  "devices", "calibration", "sessions", "session",    "lessons", "dh",    "transform"};
   return kAll;
 }
 

@@ -59,6 +59,20 @@ TEST(Page, ADollarThatIsMoneyOrAShellIsNone) {
   EXPECT_FALSE(has(page, "formula")) << page.html;
 }
 
+TEST(Page, SpansThatCrossAreClosedInTheirOrder) {
+  const Page page = readPage("**[a](*[b:c)**, **[d e](f:g)** and **$$x$$**\n\n# H $$y$$\n", "x.md");
+  EXPECT_EQ(page.html.find("<table"), std::string::npos) << "a formula in something bold stays in its line";
+  for (const char* tag : {"strong", "em", "a"}) {
+    const auto count = [&](const std::string& what) {
+      std::size_t found = 0;
+      for (std::size_t at = page.html.find(what); at != std::string::npos; at = page.html.find(what, at + 1)) ++found;
+      return found;
+    };
+    const std::string name = tag;
+    EXPECT_EQ(count("<" + name + ">") + count("<" + name + " "), count("</" + name + ">")) << page.html;
+  }
+}
+
 TEST(Page, HtmlOfItsOwnIsText) {
   const Page page = readPage("<script>x</script>\n\na <b>c</b> [l](javascript:x)\n", "x.md");
   EXPECT_FALSE(has(page, "<script")) << page.html;

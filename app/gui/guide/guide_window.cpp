@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/guide/guide_list.h"
 #include "app/gui/page/page_view.h"
@@ -36,7 +37,7 @@ GuideWindow::GuideWindow(guide::Guide guide, int zoom, QWidget* parent)
   halves->addWidget(list_);
   halves->addWidget(page_);
   halves->setStretchFactor(1, 1);
-  const int beside = 46 * fontMetrics().averageCharWidth();
+  const int beside = std::min(46 * fontMetrics().averageCharWidth(), width() / 3);
   halves->resize(size());  // what is given out is what there is
   halves->setSizes({beside, width() - beside});
   halves->setChildrenCollapsible(false);

@@ -35,6 +35,8 @@ std::span<const HelpPage> helpPages() {
       HelpPage{"panel.kinematics.solutions", "kinematics#inverse-solutions"},
       HelpPage{"panel.kinematics.dh", "kinematics#dh-table-and-angle-conventions"},
       HelpPage{"panel.kinematics.jacobian", "kinematics#jacobian-and-ellipsoids"},
+      HelpPage{"panel.dh", "explorers#dh-table"},
+      HelpPage{"panel.transform", "explorers#transforms"},
       HelpPage{"panel.robot", "robots"},
       HelpPage{"panel.calibration", "calibration"},
       HelpPage{"panel.devices", "devices#choosing-an-arm"},

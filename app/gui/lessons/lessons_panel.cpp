@@ -54,7 +54,7 @@ LessonsPanel::LessonsPanel(const PanelParts& parts, QWidget* parent)
 }
 
 void LessonsPanel::addActions() {
-  parts_.actions.add({"lesson.open", tr("&Open a lesson…"), QKeySequence("Ctrl+Alt+Shift+O"),
+  parts_.actions.add({"lesson.open", tr("&Open a lesson…"), QKeySequence("Ctrl+Shift+Y"),
                       tr("Opens a lesson file, as a teacher writes it.")},
                      [this](const QVariantList& path) {
                        if (!path.isEmpty()) return start(path.first().toString());

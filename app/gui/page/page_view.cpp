@@ -5,12 +5,14 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
-#include <QImage>
+#include <QImageReader>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextCursor>
+#include <QThreadPool>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -20,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kMargin = 16;
+constexpr int kMargin = 16, kRounding = 2;
 constexpr qsizetype kShort = 3;  // letters of a word
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
@@ -34,6 +36,13 @@ page::Colours coloursOf(const QPalette& palette) {
           .soft = shade(0.07),
           .link = palette.color(QPalette::Link).name().toStdString(),
           .wrong = mixed(Theme().force_limited, ink, 0.25).name().toStdString()};
+}
+
+/// One thread, so that a page full of pictures leaves a core to the servo and the window.
+QThreadPool& pictureThread() {
+  static QThreadPool kPool;
+  kPool.setMaxThreadCount(1);
+  return kPool;
 }
 
 /// Where a link of a page leads to, as asked() has it.
@@ -53,6 +62,10 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
   document()->setDocumentMargin(kMargin);
+  // A table may come out a pixel too wide by rounding; that is nothing to scroll for.
+  connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
+    setHorizontalScrollBarPolicy(most > kRounding ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+  });
   setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
   connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
 }
@@ -68,6 +81,10 @@ void PageView::showPage(const QString& markdown, const QString& folder) {
 void PageView::render() {
   const int at = verticalScrollBar()->value();
   width_ = viewport()->width();
+  for (const QUrl& name : pictures_.keys()) document()->addResource(QTextDocument::ImageResource, name, {});
+  pictures_.clear();  // and the document asks for them again
+  pictures_awaited_ = 0;
+  page_number_++;
   document()->setDefaultStyleSheet(QString::fromStdString(page::pageStyle(coloursOf(palette()))));
   setHtml(QString::fromStdString(page_.html));
   mark(marked_);
@@ -123,12 +140,40 @@ void PageView::setZoom(int percent) {
 QVariant PageView::loadResource(int type, const QUrl& name) {
   if (type != QTextDocument::ImageResource) return {};
   if (!name.isRelative() || QDir::isAbsolutePath(name.path())) return {};  // nothing is fetched
-  QImage image(QDir(folder_).filePath(name.path()));
-  const int room = std::max(1, width_ - 2 * kMargin);
-  const qreal ratio = devicePixelRatioF();
-  if (image.width() > room * ratio) image = image.scaledToWidth(qRound(room * ratio), Qt::SmoothTransformation);
-  image.setDevicePixelRatio(ratio);
-  return image;
+  if (const auto known = pictures_.constFind(name); known != pictures_.constEnd()) return *known;
+  const QString path = QDir(folder_).filePath(name.path());
+  QSize size = QImageReader(path).size();  // of its first bytes
+  if (!size.isValid()) return {};
+  const int room = qRound(std::max(1, width_ - 2 * kMargin) * devicePixelRatioF());
+  if (size.width() > room) size = {room, std::max(1, size.height() * room / size.width())};
+  QImage place(size, QImage::Format_ARGB32_Premultiplied);
+  place.fill(Qt::transparent);
+  place.setDevicePixelRatio(devicePixelRatioF());
+  pictures_.insert(name, place);
+  awaitPicture(name, path, size);
+  return place;
+}
+
+void PageView::awaitPicture(const QUrl& name, const QString& path, const QSize& size) {
+  pictures_awaited_++;
+  pictureThread().start([view = QPointer<PageView>(this), name, path, size, page = page_number_] {
+    QImage picture = QImage(path).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [view, name, page, picture] {
+          if (view != nullptr && view->page_number_ == page) view->putPicture(name, picture);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PageView::putPicture(const QUrl& name, const QImage& picture) {
+  pictures_awaited_--;
+  QImage& kept = pictures_[name];
+  kept = picture;
+  kept.setDevicePixelRatio(devicePixelRatioF());
+  document()->addResource(QTextDocument::ImageResource, name, kept);
+  viewport()->update();
 }
 
 void PageView::changeEvent(QEvent* event) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <QHash>
+#include <QImage>
 #include <QTextBrowser>
 
 #include "app/page/page.h"
@@ -23,6 +25,9 @@ class PageView : public QTextBrowser {
   void mark(const QStringList& words);
   /// Goes to the next mark from here, or the one before; behind the last comes the first. false: there is none.
   bool toMark(bool next);
+  /// Pictures that were asked for and have not come: they are read in another thread, and their place is free until
+  /// then.
+  int picturesAwaited() const { return pictures_awaited_; }
 
  signals:
   /// "scene:NAME", "lesson:NAME", "action:NAME" and "guide:PAGE#anchor"; a link to another page of the folder
@@ -39,6 +44,8 @@ class PageView : public QTextBrowser {
 
  private:
   void render();
+  void awaitPicture(const QUrl& name, const QString& path, const QSize& size);
+  void putPicture(const QUrl& name, const QImage& picture);
   void follow(const QUrl& link);
   void confirmAddress(const QUrl& address);
 
@@ -46,7 +53,10 @@ class PageView : public QTextBrowser {
   QString folder_;
   QStringList marked_;
   int zoom_ = 100;
-  int width_ = 0;  // that pictures were fitted to
+  int width_ = 0;                 // that pictures were fitted to
+  QHash<QUrl, QImage> pictures_;  // of this page, as large as they are shown
+  int pictures_awaited_ = 0;
+  int page_number_ = 0;  // counts what was shown, so that a picture that comes late is not put into another page
 };
 
 }  // namespace underact::gui

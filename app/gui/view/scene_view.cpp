@@ -122,6 +122,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->robots.setTheme(theme);
   impl_->path.setTheme(theme);
   impl_->desk.setTheme(theme);
+  impl_->drawings.setTheme(theme);
   impl_->meshes.setTheme(theme);
   if (impl_->second) impl_->second->setTheme(theme);
   impl_->actors_changed = true;
@@ -214,6 +215,15 @@ void SceneView::look(Camera camera) {
 
 bool SceneView::moving() const {
   return impl_->movement.state() == QAbstractAnimation::Running;
+}
+
+void SceneView::draw(const QString& owner, const Drawing& drawing) {
+  impl_->drawings.draw(owner, drawing);
+  impl_->surface->update();
+}
+
+std::size_t SceneView::framesInDrawings() const {
+  return impl_->drawings.framesDrawn();
 }
 
 void SceneView::setRecordedPath(std::vector<PathPoint> path) {

@@ -7,6 +7,7 @@
 
 #include "app/gui/theme.h"
 #include "app/gui/view/desk_picture.h"
+#include "app/gui/view/drawing.h"
 #include "app/gui/view/path_picture.h"
 #include "core/arm/branches.h"
 #include "core/scene/description.h"
@@ -77,6 +78,9 @@ class SceneView : public QWidget {
   std::size_t ghostsDrawn() const;
   std::size_t robotsDrawn() const;
   std::optional<arm::JointAngles> chosenGhost_rad() const;
+  /// What a panel draws beside the scene, in place of what it drew before; empty: nothing more.
+  void draw(const QString& owner, const Drawing& drawing);
+  std::size_t framesInDrawings() const;
   /// Where the tip of a recording went; empty: none.
   void setRecordedPath(std::vector<PathPoint> path);
   std::size_t pathPartsDrawn() const;

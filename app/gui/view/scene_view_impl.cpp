@@ -71,6 +71,7 @@ void SceneView::Impl::before(QSize pixels) {
     for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
     renderer.AddActor(influence.rings());
     renderer.AddActor(hand.mark());
+    renderer.AddActor(drawings.mark());
     if (second) renderer.AddViewProp(second->prop());
   }
   constraint.setLineWidth(scale);
@@ -81,6 +82,7 @@ void SceneView::Impl::before(QSize pixels) {
   robots.setLineWidth(scale);
   path.setLineWidth(scale);
   desk.setLineWidth(scale);
+  drawings.setLineWidth(scale);
   meshes.setLineWidth(scale);
   if (second) second->setLineWidth(scale);
   constraint.update(camera.eye_mm());
@@ -131,6 +133,7 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   state.has_influence = influence.isSeen();
   labels.insert(labels.end(), robots.labels().begin(), robots.labels().end());
   labels.insert(labels.end(), desk.labels().begin(), desk.labels().end());
+  labels.insert(labels.end(), drawings.labels().begin(), drawings.labels().end());
   if (second) {
     const std::vector<Label> of_second = second->labels();
     labels.insert(labels.end(), of_second.begin(), of_second.end());

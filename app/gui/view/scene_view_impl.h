@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/gui/view/constraint_picture.h"
+#include "app/gui/view/drawing.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/hand_grip.h"
 #include "app/gui/view/hand_picture.h"
@@ -57,6 +58,7 @@ struct SceneView::Impl {
   RobotPicture robots;
   PathPicture path;
   DeskPicture desk;
+  DrawingPicture drawings;
   MeshPicture meshes;
   std::optional<SecondWorld> second;
   scene::Description scene;  // that is drawn

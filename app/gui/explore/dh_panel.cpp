@@ -1,0 +1,244 @@
+#include "app/gui/explore/dh_panel.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/actions.h"
+#include "app/gui/chooser.h"
+#include "app/gui/document.h"
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
+#include "app/gui/robot/edit_table.h"
+#include "app/gui/told_label.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+#include "core/chain/table_check.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr const char* kOwner = "dh";
+constexpr std::int64_t kBetween_ns = 100'000'000;  // of the servo's time: numbers that change faster are not read
+
+}  // namespace
+
+DhPanel::DhPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+  build();
+  addCommands();
+  start({});
+}
+
+void DhPanel::build() {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(8);
+  start_ = chooser("panel.dh.start", tr("Table to start from"), tr("Puts the table of an arm in place of this one."),
+                   content);
+  start_->addItem(tr("The scene's arm"), QString());
+  for (const DhStart& one : dhStarts())
+    start_->addItem(QCoreApplication::translate("explore", one.title), QString(one.key));
+  for (const arm::Model& model : arm::models())
+    start_->addItem(QString::fromStdString(model.title), QString::fromStdString(model.name));
+  connect(start_, &QComboBox::activated, this, [this] { start(start_->currentData().toString()); });
+  column->addWidget(start_);
+  table_ = new EditTable("panel.dh.table", tr("DH table"), content);
+  table_->setColumnCount(kDhFields);
+  for (int field = 0; field < kDhFields; ++field) {
+    const auto one = static_cast<DhField>(field);
+    table_->setColumnHead(field, headOf(one), tipOf(one), one == DhField::Type ? tr("joint") : QString("−000.0"));
+  }
+  connect(table_, &EditTable::typed, this, &DhPanel::type);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this] { showTable(); });
+  column->addWidget(table_);
+  buildButtons(column);
+  follows_ = new QCheckBox(tr("&Joints follow the arm"), content);
+  follows_->setObjectName("panel.dh.follow");
+  follows_->setAccessibleName(tr("Joints follow the arm"));
+  follows_->setToolTip(tr("Turning joints 1 to 6 stand as those of the arm do: move the stylus, and the table moves."));
+  follows_->setChecked(true);
+  connect(follows_, &QCheckBox::toggled, this, &DhPanel::follow);
+  column->addWidget(follows_);
+  tip_ = new NumberTable("panel.dh.tip",
+                         {{tr("x [mm]"), "−0000.0"}, {tr("y [mm]"), "−0000.0"}, {tr("z [mm]"), "−0000.0"}}, content);
+  tip_->addRow(tr("Table's tip"), tr("Where the last frame's tool is by the table: ⁰T₁ ¹T₂ … in the workspace frame."));
+  tip_->addRow(tr("From the arm's"),
+               tr("The way from the arm's own tip to the table's; 0 where the table is the arm's."));
+  column->addWidget(tip_);
+  odd_ = toldLabel("panel.dh.odd", tr("What is odd about the table"), "quiet", content);
+  told_ = toldLabel("panel.dh.told", tr("What was refused"), "warning", content);
+  column->addWidget(odd_);
+  column->addWidget(told_);
+  column->addStretch(1);
+  fillWithScroll(this, content);
+}
+
+void DhPanel::buildButtons(QVBoxLayout* column) {
+  add_ = pushButton("panel.dh.add", tr("Add"), tr("A row after the selected one, 8 at most."), this, tr("Add a row"));
+  remove_ = pushButton("panel.dh.remove", tr("Remove"), tr("Takes the selected row away; one stays."), this,
+                       tr("Remove the selected row"));
+  undo_ = pushButton("panel.dh.undo", tr("Undo"), tr("The table as it was before the last change."), this,
+                     tr("Undo the last change of the table"));
+  redo_ = pushButton("panel.dh.redo", tr("Redo"), tr("The change that was taken back, again."), this,
+                     tr("Redo the change of the table"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (QPushButton* one : {add_, remove_, undo_, redo_}) row->addWidget(one);
+  column->addLayout(row);
+  connect(add_, &QPushButton::clicked, this, [this] { change(withRow(tables_.now(), selected())); });
+  connect(remove_, &QPushButton::clicked, this, [this] { change(withoutRow(tables_.now(), selected())); });
+  connect(undo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("dh.undo"); });
+  connect(redo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("dh.redo"); });
+}
+
+void DhPanel::addCommands() {
+  parts_.actions.addCommand("dh.start",
+                            [this](const QVariantList& values) { return start(values.value(0).toString()); });
+  parts_.actions.addCommand("dh.set", [this](const QVariantList& values) {  // row from 1, "alpha", "90"
+    return values.size() == 3 && type(values[0].toInt() - 1, dhFieldOf(values[1].toString()), values[2].toString());
+  });
+  parts_.actions.addCommand("dh.undo", [this](const QVariantList&) {
+    const bool done = tables_.undo();
+    showTable();
+    return done;
+  });
+  parts_.actions.addCommand("dh.redo", [this](const QVariantList&) {
+    const bool done = tables_.redo();
+    showTable();
+    return done;
+  });
+  parts_.actions.addCommand("dh.follow", [this](const QVariantList& values) {
+    follows_->setChecked(values.value(0, true).toBool());
+    return true;
+  });
+}
+
+bool DhPanel::start(const QString& key) {
+  const auto starts = dhStarts();
+  const auto* const textbook = std::find_if(starts.data(), starts.data() + starts.size(),
+                                            [&](const DhStart& one) { return key == QLatin1String(one.key); });
+  if (textbook != starts.data() + starts.size()) return change(textbook->make());
+  const arm::Model* model = arm::findModel(key.isEmpty() ? parts_.document.scene().arm : key.toStdString());
+  if (model == nullptr && key.isEmpty()) model = arm::findModel(arm::kDefaultArm);
+  return model != nullptr && change(tableOf(*model));
+}
+
+bool DhPanel::type(int row, int field, const QString& text) {
+  if (row < 0 || field < 0) return false;
+  const Result<DhTable> changed =
+      withField(tables_.now(), static_cast<std::size_t>(row), static_cast<DhField>(field), text);
+  if (changed) return change(changed.value());
+  told_->setText(sentencesOf(changed.problems()));
+  told_->show();
+  return false;
+}
+
+bool DhPanel::change(const DhTable& table) {
+  tables_.take(table);
+  told_->hide();
+  showTable();
+  return true;
+}
+
+/// Joints that no longer follow stay where they are.
+bool DhPanel::follow(bool on) {
+  DhTable table = tables_.now();
+  table.q = joints(true);
+  if (!on) tables_.take(table);
+  showTable();
+  return true;
+}
+
+std::size_t DhPanel::selected() const {
+  const int row = table_->currentRow();
+  return row < 0 ? tables_.now().rows.size() - 1 : static_cast<std::size_t>(row);
+}
+
+std::vector<double> DhPanel::joints(bool follow) const {
+  const DhTable& table = tables_.now();
+  std::vector<double> q = table.q;
+  for (std::size_t row = 0; follow && row < std::min(q.size(), q_rad_.size()); ++row) {
+    if (table.rows[row].type == chain::JointType::Revolute) q[row] = q_rad_[row];
+  }
+  return q;
+}
+
+void DhPanel::showTable() {
+  const DhTable& table = tables_.now();
+  const auto count = static_cast<int>(table.rows.size());
+  if (table_->rowCount() != count) {
+    const QSignalBlocker silent(table_);
+    table_->setRowCount(count);
+    for (int row = 0; row < count; ++row)
+      table_->setVerticalHeaderItem(row, new QTableWidgetItem(QString::number(row + 1)));
+    table_->fitHeight();
+  }
+  showNumbers();
+  add_->setEnabled(table.rows.size() < kMostDhRows);
+  remove_->setEnabled(table.rows.size() > 1);
+  undo_->setEnabled(tables_.canUndo());
+  redo_->setEnabled(tables_.canRedo());
+  const Problems odd = chain::oddIn(table.rows);
+  odd_->setText(sentencesOf(odd));
+  odd_->setVisible(!odd.empty());
+  draw();
+}
+
+void DhPanel::showNumbers() {
+  DhTable now = tables_.now();
+  now.q = joints(follows_->isChecked());
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    for (int column = 0; column < kDhFields; ++column) {
+      const auto field = static_cast<DhField>(column);
+      const auto at = static_cast<std::size_t>(row);
+      EditTable::Cell cell{shownText(now, at, field), exactText(now, at, field),
+                           tr("row %1, %2").arg(row + 1).arg(headOf(field).simplified()), tipOf(field)};
+      if (field == DhField::Type) cell.choices = QStringList{QObject::tr("revolute"), QObject::tr("prismatic")};
+      const bool follows = follows_->isChecked() && at < q_rad_.size();
+      if (field == DhField::Q) cell.editable = !(follows && now.rows[at].type == chain::JointType::Revolute);
+      table_->setCell(row, column, cell);
+    }
+  }
+  const Vec3 tip_mm = kMillimetrePerMetre * framesOf(now, now.q).back().translation();
+  const Vec3 way_mm = tip_mm - kMillimetrePerMetre * p_WT_;
+  for (int axis = 0; axis < 3; ++axis) {
+    tip_->set(0, axis, numberText(tip_mm[axis], 1));
+    tip_->set(1, axis, numberText(way_mm[axis], 1));
+  }
+}
+
+void DhPanel::draw() {
+  drawn_ = isSeen();
+  parts_.view.draw(kOwner, drawn_ ? drawingOf(tables_.now(), joints(follows_->isChecked())) : Drawing{});
+}
+
+void DhPanel::present(const servo::Snapshot& snapshot) {
+  const auto& sample = snapshot.report.sample;
+  const bool known = std::all_of(sample.q_rad.begin(), sample.q_rad.end(), [](double q) { return std::isfinite(q); });
+  if (!isSeen() && drawn_) draw();  // behind another tab now
+  if (!isSeen() || !known) return;
+  q_rad_ = sample.q_rad;
+  p_WT_ = snapshot.report.p_WT;
+  draw();
+  if (shown_ns_ >= 0 && sample.time_ns >= shown_ns_ && sample.time_ns - shown_ns_ < kBetween_ns) return;
+  shown_ns_ = sample.time_ns;
+  if (table_->findChild<QWidget*>("panel.dh.table.editor") == nullptr) showNumbers();
+}
+
+void DhPanel::hideEvent(QHideEvent* event) {
+  parts_.view.draw(kOwner, {});
+  drawn_ = false;
+  shown_ns_ = -1;
+  Panel::hideEvent(event);
+}
+
+}  // namespace underact::gui

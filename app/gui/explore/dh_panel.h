@@ -1,0 +1,58 @@
+#pragma once
+#include <vector>
+
+#include "app/gui/explore/dh_table.h"
+#include "app/gui/explore/history.h"
+#include "app/gui/panel.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class EditTable;
+class NumberTable;
+
+/// A DH table that can be changed, drawn in the view with the arm's own joints: with the arm's table it covers the arm,
+/// and each wrong number takes it away from there.
+class DhPanel : public Panel {
+  Q_OBJECT
+ public:
+  DhPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void build();
+  void buildButtons(QVBoxLayout* column);
+  void addCommands();
+  bool start(const QString& key);  // of a textbook arm, of a model; "": the scene's arm
+  bool type(int row, int field, const QString& text);
+  bool change(const DhTable& table);
+  bool follow(bool on);
+  std::size_t selected() const;
+  std::vector<double> joints(bool follow) const;  // the arm's, or as they were typed
+  void showTable();
+  void showNumbers();
+  void draw();
+
+  PanelParts parts_;
+  History<DhTable> tables_;
+  arm::JointAngles q_rad_{};    // of the arm
+  Vec3 p_WT_ = Vec3::Zero();    // where its tip is
+  std::int64_t shown_ns_ = -1;  // when the numbers were written
+  bool drawn_ = false;
+  QComboBox* start_ = nullptr;
+  EditTable* table_ = nullptr;
+  QCheckBox* follows_ = nullptr;
+  NumberTable* tip_ = nullptr;
+  QLabel *odd_ = nullptr, *told_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,275 @@
+#include "app/gui/explore/transform_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/actions.h"
+#include "app/gui/chooser.h"
+#include "app/gui/kinematics/number_table.h"
+#include "app/gui/panel_scroll.h"
+#include "app/gui/push_button.h"
+#include "app/gui/robot/edit_table.h"
+#include "app/gui/robot/joint_fields.h"
+#include "app/gui/told_label.h"
+#include "app/gui/view/drawing.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+using chain::Axes;
+using chain::Step;
+using chain::StepKind;
+
+constexpr const char* kOwner = "transform";
+constexpr std::size_t kMostSteps = 6;
+constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the picture is as wide
+constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not seen on the screen
+constexpr const char* kKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
+
+double unitOf(StepKind kind) {
+  return chain::isTurn(kind) ? 1.0 / kRadPerDegree : kMillimetrePerMetre;
+}
+
+void write(NumberTable& table, const Pose& X) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) table.set(row, column, numberText(X.linear()(row, column), 3));
+    table.set(row, 3, numberText(kMillimetrePerMetre * X.translation()[row], 1));
+  }
+}
+
+NumberTable* matrixTable(const QString& name, QWidget* parent) {
+  auto* table = new NumberTable(
+      name, {{"x", "−0.000"}, {"y", "−0.000"}, {"z", "−0.000"}, {TransformPanel::tr("p [mm]"), "−000.0"}}, parent);
+  for (const char axis : {'x', 'y', 'z'})
+    table->addRow(QString(QChar(axis)),
+                  TransformPanel::tr("Parts along %1 of W of the frame's axes, and of its place.").arg(QChar(axis)));
+  return table;
+}
+
+/// "1 2 3" or "3 2 1"
+QString orderOf(std::size_t count, bool reversed) {
+  QStringList numbers;
+  for (std::size_t step = 1; step <= count; ++step) numbers << QString::number(reversed ? count + 1 - step : step);
+  return numbers.join(QChar(' '));
+}
+
+}  // namespace
+
+TransformPanel::TransformPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+  build();
+  addCommands();
+  change({{{StepKind::TurnZ, kPi / 2}, {StepKind::TurnX, kPi / 2}, {StepKind::ShiftX, 0.04}}, Axes::Moving});
+}
+
+void TransformPanel::build() {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(8);
+  axes_ =
+      chooser("panel.transform.axes", tr("Axes that the steps are about"),
+              tr("Moving: each step is about the frame that the steps before it made, X = S1 S2 S3. Fixed: about the "
+                 "axes of W, X = S3 S2 S1. Craig, section 2.8."),
+              content);
+  axes_->addItems({tr("About moving axes: X = S1 S2 …"), tr("About fixed axes: X = … S2 S1")});
+  connect(axes_, &QComboBox::activated, this, [this](int index) { setAxes(index == 0 ? Axes::Moving : Axes::Fixed); });
+  column->addWidget(axes_);
+  table_ = new EditTable("panel.transform.steps", tr("Steps"), content);
+  table_->setColumnCount(2);
+  table_->setColumnHead(0, tr("step"), tr("R: a turn about an axis. D: a shift along it."), "Rz  ");
+  table_->setColumnHead(1, tr("by [° mm]"), tr("How far: degrees of a turn, mm of a shift."), "−000.0");
+  connect(table_, &EditTable::typed, this, [this](int row, int column_typed, const QString& text) {
+    setStep(row, column_typed == 0 ? text : QString(), column_typed == 1 ? text : QString());
+  });
+  column->addWidget(table_);
+  buildButtons(column);
+  told_ = toldLabel("panel.transform.told", tr("What was refused"), "warning", content);
+  told_->hide();
+  column->addWidget(told_);
+  column->addWidget(sectionTitle(tr("As listed"), content));
+  column->addWidget(listed_ = matrixTable("panel.transform.listed", content));
+  column->addWidget(sectionTitle(tr("In the other order"), content));
+  column->addWidget(reversed_ = matrixTable("panel.transform.reversed", content));
+  apart_ = toldLabel("panel.transform.apart", tr("How far apart both ends are"), "", content);
+  column->addWidget(apart_);
+  column->addStretch(1);
+  fillWithScroll(this, content);
+}
+
+void TransformPanel::buildButtons(QVBoxLayout* column) {
+  add_ = pushButton("panel.transform.add", tr("Add"), tr("A step after the selected one, 6 at most."), this,
+                    tr("Add a step"));
+  remove_ = pushButton("panel.transform.remove", tr("Remove"), tr("Takes the selected step away; one stays."), this,
+                       tr("Remove the selected step"));
+  undo_ = pushButton("panel.transform.undo", tr("Undo"), tr("The steps as they were before the last change."), this,
+                     tr("Undo the last change of the steps"));
+  redo_ = pushButton("panel.transform.redo", tr("Redo"), tr("The change that was taken back, again."), this,
+                     tr("Redo the change of the steps"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (QPushButton* one : {add_, remove_, undo_, redo_}) row->addWidget(one);
+  column->addLayout(row);
+  connect(add_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.add"); });
+  connect(remove_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.remove"); });
+  connect(undo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.undo"); });
+  connect(redo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.redo"); });
+}
+
+void TransformPanel::addCommands() {
+  Actions& actions = parts_.actions;
+  actions.addCommand("transform.set", [this](const QVariantList& values) {  // step from 1, "Rx", 90
+    return values.size() == 3 && setStep(values[0].toInt() - 1, values[1].toString(), values[2].toString());
+  });
+  actions.addCommand("transform.axes", [this](const QVariantList& values) {  // "moving" or "fixed"
+    return setAxes(values.value(0).toString() == QLatin1String("fixed") ? Axes::Fixed : Axes::Moving);
+  });
+  actions.addCommand("transform.add", [this](const QVariantList&) {
+    State state = states_.now();
+    if (state.steps.size() >= kMostSteps) return false;
+    state.steps.insert(state.steps.begin() + selected() + 1, Step{StepKind::TurnZ, kPi / 4});
+    return change(state);
+  });
+  actions.addCommand("transform.remove", [this](const QVariantList&) {
+    State state = states_.now();
+    if (state.steps.size() < 2) return false;
+    state.steps.erase(state.steps.begin() + selected());
+    return change(state);
+  });
+  actions.addCommand("transform.undo", [this](const QVariantList&) {
+    const bool done = states_.undo();
+    refresh();
+    return done;
+  });
+  actions.addCommand("transform.redo", [this](const QVariantList&) {
+    const bool done = states_.redo();
+    refresh();
+    return done;
+  });
+}
+
+bool TransformPanel::setStep(int row, const QString& kind, const QString& amount) {
+  State state = states_.now();
+  if (row < 0 || row >= static_cast<int>(state.steps.size())) return false;
+  Step& step = state.steps[static_cast<std::size_t>(row)];
+  if (!kind.isEmpty()) {
+    const auto* const found = std::find(std::begin(kKeys), std::end(kKeys), kind);
+    if (found == std::end(kKeys)) return false;
+    const auto now = static_cast<StepKind>(found - std::begin(kKeys));
+    // The number stays as it is read, in its new unit.
+    step = {now, step.amount * unitOf(step.kind) / unitOf(now)};
+  }
+  const Result<double> number =
+      amount.isEmpty() ? Result<double>(step.amount * unitOf(step.kind)) : typedNumber(amount);
+  const double most = chain::isTurn(step.kind) ? kMostTurn_deg : kMostShift_mm;
+  QString refused = number ? QString() : sentencesOf(number.problems());
+  if (number && !(std::abs(number.value()) <= most))
+    refused = chain::isTurn(step.kind) ? tr("A turn is from −360 to 360 degrees.")
+                                       : tr("A shift is from −200 to 200 mm: the picture is as wide.");
+  told_->setText(refused);
+  told_->setVisible(!refused.isEmpty());
+  if (!refused.isEmpty()) return false;
+  step.amount = number.value() / unitOf(step.kind);
+  return change(state);
+}
+
+bool TransformPanel::setAxes(Axes axes) {
+  State state = states_.now();
+  state.axes = axes;
+  return change(state);
+}
+
+bool TransformPanel::change(const State& state) {
+  states_.take(state);
+  told_->hide();
+  refresh();
+  return true;
+}
+
+int TransformPanel::selected() const {
+  return table_->currentRow() < 0 ? static_cast<int>(states_.now().steps.size()) - 1 : table_->currentRow();
+}
+
+std::vector<Pose> TransformPanel::frames(bool reversed) const {
+  std::vector<Step> steps = states_.now().steps;
+  if (reversed) std::reverse(steps.begin(), steps.end());
+  std::vector<Pose> all = chain::composed(steps, states_.now().axes);
+  all.insert(all.begin(), Pose::Identity());
+  return all;
+}
+
+void TransformPanel::refresh() {
+  const State& state = states_.now();
+  {
+    const QSignalBlocker silent(axes_);
+    axes_->setCurrentIndex(state.axes == Axes::Moving ? 0 : 1);
+  }
+  const auto count = static_cast<int>(state.steps.size());
+  if (table_->rowCount() != count) {
+    const QSignalBlocker silent(table_);
+    table_->setRowCount(count);
+    for (int row = 0; row < count; ++row)
+      table_->setVerticalHeaderItem(row, new QTableWidgetItem(QString::number(row + 1)));
+    table_->fitHeight();
+  }
+  for (int row = 0; row < count; ++row) {
+    const Step& step = state.steps[static_cast<std::size_t>(row)];
+    const double amount = step.amount * unitOf(step.kind);
+    EditTable::Cell kind{kKeys[static_cast<std::size_t>(step.kind)], kKeys[static_cast<std::size_t>(step.kind)],
+                         tr("step %1, kind").arg(row + 1), tr("R: a turn about an axis. D: a shift along it.")};
+    for (const char* const key : kKeys) kind.choices << key;
+    table_->setCell(row, 0, kind);
+    table_->setCell(row, 1,
+                    {numberText(amount, 1), exactNumber(amount), tr("step %1, how far").arg(row + 1),
+                     chain::isTurn(step.kind) ? tr("Degrees.") : tr("Millimetres.")});
+  }
+  add_->setEnabled(state.steps.size() < kMostSteps);
+  remove_->setEnabled(state.steps.size() > 1);
+  undo_->setEnabled(states_.canUndo());
+  redo_->setEnabled(states_.canRedo());
+  const Pose listed = frames(false).back(), reversed = frames(true).back();
+  write(*listed_, listed);
+  write(*reversed_, reversed);
+  const double way_m = (listed.translation() - reversed.translation()).norm();
+  const double turn_rad = Eigen::AngleAxisd(listed.linear().transpose() * reversed.linear()).angle();
+  apart_->setText(way_m < kSame_m && turn_rad < kSame_rad
+                      ? tr("Both orders end in the same place: here order does not matter.")
+                      : tr("The two ends are %1 and %2° apart: order matters.")
+                            .arg(millimetres(kMillimetrePerMetre * way_m), numberText(turn_rad / kRadPerDegree, 1)));
+  draw();
+}
+
+void TransformPanel::draw() {
+  Drawing drawing;
+  if (isSeen()) {
+    const std::size_t count = states_.now().steps.size();
+    for (const bool reversed : {false, true}) {
+      const std::vector<Pose> all = frames(reversed);
+      for (std::size_t step = 1; step < all.size(); ++step)
+        drawing.links.push_back({all[step - 1].translation(), all[step].translation(), reversed});
+      drawing.frames.push_back({all.back(), orderOf(count, reversed), 0.03});
+    }
+  }
+  drawn_ = !drawing.isEmpty();
+  parts_.view.draw(kOwner, drawing);
+}
+
+void TransformPanel::present(const servo::Snapshot&) {
+  if (isSeen() != drawn_) draw();
+}
+
+void TransformPanel::hideEvent(QHideEvent* event) {
+  parts_.view.draw(kOwner, {});
+  drawn_ = false;
+  Panel::hideEvent(event);
+}
+
+}  // namespace underact::gui

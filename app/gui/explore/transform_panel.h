@@ -1,0 +1,55 @@
+#pragma once
+#include <vector>
+
+#include "app/gui/explore/history.h"
+#include "app/gui/panel.h"
+#include "core/chain/steps.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class EditTable;
+class NumberTable;
+
+/// Turns and shifts that are put together, in the order in which they stand and in the other one, side by side: where
+/// the frame ends is said as matrices and drawn in the view.
+class TransformPanel : public Panel {
+  Q_OBJECT
+ public:
+  TransformPanel(const PanelParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  struct State {
+    std::vector<chain::Step> steps;
+    chain::Axes axes = chain::Axes::Moving;
+  };
+  void build();
+  void buildButtons(QVBoxLayout* column);
+  void addCommands();
+  bool setStep(int row, const QString& kind, const QString& amount);  // empty: as it is
+  bool setAxes(chain::Axes axes);
+  bool change(const State& state);
+  int selected() const;
+  void refresh();
+  void draw();
+  std::vector<Pose> frames(bool reversed) const;
+
+  PanelParts parts_;
+  History<State> states_;
+  bool drawn_ = false;
+  QComboBox* axes_ = nullptr;
+  EditTable* table_ = nullptr;
+  NumberTable *listed_ = nullptr, *reversed_ = nullptr;
+  QLabel *apart_ = nullptr, *told_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,100 @@
+#include "app/gui/view/drawing.h"
+
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kBeyond_mm = 4.0;  // of a label
+constexpr double kRing_mm = 5.0, kHalfAxis_mm = 9.0;
+
+}  // namespace
+
+DrawingPicture::DrawingPicture() : actor_(makeActor(lines_.data(), Kind::Mark)) {}
+
+void DrawingPicture::setLineWidth(double scale) {
+  actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));
+}
+
+void DrawingPicture::draw(const QString& owner, const Drawing& drawing) {
+  if (drawing.isEmpty()) {
+    drawings_.remove(owner);
+  } else {
+    drawings_[owner] = drawing;
+  }
+  build();
+}
+
+void DrawingPicture::setTheme(const Theme& theme) {
+  theme_ = theme;
+  build();
+}
+
+std::size_t DrawingPicture::framesDrawn() const {
+  std::size_t count = 0;
+  for (const Drawing& drawing : drawings_) count += drawing.frames.size();
+  return count;
+}
+
+void DrawingPicture::build() {
+  lines_.clear();
+  labels_.clear();
+  for (const Drawing& drawing : drawings_) {
+    for (const DrawnLink& link : drawing.links) add(link);
+    for (const DrawnJoint& joint : drawing.joints) add(joint);
+    for (const DrawnFrame& frame : drawing.frames) add(frame);
+  }
+  lines_.done();
+}
+
+void DrawingPicture::add(const DrawnFrame& frame) {
+  if (!frame.X_WF.matrix().allFinite()) return;
+  const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
+  const Vec3 origin_mm = kMillimetrePerMetre * frame.X_WF.translation();
+  const double length_mm = kMillimetrePerMetre * frame.axis_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vec3 way = frame.X_WF.linear().col(static_cast<Eigen::Index>(axis));
+    lines_.segment(origin_mm, origin_mm + length_mm * way, colours[axis]);
+    if (frame.has_letters)
+      labels_.push_back(
+          {QString(QChar(u"xyz"[axis])), origin_mm + (length_mm + kBeyond_mm) * way, colours[axis], false});
+  }
+  if (!frame.has_letters) {
+    labels_.push_back(
+        {frame.name, origin_mm + (length_mm + kBeyond_mm) * frame.X_WF.linear().col(2), theme_.ink, true});
+    return;
+  }
+  const Vec3 away = -(frame.X_WF.linear() * Vec3::Ones()).normalized();
+  labels_.push_back({frame.name, origin_mm + 2.0 * kBeyond_mm * away, theme_.ink, true});
+}
+
+void DrawingPicture::add(const DrawnLink& link) {
+  if (!link.from_W.allFinite() || !link.to_W.allFinite()) return;
+  const Vec3 from_mm = kMillimetrePerMetre * link.from_W, way_mm = kMillimetrePerMetre * (link.to_W - link.from_W);
+  const int pieces = link.dashed ? std::max(1, static_cast<int>(way_mm.norm() / 8.0)) : 1;
+  for (int piece = 0; piece < pieces; ++piece) {
+    const double from = static_cast<double>(piece) / pieces, to = from + (link.dashed ? 0.5 : 1.0) / pieces;
+    lines_.segment(from_mm + from * way_mm, from_mm + to * way_mm, theme_.virtual_robot);
+  }
+}
+
+void DrawingPicture::add(const DrawnJoint& joint) {
+  if (!joint.p_W.allFinite() || !joint.axis_W.allFinite()) return;
+  const Vec3 at_mm = kMillimetrePerMetre * joint.p_W, u = joint.axis_W.unitOrthogonal(), v = joint.axis_W.cross(u);
+  const Vec3 half_mm = kHalfAxis_mm * joint.axis_W;
+  lines_.segment(at_mm - half_mm, at_mm + half_mm, mixed(theme_.background, theme_.virtual_robot, 0.7));
+  if (joint.type == chain::JointType::Revolute) {
+    lines_.circle(at_mm, u, v, kRing_mm, theme_.virtual_robot);
+  } else {
+    const std::array<Vec3, 4> corners{at_mm + kRing_mm * u, at_mm + kRing_mm * v, at_mm - kRing_mm * u,
+                                      at_mm - kRing_mm * v};
+    lines_.chain(corners, theme_.virtual_robot, true);
+  }
+}
+
+}  // namespace underact::gui

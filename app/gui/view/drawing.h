@@ -1,0 +1,69 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <QMap>
+#include <QString>
+#include <vector>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/pieces.h"
+#include "app/gui/view/workspace_picture.h"
+#include "core/chain/dh.h"
+
+namespace underact::gui {
+
+// What a panel draws into the view beside the scene; m, in W.
+
+struct DrawnFrame {
+  Pose X_WF = Pose::Identity();
+  QString name;
+  double axis_m = 0.024;
+  bool has_letters = true;  // x, y, z at the axes' ends; else its name stands at the end of z
+};
+
+struct DrawnLink {
+  Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();
+  bool dashed = false;
+};
+
+struct DrawnJoint {
+  chain::JointType type = chain::JointType::Revolute;
+  Vec3 p_W = Vec3::Zero();
+  Vec3 axis_W = Vec3::UnitZ();
+};
+
+struct Drawing {
+  std::vector<DrawnFrame> frames;
+  std::vector<DrawnLink> links;
+  std::vector<DrawnJoint> joints;
+  bool isEmpty() const { return frames.empty() && links.empty() && joints.empty(); }
+};
+
+/// Frames with their letters, links as lines, joints as the rings and squares of drawings of machines; in the colour of
+/// what exists only in software.
+class DrawingPicture {
+ public:
+  DrawingPicture();
+  void setTheme(const Theme& theme);
+  void setLineWidth(double device_pixels_per_pixel);
+  /// In place of what that owner drew before; empty: nothing more. Numbers that are not finite are left out.
+  void draw(const QString& owner, const Drawing& drawing);
+  vtkActor* mark() const { return actor_; }
+  const std::vector<Label>& labels() const { return labels_; }
+  std::size_t framesDrawn() const;
+
+ private:
+  void build();
+  void add(const DrawnFrame& frame);
+  void add(const DrawnLink& link);
+  void add(const DrawnJoint& joint);
+
+  Theme theme_ = Theme::light();
+  QMap<QString, Drawing> drawings_;
+  Lines lines_;
+  vtkSmartPointer<vtkActor> actor_;
+  std::vector<Label> labels_;
+};
+
+}  // namespace underact::gui
