@@ -89,7 +89,7 @@ void LessonsPanel::addStepActions() {
   parts_.actions.add({"lesson.back", tr("&Back"), QKeySequence("F7"), tr("The step of the lesson before this one.")},
                      [this](const QVariantList&) { return step(-1); });
   parts_.actions.add(
-      {"lesson.hint", tr("&Show me"), QKeySequence("Ctrl+Shift+H"), tr("Shows a hint for this step, below its text.")},
+      {"lesson.hint", tr("&Show me"), QKeySequence("Ctrl+Shift+U"), tr("Shows a hint for this step, below its text.")},
       [this](const QVariantList&) {
         const bool shown = page_->showHint();
         enableActions();
