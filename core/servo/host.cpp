@@ -92,6 +92,7 @@ struct Host::Impl {
   Problems put(const scene::Description& wanted, Order order) {
     Result<tick::TickProgram> program = scene::compile(wanted);
     if (!program) return program.problems();
+    program.value().limits.max_force_N *= force_share;
     program.value().limits.frozen_s = device->info().frozen_s;
     program.value().limits.max_late = options.max_late;
     tick::TickState state = tick::makeState(program.value());
@@ -142,6 +143,7 @@ struct Host::Impl {
   std::vector<std::shared_ptr<Tap>> ending;  // the servo may still write into them
   bool started = false;
   bool hold_to_run = false;
+  double force_share = 1.0;
   Timing timing;
   std::int64_t timed_from = 0;  // the tick before the first one that timing is about
 };
@@ -196,6 +198,18 @@ void Host::setHoldToRun(bool on) {
 
 bool Host::holdToRun() const {
   return impl_->hold_to_run;
+}
+
+Problems Host::setForceShare(double share) {
+  if (!(share >= 0.0 && share <= 1.0)) return {{"The share of the force is from 0 to 1.", {}}};
+  if (share == impl_->force_share) return {};
+  if (impl_->records()) return {{"A session is recorded at one limit of the force. Stop the recording first.", {}}};
+  impl_->force_share = share;
+  return impl_->revision > 0 ? impl_->put(scene::Description(impl_->scene), Order::Retune) : Problems{};
+}
+
+double Host::forceShare() const {
+  return impl_->force_share;
 }
 
 Problems Host::restart() {

@@ -70,6 +70,11 @@ class Host {
   /// Hold to run: from then on the servo pushes only while the stylus button nearer to the tip is held.
   void setHoldToRun(bool on);
   bool holdToRun() const;
+  /// Of the force that the arm bears for good, only this share is let through from the next tick on, 0 to 1, whatever
+  /// scene comes; the clamp that there always is does it. Problems: a session is being recorded, and would replay with
+  /// another limit; no such share. Then nothing was done.
+  Problems setForceShare(double share);
+  double forceShare() const;
   /// The servo thread ends and begins anew, the arm is asked to open itself again, the scene stays; the servo is
   /// stopped then, and Start goes on. Problems: why the arm did not open.
   Problems restart();

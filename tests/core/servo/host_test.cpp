@@ -57,6 +57,36 @@ TEST(Host, PushesOnlyBetweenStartAndStop) {
   EXPECT_EQ(rig.seen.last_size_N, 0.0);
 }
 
+TEST(Host, AShareOfTheForceIsTheMostThatIsSentFromTheNextTickOnWhateverSceneComes) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50, 0.5)).empty());  // 5 N are asked for
+  rig.host->start();
+  rig.host->run(500);
+  const double whole_N = rig.seen.last_size_N;
+  EXPECT_NEAR(whole_N, 0.88, 1e-9);
+  ASSERT_TRUE(rig.host->setForceShare(0.5).empty());
+  EXPECT_EQ(rig.host->forceShare(), 0.5);
+  rig.host->run(1);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5 * whole_N, 1e-9);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Running);  // it goes on pushing
+  const std::size_t before = rig.seen.forces.size();
+  ASSERT_TRUE(rig.host->load(sphereScene(20, 0.5)).empty());
+  rig.host->run(1000);
+  for (std::size_t tick = before; tick < rig.seen.forces.size(); ++tick)
+    ASSERT_LE(rig.seen.forces[tick].norm(), 0.5 * whole_N + 1e-9);
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5 * whole_N, 1e-9);
+  ASSERT_TRUE(rig.host->setForceShare(1.0).empty());
+  rig.host->run(10);
+  EXPECT_NEAR(rig.seen.last_size_N, whole_N, 1e-9);
+}
+
+TEST(Host, AShareThatIsNoneIsRefused) {
+  Rig rig;
+  for (const double share : {-0.1, 1.1, std::nan("")}) EXPECT_FALSE(rig.host->setForceShare(share).empty()) << share;
+  EXPECT_EQ(rig.host->forceShare(), 1.0);
+  EXPECT_EQ(rig.host->revision(), 0u);  // and no scene has come by it
+}
+
 TEST(Host, AGainReachesTheNextTickAndFadesInWithoutAStep) {
   Rig rig;
   ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
