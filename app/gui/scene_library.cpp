@@ -17,7 +17,7 @@ SceneEntry sceneEntry(const QString& path) {
     return {path, QFileInfo(path).fileName(), QObject::tr("This file cannot be read. Open it to see why."), {}};
   const scene::Description& scene = read.value();
   return {path, QString::fromStdString(scene.title), QString::fromStdString(scene.about),
-          scene::typeName(scene.constraints.front().shape)};
+          scene::typeName(scene.constraints.front().shape), scene::teachingOf(path.toStdString())};
 }
 
 QString sceneFolder() {
@@ -27,6 +27,18 @@ QString sceneFolder() {
   folders << QCoreApplication::applicationDirPath() + "/../../scenes";  // run from build/release of the source tree
   for (const QString& folder : folders) {
     if (QDir(folder).exists()) return QDir(folder).absolutePath();
+  }
+  return {};
+}
+
+QString scenePicture(const QString& path, bool dark) {
+  const QFileInfo scene(path);
+  if (scene.absolutePath() != sceneFolder()) return {};
+  for (const char* const folder :
+       {"../pictures/scenes", "../resources/pictures/scenes"}) {  // installed; in the sources
+    const QString picture =
+        scene.dir().filePath(QString("%1/%2%3.png").arg(folder, scene.completeBaseName(), dark ? "_dark" : ""));
+    if (QFileInfo::exists(picture)) return QDir::cleanPath(picture);
   }
   return {};
 }

@@ -1,7 +1,10 @@
 #pragma once
 #include <QObject>
 #include <QStringList>
+#include <optional>
 #include <vector>
+
+#include "core/scene/teaching.h"
 
 namespace underact::gui {
 
@@ -11,6 +14,7 @@ struct SceneEntry {
   QString title;
   QString about;
   QString type;  // of its first constraint: "sphere"; empty: it cannot be read
+  std::optional<scene::Teaching> teaching = {};
 };
 
 /// What a file says of itself. One that cannot be read has its file name for a title: opening it tells why.
@@ -19,6 +23,9 @@ SceneEntry sceneEntry(const QString& path);
 /// The folder of the scenes that come with the program: $UNDERACT_DATA_DIR/scenes, beside the installed program, or in
 /// the sources it was built from. Empty: none.
 QString sceneFolder();
+
+/// The small picture of a scene that comes with the program; empty: it has none.
+QString scenePicture(const QString& path, bool dark);
 
 /// The scenes that come with the program, in teaching order (that of their file names).
 std::vector<SceneEntry> shippedScenes();

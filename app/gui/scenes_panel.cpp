@@ -1,19 +1,21 @@
 #include "app/gui/scenes_panel.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QDir>
 #include <QDockWidget>
-#include <QFileInfo>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QScrollBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/icons.h"
+#include "app/gui/page/page_view.h"
 
 namespace underact::gui {
 namespace {
@@ -21,14 +23,36 @@ namespace {
 constexpr int kPath = Qt::UserRole;
 constexpr int kAbout = Qt::UserRole + 1;
 constexpr int kType = Qt::UserRole + 2;
+constexpr int kPicture_px = 40;  // high, at least
 
 bool isHeading(const QListWidgetItem& item) {
   return item.data(kPath).isNull();
 }
 
-QString headingOf(const SceneEntry& entry) {
-  if (entry.type == "virtual_manipulator") return ScenesPanel::tr("Robots");
-  return entry.type == "mesh" ? ScenesPanel::tr("Meshes") : ScenesPanel::tr("Shapes");
+struct GroupRow {
+  scene::Group group;
+  const char* title;
+};
+constexpr GroupRow kGroups[] = {{scene::Group::Shapes, QT_TRANSLATE_NOOP("scenes", "Shapes")},
+                                {scene::Group::Walls, QT_TRANSLATE_NOOP("scenes", "Walls")},
+                                {scene::Group::Orientation, QT_TRANSLATE_NOOP("scenes", "Orientation")},
+                                {scene::Group::Robots, QT_TRANSLATE_NOOP("scenes", "Robots in software")},
+                                {scene::Group::Meshes, QT_TRANSLATE_NOOP("scenes", "Meshes")},
+                                {scene::Group::Curves, QT_TRANSLATE_NOOP("scenes", "Curves")},
+                                {scene::Group::Stability, QT_TRANSLATE_NOOP("scenes", "Stability")}};
+
+/// What is said of a scene, as a page.
+QString pageOf(const SceneEntry& entry) {
+  QStringList parts;
+  const scene::Teaching teaching = entry.teaching.value_or(scene::Teaching{});
+  const auto add = [&parts](const QString& heading, const std::string& text) {
+    if (!text.empty()) parts << QString("**%1** %2").arg(heading, QString::fromStdString(text));
+  };
+  add(ScenesPanel::tr("Feel:"), teaching.feel);
+  add(ScenesPanel::tr("Try:"), teaching.try_this);
+  add(ScenesPanel::tr("Equation:"), teaching.equation);
+  parts << entry.about;
+  return parts.join("\n\n");
 }
 
 }  // namespace
@@ -39,7 +63,7 @@ ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
       shipped_(shippedScenes()),
       filter_(new QLineEdit(this)),
       list_(new QListWidget(this)),
-      about_(new QLabel(this)) {
+      about_(new PageView(this)) {
   filter_->setObjectName("panel.scenes.filter");
   filter_->setAccessibleName(tr("Filter the scenes"));
   filter_->setPlaceholderText(tr("Filter"));
@@ -49,15 +73,14 @@ ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
-  const int icon_side = qRound(1.3 * fontMetrics().height());
-  list_->setIconSize({icon_side, icon_side});
+  const int high = qMax(kPicture_px, qRound(2.4 * fontMetrics().height()));
+  list_->setIconSize({high * 4 / 3, high});
   about_->setObjectName("panel.scenes.about");
   about_->setAccessibleName(tr("About the selected scene"));
-  about_->setWordWrap(true);
-  about_->setProperty("role", "quiet");
-  about_->setMinimumHeight(3 * fontMetrics().lineSpacing());
-  about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  about_->setFrameShape(QFrame::NoFrame);
+  about_->document()->setDocumentMargin(0);
+  about_->viewport()->setBackgroundRole(QPalette::Window);  // a part of the panel, no sheet of paper
+  about_->setMinimumHeight(6 * fontMetrics().lineSpacing());
   auto* open = new QToolButton(this);
   open->setDefaultAction(parts_.actions.find("scene.open"));
   open->setObjectName("panel.scenes.open");
@@ -71,7 +94,7 @@ ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
   column->setSpacing(8);
   for (QWidget* widget :
        {static_cast<QWidget*>(filter_), static_cast<QWidget*>(list_), static_cast<QWidget*>(about_)}) {
-    column->addWidget(widget, widget == list_ ? 1 : 0);
+    column->addWidget(widget, widget == list_ ? 3 : widget == about_ ? 2 : 0);
   }
   column->addWidget(open);
 
@@ -91,6 +114,10 @@ ScenesPanel::ScenesPanel(const PanelParts& parts, QWidget* parent)
   connect(list_, &QListWidget::itemActivated, this, &ScenesPanel::openItem);
   connect(list_, &QListWidget::currentItemChanged, this, &ScenesPanel::describe);
   connect(list_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { follows_ = false; });
+  connect(about_, &PageView::asked, this, [this](const QUrl& link) {
+    if (link.scheme() == "scene")
+      parts_.actions.perform("scene.open", QDir(sceneFolder()).filePath(link.path() + ".json"));
+  });
   connect(&parts_.document, &Document::opened, this, &ScenesPanel::markOpen);
   connect(&parts_.recent, &RecentFiles::changed, this, &ScenesPanel::rebuild);
   rebuild();
@@ -107,19 +134,25 @@ void ScenesPanel::addHeading(const QString& text) {
 void ScenesPanel::addScene(const SceneEntry& entry) {
   auto* item = new QListWidgetItem(entry.title, list_);
   item->setData(kPath, entry.path);
-  item->setData(kAbout, entry.about);
+  item->setData(kAbout, pageOf(entry));
   item->setData(kType, entry.type.isEmpty() ? QString("file") : entry.type);
   item->setToolTip(entry.title + "\n" + entry.path);
-  item->setIcon(icon(item->data(kType).toString(), theme_));
+  item->setIcon(iconOf(*item));
+}
+
+/// Its picture; a scene of one's own has that of its type.
+QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
+  const QString picture = scenePicture(item.data(kPath).toString(), theme_.dark);
+  return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : QIcon(picture);
 }
 
 void ScenesPanel::rebuild() {
   list_->clear();
-  for (const QString& heading : {tr("Shapes"), tr("Robots"), tr("Meshes")}) {
+  for (const GroupRow& row : kGroups) {
     bool headed = false;
     for (const SceneEntry& entry : shipped_) {
-      if (headingOf(entry) != heading) continue;
-      if (!std::exchange(headed, true)) addHeading(heading);
+      if (entry.teaching.value_or(scene::Teaching{}).group != row.group) continue;
+      if (!std::exchange(headed, true)) addHeading(QCoreApplication::translate("scenes", row.title));
       addScene(entry);
     }
   }
@@ -184,14 +217,14 @@ void ScenesPanel::resizeEvent(QResizeEvent* event) {
 
 void ScenesPanel::describe() {
   const QListWidgetItem* item = list_->currentItem();
-  about_->setText(item == nullptr ? QString() : item->data(kAbout).toString());
+  about_->showPage(item == nullptr ? QString() : item->data(kAbout).toString(), sceneFolder());
 }
 
 void ScenesPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   for (int row = 0; row < list_->count(); ++row) {
     QListWidgetItem* item = list_->item(row);
-    if (!isHeading(*item)) item->setIcon(icon(item->data(kType).toString(), theme_));
+    if (!isHeading(*item)) item->setIcon(iconOf(*item));
   }
 }
 

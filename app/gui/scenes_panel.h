@@ -4,14 +4,17 @@
 #include "app/gui/panel.h"
 #include "app/gui/scene_library.h"
 
-class QLabel;
+class QIcon;
 class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
 
 namespace underact::gui {
 
-/// The scenes to choose from: those that come with the program, and files opened lately.
+class PageView;
+
+/// The scenes to choose from: those that come with the program, in teaching order, and files opened lately; and below
+/// the list what to feel, what to try, and the equation.
 class ScenesPanel : public Panel {
   Q_OBJECT
  public:
@@ -26,6 +29,7 @@ class ScenesPanel : public Panel {
   void filter(const QString& text);
   void addHeading(const QString& text);
   void addScene(const SceneEntry& entry);
+  QIcon iconOf(const QListWidgetItem& item) const;
   void openItem(QListWidgetItem* item);
   void markOpen();
   void keepInSight();
@@ -36,7 +40,7 @@ class ScenesPanel : public Panel {
   std::vector<SceneEntry> shipped_;
   QLineEdit* filter_;
   QListWidget* list_;
-  QLabel* about_;
+  PageView* about_;
   bool follows_ = true;  // the selected scene is kept in sight, until somebody scrolls
 };
 

@@ -88,6 +88,7 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   if (const json::Value* simulation = object.find("simulation")) {
     scene.simulation = readSimulation(*simulation, findings);
   }
+  if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
     isKind(*schema, json::Kind::String, "$schema", "text in double quotes", findings);

@@ -4,6 +4,7 @@
 #include "core/json/object_reader.h"
 #include "core/scene/description.h"
 #include "core/scene/fields.h"
+#include "core/scene/teaching.h"
 
 namespace underact::scene {
 
@@ -28,6 +29,9 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
 
 /// velocity of a control.
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings);
+
+/// teach of the scene.
+Teaching readTeaching(const json::Value& value, Findings& findings);
 
 /// control of the scene or of one constraint.
 Control readControl(const json::Value& value, const std::string& path, Findings& findings);

@@ -63,7 +63,7 @@ Result<Description> readSceneFile(const std::string& path) {
   return readScene(text.value(), path);
 }
 
-Problems writeSceneFile(const Description& scene, const std::string& path) {
+Problems writeSceneFile(const Description& scene, const std::string& path, const std::optional<Teaching>& teaching) {
   const std::string target = withoutLinks(path);
   const std::string part = target + "." + std::to_string(::getpid()) + ".part";
   struct stat old {};
@@ -72,7 +72,7 @@ Problems writeSceneFile(const Description& scene, const std::string& path) {
   Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (file.get() < 0) return problem(path, "The scene cannot be saved: " + reason());
   if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777U);
-  if (!writeAll(file, writeScene(scene)) || ::fsync(file.get()) != 0 || !file.close() ||
+  if (!writeAll(file, writeScene(scene, teaching)) || ::fsync(file.get()) != 0 || !file.close() ||
       std::rename(part.c_str(), target.c_str()) != 0) {
     const Problems problems = problem(path, "The scene cannot be saved, what was there is untouched: " + reason());
     ::unlink(part.c_str());

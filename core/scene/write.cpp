@@ -217,6 +217,14 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
   return objectText(members, 4);
 }
 
+std::string teachingText(const Teaching& teaching) {
+  Members members{{"group", json::quoted(wordOf(kGroupWords, teaching.group))}};
+  if (!teaching.feel.empty()) members.emplace_back("feel", json::quoted(teaching.feel));
+  if (!teaching.try_this.empty()) members.emplace_back("try", json::quoted(teaching.try_this));
+  if (!teaching.equation.empty()) members.emplace_back("equation", json::quoted(teaching.equation));
+  return objectText(members, 2);
+}
+
 std::string simulationText(const Simulation& simulation) {
   const Simulation usual;
   Members members;
@@ -228,10 +236,11 @@ std::string simulationText(const Simulation& simulation) {
 
 }  // namespace
 
-std::string writeScene(const Description& scene) {
+std::string writeScene(const Description& scene, const std::optional<Teaching>& teaching) {
   const Description usual;
   std::string result = "{\n  \"underact_scene\": 1,\n  \"title\": " + json::quoted(scene.title);
   if (scene.about != usual.about) result += ",\n  \"about\": " + json::quoted(scene.about);
+  if (teaching) result += ",\n  \"teach\": " + teachingText(*teaching);
   if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quoted(scene.arm);
   if (!isUsual(scene.control)) result += ",\n  \"control\": " + controlText(scene.control, 2);
   if (scene.combine != usual.combine)

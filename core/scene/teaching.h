@@ -1,0 +1,31 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/json/words.h"
+
+namespace underact::scene {
+
+/// Where a scene stands in a course, in this order.
+enum class Group : std::uint8_t { Shapes, Walls, Orientation, Robots, Meshes, Curves, Stability };
+
+inline constexpr json::Word<Group> kGroupWords[] = {{"shapes", Group::Shapes},           {"walls", Group::Walls},
+                                                    {"orientation", Group::Orientation}, {"robots", Group::Robots},
+                                                    {"meshes", Group::Meshes},           {"curves", Group::Curves},
+                                                    {"stability", Group::Stability}};
+
+/// What a class reads of a scene, in Markdown with formulas between dollars. Nothing of it is run, so it is no part of
+/// the Description: edits and recordings do without.
+struct Teaching {
+  Group group = Group::Shapes;
+  std::string feel, try_this, equation;
+  bool operator==(const Teaching&) const = default;
+};
+
+/// What "teach" in the text of a scene says; none where it says nothing, or cannot be read (readScene() tells why).
+std::optional<Teaching> teachingIn(std::string_view text);
+/// The same of a file.
+std::optional<Teaching> teachingOf(const std::string& path);
+
+}  // namespace underact::scene
