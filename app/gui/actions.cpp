@@ -1,7 +1,9 @@
 #include "app/gui/actions.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QWidget>
+#include <utility>
 
 namespace underact::gui {
 
@@ -17,11 +19,9 @@ QAction* Actions::add(const ActionInfo& info, Run run) {
   action->setToolTip(keys.isEmpty() ? info.tip : tr("%1 (%2)").arg(info.tip, keys));
   action->setIconText(info.button.isEmpty() ? QString(info.text).remove('&') : info.button);
   action->setCheckable(info.checkable);
-  connect(action, &QAction::triggered, this, [run, action](bool on) {
-    // Refused? The check mark says what holds, not what was asked for.
-    if (!run(action->isCheckable() ? QVariantList{on} : QVariantList{}) && action->isCheckable()) {
-      action->setChecked(!on);
-    }
+  connect(action, &QAction::triggered, this, [this, name = info.name, run, action](bool on) {
+    const bool done = allows(name) && run(action->isCheckable() ? QVariantList{on} : QVariantList{});
+    if (!done && action->isCheckable()) action->setChecked(!on);  // refused: the mark says what holds
   });
   window_->addAction(action);  // so that its shortcut works wherever the focus is
   actions_.insert(info.name, action);
@@ -41,7 +41,7 @@ QAction* Actions::find(const QString& name) const {
 
 bool Actions::perform(const QString& name, const QVariantList& arguments) {
   QAction* action = find(name);
-  if (action != nullptr && !action->isEnabled()) return false;
+  if (!allows(name) || (action != nullptr && !action->isEnabled())) return false;
   const auto run = runs_.constFind(name);
   if (run == runs_.constEnd()) return false;
   if (action != nullptr && action->isCheckable()) {
@@ -49,6 +49,23 @@ bool Actions::perform(const QString& name, const QVariantList& arguments) {
     return true;
   }
   return (*run)(arguments);
+}
+
+void Actions::allowOnly(const QSet<QString>& names) {
+  allowed_ = names;
+  enableGroups(false);
+}
+
+void Actions::allowAll() {
+  allowed_.reset();
+  enableGroups(true);
+}
+
+/// One of many takes the mark from another before anybody can refuse it.
+void Actions::enableGroups(bool on) {
+  for (QAction* action : std::as_const(actions_)) {
+    if (action->actionGroup() != nullptr) action->actionGroup()->setEnabled(on);
+  }
 }
 
 void Actions::setIcons(const std::function<QIcon(const QString& icon)>& painted) {

@@ -3,8 +3,10 @@
 #include <QIcon>
 #include <QKeySequence>
 #include <QObject>
+#include <QSet>
 #include <QVariantList>
 #include <functional>
+#include <optional>
 
 class QAction;
 class QWidget;
@@ -48,14 +50,22 @@ class Actions : public QObject {
     return perform(name, QVariantList{QVariant(arguments)...});
   }
 
+  /// Only these do anything from now on, by whatever way they are asked for: menu, shortcut, button or name.
+  void allowOnly(const QSet<QString>& names);
+  void allowAll();
+  bool allows(const QString& name) const { return !allowed_ || allowed_->contains(name); }
+
   void setIcons(const std::function<QIcon(const QString& icon)>& painted);
 
  private:
+  void enableGroups(bool on);
+
   QWidget* window_;
   QStringList names_;
   QHash<QString, QAction*> actions_;
   QHash<QString, QString> icons_;
   QHash<QString, Run> runs_;
+  std::optional<QSet<QString>> allowed_;  // none: all
 };
 
 }  // namespace underact::gui

@@ -59,7 +59,9 @@ Problems Document::open(scene::Description opened) {
 
 Problems Document::saveAs(const QString& path) {
   const QString file = QFileInfo(path).absoluteFilePath();
-  Problems problems = scene::writeSceneFile(scene::namedFrom(scene(), file.toStdString()), file.toStdString());
+  const std::optional<scene::Teaching> teaching = scene::teachingOf(path_.toStdString());  // goes along, as it was
+  Problems problems =
+      scene::writeSceneFile(scene::namedFrom(scene(), file.toStdString()), file.toStdString(), teaching);
   if (!problems.empty()) return problems;
   path_ = file;
   original_ = scene();

@@ -105,7 +105,12 @@ void FaultWatch::keepAndTell(servo::FaultReport&& report, const record::FaultWor
 void FaultWatch::tell(const ToldFault& told) {
   last_ = std::make_unique<ToldFault>(told);
   actions_.find("servo.fault")->setEnabled(true);
-  dialog().tell(told);
+  if (!quiet_) dialog().tell(told);
+}
+
+void FaultWatch::setQuiet(bool on) {
+  quiet_ = on;
+  if (on && dialog_ != nullptr) dialog_->close();
 }
 
 bool FaultWatch::showLast() {

@@ -36,6 +36,8 @@ class FaultWatch : public QObject {
   void tellException(const std::string& message);
   /// Brings the dialog with the last fault to the front, with the keyboard. False: there was none.
   bool showLast();
+  /// On: faults are kept and not told, because somebody else does; off: from now on they are told again.
+  void setQuiet(bool on);
   void setTheme(const Theme& theme);
 
  private:
@@ -51,6 +53,7 @@ class FaultWatch : public QObject {
   Theme theme_ = Theme::light();
   QPointer<FaultDialog> dialog_;
   std::unique_ptr<ToldFault> last_;
+  bool quiet_ = false;
 };
 
 }  // namespace underact::gui

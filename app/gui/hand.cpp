@@ -5,10 +5,7 @@
 
 namespace underact::gui {
 
-constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: the hand has felt something
-
-Hand::Hand(SceneView* view, device::SimulatedArm* arm, bool has_pushed, QObject* parent)
-    : QObject(parent), view_(view), arm_(arm), has_pushed_(has_pushed) {
+Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObject(parent), view_(view), arm_(arm) {
   view_->setHandAvailable(arm_ != nullptr);
   if (arm_ == nullptr) return;
   connect(view_, &SceneView::handGrabbed, this, [this] {
@@ -20,7 +17,6 @@ Hand::Hand(SceneView* view, device::SimulatedArm* arm, bool has_pushed, QObject*
     arm_->wish(wish);
   });
   connect(view_, &SceneView::handReleased, this, [this] { moving_ = false; });
-  showHint();
 }
 
 Hand::~Hand() {
@@ -30,16 +26,9 @@ Hand::~Hand() {
 void Hand::present(const servo::Snapshot& snapshot) {
   if (arm_ == nullptr) return;
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
-  const bool pushed = has_pushed_ || (moving_ && snapshot.report.force.f_T_W().norm() > kPush_N);
-  if (faulted == faulted_ && pushed == has_pushed_) return;
+  if (faulted == faulted_) return;
   faulted_ = faulted;
-  has_pushed_ = pushed;
   showHint();
-}
-
-void Hand::setShape(const QString& type) {
-  shape_ = type;
-  if (arm_ != nullptr) showHint();
 }
 
 void Hand::setReplaying(bool on) {
@@ -68,13 +57,8 @@ void Hand::press(unsigned stylus_buttons) {
 }
 
 void Hand::showHint() {
-  if (replaying_) return view_->setHint(faulted_ ? QString() : tr("Replaying: forces go to no arm."));
-  if (!isThere()) return view_->setHint({});
-  // One line at a time: what went wrong goes before what could be done.
-  const bool has_inside = !QStringList{"point", "line", "circle", "curve", "virtual_manipulator"}.contains(shape_);
-  const QString what = has_inside ? tr("Push into the %1.") : tr("Pull it away from the %1.");
-  const QString shape = shape_ == "virtual_manipulator" ? tr("robot's tip") : shape_;
-  view_->setHint(has_pushed_ || faulted_ ? QString() : tr("Drag the stylus with the mouse. ") + what.arg(shape));
+  // One line at a time: what went wrong goes before it.
+  view_->setHint(replaying_ && !faulted_ ? tr("Replaying: forces go to no arm.") : QString());
 }
 
 }  // namespace underact::gui

@@ -13,21 +13,20 @@ namespace underact::gui {
 
 class SceneView;
 
-/// Hands what the mouse and the keys do in the view on to the simulated hand, and says once how it is done.
+/// Hands what the mouse and the keys do in the view on to the simulated hand.
 class Hand : public QObject {
   Q_OBJECT
  public:
   /// arm: null where a real one is there; then nothing can be grabbed.
-  Hand(SceneView* view, device::SimulatedArm* arm, bool has_pushed, QObject* parent);
+  Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent);
   ~Hand() override;  // lets go of the stylus' buttons
   void present(const servo::Snapshot& snapshot);
-  /// What there is to push into: "sphere".
-  void setShape(const QString& type);
   /// While a recording moves the stylus nobody else does.
   void setReplaying(bool on);
   /// While another arm is in the simulated one's place.
   void setAbsent(bool on);
-  bool hasPushed() const { return has_pushed_; }
+  /// Somebody moves it just now.
+  bool moves() const { return moving_; }
 
   /// The arm, while a hand may move it; else null.
   const device::SimulatedArm* arm() const { return isThere() ? arm_ : nullptr; }
@@ -42,8 +41,6 @@ class Hand : public QObject {
 
   SceneView* view_;
   device::SimulatedArm* arm_;
-  QString shape_ = "sphere";
-  bool has_pushed_;
   bool moving_ = false;
   bool replaying_ = false;
   bool absent_ = false;

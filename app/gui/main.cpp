@@ -80,6 +80,11 @@ int runWindow(const options::WindowOptions& options, const QElapsedTimer& since_
   if (isSession(asked)) window.openSession(asked);
   if (isMeshFile(asked)) window.actions().perform("mesh.add", asked);
   if (isCurveFile(asked)) window.actions().perform("curve.add", asked);
+  if (options.visitors) {
+    QStringList scenes;
+    for (const std::string& path : options.visitor_scenes) scenes << QString::fromStdString(path);
+    window.actions().perform("visitor.start", scenes);
+  }
   return QApplication::exec();
 }
 
@@ -107,6 +112,7 @@ int run(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's; scene files and VTK read points
   QLocale::setDefault(QLocale::c());  // and a number on the screen reads as the same number in a file
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);
+  if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
   return runWindow(options, since_start);
 }
 

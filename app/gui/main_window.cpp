@@ -2,6 +2,7 @@
 
 #include <QAccessible>
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -10,6 +11,7 @@
 #include <QStatusBar>
 #include <QStatusTipEvent>
 #include <QUrl>
+#include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/devices/arm_choice.h"
@@ -23,6 +25,7 @@
 #include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
 #include "app/gui/problems_box.h"
+#include "app/gui/projector/projector.h"
 #include "app/gui/registration/registration_tool.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
@@ -35,6 +38,9 @@
 #include "app/gui/status_line.h"
 #include "app/gui/style.h"
 #include "app/gui/view/section_strip.h"
+#include "app/gui/visitor/visitor_mode.h"
+#include "app/gui/welcome/tour.h"
+#include "app/gui/welcome/welcome.h"
 #include "core/arm/preset.h"
 #include "device/simulated_arm.h"
 
@@ -61,6 +67,7 @@ void MainWindow::frame() {
   faults_->look(snapshot);
   if (pacer_->isSeen()) showFrame(snapshot);
   identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then
+  visitors_->present(parts_.host.snapshot());  // so may they
 }
 
 void MainWindow::showFrame(const servo::Snapshot& snapshot) {
@@ -72,6 +79,9 @@ void MainWindow::showFrame(const servo::Snapshot& snapshot) {
   status_->setLive(live_->where(), live_->details());
   for (Panel* panel : panels_) panel->present(snapshot);
   presentMode(snapshot);
+  welcome_->present(snapshot, parts_.host.rateHz(), !visitors_->isOn());
+  if (visitors_->isOn()) tour_->leave();
+  tour_->follow();
 }
 
 void MainWindow::presentMode(const servo::Snapshot& snapshot) {
@@ -97,11 +107,7 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::opened, this, [this] {
     const scene::Description& scene = document_->scene();
     view_->setScene(scene);
-    if (const arm::Preset* preset = arm::findPreset(scene.arm)) {
-      view_->setForceLimit(preset->continuous_force_N);
-      status_->setForceLimit(preset->continuous_force_N);
-    }
-    hand_->setShape(QString::fromLatin1(scene::typeName(scene.constraints.front().shape)));
+    showForceLimit();
     if (!document_->showsRecorded()) settings_.last_scene = document_->path();
     actions_->find("scene.save_as")->setEnabled(true);
     presentMode(parts_.host.snapshot());
@@ -112,6 +118,14 @@ void MainWindow::connectDocument() {
     view_->followEdit(document_->scene());
     updateTitle();
   });
+}
+
+void MainWindow::showForceLimit() {
+  const arm::Preset* preset = arm::findPreset(document_->scene().arm);
+  if (preset == nullptr) return;
+  const double limit_N = preset->continuous_force_N * parts_.host.forceShare();
+  view_->setForceLimit(limit_N);
+  status_->setForceLimit(limit_N);
 }
 
 void MainWindow::connectPlayer() {
@@ -182,6 +196,8 @@ void MainWindow::setTheme(const Theme& theme) {
   faults_->setTheme(theme);
   identify_->setTheme(theme);
   registration_->setTheme(theme);
+  welcome_->setTheme(theme);
+  tour_->setTheme(theme);
   for (Panel* panel : panels_) panel->setTheme(theme);
 }
 
@@ -200,10 +216,15 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   pacer_->setSeen(true);
   if (!arranged_ && settings_.layout.isEmpty()) arrangeDocks();  // sizes are known only now
-  arranged_ = true;
+  if (!std::exchange(arranged_, true)) actions_->perform("view.projector", settings_.projector);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (visitors_->isOn() && !qApp->isSavingSession()) {  // the demonstrator's panel has the way out
+    event->ignore();
+    return;
+  }
+  visitors_->leave();
   actions_->perform("lesson.leave");  // what is asked about and remembered is the user's own
   if (!files_->settleEdits()) {
     event->ignore();
@@ -224,11 +245,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (visitors_->isOn()) return;
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  if (visitors_->isOn()) return;
   event->acceptProposedAction();
   const QString path = event->mimeData()->urls().first().toLocalFile();
   actions_->perform(isSession(path) ? "replay.open" : "scene.open", path);

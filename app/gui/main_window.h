@@ -33,6 +33,7 @@ class LoadStrip;
 class MeshFiles;
 class Panel;
 class Player;
+class Projector;
 class RecentFiles;
 class RegistrationTool;
 class ReplayBar;
@@ -42,6 +43,9 @@ class SecondArm;
 class SectionStrip;
 class ServoRate;
 class StatusLine;
+class Tour;
+class VisitorMode;
+class Welcome;
 
 /// What a window works with; made by main(), and by the stories.
 struct WindowParts {
@@ -63,6 +67,7 @@ class MainWindow : public QMainWindow {
   Actions& actions() { return *actions_; }
   Document& document() { return *document_; }
   SceneView& view() { return *view_; }
+  VisitorMode& visitors() { return *visitors_; }
   Player& player() { return *player_; }
   /// One frame: shows the newest snapshot and fetches every tick since the last frame. The pacer calls it.
   void frame();
@@ -82,6 +87,7 @@ class MainWindow : public QMainWindow {
   void addActions();
   void addHelpActions();
   void buildView();
+  void buildGuests();
   void buildDocks();
   void arrangeDocks();
   void orderTabs();
@@ -95,6 +101,7 @@ class MainWindow : public QMainWindow {
   void setTheme(const Theme& theme);
   void showFrame(const servo::Snapshot& snapshot);
   void presentMode(const servo::Snapshot& snapshot);
+  void showForceLimit();
   void updateTitle();
   void restore();
   void remember();
@@ -129,6 +136,10 @@ class MainWindow : public QMainWindow {
   QHash<QString, Panel*> panels_;
   bool arranged_ = false;
   QString fault_;  // the sentence that was last said
+  Welcome* welcome_ = nullptr;
+  Tour* tour_ = nullptr;
+  Projector* projector_ = nullptr;
+  VisitorMode* visitors_ = nullptr;
 };
 
 }  // namespace underact::gui

@@ -29,6 +29,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/plots_panel.h"
 #include "app/gui/problems_box.h"
+#include "app/gui/projector/projector.h"
 #include "app/gui/registration/registration_tool.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/replay_actions.h"
@@ -43,6 +44,9 @@
 #include "app/gui/stylus_key.h"
 #include "app/gui/view/section_strip.h"
 #include "app/gui/view_actions.h"
+#include "app/gui/visitor/visitor_mode.h"
+#include "app/gui/welcome/tour.h"
+#include "app/gui/welcome/welcome.h"
 #include "core/arm/preset.h"
 
 namespace underact::gui {
@@ -86,6 +90,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   addGalleryActions(*actions_, this);
   addViewActions(*actions_, *view_, parts_.theme);
   buildView();
+  buildGuests();
   buildDocks();
   buildMenus(this, *actions_, *recent_);
   buildToolBar(this, *actions_);
@@ -213,7 +218,7 @@ void MainWindow::buildView() {
   column->addWidget(loads_);
   column->addWidget(replay_bar_);
   setCentralWidget(middle);
-  hand_ = new Hand(view_, parts_.arm, settings_.has_pushed, this);
+  hand_ = new Hand(view_, parts_.arm, this);
   hands_ = new MovingHands(parts_.host, *hand_, parts_.hands, *actions_, this);
   if (parts_.arm != nullptr) new StylusKey(*parts_.arm, this, view_);
   const double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
@@ -232,6 +237,16 @@ void MainWindow::buildView() {
   }
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addPermanentWidget(status_, 1);
+}
+
+/// For those who see it for the first time, from afar, or for a minute.
+void MainWindow::buildGuests() {
+  welcome_ = new Welcome(*view_, *hand_, *document_, *actions_, settings_.has_pushed);
+  tour_ = new Tour(this, *view_, *actions_);
+  projector_ = new Projector(this, *view_, parts_.theme, *actions_);
+  visitors_ =
+      new VisitorMode({this, parts_.host, *document_, *view_, *hand_, *actions_, *faults_, *player_}, centralWidget());
+  connect(visitors_, &VisitorMode::forceLimitChanged, this, &MainWindow::showForceLimit);
 }
 
 void MainWindow::buildDocks() {
@@ -324,6 +339,8 @@ void MainWindow::restore() {
 }
 
 void MainWindow::remember() {
+  settings_.projector = projector_->isOn();
+  projector_->setOn(false);  // what is remembered is the window's own layout
   settings_.geometry = saveGeometry();
   settings_.layout = saveState(kLayoutVersion);
   settings_.theme = parts_.theme.choice();
@@ -333,9 +350,9 @@ void MainWindow::remember() {
   settings_.energy_plot = static_cast<PlotsPanel*>(panels_["plots"])->showsEnergy();
   settings_.hold_to_run = parts_.host.holdToRun();
   settings_.servo_rate_hz = rate_->chosen().value_or(settings_.servo_rate_hz);
-  settings_.has_pushed = hand_->hasPushed();
   settings_.guide_page = guide_->place();
   settings_.guide_zoom = guide_->zoom();
+  settings_.has_pushed = welcome_->wasSeen();
   settings_.arm_model = arm_in_use_->text();
   if (parts_.chosen != nullptr) settings_.device = arms_->wanted();
   writeSettings(settings_);

@@ -117,11 +117,12 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
   fill(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
        {"view.theme.system", "view.theme.light", "view.theme.dark"});
+  fill(view, actions, {"-", "view.projector", "visitor.start", "visitor.demonstrator"});
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
   for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));
   fill(layout, actions, {"-", "layout.reset"});
   fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
-       {"help.guide", "help.keys", "help.figures", "-", "help.about"});
+       {"help.guide", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
 }
 
 void buildToolBar(QMainWindow* window, Actions& actions) {

@@ -67,6 +67,7 @@ Settings readSettings() {
   settings.guide_page = stored.value("guide/page").toString();
   settings.guide_zoom = std::clamp(stored.value("guide/zoom", fresh.guide_zoom).toInt(), 50, 300);
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
+  settings.projector = stored.value("window/projector", false).toBool();
   return settings;
 }
 
@@ -93,6 +94,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("guide/page", settings.guide_page);
   stored.setValue("guide/zoom", settings.guide_zoom);
   stored.setValue("hints/has_pushed", settings.has_pushed);
+  stored.setValue("window/projector", settings.projector);
 }
 
 }  // namespace underact::gui

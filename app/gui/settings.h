@@ -24,7 +24,8 @@ struct Settings {
   int servo_rate_hz = 1000;  // that was chosen last; the command line's goes first
   QString guide_page;        // where the guide was read last: "PAGE#heading"; empty: never
   int guide_zoom = 100;      // percent
-  bool has_pushed = false;   // a hand has pushed once: the first hint has done its work
+  bool has_pushed = false;   // the welcome has done its work: a hand has pushed, say
+  bool projector = false;    // the layout for a projector is on
 };
 
 /// The layout of what is stored. A key that is new, and may be missing, is no other layout.

@@ -43,6 +43,8 @@ QDockWidget { titlebar-close-icon: none; font-weight: 600; }
 QDockWidget::title { text-align: left; padding: 6px 12px; border-bottom: 1px solid %line; }
 QStatusBar { border-top: 1px solid %line; }
 QStatusBar::item { border: none; }
+QFrame[role="card"] { background: %ground; border: 1px solid %line; border-radius: 8px; }
+QFrame[role="card"] QLabel { border: none; background: transparent; }
 QLabel[role="quiet"] { color: %quiet; }
 QLabel[role="section"] { font-weight: 600; padding-top: 4px; }
 QLabel[role="running"] { color: %green; font-weight: 600; }

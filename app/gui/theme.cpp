@@ -61,14 +61,32 @@ Theme Theme::dark_theme() {
   return theme;
 }
 
+Theme Theme::contrasting(bool dark) {
+  Theme theme = dark ? dark_theme() : light();
+  theme.high_contrast = true;
+  theme.background = dark ? QColor(0x00, 0x00, 0x00) : QColor(0xFF, 0xFF, 0xFF);
+  theme.ink = dark ? QColor(0xFF, 0xFF, 0xFF) : QColor(0x00, 0x00, 0x00);
+  theme.quiet = dark ? QColor(0x9A, 0x9A, 0x9A) : QColor(0x6B, 0x6B, 0x6B);
+  theme.constraint = dark ? QColor(0x4D, 0xB2, 0xF0) : QColor(0x00, 0x5E, 0x94);
+  theme.target = dark ? QColor(0x2F, 0xD3, 0xA2) : QColor(0x00, 0x70, 0x4F);
+  theme.orientation = dark ? QColor(0x8F, 0xD0, 0xF7) : QColor(0x1F, 0x7A, 0xB5);
+  theme.position = dark ? QColor(0xE8, 0x9C, 0xC5) : QColor(0xA0, 0x45, 0x7B);
+  theme.force = dark ? QColor(0xFF, 0xB0, 0x00) : QColor(0xA6, 0x5E, 0x00);
+  theme.force_limited = dark ? QColor(0xFF, 0x7A, 0x33) : QColor(0xB8, 0x3A, 0x00);
+  theme.virtual_robot = theme.position;
+  theme.motion = theme.orientation;
+  return theme;
+}
+
 QColor mixed(const QColor& a, const QColor& b, double share) {
   const auto part = [share](float from, float to) { return from + static_cast<float>(share) * (to - from); };
   return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()), part(a.blueF(), b.blueF()));
 }
 
 QPalette paletteOf(const Theme& theme) {
-  const QColor window = theme.dark ? QColor(0x2A, 0x2B, 0x2F) : QColor(0xEF, 0xEF, 0xEC);
-  const QColor base = theme.dark ? QColor(0x1E, 0x1F, 0x22) : QColor(0xFF, 0xFF, 0xFF);
+  const QColor usual = theme.dark ? QColor(0x2A, 0x2B, 0x2F) : QColor(0xEF, 0xEF, 0xEC);
+  const QColor window = theme.high_contrast ? theme.background : usual;
+  const QColor base = theme.dark ? theme.background : QColor(0xFF, 0xFF, 0xFF);
   const QColor button = theme.dark ? QColor(0x36, 0x38, 0x3D) : QColor(0xF7, 0xF7, 0xF5);
   const QColor text = theme.ink;
   const QColor disabled = mixed(window, text, 0.45);
@@ -130,7 +148,13 @@ void ThemeWatcher::choose(ThemeChoice choice) {
   apply();
 }
 
+void ThemeWatcher::setHighContrast(bool on) {
+  contrast_ = on;
+  apply();
+}
+
 Theme ThemeWatcher::theme() const {
+  if (contrast_) return Theme::contrasting(dark_);
   return dark_ ? Theme::dark_theme() : Theme::light();
 }
 
@@ -143,17 +167,18 @@ void ThemeWatcher::apply() {
   if (!own_palette_) system_dark_ = isDark(QApplication::palette());
   const bool system_wants_dark = portal_scheme_ == 0 ? system_dark_ : portal_scheme_ == 1;
   const bool dark = choice_ == ThemeChoice::System ? system_wants_dark : choice_ == ThemeChoice::Dark;
-  if (choice_ != ThemeChoice::System || dark != system_dark_) {
+  const bool is_told = dark == dark_ && contrast_ == said_contrast_;
+  dark_ = dark;
+  said_contrast_ = contrast_;
+  if (choice_ != ThemeChoice::System || dark != system_dark_ || contrast_) {
     // The styles that draw with the system's own pieces know one lightness only.
     const QString style = QApplication::style()->name();
     if (style.startsWith(QLatin1String("windows"), Qt::CaseInsensitive))
       QApplication::setStyle(QStringLiteral("Fusion"));
-    QApplication::setPalette(paletteOf(dark ? Theme::dark_theme() : Theme::light()));
+    QApplication::setPalette(paletteOf(theme()));
     own_palette_ = true;
   }
-  if (dark == dark_) return;
-  dark_ = dark;
-  emit changed(theme());
+  if (!is_told) emit changed(theme());
 }
 
 bool ThemeWatcher::eventFilter(QObject* object, QEvent* event) {

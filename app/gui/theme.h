@@ -10,9 +10,10 @@ namespace underact::gui {
 /// people).
 struct Theme {
   bool dark = false;
-  QColor background;  // of the view: #F7F7F5 or #1E1F22, flat
-  QColor ink;         // the stylus, the real arm, text over the view: near-black or near-white
-  QColor quiet;       // the workspace box, ticks, grid lines
+  bool high_contrast = false;  // for a projector in a bright room
+  QColor background;           // of the view: #F7F7F5 or #1E1F22, flat
+  QColor ink;                  // the stylus, the real arm, text over the view: near-black or near-white
+  QColor quiet;                // the workspace box, ticks, grid lines
   QColor constraint{0x00, 0x72, 0xB2};
   QColor target{0x00, 0x9E, 0x73};
   QColor orientation{0x56, 0xB4, 0xE9};  // of the stylus: alpha, the orientation-nearest point
@@ -25,6 +26,8 @@ struct Theme {
 
   static Theme light();
   static Theme dark_theme();
+  /// Black on white or white on black; colours keep their meaning, and stand out at 3:1 or more.
+  static Theme contrasting(bool dark);
   bool operator==(const Theme&) const = default;
 };
 
@@ -45,6 +48,8 @@ class ThemeWatcher : public QObject {
   explicit ThemeWatcher(QObject* parent = nullptr);
   void choose(ThemeChoice choice);  // System follows; Light and Dark hold; also gives QApplication the palette
   ThemeChoice choice() const { return choice_; }
+  /// Light and dark go on as they were chosen, with the contrasting colours.
+  void setHighContrast(bool on);
   Theme theme() const;
  signals:
   void changed(const underact::gui::Theme& theme);  // once for each real change
@@ -65,6 +70,7 @@ class ThemeWatcher : public QObject {
   bool dark_ = false;         // what was said last
   bool own_palette_ = false;  // QApplication holds one of ours
   bool applying_ = false;
+  bool contrast_ = false, said_contrast_ = false;
 };
 
 }  // namespace underact::gui

@@ -31,6 +31,20 @@ void addWindowOptions(CLI::App& program, WindowOptions& options) {
   picture->needs(out);
   out->needs(picture);
   program
+      .add_option("--small-pictures", options.small_pictures,
+                  "Draw the small pictures of all scenes that come with the program, and quit")
+      ->type_name("FOLDER");
+  program
+      .add_option_function<std::vector<std::string>>(
+          "--visitor",
+          [&options](const std::vector<std::string>& scenes) {
+            options.visitors = true;
+            options.visitor_scenes = scenes;
+          },
+          "Visitor mode with these scenes in turn; without any, those chosen last. Ctrl+Alt+Shift+U has the way out")
+      ->expected(0, -1)
+      ->type_name("SCENE");
+  program
       .add_option("--device", options.device, "The arm, as underact-cli devices lists it; without it the one used last")
       ->type_name("KIND[:ADDRESS]");
   program.add_option("--rate", options.rate_hz, "Ticks a second; without it the Servo panel's")

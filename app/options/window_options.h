@@ -13,6 +13,9 @@ struct WindowOptions {
   std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
   std::string picture;  // a scene to draw into out, without a window
   std::string out;
+  std::string small_pictures;  // a folder for those in the list of scenes
+  bool visitors = false;       // visitor mode, with those scenes; none: those chosen last
+  std::vector<std::string> visitor_scenes;
   std::string device;          // KIND or KIND:ADDRESS; empty: the one used last
   std::optional<int> rate_hz;  // none: the window's choice
   servo::SchedulingWanted scheduling;

@@ -16,28 +16,12 @@
 #include "app/gui/fault_dialog.h"
 #include "app/gui/fault_watch.h"
 #include "tests/stories/story.h"
+#include "tests/support/loose_cable.h"
 
 namespace underact::gui::test {
 namespace {
 
-// A simulated arm whose cable can be pulled.
-class LooseCable final : public servo::DevicePort {
- public:
-  LooseCable(const device::SimulatedArm::Options& options, std::atomic<bool>& plugged_in)
-      : arm_(options), plugged_in_(plugged_in) {}
-  bool read(arm::Sample& sample) noexcept override { return arm_.read(sample) && plugged_in_.load(); }
-  void write(const safety::GatedForce& force) noexcept override { arm_.write(force); }
-  void cut() noexcept override { arm_.cut(); }
-  Problems reopen() override {
-    if (plugged_in_.load()) return {};
-    return {{"No arm answers on the cable.", {}}};
-  }
-  servo::DeviceInfo info() const override { return {"Arm on a loose cable", false, true}; }
-
- private:
-  device::SimulatedArm arm_;
-  std::atomic<bool>& plugged_in_;
-};
+using underact::test::LooseCable;
 
 // The window on that arm, running, with no fault from before.
 struct Rig {

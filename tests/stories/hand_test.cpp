@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <QSettings>
-
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -21,19 +19,6 @@ TEST(HandStory, DraggingTheStylusIntoTheSphereRaisesTheForce) {
   EXPECT_GT(story.force_N(), at_the_surface_N + 0.3);
   EXPECT_LE(story.force_N(), 0.88 + 1e-9);
   EXPECT_GT(story.snapshot().report.force.f_T_W().z(), 0.0);  // outwards: it pushes back
-}
-
-TEST(HandStory, TheHintLeavesAtTheFirstPushAndNeverComesBack) {
-  {
-    Story story("02_sphere");
-    story.perform("view.top");
-    story.settle(400);
-    story.perform("session.start");
-    story.run(500);
-    EXPECT_FALSE(QSettings().value("hints/has_pushed").toBool());
-    story.dragHandTo({0.0, 0.0, 0.040});
-  }
-  EXPECT_TRUE(QSettings().value("hints/has_pushed").toBool());
 }
 
 TEST(HandStory, TheArrowKeysMoveTheHand) {

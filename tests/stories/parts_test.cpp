@@ -95,6 +95,13 @@ TEST(Parts, TheCommandLineIsUnderstoodOrSaidToBeWrong) {
   EXPECT_EQ(parseWindowOptions({"--picture", "a.json"}).exit, 2);
   EXPECT_EQ(parseWindowOptions({"a.json", "b.json"}).exit, 2);
   EXPECT_EQ(parseWindowOptions({"--fast"}).exit, 2);
+  EXPECT_FALSE(parseWindowOptions({}).visitors);
+  EXPECT_TRUE(parseWindowOptions({"--visitor"}).visitors);
+  EXPECT_EQ(parseWindowOptions({"--visitor"}).exit, 0);
+  EXPECT_EQ(parseWindowOptions({"--visitor", "a.json", "b.json"}).visitor_scenes,
+            (std::vector<std::string>{"a.json", "b.json"}));
+  EXPECT_EQ(parseWindowOptions({"--visitor", "a.json", "--rate", "2000"}).rate_hz, 2000);
+  EXPECT_EQ(parseWindowOptions({"--small-pictures", "folder"}).small_pictures, "folder");
 }
 
 TEST(Parts, ThePictureDifferenceIsThatOfTheWorstBlock) {

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <map>
 
+#include "app/gui/page/page_view.h"
+#include "app/gui/picture.h"
+#include "app/gui/scene_library.h"
 #include "tests/stories/mesh_desk.h"
+#include "tests/stories/picture_difference.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -92,9 +96,78 @@ TEST(ScenesStory, ASceneNamedAtTheStartIsSeenInTheList) {
   }
 }
 
-TEST(ScenesStory, TheSelectedSceneIsDescribed) {
+TEST(ScenesStory, TheSelectedSceneIsDescribedWithWhatToFeelToTryAndItsEquation) {
   Story story("05_circle");
-  EXPECT_EQ(story.find<QLabel>("panel.scenes.about")->text().toStdString(), story.host().scene().about);
+  const auto* page = story.find<PageView>("panel.scenes.about");
+  const QString text = page->toPlainText();
+  const scene::Teaching teaching = scene::teachingOf(shippedScene("05_circle").toStdString()).value();
+  EXPECT_TRUE(text.contains(QString::fromStdString(story.host().scene().about)));
+  EXPECT_TRUE(text.contains("Feel: " + QString::fromStdString(teaching.feel)));
+  EXPECT_TRUE(text.contains("Try: " + QString::fromStdString(teaching.try_this)));
+  EXPECT_TRUE(text.contains("Equation: "));
+  EXPECT_FALSE(text.contains("$")) << text.toStdString();  // it is drawn, not shown as it was written
+}
+
+TEST(ScenesStory, EveryTextOfAShippedSceneCanBeDrawn) {
+  for (const SceneEntry& entry : shippedScenes()) {
+    ASSERT_TRUE(entry.teaching) << entry.path.toStdString();
+    for (const std::string& text : {entry.teaching->feel, entry.teaching->try_this, entry.teaching->equation}) {
+      PageView page;
+      page.showPage(QString::fromStdString(text), {});
+      for (const Problem& problem : page.page().problems)
+        ADD_FAILURE() << entry.path.toStdString() << describe(problem);
+    }
+  }
+}
+
+TEST(ScenesStory, TheGroupsStandInTeachingOrderEachWithItsScenes) {
+  Story story("02_sphere");
+  const auto* list = story.find<QListWidget>("panel.scenes.list");
+  QStringList headings;
+  std::map<QString, int> scenes;
+  for (int row = 0; row < list->count(); ++row) {
+    if (list->item(row)->data(Qt::UserRole).isNull())
+      headings << list->item(row)->text();
+    else
+      ++scenes[headings.last()];
+  }
+  EXPECT_EQ(headings,
+            (QStringList{"Shapes", "Walls", "Orientation", "Robots in software", "Meshes", "Curves", "Stability"}));
+  EXPECT_EQ(scenes["Walls"], 3);
+  EXPECT_EQ(scenes["Orientation"], 2);
+  EXPECT_EQ(scenes["Robots in software"], 8);
+  EXPECT_EQ(scenes["Meshes"], 3);
+}
+
+TEST(ScenesStory, ASavedSceneKeepsWhatItTeaches) {
+  Story story("09_wall");
+  const QString path = temporaryFile("wall.json");
+  ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.3));
+  ASSERT_TRUE(story.perform("scene.save_as", path));
+  EXPECT_EQ(scene::teachingOf(path.toStdString()), scene::teachingOf(shippedScene("09_wall").toStdString()));
+}
+
+TEST(ScenesStory, TheSmallPicturesAreNotOld) {
+  const QString folder = QString(UNDERACT_SOURCE) + "/resources/pictures/scenes/";
+  for (const SceneEntry& entry : shippedScenes()) {
+    for (const Theme& theme : {Theme::light(), Theme::dark_theme()}) {
+      const QString name = QFileInfo(entry.path).completeBaseName() + (theme.dark ? "_dark.png" : ".png");
+      const Result<QImage> now = smallPicture(entry.path.toStdString(), theme);
+      ASSERT_TRUE(now) << name.toStdString();
+      if (qEnvironmentVariableIsSet("UNDERACT_UPDATE_PICTURES")) {
+        QDir().mkpath(folder);
+        EXPECT_TRUE(now.value().save(folder + name));
+      }
+      EXPECT_LT(worstBlockDifference(now.value(), QImage(folder + name)), kTolerance) << name.toStdString();
+      EXPECT_FALSE(scenePicture(entry.path, theme.dark).isEmpty()) << name.toStdString();
+    }
+  }
+}
+
+TEST(ScenesStory, AnotherSceneHasAnotherPicture) {  // the comparison sees what matters
+  const QImage point = smallPicture(shippedScene("01_point").toStdString(), Theme::light()).value();
+  const QImage sphere = smallPicture(shippedScene("02_sphere").toStdString(), Theme::light()).value();
+  EXPECT_GT(worstBlockDifference(point, sphere), 2.0 * kTolerance);
 }
 
 }  // namespace underact::gui::test

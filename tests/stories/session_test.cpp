@@ -329,7 +329,7 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     SecondArm second(story.host(), arms, story.view(), &page);
     Actions elsewhere(&page);  // of parts that the panel does not show
     RegistrationTool registration({story.host(), document, arms, second, story.view(), nullptr}, elsewhere, &page);
-    Hand hand(&story.view(), nullptr, true, &page);
+    Hand hand(&story.view(), nullptr, &page);
     MovingHands hands(story.host(), hand, {}, elsewhere, &page);
     auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), player, rate, arm_in_use,
                                      arms, second, registration, hands},

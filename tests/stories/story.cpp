@@ -39,7 +39,10 @@ void forgetSettings() {
 }
 
 Story::Story(const QString& scene, const Beginning& beginning) : simulated_(makeSimulatedHost(beginning.servo)) {
-  if (beginning.first_start) forgetSettings();
+  if (beginning.first_start) {
+    forgetSettings();
+    QSettings().setValue("hints/has_pushed", true);  // the welcome has stories of its own
+  }
   theme_ = std::make_unique<ThemeWatcher>();
   window_ = std::make_unique<MainWindow>(
       WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen, beginning.hands});

@@ -226,6 +226,18 @@ std::size_t SceneView::framesInDrawings() const {
   return impl_->drawings.framesDrawn();
 }
 
+Viewpoint SceneView::viewpoint() const {
+  return {impl_->wanted(), impl_->camera_is_mine};
+}
+
+void SceneView::setViewpoint(const Viewpoint& viewpoint) {
+  impl_->movement.stop();
+  impl_->camera = viewpoint.camera;
+  impl_->camera_is_mine = viewpoint.fits;
+  if (viewpoint.fits) impl_->fit();
+  impl_->surface->update();
+}
+
 void SceneView::setRecordedPath(std::vector<PathPoint> path) {
   impl_->path.setPath(std::move(path));
   impl_->surface->update();
@@ -270,6 +282,23 @@ void SceneView::setForceLimit(double continuous_N) {
   impl_->kinematics.setForceLimit(continuous_N);
   impl_->path.setForceLimit(continuous_N);
   if (impl_->shown) impl_->showArm();
+  impl_->surface->update();
+}
+
+void SceneView::showWords(bool on) {
+  impl_->has_words = on;
+  impl_->surface->update();
+}
+
+QRectF SceneView::stylusOnScreen() const {
+  if (!impl_->hand.known()) return {};
+  const QPointF tip = screenOf(impl_->hand.X_WT().translation());
+  const QPointF end = screenOf(impl_->hand.X_WT() * Vec3(0.0, 0.0, Impl::kBody_m));
+  return QRectF(tip, end).normalized().adjusted(-1.0, -1.0, 1.0, 1.0);
+}
+
+void SceneView::setGaugeScale(double scale) {
+  impl_->gauge_scale = scale;
   impl_->surface->update();
 }
 

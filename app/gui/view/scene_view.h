@@ -8,6 +8,7 @@
 #include "app/gui/theme.h"
 #include "app/gui/view/desk_picture.h"
 #include "app/gui/view/drawing.h"
+#include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/path_picture.h"
 #include "core/arm/branches.h"
 #include "core/scene/description.h"
@@ -17,6 +18,12 @@
 namespace underact::gui {
 
 enum class Camera { Fit, Front, Back, Left, Right, Top, Bottom, Isometric };
+
+/// From where the view is seen.
+struct Viewpoint {
+  OrbitCamera camera;
+  bool fits = true;  // nobody has moved it: it keeps everything in the picture
+};
 
 /// What the view can show or hide.
 struct Layers {
@@ -70,6 +77,9 @@ class SceneView : public QWidget {
   const Layers& layers() const;
   void look(Camera camera);  // moves in 0.2 s; Fit keeps the direction
   bool moving() const;       // a look() is on its way
+  Viewpoint viewpoint() const;
+  /// At once, without a way there.
+  void setViewpoint(const Viewpoint& viewpoint);
   /// The inverse solution that stands out, whatever the layers are; none: no one. A ghost of the arm goes there from
   /// where the joints are, in 0.8 s, each time this is called, and stays.
   void chooseSolution(const std::optional<arm::Branch>& branch);
@@ -95,6 +105,12 @@ class SceneView : public QWidget {
   void setHint(const QString& text);
   /// The largest force of the gauge and the arrow's scale, N.
   void setForceLimit(double continuous_N);
+  /// How much larger the gauge's type is than the view's; 1 at first.
+  void setGaugeScale(double scale);
+  /// Letters, gauge, triad and hint over the picture; shown at first.
+  void showWords(bool on);
+  /// Where the stylus is drawn, tip and body, in logical pixels; empty: it is not known yet.
+  QRectF stylusOnScreen() const;
   /// A hand can be grabbed (simulated arm): the pointer shows it. A drag starts from the last wish the view emitted,
   /// and from the tip where there was none, or where this was called since.
   void setHandAvailable(bool available);

@@ -113,6 +113,7 @@ void SceneView::Impl::showArm() {
 }
 
 void SceneView::Impl::paintWords(QPainter& painter) {
+  if (!has_words) return;
   WordsState state;
   state.theme = theme;
   state.font = view->font();
@@ -125,6 +126,7 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   }
   state.force_N = hand.force_N();
   state.force_limit_N = force_limit_N;
+  state.gauge_scale = gauge_scale;
   state.limited = hand.limited();
   state.focus = view->hasFocus();
   std::vector<Label> labels = workspace.labels();

@@ -66,7 +66,8 @@ struct SceneView::Impl {
   Theme theme = Theme::light();
   Layers layers;
   QString hint;
-  double force_limit_N = 0.0;
+  double force_limit_N = 0.0, gauge_scale = 1.0;
+  bool has_words = true;
   bool actors_changed = true;
   std::optional<servo::Snapshot> shown;
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/gui/larger_font.h"
+
 namespace underact::gui {
 namespace {
 
@@ -15,15 +17,6 @@ constexpr double kTriad = 76.0;
 
 QString newtons(double force_N) {
   return QString::number(force_N, 'f', 2);
-}
-
-QFont smaller(QFont font, double share) {
-  if (font.pointSizeF() > 0) {
-    font.setPointSizeF(share * font.pointSizeF());
-  } else {
-    font.setPixelSize(std::max(1, qRound(share * font.pixelSize())));
-  }
-  return font;
 }
 
 }  // namespace
@@ -56,8 +49,8 @@ void ViewWords::paint(QPainter& painter, const WordsState& state, const std::vec
 }
 
 void ViewWords::paintLabels(QPainter& painter, const WordsState& state, const std::vector<Label>& labels) {
-  const QFont plain = smaller(state.font, 0.85);
-  QFont strong = smaller(state.font, 0.95);
+  const QFont plain = larger(state.font, 0.85);
+  QFont strong = larger(state.font, 0.95);
   strong.setBold(true);
   const QFontMetricsF plain_size(plain), strong_size(strong);
   for (const Label& label : labels) {
@@ -82,9 +75,9 @@ void ViewWords::paintLegend(QPainter& painter, const WordsState& state) {
   const std::array<Row, 2> rows{
       Row{"o", QCoreApplication::translate("SceneView", "where the stylus points"), state.theme.orientation},
       Row{"p", QCoreApplication::translate("SceneView", "nearest to the tip"), state.theme.position}};
-  QFont strong = smaller(state.font, 0.95);
+  QFont strong = larger(state.font, 0.95);
   strong.setBold(true);
-  const QFont plain = smaller(state.font, 0.85);
+  const QFont plain = larger(state.font, 0.85);
   const double line = std::ceil(QFontMetricsF(strong).height());
   double base = std::round(state.size.height() - kTriad - kMargin - line);
   for (const Row& row : rows) {
@@ -100,37 +93,41 @@ void ViewWords::paintLegend(QPainter& painter, const WordsState& state) {
 
 void ViewWords::paintGauge(QPainter& painter, const WordsState& state) {
   if (state.force_limit_N <= 0.0) return;
-  const QFontMetricsF metrics(state.font);
+  const double large = state.gauge_scale;
+  const QFont font = larger(state.font, large);
+  const QFontMetricsF metrics(font);
   const QString now = newtons(state.force_N), rest = QStringLiteral(" / %1 N").arg(newtons(state.force_limit_N));
   const QString title = QCoreApplication::translate("SceneView", "Force");
   const double rest_width = metrics.horizontalAdvance(rest);
-  const double width =
-      std::ceil(std::max(176.0, metrics.horizontalAdvance(title + QStringLiteral("  00.00")) + rest_width + 24.0));
-  const QSizeF size(width, std::ceil(metrics.height()) + 16.0);
+  const double width = std::ceil(std::max(
+      large * 176.0, metrics.horizontalAdvance(title + QStringLiteral("  00.00")) + rest_width + large * 24.0));
+  const QSizeF size(width, std::ceil(metrics.height()) + large * 10.0 + 6.0);
   const double share = std::clamp(state.force_N / state.force_limit_N, 0.0, 1.0);
   const double filled = std::round(share * width * state.scale) / state.scale;
   const QString key = now + rest + QString::number(filled) + QLatin1Char(state.limited ? '!' : ' ') +
-                      state.theme.ink.name() + state.font.key();
+                      state.theme.ink.name() + font.key();
   const QImage& image = gauge_.image(key, size, state.scale, [&](QPainter& p, const QSizeF& area) {
     const QRectF line(0, 0, area.width(), metrics.height());
-    p.setFont(state.font);
+    p.setFont(font);
     p.setPen(mixed(state.theme.quiet, state.theme.ink, 0.6));
     p.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, title);
     p.drawText(line, Qt::AlignRight | Qt::AlignVCenter, rest);
-    QFont bold = state.font;
+    QFont bold = font;
     bold.setBold(true);
     p.setFont(bold);
     p.setPen(state.theme.ink);
     p.drawText(line.adjusted(0, 0, -rest_width, 0), Qt::AlignRight | Qt::AlignVCenter, now);
-    const QRectF track(0.5, metrics.height() + 6.0, area.width() - 1.0, 6.0);
+    const QRectF track(0.5, metrics.height() + 6.0, area.width() - 1.0, large * 6.0);
     p.setPen(Qt::NoPen);
     p.setBrush(mixed(state.theme.background, state.theme.quiet, 0.55));
-    p.drawRoundedRect(track, 3, 3);
+    p.drawRoundedRect(track, 3.0 * large, 3.0 * large);
     p.setBrush(state.limited ? state.theme.force_limited : state.theme.force);
     p.setClipRect(QRectF(0, 0, filled, area.height()));
-    p.drawRoundedRect(track, 3, 3);
+    p.drawRoundedRect(track, 3.0 * large, 3.0 * large);
     p.setClipping(false);
-    if (state.limited) p.drawRect(QRectF(area.width() - 3.0, metrics.height() + 2.0, 3.0, 14.0));  // the bar: cut here
+    if (state.limited)
+      p.drawRect(
+          QRectF(area.width() - 3.0 * large, metrics.height() + 2.0, 3.0 * large, 6.0 * large + 8.0));  // cut here
   });
   const QPointF corner(std::round(state.size.width() - width - kMargin),
                        std::round(state.size.height() - size.height() - kMargin));
@@ -169,7 +166,7 @@ void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
     const std::array<QColor, 3> colours{state.theme.x_axis, state.theme.y_axis, state.theme.z_axis};
     std::array<int, 3> order{0, 1, 2};  // what points away from the eye first
     std::sort(order.begin(), order.end(), [&](int a, int b) { return back_W[a] < back_W[b]; });
-    QFont font = smaller(state.font, 0.85);
+    QFont font = larger(state.font, 0.85);
     font.setBold(true);
     p.setFont(font);
     for (const int axis : order) {

@@ -35,6 +35,7 @@ struct WordsState {
   QString fault;  // a sentence; takes the hint's place
   double force_N = 0.0;
   double force_limit_N = 0.0;
+  double gauge_scale = 1.0;  // of its type, to the font
   bool limited = false;
   bool focus = false;
   bool has_influence = false;  // the letters o and p are there

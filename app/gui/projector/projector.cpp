@@ -1,0 +1,48 @@
+#include "app/gui/projector/projector.h"
+
+#include <QToolBar>
+
+#include "app/gui/actions.h"
+#include "app/gui/larger_font.h"
+#include "app/gui/theme.h"
+#include "app/gui/view/scene_view.h"
+
+namespace underact::gui {
+
+// As large as the view of a window of 1280 x 800 takes without the gauge reaching into the scene.
+constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
+
+Projector::Projector(QMainWindow* window, SceneView& view, ThemeWatcher& theme, Actions& actions)
+    : QObject(window), window_(window), view_(view), theme_(theme), dress_(window) {
+  actions.add({"view.projector",
+               tr("&Projector layout"),
+               QKeySequence("Ctrl+Shift+J"),
+               tr("For a class: the view with a large force gauge and large type, in high contrast, without panels."),
+               {},
+               {},
+               true},
+              [this](const QVariantList& on) {
+                setOn(on.value(0).toBool());
+                return true;
+              });
+}
+
+void Projector::setOn(bool on) {
+  if (on == isOn()) return;
+  auto* tools = window_->findChild<QToolBar*>();
+  if (on) {
+    view_font_ = view_.font();
+    tools_font_ = tools->font();
+    icons_ = tools->iconSize();
+    dress_.takeOff(WindowDress::Keep::MenusAndTools);
+  } else {
+    dress_.putOn();
+  }
+  view_.setFont(on ? larger(view_font_, kType) : view_font_);
+  view_.setGaugeScale(on ? kGauge : 1.0);
+  tools->setFont(on ? larger(tools_font_, kTools) : tools_font_);
+  tools->setIconSize(on ? kTools * icons_ : icons_);
+  theme_.setHighContrast(on);
+}
+
+}  // namespace underact::gui

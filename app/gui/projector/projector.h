@@ -1,0 +1,34 @@
+#pragma once
+#include <QFont>
+#include <QObject>
+#include <QSize>
+
+#include "app/gui/window_dress.h"
+
+class QToolBar;
+
+namespace underact::gui {
+
+class Actions;
+class SceneView;
+class ThemeWatcher;
+
+/// The window for a class at the other end of the room: the view with a large gauge, large type, black on white or
+/// white on black; panels folded away. Put back as it was where it ends.
+class Projector : public QObject {
+  Q_OBJECT
+ public:
+  Projector(QMainWindow* window, SceneView& view, ThemeWatcher& theme, Actions& actions);
+  bool isOn() const { return dress_.isOff(); }
+  void setOn(bool on);
+
+ private:
+  QMainWindow* window_;
+  SceneView& view_;
+  ThemeWatcher& theme_;
+  WindowDress dress_;
+  QFont view_font_, tools_font_;
+  QSize icons_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,100 @@
+#include "app/gui/visitor/demonstrator_panel.h"
+
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/gui/push_button.h"
+#include "app/gui/scene_library.h"
+#include "app/gui/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+QSpinBox* number(const char* name, const QString& spoken, int least, int most, int value, QWidget* parent) {
+  auto* box = new QSpinBox(parent);
+  box->setObjectName(name);
+  box->setAccessibleName(spoken);
+  box->setRange(least, most);
+  box->setValue(value);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+}  // namespace
+
+DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* window)
+    : QDialog(window),
+      scenes_(new QListWidget(this)),
+      dwell_(number("demonstrator.dwell", tr("Seconds for each scene"), kShortestDwell_s, kLongestDwell_s,
+                    wishes.dwell_s, this)),
+      force_(number("demonstrator.force", tr("Greatest force, percent of what the arm bears for good"),
+                    kLeastForce_percent, kMostForce_percent, wishes.force_percent, this)),
+      told_(toldLabel("demonstrator.told", tr("What to know"), "amber", this)) {
+  setObjectName("demonstrator");
+  setWindowTitle(tr("Demonstrator"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  scenes_->setObjectName("demonstrator.scenes");
+  scenes_->setAccessibleName(tr("Scenes for visitors"));
+  scenes_->setProperty("role", "ticks");
+  for (const QString& path : wishes.scenes) addScene(path, true);
+  for (const SceneEntry& entry : shippedScenes()) {
+    if (!wishes.scenes.contains(entry.path)) addScene(entry.path, false);
+  }
+  dwell_->setSuffix(tr(" s"));
+  dwell_->setSingleStep(10);
+  force_->setSuffix(tr(" %"));
+  force_->setSingleStep(10);
+  told_->hide();
+  auto* form = new QFormLayout;
+  form->addRow(tr("Each scene for"), dwell_);
+  form->addRow(tr("Greatest force"), force_);
+  auto* stop = pushButton("demonstrator.stop", tr("Stop"), tr("Lets go: the force goes to zero."), this);
+  auto* leave = pushButton("demonstrator.leave", tr("Leave visitor mode"), tr("The window is as it was before."), this);
+  auto* close = pushButton("demonstrator.close", tr("Close"), tr("Visitors go on."), this);
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : {stop, leave, close}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(scenes_, 1);
+  column->addLayout(form);
+  column->addWidget(told_);
+  column->addLayout(buttons);
+  connect(stop, &QPushButton::clicked, this, &DemonstratorPanel::stopAsked);
+  connect(leave, &QPushButton::clicked, this, &DemonstratorPanel::leaveAsked);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  connect(dwell_, &QSpinBox::valueChanged, this, &DemonstratorPanel::changed);
+  connect(force_, &QSpinBox::valueChanged, this, &DemonstratorPanel::changed);
+  connect(scenes_, &QListWidget::itemChanged, this, &DemonstratorPanel::changed);
+}
+
+void DemonstratorPanel::addScene(const QString& path, bool is_chosen) {
+  auto* item = new QListWidgetItem(sceneEntry(path).title, scenes_);
+  item->setData(Qt::UserRole, path);
+  item->setToolTip(QFileInfo(path).fileName());
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+  item->setCheckState(is_chosen ? Qt::Checked : Qt::Unchecked);
+}
+
+VisitorWishes DemonstratorPanel::wishes() const {
+  VisitorWishes wishes;
+  wishes.dwell_s = dwell_->value();
+  wishes.force_percent = force_->value();
+  for (int row = 0; row < scenes_->count(); ++row) {
+    const QListWidgetItem* item = scenes_->item(row);
+    if (item->checkState() == Qt::Checked) wishes.scenes << item->data(Qt::UserRole).toString();
+  }
+  return wishes;
+}
+
+void DemonstratorPanel::tell(const QString& sentence) {
+  told_->setText(sentence);
+  told_->setVisible(!sentence.isEmpty());
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,35 @@
+#pragma once
+#include <QDialog>
+
+#include "app/gui/visitor/visitor_wishes.h"
+
+class QLabel;
+class QListWidget;
+class QSpinBox;
+
+namespace underact::gui {
+
+/// What the demonstrator changes while visitors are there: which scenes, how long each, how much force; and the way
+/// out.
+class DemonstratorPanel : public QDialog {
+  Q_OBJECT
+ public:
+  DemonstratorPanel(const VisitorWishes& wishes, QWidget* window);
+  VisitorWishes wishes() const;
+  /// What the demonstrator should know: files that cannot be shown.
+  void tell(const QString& sentence);
+
+ signals:
+  void changed();
+  void stopAsked();
+  void leaveAsked();
+
+ private:
+  void addScene(const QString& path, bool is_chosen);
+
+  QListWidget* scenes_;
+  QSpinBox *dwell_, *force_;
+  QLabel* told_;
+};
+
+}  // namespace underact::gui

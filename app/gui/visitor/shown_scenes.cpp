@@ -1,0 +1,42 @@
+#include "app/gui/visitor/shown_scenes.h"
+
+#include <QFileInfo>
+
+#include "app/gui/curve/curve_files.h"
+#include "app/gui/view/drawn_mesh.h"
+#include "core/scene/compile.h"
+#include "core/scene/load_meshes.h"
+#include "core/scene/read.h"
+
+namespace underact::gui {
+namespace {
+
+bool load(const QString& path, const Watch& watch, ShownScene& into) {
+  Result<scene::Description> read = scene::readSceneFile(path.toStdString());
+  if (!read || !scene::loadMeshes(read.value(), watch).empty() || !scene::compile(read.value())) return false;
+  into.scene = std::move(read).value();
+  into.curves = madeCurves(into.scene, watch);
+  makeDrawnMeshes(into.scene, watch);
+  const scene::Teaching teaching = scene::teachingOf(path.toStdString()).value_or(scene::Teaching{});
+  into.title = QString::fromStdString(into.scene.title);
+  into.feel = QString::fromStdString(teaching.feel.empty() ? into.scene.about : teaching.feel);
+  into.try_this = QString::fromStdString(teaching.try_this);
+  return true;
+}
+
+}  // namespace
+
+ShownScenes loadShownScenes(const QStringList& paths, const Watch& watch) {
+  ShownScenes loaded;
+  for (const QString& path : paths) {
+    if (watch.isCancelled()) break;
+    ShownScene one;
+    if (load(QFileInfo(path).absoluteFilePath(), watch, one))
+      loaded.scenes.push_back(std::move(one));
+    else
+      loaded.refused << QFileInfo(path).fileName();
+  }
+  return loaded;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,28 @@
+#pragma once
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "core/base/watch.h"
+#include "core/scene/description.h"
+#include "core/scene/teaching.h"
+#include "core/target/target.h"
+
+namespace underact::gui {
+
+/// A scene ready to be felt, with its meshes, and what is said of it.
+struct ShownScene {
+  scene::Description scene;
+  QString title, feel, try_this;
+  std::vector<target::CurvePath> curves = {};  // kept, so that nobody makes them again
+};
+
+struct ShownScenes {
+  std::vector<ShownScene> scenes;
+  QStringList refused;  // file names of those that cannot be shown
+};
+
+/// Reads and loads them all; takes a while, so not in the window's thread.
+ShownScenes loadShownScenes(const QStringList& paths, const Watch& watch);
+
+}  // namespace underact::gui

@@ -1,0 +1,79 @@
+#include "app/gui/visitor/title_card.h"
+
+#include <QAccessible>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/gui/push_button.h"
+#include "app/gui/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kSmallest_px = 15;
+constexpr double kShare = 0.27;  // of the screen: the title, and two lines each of what to feel and what to try
+
+void setType(QWidget* widget, double px, bool bold = false) {
+  QFont font = widget->font();
+  font.setPixelSize(qMax(kSmallest_px, qRound(px)));
+  font.setBold(bold);
+  widget->setFont(font);
+}
+
+}  // namespace
+
+TitleCard::TitleCard(QWidget* parent)
+    : QFrame(parent),
+      title_(toldLabel("visitor.title", tr("Scene"), "", this)),
+      feel_(toldLabel("visitor.feel", tr("What to feel"), "", this)),
+      try_(toldLabel("visitor.try", tr("What to try"), "", this)),
+      trouble_(toldLabel("visitor.trouble", tr("What is wrong"), "alarm", this)),
+      next_(pushButton("visitor.next", tr("Next"), tr("The next scene."), this)),
+      start_(pushButton("visitor.go", tr("Start"), tr("Lets the arm push. Esc lets go."), this)) {
+  setObjectName("visitor");
+  setAccessibleName(tr("What there is to feel"));
+  hide();
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(32, 20, 32, 24);
+  grid->setHorizontalSpacing(32);
+  grid->setVerticalSpacing(8);
+  grid->addWidget(title_, 0, 0);
+  grid->addWidget(feel_, 1, 0);
+  grid->addWidget(try_, 2, 0);
+  grid->addWidget(trouble_, 3, 0);
+  grid->addWidget(start_, 0, 1, 2, 1);
+  grid->addWidget(next_, 2, 1, 2, 1);
+  grid->setColumnStretch(0, 1);
+  for (QLabel* label : {title_, feel_, try_, trouble_}) label->setTextInteractionFlags(Qt::NoTextInteraction);
+  connect(next_, &QPushButton::clicked, this, &TitleCard::nextAsked);
+  connect(start_, &QPushButton::clicked, this, &TitleCard::startAsked);
+  setState(false, {});
+}
+
+void TitleCard::setScene(const QString& title, const QString& feel, const QString& try_this) {
+  title_->setText(title);
+  feel_->setText(feel);
+  try_->setText(try_this);
+  QAccessibleEvent said(title_, QAccessible::Alert);
+  if (isVisible()) QAccessible::updateAccessibility(&said);
+}
+
+void TitleCard::setState(bool can_start, const QString& trouble) {
+  start_->setVisible(can_start);
+  if (trouble_->text() != trouble) trouble_->setText(trouble);
+  trouble_->setVisible(!trouble.isEmpty());
+  try_->setVisible(trouble.isEmpty());  // in its place: what is wrong goes first
+}
+
+void TitleCard::fitInto(int height_px) {
+  setType(title_, height_px / 24.0, true);
+  for (QWidget* words : {static_cast<QWidget*>(feel_), static_cast<QWidget*>(try_), static_cast<QWidget*>(trouble_)})
+    setType(words, height_px / 38.0);
+  setType(next_, height_px / 30.0);
+  setType(start_, height_px / 20.0, true);
+  // Whatever it says: the view above keeps its size, so nothing jumps, and no picture is made anew for it.
+  setFixedHeight(qRound(kShare * height_px));
+}
+
+}  // namespace underact::gui

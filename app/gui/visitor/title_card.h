@@ -1,0 +1,29 @@
+#pragma once
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace underact::gui {
+
+/// Below the view, in large type: what a visitor feels, what to try, and two buttons.
+class TitleCard : public QFrame {
+  Q_OBJECT
+ public:
+  explicit TitleCard(QWidget* parent);
+  void setScene(const QString& title, const QString& feel, const QString& try_this);
+  /// can_start: nothing pushes; trouble: why, in a sentence, or empty.
+  void setState(bool can_start, const QString& trouble);
+  /// Type goes with the height of the screen that it stands on.
+  void fitInto(int height_px);
+
+ signals:
+  void nextAsked();
+  void startAsked();
+
+ private:
+  QLabel *title_, *feel_, *try_, *trouble_;
+  QPushButton *next_, *start_;
+};
+
+}  // namespace underact::gui

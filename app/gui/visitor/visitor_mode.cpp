@@ -1,0 +1,273 @@
+#include "app/gui/visitor/visitor_mode.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/fault_watch.h"
+#include "app/gui/hand.h"
+#include "app/gui/larger_font.h"
+#include "app/gui/problems_box.h"
+#include "app/gui/replay/player.h"
+#include "app/gui/visitor/demonstrator_panel.h"
+#include "app/gui/visitor/title_card.h"
+#include "app/gui/words.h"
+#include "device/simulated_arm.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kType = 1.4;        // of the view's words
+constexpr double kMoved_m = 0.002;   // more than an arm that lies on its rest trembles
+constexpr double kSettling_s = 3.0;  // a scene that comes draws the tip to it: nobody's hand
+
+QString named(const QString& key) {
+  return QStringLiteral("visitor.") + key;
+}
+
+}  // namespace
+
+/// What is put back.
+struct VisitorMode::Before {
+  Qt::WindowStates state;
+  QRect geometry;
+  Qt::ContextMenuPolicy context_menus;
+  QFont view_font;
+  Layers layers;
+  Viewpoint viewpoint;
+  bool was_running;
+  std::optional<sim::HandWish> hand;
+};
+
+VisitorMode::VisitorMode(const VisitorParts& parts, QWidget* middle)
+    : QObject(parts.window), parts_(parts), card_(new TitleCard(middle)), dress_(parts.window) {
+  middle->layout()->addWidget(card_);
+  parts_.actions.add({named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
+                      tr("Full screen for visitors: scenes in turn, half of the force, everything else locked.")},
+                     [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
+  parts_.actions
+      .add({named("demonstrator"), tr("Demonstrator's &panel"), QKeySequence("Ctrl+Alt+Shift+U"),
+            tr("In visitor mode: which scenes, how long, how much force, and the way out.")},
+           [this](const QVariantList&) {
+             showPanel();
+             return true;
+           })
+      ->setEnabled(false);
+  connect(card_, &TitleCard::nextAsked, this, [this] {
+    pressed_ = true;
+    show(index_ + 1);
+  });
+  connect(card_, &TitleCard::startAsked, this, [this] {
+    pressed_ = true;
+    letPush();
+  });
+}
+
+VisitorMode::~VisitorMode() = default;
+
+Problems VisitorMode::whyNotNow() const {
+  Problems problems;
+  const auto no = [&problems](const QString& sentence) { problems.push_back({sentence.toStdString(), {}}); };
+  if (parts_.host.records()) no(tr("A session is being recorded. Stop the recording first."));
+  if (parts_.player.isOpen()) no(tr("A session is being replayed. Close the replay first."));
+  if (parts_.document.isTryingOut()) no(tr("A measurement has a scene of its own in effect. End it first."));
+  if (parts_.view.showsSecond()) no(tr("The second arm is on. Switch it off first."));
+  return problems;
+}
+
+bool VisitorMode::start(const QStringList& scenes) {
+  if (isOn()) return false;
+  Problems problems = whyNotNow();
+  wishes_ = readVisitorWishes();
+  if (!scenes.isEmpty()) wishes_.scenes = scenes;
+  if (problems.empty()) problems = parts_.host.setForceShare(0.01 * wishes_.force_percent);
+  if (!problems.empty()) {
+    showProblemsBox("dialog.no_visitors", tr("Visitor mode"), tr("Visitor mode was not started."), problems,
+                    parts_.window);
+    return false;
+  }
+  emit forceLimitChanged();
+  before_ = std::make_unique<Before>(Before{parts_.window->windowState(),
+                                            parts_.window->geometry(),
+                                            parts_.window->contextMenuPolicy(),
+                                            parts_.view.font(),
+                                            parts_.view.layers(),
+                                            parts_.view.viewpoint(),
+                                            parts_.host.running(),
+                                            {}});
+  if (parts_.hand.arm() != nullptr) before_->hand = parts_.hand.arm()->wished();
+  carousel_ = {};
+  carousel_.setDwell(wishes_.dwell_s);
+  lock();
+  undress();
+  load(wishes_.scenes);
+  return true;
+}
+
+/// Only the view and the card are left, as large as the screen.
+void VisitorMode::undress() {
+  for (QWidget* other : QApplication::topLevelWidgets()) {
+    const bool is_docked = other == parts_.window || qobject_cast<QDockWidget*>(other) != nullptr;
+    if (!is_docked && other->isVisible()) other->close();
+  }
+  dress_.takeOff(WindowDress::Keep::Nothing);
+  parts_.window->setContextMenuPolicy(Qt::PreventContextMenu);
+  parts_.window->setWindowState(parts_.window->windowState() | Qt::WindowFullScreen);
+  parts_.view.setLayers({});
+  parts_.view.setFont(larger(before_->view_font, kType));
+  card_->setScene(tr("Loading"), {}, {});
+  card_->fitInto(parts_.window->height());
+  card_->show();
+  parts_.view.setFocus(Qt::OtherFocusReason);
+}
+
+void VisitorMode::lock() {
+  parts_.actions.find(named("demonstrator"))->setEnabled(true);
+  parts_.actions.allowOnly({"session.stop", named("demonstrator")});
+  parts_.faults.setQuiet(true);
+}
+
+void VisitorMode::leave() {
+  if (!isOn()) return;
+  load_.reset();
+  if (panel_ != nullptr) panel_->close();
+  card_->hide();
+  parts_.actions.allowAll();
+  parts_.actions.find(named("demonstrator"))->setEnabled(false);
+  parts_.faults.setQuiet(false);
+  if (!before_->was_running) parts_.host.stop();
+  static_cast<void>(parts_.host.setForceShare(1.0));  // nothing is recorded: that was locked
+  parts_.document.putBackOwn();
+  scenes_.clear();
+  parts_.view.setLayers(before_->layers);
+  parts_.view.setFont(before_->view_font);
+  parts_.window->setContextMenuPolicy(before_->context_menus);
+  parts_.window->setWindowState(before_->state);
+  parts_.window->setGeometry(before_->geometry);
+  dress_.putOn();
+  parts_.view.setViewpoint(before_->viewpoint);
+  before_.reset();
+  emit forceLimitChanged();
+}
+
+void VisitorMode::load(const QStringList& paths) {
+  load_ = std::make_unique<Background<ShownScenes>>(
+      [paths](WorkState& state) { return loadShownScenes(paths, {.progress = {}, .cancelled = &state.cancelled}); });
+}
+
+void VisitorMode::takeLoaded() {
+  std::optional<ShownScenes> loaded = load_ ? load_->take() : std::nullopt;
+  if (!loaded) return;
+  load_.reset();
+  if (panel_ != nullptr) {
+    panel_->tell(loaded->scenes.empty()      ? tr("None of these scenes can be shown; those before stay.")
+                 : loaded->refused.isEmpty() ? QString()
+                                             : tr("Cannot be shown: %1").arg(loaded->refused.join(", ")));
+  }
+  if (loaded->scenes.empty()) {
+    if (scenes_.empty()) card_->setScene(tr("No scene can be shown"), loaded->refused.join(", "), {});
+    return;
+  }
+  scenes_ = std::move(loaded->scenes);
+  show(0);
+}
+
+void VisitorMode::show(std::size_t index) {
+  if (scenes_.empty()) return;
+  index_ = index % scenes_.size();
+  const ShownScene& shown = scenes_[index_];
+  // It compiled when it was loaded. A scene of the same kind glides into the other; others come by their ramps.
+  static_cast<void>(parts_.document.showRecorded(shown.scene));
+  card_->setScene(shown.title, shown.feel, shown.try_this);
+  carousel_.showed(time_s_);
+  shown_s_ = time_s_;
+}
+
+/// As the next visitor should find it.
+void VisitorMode::reset() {
+  parts_.view.setViewpoint({before_->viewpoint.camera, true});
+  if (before_->hand) {
+    parts_.hand.moveTo(*before_->hand);
+    parts_.hand.rest();
+  }
+  show(0);
+}
+
+/// A simulated arm moves by a hand alone, so the hand is asked; any other arm's tip tells.
+bool VisitorMode::isTouched(const servo::Snapshot& snapshot, double time_s) {
+  if (std::exchange(pressed_, false)) return true;
+  if (parts_.hand.arm() != nullptr) return parts_.hand.moves();
+  const bool moved = (snapshot.report.p_WT - rest_p_WT_).norm() > kMoved_m;
+  if (moved) rest_p_WT_ = snapshot.report.p_WT;
+  return moved && time_s - shown_s_ > kSettling_s;
+}
+
+void VisitorMode::present(const servo::Snapshot& snapshot) {
+  if (!isOn()) return;
+  takeLoaded();
+  time_s_ = static_cast<double>(snapshot.ticks) / parts_.host.rateHz();
+  tellState(snapshot);
+  switch (carousel_.at(time_s_, isTouched(snapshot, time_s_))) {  // with another scene the snapshot is no longer there
+    case Carousel::Step::Stay:
+      break;
+    case Carousel::Step::Next:
+      show(index_ + 1);
+      break;
+    case Carousel::Step::Reset:
+      reset();
+      break;
+  }
+}
+
+void VisitorMode::tellState(const servo::Snapshot& snapshot) {
+  const bool faulted = snapshot.mode == servo::Mode::Faulted;
+  if (snapshot.mode == servo::Mode::Running) trouble_.clear();
+  QString trouble = trouble_;
+  if (trouble.isEmpty() && faulted) trouble = QString::fromStdString(describe(snapshot.report.fault));
+  card_->setState(!parts_.host.running(), trouble);
+}
+
+/// The force comes back on somebody's word alone. An arm whose driver has lost it is opened anew first.
+void VisitorMode::letPush() {
+  trouble_.clear();
+  if (!parts_.host.trouble().empty()) {
+    const Problems problems = parts_.host.restart();
+    if (!problems.empty()) {
+      trouble_ = tr("The arm did not open again. %1").arg(sentencesOf(problems));
+      return;
+    }
+  }
+  parts_.host.start();
+}
+
+void VisitorMode::showPanel() {
+  if (!isOn()) return;
+  if (panel_ == nullptr) {
+    panel_ = new DemonstratorPanel(wishes_, parts_.window);
+    connect(panel_, &DemonstratorPanel::changed, this, [this] { setWishes(panel_->wishes()); });
+    connect(panel_, &DemonstratorPanel::stopAsked, this, [this] { parts_.actions.perform("session.stop"); });
+    connect(panel_, &DemonstratorPanel::leaveAsked, this, &VisitorMode::leave, Qt::QueuedConnection);
+  }
+  panel_->show();
+  panel_->raise();
+  panel_->activateWindow();
+}
+
+void VisitorMode::setWishes(const VisitorWishes& wishes) {
+  const bool others = wishes.scenes != wishes_.scenes;
+  wishes_ = wishes;
+  writeVisitorWishes(wishes_);
+  carousel_.setDwell(wishes_.dwell_s);
+  static_cast<void>(parts_.host.setForceShare(0.01 * wishes_.force_percent));
+  emit forceLimitChanged();
+  if (wishes_.scenes.isEmpty())
+    panel_->tell(tr("No scene is chosen; those before stay."));
+  else if (others)
+    load(wishes_.scenes);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,93 @@
+#pragma once
+#include <QByteArray>
+#include <QFont>
+#include <QObject>
+#include <QPointer>
+#include <QRect>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "app/gui/background.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/visitor/carousel.h"
+#include "app/gui/visitor/shown_scenes.h"
+#include "app/gui/visitor/visitor_wishes.h"
+#include "app/gui/window_dress.h"
+#include "core/servo/host.h"
+
+namespace underact::gui {
+
+class Actions;
+class DemonstratorPanel;
+class Document;
+class FaultWatch;
+class Hand;
+class Player;
+class TitleCard;
+
+struct VisitorParts {
+  QMainWindow* window;
+  servo::Host& host;
+  Document& document;
+  SceneView& view;
+  Hand& hand;
+  Actions& actions;
+  FaultWatch& faults;
+  const Player& player;
+};
+
+/// The window for visitors who are alone with the arm: the view, a title card, scenes in turn, half of the force, and
+/// nothing else that can be reached but by the demonstrator's key. A fault is said on the card; the force comes back
+/// where somebody presses Start. Everything is as before when it ends.
+class VisitorMode : public QObject {
+  Q_OBJECT
+ public:
+  /// middle: the widget that the view stands in; the card comes below it.
+  VisitorMode(const VisitorParts& parts, QWidget* middle);
+  ~VisitorMode() override;
+
+  bool isOn() const { return dress_.isOff(); }
+  /// Each frame, after the snapshot was shown.
+  void present(const servo::Snapshot& snapshot);
+  void leave();
+  /// Which of its scenes is shown, from 0; those that it has.
+  std::size_t shown() const { return index_; }
+  std::size_t count() const { return scenes_.size(); }
+
+ signals:
+  void forceLimitChanged();
+
+ private:
+  struct Before;
+  bool start(const QStringList& scenes);
+  Problems whyNotNow() const;
+  void undress();
+  void lock();
+  void load(const QStringList& paths);
+  void takeLoaded();
+  void show(std::size_t index);
+  void reset();
+  void letPush();
+  void setWishes(const VisitorWishes& wishes);
+  void showPanel();
+  bool isTouched(const servo::Snapshot& snapshot, double time_s);
+  void tellState(const servo::Snapshot& snapshot);
+
+  VisitorParts parts_;
+  TitleCard* card_;
+  WindowDress dress_;
+  std::unique_ptr<Before> before_;
+  VisitorWishes wishes_;
+  QPointer<DemonstratorPanel> panel_;
+  std::unique_ptr<Background<ShownScenes>> load_;
+  std::vector<ShownScene> scenes_;
+  std::size_t index_ = 0;
+  Carousel carousel_;
+  QString trouble_;  // why Start did not start
+  double time_s_ = 0.0, shown_s_ = 0.0;
+  Vec3 rest_p_WT_ = Vec3::Zero();
+  bool pressed_ = false;  // a button of the card, since the last frame
+};
+
+}  // namespace underact::gui

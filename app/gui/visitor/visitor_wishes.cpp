@@ -1,0 +1,56 @@
+#include "app/gui/visitor/visitor_wishes.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+
+#include "app/gui/scene_library.h"
+#include "app/gui/settings.h"
+
+namespace underact::gui {
+namespace {
+
+// Each says something else to the hand, and none needs words first.
+constexpr const char* kUsual[] = {"02_sphere.json",           "07_box_outside.json",         "05_circle.json",
+                                  "14_circle_influence.json", "10_two_spheres_nearest.json", "25_torus_knot.json",
+                                  "26_bumpy_sphere.json",     "28_trefoil_path.json"};
+
+QStringList existing(const QStringList& paths) {
+  QStringList there;
+  std::copy_if(paths.begin(), paths.end(), std::back_inserter(there),
+               [](const QString& path) { return QFileInfo::exists(path); });
+  return there;
+}
+
+QStringList usualScenes() {
+  QStringList paths;
+  for (const char* name : kUsual) paths << QDir(sceneFolder()).filePath(name);
+  return existing(paths);
+}
+
+}  // namespace
+
+VisitorWishes readVisitorWishes() {
+  VisitorWishes wishes;
+  if (!readSettings().are_newer) {
+    const QSettings stored;
+    wishes.scenes = existing(stored.value("visitor/scenes").toStringList());
+    wishes.dwell_s =
+        std::clamp(stored.value("visitor/dwell_s", wishes.dwell_s).toInt(), kShortestDwell_s, kLongestDwell_s);
+    wishes.force_percent = std::clamp(stored.value("visitor/force_percent", wishes.force_percent).toInt(),
+                                      kLeastForce_percent, kMostForce_percent);
+  }
+  if (wishes.scenes.isEmpty()) wishes.scenes = usualScenes();
+  return wishes;
+}
+
+void writeVisitorWishes(const VisitorWishes& wishes) {
+  if (readSettings().are_newer) return;
+  QSettings stored;
+  stored.setValue("visitor/scenes", wishes.scenes);
+  stored.setValue("visitor/dwell_s", wishes.dwell_s);
+  stored.setValue("visitor/force_percent", wishes.force_percent);
+}
+
+}  // namespace underact::gui

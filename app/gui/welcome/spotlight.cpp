@@ -1,0 +1,63 @@
+#include "app/gui/welcome/spotlight.h"
+
+#include <QPainter>
+
+namespace underact::gui {
+
+constexpr int kLine_px = 4, kRoom_px = 2;
+
+Spotlight::Spotlight(QWidget* window) : QWidget(window) {
+  setObjectName("spotlight");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFocusPolicy(Qt::NoFocus);
+  setTheme(Theme::light());
+  hide();
+}
+
+void Spotlight::pointAt(Where where) {
+  where_ = std::move(where);
+  follow();
+}
+
+// Of what scrolls in a panel only a part is seen; a panel behind another tab lies outside of the window.
+QRect Spotlight::seenRect(const QWidget& target) {
+  if (!target.isVisible()) return {};
+  QRect seen(target.mapTo(target.window(), QPoint()), target.size());
+  for (const QWidget* above = target.parentWidget(); above != nullptr; above = above->parentWidget()) {
+    seen &= QRect(above->mapTo(target.window(), QPoint()), above->size());
+    if (above->isWindow()) break;
+  }
+  return seen;
+}
+
+void Spotlight::pointNowhere() {
+  where_ = {};
+  hide();
+}
+
+void Spotlight::follow() {
+  const QRect target = where_ ? where_() : QRect();
+  setVisible(!target.isEmpty());
+  if (target.isEmpty()) return;
+  const int out = kLine_px + kRoom_px;
+  const QRect wanted = target.adjusted(-out, -out, out, out) & parentWidget()->rect();
+  if (wanted == geometry() && !mask().isEmpty()) return;
+  setGeometry(wanted);
+  setMask(QRegion(rect()) - QRegion(rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px)));  // no veil: a frame
+  raise();
+}
+
+void Spotlight::setTheme(const Theme& theme) {
+  line_ = theme.dark ? theme.orientation : theme.constraint;
+  edge_ = theme.ink;
+  update();
+}
+
+void Spotlight::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), line_);
+  painter.setPen(edge_);  // seen on any ground, and without its colour
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,208 @@
+#include "app/gui/welcome/tour.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <array>
+
+#include "app/gui/actions.h"
+#include "app/gui/push_button.h"
+#include "app/gui/stop_key.h"
+#include "app/gui/told_label.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/welcome/spotlight.h"
+
+namespace underact::gui {
+namespace {
+
+struct Stop {
+  const char *widget, *title, *text;
+};
+
+constexpr const char* kStylus = "stylus";  // no widget: a part of the view
+
+constexpr std::array kStops{
+    Stop{"view.scene", QT_TRANSLATE_NOOP("tour", "The view"),
+         QT_TRANSLATE_NOOP("tour",
+                           "The hand's world, in the arm's own frame: what is felt is what is drawn. Drag beside "
+                           "the stylus to turn it, use the wheel to come nearer.")},
+    Stop{kStylus, QT_TRANSLATE_NOOP("tour", "The stylus"),
+         QT_TRANSLATE_NOOP("tour",
+                           "Drag it with the mouse: that is the hand on the simulated arm. With Ctrl the stylus "
+                           "turns. The arrow is the force that is sent.")},
+    Stop{"dock.scenes", QT_TRANSLATE_NOOP("tour", "Scenes"),
+         QT_TRANSLATE_NOOP("tour",
+                           "What the stylus can be held to, in teaching order. Below the list stands what to feel, "
+                           "what to try, and the equation.")},
+    Stop{"dock.feel", QT_TRANSLATE_NOOP("tour", "Feel"),
+         QT_TRANSLATE_NOOP("tour",
+                           "How hard it pulls: stiffness, damping and more, felt while you drag a slider. A double "
+                           "click goes back to the scene's own value.")},
+    Stop{"status", QT_TRANSLATE_NOOP("tour", "The status line"),
+         QT_TRANSLATE_NOOP("tour",
+                           "Always true: what the servo does, which arm, how fast, how late, and the force beside "
+                           "its limit, as the gauge in the view has it.")},
+    Stop{"button.session.record", QT_TRANSLATE_NOOP("tour", "Record"),
+         QT_TRANSLATE_NOOP("tour",
+                           "One press writes every tick into a session. The Sessions panel lists them, replays "
+                           "them and exports them.")},
+    Stop{"dock.devices", QT_TRANSLATE_NOOP("tour", "Devices"),
+         QT_TRANSLATE_NOOP("tour",
+                           "Which arms are plugged in, what is missing to use one, and which one is in use. A real "
+                           "arm pushes only after you have pressed Start.")},
+    Stop{"button.help.guide", QT_TRANSLATE_NOOP("tour", "Help"),
+         QT_TRANSLATE_NOOP("tour",
+                           "The guide: F1 opens the page for what has the keyboard. The menu beside it has the keys, "
+                           "lessons, and this tour once more. Esc stops the force, from anywhere.")}};
+
+QString words(const char* text) {
+  return QCoreApplication::translate("tour", text);
+}
+
+}  // namespace
+
+int Tour::stops() {
+  return static_cast<int>(kStops.size());
+}
+
+Tour::Tour(QMainWindow* window, SceneView& view, Actions& actions)
+    : QFrame(window), window_(window), view_(view), actions_(actions), spotlight_(new Spotlight(window)) {
+  setObjectName("tour");
+  setAccessibleName(tr("Tour of the window"));
+  setProperty("role", "card");
+  setAttribute(Qt::WA_NoMousePropagation);
+  hide();
+  build();
+  new StopKey([this] { leave(); }, this);  // wherever the focus has gone meanwhile
+  actions_.add({"help.tour", tr("&Tour of the window"), QKeySequence("Ctrl+Shift+T"),
+                tr("What is where, in eight stops; Esc leaves it at any stop.")},
+               [this](const QVariantList&) {
+                 begin();
+                 return true;
+               });
+}
+
+void Tour::build() {
+  title_ = sectionTitle({}, this);
+  title_->setObjectName("tour.title");
+  text_ = toldLabel("tour.text", tr("What it is for"), "", this);
+  count_ = toldLabel("tour.count", tr("Which stop"), "quiet", this);
+  count_->setWordWrap(false);
+  back_ = pushButton("tour.back", tr("Back"), tr("The stop before."), this);
+  next_ = pushButton("tour.next", tr("Next"), tr("The next stop; Enter does it, too."), this);
+  auto* leaves =
+      pushButton("tour.close", tr("Close"), tr("Leaves the tour; Esc does it, too, and stops the servo."), this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(count_, 1);
+  for (QPushButton* button : {back_, next_, leaves}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 12, 16, 12);
+  column->setSpacing(8);
+  column->addWidget(title_);
+  column->addWidget(text_);
+  column->addLayout(buttons);
+  setFixedWidth(52 * fontMetrics().averageCharWidth());
+  connect(back_, &QPushButton::clicked, this, [this] { go(stop_ - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] { go(stop_ + 1); });
+  connect(leaves, &QPushButton::clicked, this, &Tour::leave);
+}
+
+void Tour::begin() {
+  if (stop_ < 0) layout_ = window_->saveState();
+  go(0);
+}
+
+void Tour::go(int stop) {
+  if (stop < 0) return;
+  if (stop >= stops()) return leave();
+  stop_ = stop;
+  const Stop& at = kStops[static_cast<std::size_t>(stop)];
+  if (auto* dock = window_->findChild<QDockWidget*>(at.widget)) {
+    dock->show();
+    dock->raise();
+  }
+  title_->setText(words(at.title));
+  text_->setText(words(at.text));
+  count_->setText(tr("%1 of %2").arg(stop + 1).arg(stops()));
+  back_->setEnabled(stop > 0);
+  next_->setText(stop + 1 < stops() ? tr("Next") : tr("Done"));
+  setAccessibleDescription(title_->text() + ". " + text_->text());
+  is_placed_ = false;
+  show();
+  spotlight_->pointAt([this] { return where(); });
+  follow();
+  next_->setFocus(Qt::OtherFocusReason);
+  QAccessibleEvent said(this, QAccessible::Alert);  // a screen reader says the stop, not the button alone
+  QAccessible::updateAccessibility(&said);
+}
+
+void Tour::leave() {
+  if (stop_ < 0) return;
+  stop_ = -1;
+  hide();
+  spotlight_->pointNowhere();
+  window_->restoreState(layout_);
+  view_.setFocus(Qt::OtherFocusReason);
+}
+
+QRect Tour::where() const {
+  if (stop_ < 0) return {};
+  const char* const name = kStops[static_cast<std::size_t>(stop_)].widget;
+  if (name == kStylus) {
+    const QRect stylus = view_.stylusOnScreen().toAlignedRect().adjusted(-12, -12, 12, 12) & view_.rect();
+    return stylus.translated(view_.mapTo(window_, QPoint()));
+  }
+  const auto* target = window_->findChild<QWidget*>(name);
+  return target == nullptr ? QRect() : Spotlight::seenRect(*target);
+}
+
+void Tour::follow() {
+  if (stop_ < 0) return;
+  spotlight_->follow();
+  place(where());
+}
+
+// Beside what is meant where there is room, else in the middle of the window; then it stays while it is in nobody's
+// way.
+void Tour::place(const QRect& target) {
+  resize(width(), heightForWidth(width()));
+  const int gap = 16;
+  const QRect room = window_->rect().adjusted(gap, gap, -gap, -gap);
+  if (is_placed_ && room.contains(geometry()) && !geometry().intersects(target)) return;
+  is_placed_ = true;
+  const QPoint middle = target.center() - rect().center();
+  const QPoint places[] = {{target.right() + gap, middle.y()},
+                           {target.left() - width() - gap, middle.y()},
+                           {middle.x(), target.bottom() + gap},
+                           {middle.x(), target.top() - height() - gap}};
+  QRect chosen(room.center() - rect().center(), size());
+  for (const QPoint& place : places) {
+    QRect there(place, size());
+    there.moveLeft(qBound(room.left(), there.left(), room.right() - there.width()));
+    there.moveTop(qBound(room.top(), there.top(), room.bottom() - there.height()));
+    if (target.isEmpty() || there.intersects(target)) continue;
+    chosen = there;
+    break;
+  }
+  if (chosen != geometry()) setGeometry(chosen);
+  raise();
+}
+
+void Tour::keyPressEvent(QKeyEvent* event) {
+  auto* button = qobject_cast<QPushButton*>(focusWidget());
+  const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enters || button == nullptr) return QFrame::keyPressEvent(event);
+  button->click();
+}
+
+void Tour::setTheme(const Theme& theme) {
+  spotlight_->setTheme(theme);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,210 @@
+#include "app/gui/welcome/welcome.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/hand.h"
+#include "app/gui/push_button.h"
+#include "app/gui/told_label.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/welcome/spotlight.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: the hand has felt something
+constexpr double kTurn_rad = 15.0 * kRadPerDegree;
+constexpr int kConfirmed_s = 4;
+constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad stands at the bottom left
+
+struct PushRow {
+  const char *type, *words;
+};
+// A wall and a surface can be pushed into, the others not. Whole sentences: other languages have other articles.
+constexpr PushRow kPushRows[] = {
+    {"point", QT_TRANSLATE_NOOP("welcome", "Pull it away from the point: drag the stylus with the mouse.")},
+    {"sphere", QT_TRANSLATE_NOOP("welcome", "Push into the sphere: drag the stylus with the mouse.")},
+    {"line", QT_TRANSLATE_NOOP("welcome", "Pull it away from the line: drag the stylus with the mouse.")},
+    {"plane", QT_TRANSLATE_NOOP("welcome", "Push into the plane: drag the stylus with the mouse.")},
+    {"circle", QT_TRANSLATE_NOOP("welcome", "Pull it away from the circle: drag the stylus with the mouse.")},
+    {"cylinder", QT_TRANSLATE_NOOP("welcome", "Push into the cylinder: drag the stylus with the mouse.")},
+    {"box", QT_TRANSLATE_NOOP("welcome", "Push into the box: drag the stylus with the mouse.")},
+    {"mesh", QT_TRANSLATE_NOOP("welcome", "Push into the body: drag the stylus with the mouse.")},
+    {"curve", QT_TRANSLATE_NOOP("welcome", "Pull it away from the curve: drag the stylus with the mouse.")},
+    {"virtual_manipulator",
+     QT_TRANSLATE_NOOP("welcome", "Pull it away from the robot's tip: drag the stylus with the mouse.")}};
+
+QString pushWords(const scene::Description& scene) {
+  const std::string type = scene.constraints.empty() ? "sphere" : scene::typeName(scene.constraints.front().shape);
+  const auto* row = std::find_if(std::begin(kPushRows), std::end(kPushRows),
+                                 [&type](const PushRow& one) { return type == one.type; });
+  return row == std::end(kPushRows) ? QString() : QCoreApplication::translate("welcome", row->words);
+}
+
+double wristTurn_rad(const arm::JointAngles& from, const arm::JointAngles& to) {
+  double most = 0.0;
+  for (std::size_t joint = 3; joint < from.size(); ++joint) most = std::max(most, std::abs(to[joint] - from[joint]));
+  return most;
+}
+
+}  // namespace
+
+Welcome::Welcome(SceneView& view, const Hand& hand, Document& document, Actions& actions, bool was_seen)
+    : QFrame(&view),
+      view_(view),
+      hand_(hand),
+      document_(document),
+      slider_(new Spotlight(view.window())),
+      confirmed_(toldLabel("welcome.confirmed", tr("What was done"), "", this)),
+      was_seen_(was_seen),
+      is_asked_(!was_seen) {
+  setObjectName("welcome");
+  setAccessibleName(tr("Welcome: three things to try"));
+  setProperty("role", "card");
+  setAttribute(Qt::WA_NoMousePropagation);  // what is meant for the card does not turn the view behind it
+  hide();
+  build(actions);
+  actions.add({"help.welcome", tr("&Welcome"), QKeySequence("Ctrl+Alt+Shift+W"),
+               tr("Three things to try first: push, move a slider, turn the stylus.")},
+              [this](const QVariantList&) {
+                ask();
+                return true;
+              });
+  connect(&document_, &Document::opened, this, [this] { tell(); });
+  connect(&document_, &Document::edited, this, [this] { edited_ = true; });
+}
+
+void Welcome::build(Actions& actions) {
+  auto* title = sectionTitle(tr("Try one of these"), this);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 12, 16, 12);
+  column->setSpacing(8);
+  column->addWidget(title);
+  const char* const names[] = {"welcome.push", "welcome.slider", "welcome.turn"};
+  for (int thing = 0; thing < kThings; ++thing) {
+    QLabel*& row = rows_[static_cast<std::size_t>(thing)];
+    row = toldLabel(names[thing], tr("To try"), "", this);
+    column->addWidget(row);
+  }
+  column->addWidget(confirmed_);
+  auto* tour = pushButton("welcome.tour", tr("Tour of the window"), tr("Eight stops; Esc leaves it."), this);
+  auto* leave = pushButton("welcome.close", tr("Close"), tr("It stays in the Help menu."), this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(tour);
+  buttons->addStretch();
+  buttons->addWidget(leave);
+  column->addLayout(buttons);
+  connect(leave, &QPushButton::clicked, this, &Welcome::close);
+  connect(tour, &QPushButton::clicked, this, [this, &actions] {
+    close();
+    actions.perform("help.tour");
+  });
+  setFixedWidth(24 * fontMetrics().averageCharWidth() + 2 * fontMetrics().horizontalAdvance("Drag the stylus"));
+  tell();
+}
+
+void Welcome::ask() {
+  is_asked_ = true;
+  is_done_ = {};
+  edited_ = false;
+  began_rad_.reset();
+  leaves_at_tick_ = -1;
+  confirmed_->clear();
+  tell();
+}
+
+void Welcome::close() {
+  is_asked_ = false;
+  was_seen_ = true;
+  if (isAncestorOf(view_.window()->focusWidget())) view_.setFocus(Qt::OtherFocusReason);
+}
+
+void Welcome::tell() {
+  const QString texts[] = {pushWords(document_.scene()),
+                           tr("Move a slider: the one with the frame is the stiffness along x."),
+                           tr("Turn the stylus: drag it with Ctrl held down.")};
+  for (std::size_t thing = 0; thing < kThings; ++thing) {
+    rows_[thing]->setText((is_done_[thing] ? QString::fromUtf8("✓  ") : QString::fromUtf8("○  ")) + texts[thing]);
+    rows_[thing]->setAccessibleDescription(is_done_[thing] ? tr("Done") : tr("Not done yet"));
+  }
+  confirmed_->setVisible(!confirmed_->text().isEmpty());
+}
+
+void Welcome::done(Thing thing, const QString& sentence) {
+  if (is_done_[thing]) return;
+  is_done_[thing] = true;
+  was_seen_ = true;
+  confirmed_->setText(sentence + " " + tr("The Help menu brings this card back."));
+  tell();
+  QAccessibleEvent said(confirmed_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&said);
+}
+
+void Welcome::watch(const servo::Snapshot& snapshot) {
+  const tick::TickReport& report = snapshot.report;
+  if (!began_rad_) began_rad_ = report.sample.q_rad;
+  const double force_N = report.force.f_T_W().norm();
+  if (hand_.moves() && force_N > kPush_N)
+    done(Push, tr("The force pushes back with %1 N.").arg(numberText(force_N, 2)));
+  if (edited_) done(Slider, tr("The change is felt at once."));
+  if (hand_.moves() && wristTurn_rad(*began_rad_, report.sample.q_rad) > kTurn_rad)
+    done(Turn, tr("The stylus has turned; in some scenes that draws you along."));
+  const bool any = std::any_of(is_done_.begin(), is_done_.end(), [](bool one) { return one; });
+  if (any && leaves_at_tick_ < 0) leaves_at_tick_ = snapshot.ticks;
+}
+
+void Welcome::present(const servo::Snapshot& snapshot, int rate_hz, bool may_show) {
+  // A card about the mouse says nothing to whom holds an arm.
+  const bool is_seen = may_show && is_asked_ && hand_.arm() != nullptr && snapshot.ticks > 0 && document_.isOpen();
+  if (is_seen) {
+    watch(snapshot);
+    if (leaves_at_tick_ >= 0 && snapshot.ticks - leaves_at_tick_ > kConfirmed_s * std::int64_t{rate_hz}) close();
+  }
+  const bool shows = is_seen && is_asked_;
+  if (shows != is_shown_) {
+    is_shown_ = shows;
+    setVisible(shows);
+    if (shows) {
+      slider_->pointAt([this] {
+        const auto* row = view_.window()->findChild<QWidget*>("panel.gains.kp.x");
+        return row == nullptr ? QRect() : Spotlight::seenRect(*row);
+      });
+    } else {
+      slider_->pointNowhere();
+    }
+  }
+  if (!shows) return;
+  place();
+  slider_->follow();
+}
+
+// It moves only where the stylus, or a smaller window, asks for it.
+void Welcome::place() {
+  resize(width(), heightForWidth(width()));
+  const QRect stylus = view_.stylusOnScreen().toAlignedRect().adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px);
+  if (view_.rect().contains(geometry()) && !geometry().intersects(stylus) && !pos().isNull()) return;
+  const int right = view_.width() - width() - kMargin_px, bottom = view_.height() - height() - kMargin_px;
+  const QPoint corners[] = {
+      {kMargin_px, kMargin_px}, {right, kMargin_px}, {kMargin_px, bottom - kTriad_px}, {right, bottom - kTriad_px}};
+  const auto is_free = [&](const QPoint& corner) { return !QRect(corner, size()).intersects(stylus); };
+  const QPoint* chosen = std::find_if(std::begin(corners), std::end(corners), is_free);
+  move(chosen == std::end(corners) ? corners[0] : *chosen);
+  raise();
+}
+
+void Welcome::setTheme(const Theme& theme) {
+  slider_->setTheme(theme);
+}
+
+}  // namespace underact::gui
