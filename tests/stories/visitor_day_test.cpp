@@ -132,7 +132,7 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
   Visitors visitors(desk);
   int pulled = 0, faults = 0, answered = 0;
   std::set<std::size_t> scenes;
-  double first_resident_MiB = 0.0, first_allocated_MiB = 0.0;
+  double most_N = 0.0, first_resident_MiB = 0.0, first_allocated_MiB = 0.0;
   static_cast<void>(desk.cable->takeMost_N());
   for (std::int64_t ticks = 0; ticks < day; ticks += kTicksAStep) {
     visitors.act();
@@ -145,7 +145,9 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
     ASSERT_TRUE(desk.window->isVisible());
     ASSERT_FALSE(anyDialog());
     ASSERT_EQ(QApplication::activePopupWidget(), nullptr);
-    ASSERT_LE(desk.cable->takeMost_N(), kMost_N + 1e-9);
+    const double pushed_N = desk.cable->takeMost_N();
+    ASSERT_LE(pushed_N, kMost_N + 1e-9);
+    most_N = std::max(most_N, pushed_N);
     scenes.insert(desk.window->visitors().shown());
     if (desk.host->snapshot().mode == servo::Mode::Faulted) {
       ++faults;
@@ -176,7 +178,7 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
   EXPECT_EQ(scenes.size(), 5u);
   EXPECT_LT(resident_MiB(), first_resident_MiB + kMostResident_MiB);
   EXPECT_LT(allocated_MiB(), first_allocated_MiB + kMostAllocated_MiB);
-  EXPECT_GT(desk.mostPushed_N(), 0.0);
+  EXPECT_GT(most_N, 0.1) << "nobody felt anything all day";
 }
 
 }  // namespace underact::gui::test

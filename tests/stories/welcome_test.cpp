@@ -66,7 +66,10 @@ TEST(WelcomeStory, TheSliderThatIsPointedAtTicksItOff) {
   Story& story = *first.story;
   const QWidget* frame = story.find("spotlight");
   const QWidget* row = story.find("panel.gains.kp.x");
-  ASSERT_TRUE(frame->isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] {  // in the first frame after the panel is laid out
+    story.run(1);
+    return frame->isVisible();
+  }));
   EXPECT_TRUE(frame->geometry().contains(QRect(row->mapTo(&story.window(), QPoint()), row->size())));
   EXPECT_FALSE(frame->mask().contains(frame->rect().center())) << "a frame, no veil";
   story.find("panel.gains.kp.x.slider")->setFocus();

@@ -36,6 +36,7 @@ bool LessonPlace::keep() {
   for (const char* name : lesson::layerNames()) {
     layers_[layerAction(name)] = parts_.actions.find(layerAction(name))->isChecked();
   }
+  viewpoint_ = parts_.view.viewpoint();
   docks_ = window()->saveState();
   parts_.document.undoStack().setClean();  // it is settled
   return true;
@@ -106,6 +107,7 @@ void LessonPlace::putBack() {
   }
   showLayers({});
   window()->restoreState(docks_);
+  parts_.view.setViewpoint(viewpoint_);
 }
 
 }  // namespace underact::gui

@@ -4,19 +4,21 @@
 #include <QString>
 
 #include "app/gui/panel.h"
+#include "app/gui/view/scene_view.h"
 #include "core/lesson/lesson.h"
 
 class QMainWindow;
 
 namespace underact::gui {
 
-/// What the window was like before a lesson, what a lesson makes of it, and the way back: scene, layers, docks.
+/// What the window was like before a lesson, what a lesson makes of it, and the way back: scene, layers,
+/// camera, docks.
 class LessonPlace {
  public:
   /// panel: the one that lessons are shown in.
   LessonPlace(const PanelParts& parts, Panel& panel) : parts_(parts), panel_(panel) {}
 
-  /// Keeps scene, layers and docks. Asks what becomes of edits of the scene. false: everything stays as it is.
+  /// Keeps scene, layers, camera and docks. Asks what becomes of edits of the scene. false: everything stays as it is.
   bool keep();
   /// Opens the scene of a step, where it names one or another one is open, and shows what it asks for.
   bool arrange(const lesson::Lesson& lesson, std::size_t step);
@@ -37,6 +39,7 @@ class LessonPlace {
   QString path_;              // its file; empty: it has none
   QString shown_;             // the lesson's scene that was opened last
   QHash<QString, bool> layers_;
+  Viewpoint viewpoint_;
   QByteArray docks_;
 };
 
