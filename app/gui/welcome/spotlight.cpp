@@ -6,8 +6,8 @@ namespace underact::gui {
 
 constexpr int kLine_px = 4, kRoom_px = 2;
 
-Spotlight::Spotlight(QWidget* window) : QWidget(window) {
-  setObjectName("spotlight");
+Spotlight::Spotlight(const QString& name, QWidget* window) : QWidget(window) {
+  setObjectName(name);
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setTheme(Theme::light());

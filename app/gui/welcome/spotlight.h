@@ -13,7 +13,7 @@ class Spotlight : public QWidget {
   /// Where the target is, in the window's coordinates; empty: nowhere to be seen.
   using Where = std::function<QRect()>;
 
-  explicit Spotlight(QWidget* window);
+  Spotlight(const QString& name, QWidget* window);
   /// The part of a widget that is seen, in its window's coordinates.
   static QRect seenRect(const QWidget& target);
   void pointAt(Where where);

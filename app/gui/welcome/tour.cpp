@@ -72,7 +72,7 @@ int Tour::stops() {
 }
 
 Tour::Tour(QMainWindow* window, SceneView& view, Actions& actions)
-    : QFrame(window), window_(window), view_(view), actions_(actions), spotlight_(new Spotlight(window)) {
+    : QFrame(window), window_(window), view_(view), actions_(actions), spotlight_(new Spotlight("tour.frame", window)) {
   setObjectName("tour");
   setAccessibleName(tr("Tour of the window"));
   setProperty("role", "card");

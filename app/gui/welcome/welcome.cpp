@@ -65,7 +65,7 @@ Welcome::Welcome(SceneView& view, const Hand& hand, Document& document, Actions&
       view_(view),
       hand_(hand),
       document_(document),
-      slider_(new Spotlight(view.window())),
+      slider_(new Spotlight("welcome.frame", view.window())),
       confirmed_(toldLabel("welcome.confirmed", tr("What was done"), "", this)),
       was_seen_(was_seen),
       is_asked_(!was_seen) {
