@@ -1,10 +1,8 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QIcon>
-#include <QLocale>
 #include <QSurfaceFormat>
 #include <QTimer>
-#include <clocale>
 #include <cstdio>
 #include <utility>
 
@@ -12,6 +10,7 @@
 #include "app/gui/application.h"
 #include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
+#include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "app/gui/mesh/mesh_files.h"
 #include "app/gui/picture.h"
@@ -108,9 +107,8 @@ int run(int argc, char** argv) {
   QApplication::setDesktopFileName("org.underact.underact");
   Application application(argc, argv);
   QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // where it is installed
-  QApplication::setStyle("Fusion");   // the one style that takes light and dark from a palette everywhere
-  std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's; scene files and VTK read points
-  QLocale::setDefault(QLocale::c());  // and a number on the screen reads as the same number in a file
+  QApplication::setStyle("Fusion");  // the one style that takes light and dark from a palette everywhere
+  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");  // pictures go into pages
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);
   if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
   return runWindow(options, since_start);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/gui/actions.h"
+#include "app/gui/data_words.h"
 #include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
@@ -181,7 +182,7 @@ void MainWindow::openSession(const QString& path) {
 }
 
 void MainWindow::updateTitle() {
-  setWindowTitle(document_->isOpen() ? tr("%1[*] – Underact").arg(QString::fromStdString(document_->scene().title))
+  setWindowTitle(document_->isOpen() ? tr("%1[*] – Underact").arg(sceneText(document_->scene().title))
                                      : tr("Underact"));
   setWindowModified(document_->modified());
   setWindowFilePath({});

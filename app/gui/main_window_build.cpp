@@ -20,6 +20,7 @@
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/help_dialog.h"
 #include "app/gui/identify/identify_tool.h"
+#include "app/gui/language_actions.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
@@ -89,6 +90,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   addReplayActions(*actions_, *player_, *files_, this);
   addGalleryActions(*actions_, this);
   addViewActions(*actions_, *view_, parts_.theme);
+  addLanguageActions(*actions_, this);
   buildView();
   buildGuests();
   buildDocks();

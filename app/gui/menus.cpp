@@ -17,7 +17,7 @@ namespace underact::gui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("menu", text);
+  return QCoreApplication::translate("underact::gui", text);
 }
 
 // names: of actions; "-": a separator.
@@ -117,6 +117,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fill(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
   fill(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
        {"view.theme.system", "view.theme.light", "view.theme.dark"});
+  fill(named(view->addMenu(tr("Lan&guage")), "menu.language"), actions,
+       {"language.system", "language.en", "language.de"});
   fill(view, actions, {"-", "view.projector", "visitor.start", "visitor.demonstrator"});
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
   for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "app/gui/data_words.h"
 #include "core/scene/read.h"
 
 namespace underact::gui {
@@ -16,8 +17,10 @@ SceneEntry sceneEntry(const QString& path) {
   if (!read)
     return {path, QFileInfo(path).fileName(), QObject::tr("This file cannot be read. Open it to see why."), {}};
   const scene::Description& scene = read.value();
-  return {path, QString::fromStdString(scene.title), QString::fromStdString(scene.about),
-          scene::typeName(scene.constraints.front().shape), scene::teachingOf(path.toStdString())};
+  std::optional<scene::Teaching> teaching = scene::teachingOf(path.toStdString());
+  if (teaching) teaching = translated(*std::move(teaching));
+  return {path, sceneText(scene.title), sceneText(scene.about), scene::typeName(scene.constraints.front().shape),
+          std::move(teaching)};
 }
 
 QString sceneFolder() {

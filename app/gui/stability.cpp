@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/sim/hand.h"
 #include "core/stability/exact.h"
@@ -35,14 +36,14 @@ QString whyItMayBuzz(const scene::Control& control, int axis, int rate_hz) {
   if (in_joints) {
     return QObject::tr("q%1: above %2 N/mm at %3 Hz the stylus may buzz somewhere in the workspace.")
         .arg(axis + 1)
-        .arg(calm / kStiffestByJoints, 0, 'f', 2)
+        .arg(numberText(calm / kStiffestByJoints, 2))
         .arg(rate_hz);
   }
   return QObject::tr("%1: above %2 N/mm at %3 Hz the stylus may buzz in a hand with %4 N s/m of damping.")
       .arg(QChar('x' + axis))
-      .arg(calm, 0, 'f', 2)
+      .arg(numberText(calm, 2))
       .arg(rate_hz)
-      .arg(hand, 0, 'f', 0);
+      .arg(numberText(hand, 0));
 }
 
 }  // namespace underact::gui

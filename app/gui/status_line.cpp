@@ -137,7 +137,7 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
   const bool by_hand = host_.scheduling().name == "manual";
   const bool as_asked = by_hand || std::abs(measured_hz - host_.rateHz()) <= kRateIsTrue * host_.rateHz();
   setText(rate_, as_asked ? tr("%1 Hz").arg(host_.rateHz())
-                          : tr("%1 Hz of %2").arg(measured_hz, 0, 'f', 0).arg(host_.rateHz()));
+                          : tr("%1 Hz of %2").arg(numberText(measured_hz, 0)).arg(host_.rateHz()));
   setText(late_, tr("late p99 %1 µs").arg(numberText(host_.timing().lateLately().p99_us, 0)));
 }
 

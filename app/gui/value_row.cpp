@@ -1,6 +1,5 @@
 #include "app/gui/value_row.h"
 
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,6 +11,8 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+
+#include "app/gui/number_box.h"
 
 namespace underact::gui {
 namespace {
@@ -61,7 +62,7 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
       grid_(new QGridLayout(this)),
       label_(new QLabel(this)),
       slider_(new MarkedSlider(this)),
-      number_(new QDoubleSpinBox(this)) {
+      number_(new NumberBox(this)) {
   setObjectName(name);
   label_->setBuddy(number_);
   grid_->setContentsMargins(0, 0, 0, 0);

@@ -4,6 +4,8 @@
 #include <QStringList>
 #include <cmath>
 
+#include "app/gui/number_box.h"
+
 namespace underact::gui {
 
 QString sentencesOf(const Problems& problems) {
@@ -14,8 +16,9 @@ QString sentencesOf(const Problems& problems) {
 
 QString numberText(double value, int decimals) {
   if (!std::isfinite(value)) return QString(QChar(0x2013));
-  QString text = QString::number(std::abs(value), 'f', decimals);
-  const bool zero = text.count('0') + text.count('.') == text.size();
+  const QString plain = QString::number(std::abs(value), 'f', decimals);
+  const bool zero = plain.count('0') + plain.count('.') == plain.size();
+  QString text = localNumber(std::abs(value), 'f', decimals);
   if (value < 0.0 && !zero) text.prepend(QChar(0x2212));
   return text;
 }

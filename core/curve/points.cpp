@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/translate.h"
 #include "core/json/text.h"
 #include "core/json/text_file.h"
 
@@ -141,7 +142,8 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
   for (std::size_t at = 0; at < text.size();) {
     if (--until_look < 0) {
       if (watch.isCancelled()) return Problems{{"Reading was cancelled.", {file, 0, 0, ""}}};
-      watch.tell("reading points", static_cast<double>(at) / static_cast<double>(text.size()));
+      watch.tell(QT_TRANSLATE_NOOP("step of work", "reading points"),
+                 static_cast<double>(at) / static_cast<double>(text.size()));
       until_look = kLinesBetweenLooks;
     }
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/translate.h"
 #include "core/lesson/measured.h"
-#include "core/lesson/translate.h"
 
 namespace underact::lesson {
 

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/lesson/translate.h"
+#include "core/base/translate.h"
 
 namespace underact::lesson {
 namespace {

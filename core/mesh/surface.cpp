@@ -3,6 +3,7 @@
 #include <bit>
 #include <string>
 
+#include "core/base/translate.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/tree.h"
@@ -89,7 +90,7 @@ Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Wa
   Problems problems = whatIsWrong(triangles);
   if (!problems.empty()) return problems;
   const Problems cancelled{{"Cancelled.", {}}};
-  watch.tell("Building the tree", 0.0);
+  watch.tell(QT_TRANSLATE_NOOP("step of work", "Building the tree"), 0.0);
   std::optional<Tree> tree = makeTree(triangles, watch);
   if (!tree) return cancelled;
   auto surface = std::make_shared<Surface>();

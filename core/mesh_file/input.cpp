@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "core/base/translate.h"
 #include "core/mesh_file/digest.h"
 #include "core/mesh_file/limits.h"
 
@@ -94,7 +95,8 @@ Result<std::string> Input::checksum(const mesh::Watch& watch) const {
     if (count == 0) break;
     digest.add(std::as_bytes(std::span(block).first(static_cast<std::size_t>(count))));
     done += static_cast<std::uint64_t>(count);
-    watch.tell("Reading the file", bytes_ == 0 ? 1.0 : std::min(1.0, double(done) / double(bytes_)));
+    watch.tell(QT_TRANSLATE_NOOP("step of work", "Reading the file"),
+               bytes_ == 0 ? 1.0 : std::min(1.0, double(done) / double(bytes_)));
   }
   return digest.text();
 }

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/mesh/surface_bytes.h"
 #include "core/mesh_file/read_file.h"
 #include "core/mesh_file/repair.h"
@@ -90,13 +91,13 @@ Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch, const
   loaded.value().format = input.value().format();
   loaded.value().checksum = checksum.value();
   if (!loaded.value().from_cache && !input.value().hasChanged()) {
-    watch.tell("Keeping", kBuilt);
+    watch.tell(QT_TRANSLATE_NOOP("step of work", "Keeping"), kBuilt);
     const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);
     const std::array parts{std::as_bytes(std::span(&loaded.value().facts, 1)), std::span<const std::byte>(bytes)};
     cache.put(key, parts, watch);
   }
   if (watch.isCancelled()) return problemAt(input.value(), kCancelled);
-  watch.tell("Ready", 1.0);
+  watch.tell(QT_TRANSLATE_NOOP("step of work", "Ready"), 1.0);
   return loaded;
 }
 

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/base/program.h"
+#include "core/base/translate.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
 #include "core/mesh_file/process.h"
@@ -54,7 +55,9 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   errand.most_cpu_s = mostCpu_s(input.bytes());
   errand.most_time_s = mostTime_s(input.bytes());
   errand.most_output = mostMemory(input.bytes());
-  errand.progress = [&watch](unsigned char percent) { watch.tell("Reading the mesh", percent / 100.0); };
+  errand.progress = [&watch](unsigned char percent) {
+    watch.tell(QT_TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
+  };
   const Answer answer = run(errand, watch);
   const std::string why = whyNone(answer, errand);
   if (!why.empty()) return problem(why);

@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -11,14 +10,15 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kinematics/number_table.h"
+#include "app/gui/number_box.h"
 
 namespace underact::gui {
 
 BeginPage::BeginPage(QWidget* parent)
     : QWidget(parent),
-      reference_(new QDoubleSpinBox(this)),
+      reference_(new NumberBox(this)),
       who_(new QComboBox(this)),
-      weber_(new QDoubleSpinBox(this)),
+      weber_(new NumberBox(this)),
       seed_(new QSpinBox(this)),
       feedback_(new QCheckBox(tr("Say &whether it was right"), this)),
       note_(quietLabel("panel.calibration.note", {}, this)) {

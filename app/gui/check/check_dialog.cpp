@@ -157,7 +157,7 @@ void CheckDialog::present(const servo::CheckResult& result) {
   message_->setText(verdictOf(result) + QLatin1Char(' ') +
                     tr("%1 ticks in %2 s at %3 Hz, real time: %4; %5 of them a whole period late.")
                         .arg(result.ticks)
-                        .arg(result.seconds, 0, 'f', 0)
+                        .arg(numberText(result.seconds, 0))
                         .arg(rate_hz_)
                         .arg(QString::fromStdString(result.scheduling.name))
                         .arg(result.late.total));

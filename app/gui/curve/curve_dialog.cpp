@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -10,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/gui/number_box.h"
 #include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 #include "app/gui/words.h"
@@ -22,10 +22,10 @@ constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm a unit; a scene's 
 constexpr int kScaleDecimals = 6;
 
 /// "25.4 mm", without the noughts that many decimals bring.
-class ScaleField : public QDoubleSpinBox {
+class ScaleField : public NumberBox {
  public:
-  using QDoubleSpinBox::QDoubleSpinBox;
-  QString textFromValue(double value) const override { return QString::number(value, 'g', 12); }
+  using NumberBox::NumberBox;
+  QString textFromValue(double value) const override { return locale().toString(value, 'g', 12); }
 };
 
 }  // namespace

@@ -63,7 +63,7 @@ std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const
   for (const scene::Constraint& constraint : scene.constraints) {
     const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
     if (curve == nullptr || curve->points == nullptr || watch.isCancelled()) continue;
-    watch.tell("Joining the points", 1.0);
+    watch.tell(QT_TRANSLATE_NOOP("step of work", "Joining the points"), 1.0);
     auto path = scene::makeCurvePath(*curve, constraint.place);
     if (path) made.push_back(std::move(path).value());  // else compile() says what is wrong with it
   }
@@ -136,7 +136,7 @@ void CurveFiles::make(const QString& path, const Points& points, CurveDialog* di
 }
 
 void addCurveActions(Actions& actions, CurveFiles& files) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("curve", text); };
+  const auto tr = [](const char* text) { return QCoreApplication::translate("underact::gui", text); };
   actions.add({"curve.add", tr("Add &curve…"), QKeySequence("Ctrl+Shift+C"),
                tr("Loads a file of points, and adds their curve to the scene or makes a new one of it."), "curve"},
               [&files](const QVariantList& path) {

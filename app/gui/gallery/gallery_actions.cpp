@@ -27,7 +27,7 @@ GalleryWays waysOf(Actions& actions, QWidget* window) {
 }  // namespace
 
 void addGalleryActions(Actions& actions, QWidget* window) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("gallery", text); };
+  const auto tr = [](const char* text) { return QCoreApplication::translate("underact::gui", text); };
   actions.add({"help.figures", tr("&Figures of the thesis"), QKeySequence("Ctrl+Alt+G"),
                tr("The thesis's figures, remade by this program, with the numbers that they should show.")},
               [&actions, window](const QVariantList& only) {

@@ -16,6 +16,7 @@
 
 #include "app/gui/gallery/figure_pdf.h"
 #include "app/gui/gallery/figure_picture.h"
+#include "app/gui/number_box.h"
 #include "app/gui/words.h"
 #include "underact/version.h"
 
@@ -25,7 +26,7 @@ namespace {
 constexpr int kDigits = 6;  // as the page has them
 
 QString numberOrNone(const std::optional<double>& value) {
-  return value ? QString::number(*value, 'g', kDigits).replace('-', QChar(0x2212)) : QObject::tr("none");
+  return value ? localNumber(*value, 'g', kDigits).replace('-', QChar(0x2212)) : QObject::tr("none");
 }
 
 QTableWidgetItem* cell(const QString& text, Qt::Alignment side) {

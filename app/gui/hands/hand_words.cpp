@@ -13,7 +13,7 @@ using namespace device::hands;
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("hands", text);
+  return QCoreApplication::translate("underact::gui", text);
 }
 
 bool setNumber(const QVariant& value, double least, double most, double& into) {
@@ -41,22 +41,25 @@ bool setPart(AxisMap& map, const QString& part, const QVariant& value, bool turn
 }  // namespace
 
 QString wayTitle(Way way) {
-  static const char* const kTitles[kWays] = {"Right, left", "Up, down", "To you, away", "Tilt", "Swing", "Roll"};
+  static const char* const kTitles[kWays] = {QT_TR_NOOP("Right, left"),  QT_TR_NOOP("Up, down"),
+                                             QT_TR_NOOP("To you, away"), QT_TR_NOOP("Tilt"),
+                                             QT_TR_NOOP("Swing"),        QT_TR_NOOP("Roll")};
   return tr(kTitles[static_cast<std::size_t>(way)]);
 }
 
 QString wayGoal(Way way) {
-  static const char* const kGoals[kWays] = {"moves the stylus to the right",
-                                            "moves the stylus up",
-                                            "moves the stylus towards you",
-                                            "tilts the stylus: its top towards you",
-                                            "swings the stylus: its front to the right",
-                                            "rolls the stylus: its top to the left"};
+  static const char* const kGoals[kWays] = {QT_TR_NOOP("moves the stylus to the right"),
+                                            QT_TR_NOOP("moves the stylus up"),
+                                            QT_TR_NOOP("moves the stylus towards you"),
+                                            QT_TR_NOOP("tilts the stylus: its top towards you"),
+                                            QT_TR_NOOP("swings the stylus: its front to the right"),
+                                            QT_TR_NOOP("rolls the stylus: its top to the left")};
   return tr(kGoals[static_cast<std::size_t>(way)]);
 }
 
 QString pressTitle(Press press) {
-  static const char* const kTitles[kPresses] = {"Stylus button 1", "Stylus button 2", "Stop"};
+  static const char* const kTitles[kPresses] = {QT_TR_NOOP("Stylus button 1"), QT_TR_NOOP("Stylus button 2"),
+                                                QT_TR_NOOP("Stop")};
   return tr(kTitles[static_cast<std::size_t>(press)]);
 }
 

@@ -15,6 +15,7 @@
 #include "app/gui/identify/arm_in_use.h"
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
+#include "app/gui/number_box.h"
 #include "app/gui/words.h"
 #include "underact/version.h"
 
@@ -71,7 +72,7 @@ void FoundPage::initializePage() {
                                      fromUtf8(valueText(one)),
                                      fromUtf8(uncertaintyText(one)),
                                      fromUtf8(one.unit),
-                                     one.given ? QString::number(*one.given, 'g', 6) : QString(),
+                                     one.given ? localNumber(*one.given, 'g', 6) : QString(),
                                      fromUtf8(differenceText(one))};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);

@@ -1,6 +1,5 @@
 // The pages of the wizard up to the measurement.
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,6 +9,7 @@
 
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
+#include "app/gui/number_box.h"
 #include "app/gui/words.h"
 #include "core/base/units.h"
 
@@ -69,7 +69,7 @@ PlacePage::PlacePage(int rate_hz, const QString& device, QWidget* parent)
   const double middle_mm[] = {0.0, 0.0, 60.0};
   const QString labels[] = {tr("Place &x"), tr("Place &y"), tr("Place &z")};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    at_mm_[axis] = new QDoubleSpinBox(this);
+    at_mm_[axis] = new NumberBox(this);
     at_mm_[axis]->setObjectName(QString("identify.place.%1").arg(QLatin1Char("xyz"[axis])));
     at_mm_[axis]->setAccessibleName(QString(labels[axis]).remove('&'));
     at_mm_[axis]->setRange(-kReach_mm, kReach_mm);

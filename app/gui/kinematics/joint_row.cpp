@@ -19,10 +19,6 @@ constexpr int kStepsPerDegree = 10;
 constexpr double kBeyond_deg = 10.0;   // of the slider, on both sides of the limits
 constexpr double kAtLimit_deg = 0.35;  // what encoders and a hand's friction leave open
 
-QString plainMinus(QString text) {
-  return text.replace(QChar(0x2212), '-');
-}
-
 }  // namespace
 
 void LimitSlider::setLimits(double min_deg, double max_deg) {
@@ -59,15 +55,6 @@ void LimitSlider::wheelEvent(QWheelEvent* event) {
 
 QString AngleBox::textFromValue(double value) const {
   return numberText(value, decimals());
-}
-
-double AngleBox::valueFromText(const QString& text) const {
-  return QDoubleSpinBox::valueFromText(plainMinus(text));
-}
-
-QValidator::State AngleBox::validate(QString& text, int& position) const {
-  QString plain = plainMinus(text);  // as long as the text: the position stays
-  return QDoubleSpinBox::validate(plain, position);
 }
 
 void AngleBox::wheelEvent(QWheelEvent* event) {
@@ -131,7 +118,7 @@ void JointRow::setLimits(double min_deg, double max_deg) {
   min_deg_ = min_deg;
   max_deg_ = max_deg;
   slider_->setLimits(min_deg, max_deg);
-  const QString limits = tr("Limits %1° to %2°").arg(min_deg, 0, 'f', 1).arg(max_deg, 0, 'f', 1);
+  const QString limits = tr("Limits %1° to %2°").arg(numberText(min_deg, 1)).arg(numberText(max_deg, 1));
   slider_->setToolTip(toolTip() + "\n" + limits + tr(", marked below the slider."));
   number_->setToolTip(slider_->toolTip());
 }

@@ -1,7 +1,8 @@
 #pragma once
-#include <QDoubleSpinBox>
 #include <QSlider>
 #include <QWidget>
+
+#include "app/gui/number_box.h"
 
 class QLabel;
 
@@ -23,15 +24,12 @@ class LimitSlider : public QSlider {
 };
 
 /// A number whose steps are told apart from what is typed.
-class AngleBox : public QDoubleSpinBox {
+class AngleBox : public NumberBox {
   Q_OBJECT
  public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  using NumberBox::NumberBox;
   void stepBy(int steps) override { emit stepped(steps * singleStep()); }
-  // With the minus sign of all other numbers; the keyboard's own is understood, too.
-  QString textFromValue(double value) const override;
-  double valueFromText(const QString& text) const override;
-  QValidator::State validate(QString& text, int& position) const override;
+  QString textFromValue(double value) const override;  // with the minus sign of all other numbers
  signals:
   void stepped(double by_deg);
 

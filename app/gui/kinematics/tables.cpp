@@ -43,8 +43,9 @@ DhSection::DhSection(QWidget* parent)
                               {tr("d [mm]"), kWideLength}},
                              this)) {
   for (int row = 1; row <= 6; ++row) {
-    table_->addRow(QString("i = %1").arg(row),
-                   tr("Twist α and length a of link %1, angle θ and offset d of joint %2.").arg(row - 1).arg(row));
+    table_->addRow(
+        QString("i = %1").arg(row),
+        DhSection::tr("Twist α and length a of link %1, angle θ and offset d of joint %2.").arg(row - 1).arg(row));
   }
   column().addWidget(table_);
 }
@@ -68,15 +69,17 @@ AnglesSection::AnglesSection(QWidget* parent)
       table_(new NumberTable(
           "panel.kinematics.angles",
           {{tr("DH [°]"), kWideAngle}, {tr("device [°]"), "device [°]"}, {{}, "  q3 = shin − thigh ", true}}, this)) {
-  const std::array<std::array<QString, 2>, 6> words{{{tr("turret"), tr("q1 = −turret")},
-                                                     {tr("thigh"), tr("q2 = thigh")},
-                                                     {tr("shin"), tr("q3 = shin − thigh")},
-                                                     {tr("gimbal 1"), tr("q4 = −g1")},
-                                                     {tr("gimbal 2"), tr("q5 = g2 + 90°")},
-                                                     {tr("gimbal 3"), tr("q6 = −g3 − 90°")}}};
+  const std::array<std::array<QString, 2>, 6> words{
+      {{AnglesSection::tr("turret"), AnglesSection::tr("q1 = −turret")},
+       {AnglesSection::tr("thigh"), AnglesSection::tr("q2 = thigh")},
+       {AnglesSection::tr("shin"), AnglesSection::tr("q3 = shin − thigh")},
+       {AnglesSection::tr("gimbal 1"), AnglesSection::tr("q4 = −g1")},
+       {AnglesSection::tr("gimbal 2"), AnglesSection::tr("q5 = g2 + 90°")},
+       {AnglesSection::tr("gimbal 3"), AnglesSection::tr("q6 = −g3 − 90°")}}};
   for (int row = 0; row < 6; ++row) {
     const auto& [name, relation] = words[static_cast<std::size_t>(row)];
-    table_->addRow(QString("q%1 %2").arg(row + 1).arg(name), tr("%1 (thesis figure 3.5).").arg(relation));
+    table_->addRow(QString("q%1 %2").arg(row + 1).arg(name),
+                   AnglesSection::tr("%1 (thesis figure 3.5).").arg(relation));
     table_->set(row, 2, "  " + relation);
   }
   column().addWidget(table_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/number_box.h"
+
 namespace underact::gui {
 namespace {
 
@@ -11,12 +13,10 @@ namespace {
 QString shortText(double value) {
   if (value == 0.0) return "0";
   const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  QString text = QString::number(value, 'f', std::clamp(2 - before, 0, 9));
-  if (text.contains('.')) {
-    while (text.endsWith('0')) text.chop(1);
-    if (text.endsWith('.')) text.chop(1);
-  }
-  return text;
+  int decimals = std::clamp(2 - before, 0, 9);
+  for (QString text = QString::number(value, 'f', decimals); decimals > 0 && text.endsWith('0'); text.chop(1))
+    --decimals;
+  return localNumber(value, 'f', decimals);
 }
 
 struct Name {

@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QStyle>
@@ -12,6 +11,7 @@
 #include <optional>
 
 #include "app/gui/lessons/lesson_words.h"
+#include "app/gui/number_box.h"
 #include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
 
@@ -19,15 +19,6 @@ namespace underact::gui {
 namespace {
 
 constexpr int kLettersOfNumber = 10;
-
-/// As the user's system writes numbers, or with a point, and with a real minus sign.
-std::optional<double> numberIn(QString text) {
-  text = text.trimmed().replace(QChar(0x2212), '-');
-  bool is_number = false;
-  double number = text.toDouble(&is_number);
-  if (!is_number) number = QLocale().toDouble(text, &is_number);
-  return is_number ? std::optional(number) : std::nullopt;
-}
 
 }  // namespace
 
@@ -90,7 +81,7 @@ void CheckRow::give() {
     if (choices_->checkedId() > 0) emit answered(choices_->checkedId());
     return;
   }
-  if (const std::optional<double> number = numberIn(number_->text())) {
+  if (const std::optional<double> number = typed(number_->text())) {
     emit answered(*number);
   } else {
     said_->setText(tr("“%1” is no number.").arg(number_->text()));
@@ -100,7 +91,7 @@ void CheckRow::give() {
 void CheckRow::present(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech) {
   const QString text = checkText(check, state, speech);
   const bool shows_slip = number_ != nullptr && !state.solved && !number_->text().isEmpty() &&
-                          !numberIn(number_->text());  // what give() has said of it stays
+                          !typed(number_->text());  // what give() has said of it stays
   if (said_->text() != text && !shows_slip) said_->setText(text);
   const char* const role = state.solved ? "running" : "";
   if (said_->property("role").toString() == role) return;

@@ -8,6 +8,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "app/gui/data_words.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {
@@ -46,7 +47,7 @@ std::vector<lesson::Lesson> shippedLessons() {
   for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
     if (file.fileName().endsWith("schema.json")) continue;
     Result<lesson::Lesson> read = lesson::readLessonFile(file.absoluteFilePath().toStdString());
-    if (read) lessons.push_back(std::move(read).value());
+    if (read) lessons.push_back(translated(std::move(read).value()));
   }
   std::stable_sort(lessons.begin(), lessons.end(),
                    [](const lesson::Lesson& a, const lesson::Lesson& b) { return a.order < b.order; });

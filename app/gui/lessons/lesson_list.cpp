@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/data_words.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/scene_library.h"
 #include "app/gui/told_label.h"
@@ -92,7 +93,7 @@ void LessonList::rebuild() {
   if (!recent.isEmpty()) addHeading(tr("Opened lately"));
   for (const QString& path : recent) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());
-    if (read) addLesson(read.value());
+    if (read) addLesson(translated(read.value()));
   }
   for (int row = 0; row < list_->count(); ++row) {
     if (!kept.isEmpty() && list_->item(row)->data(kPath).toString() == kept) list_->setCurrentRow(row);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/gui/data_words.h"
 #include "app/gui/document.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/replay/player.h"
@@ -24,7 +25,7 @@ bool LessonRun::begin(const QString& path, QString& why) {
     return false;
   }
   if (!isOn() && !place_.keep()) return false;  // the user thought better of it
-  lesson_ = std::move(read).value();
+  lesson_ = translated(std::move(read).value());
   path_ = path;
   states_.assign(lesson_->steps.size(), {});
   solved_ = solvedSteps(path);

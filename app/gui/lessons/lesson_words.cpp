@@ -12,7 +12,7 @@ namespace underact::gui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("lessons", text);
+  return QCoreApplication::translate("underact::gui", text);
 }
 
 QString row(const QString& head, const QString& cell) {

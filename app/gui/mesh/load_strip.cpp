@@ -1,5 +1,6 @@
 #include "app/gui/mesh/load_strip.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -81,7 +82,7 @@ void LoadStrip::cancel() {
 }
 
 void LoadStrip::show(const QString& step, double share) {
-  told_->setText(step.isEmpty() ? load_->what : tr("%1: %2").arg(load_->what, step.toLower()));
+  told_->setText(step.isEmpty() ? load_->what : tr("%1: %2").arg(load_->what, step.left(1).toLower() + step.mid(1)));
   bar_->setValue(static_cast<int>(share * kSteps));
 }
 
@@ -91,7 +92,7 @@ void LoadStrip::look() {
     if (leaving_.empty()) looks_.stop();
     return;
   }
-  show(tr(load_->step), load_->background.share());
+  show(QCoreApplication::translate("step of work", load_->step), load_->background.share());
   if (!load_->background.take()) return;
   const std::unique_ptr<Load> ready = std::move(load_);
   hide();

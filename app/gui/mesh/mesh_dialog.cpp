@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/number_box.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
@@ -42,7 +42,7 @@ QString formatText(mesh_file::Format format) {
 }
 
 QDoubleSpinBox* shareField(const char* name, const QString& spoken, double value, QWidget* parent) {
-  auto* field = new QDoubleSpinBox(parent);
+  auto* field = new NumberBox(parent);
   field->setObjectName(name);
   field->setAccessibleName(spoken);
   field->setRange(0.0, kMostFriction);

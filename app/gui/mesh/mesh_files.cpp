@@ -91,7 +91,7 @@ void MeshFiles::load(const QString& path, std::optional<double> mm_per_unit) {
       [loaded, file = path.toStdString()](const mesh::Watch& watch) {
         *loaded = mesh_file::loadMesh(file, watch);
         if (!**loaded || watch.isCancelled()) return;
-        watch.tell("Preparing the picture", 1.0);
+        watch.tell(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
         static_cast<void>(drawnMesh((*loaded)->value().surface, watch));
       },
       [this, loaded, path, mm_per_unit] {
@@ -126,7 +126,7 @@ void MeshFiles::tell(const QString& path, const Problems& problems) {
 }
 
 void addMeshActions(Actions& actions, MeshFiles& files) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("mesh", text); };
+  const auto tr = [](const char* text) { return QCoreApplication::translate("underact::gui", text); };
   actions.add({"mesh.add", tr("Add &mesh…"), QKeySequence("Ctrl+M"),
                tr("Loads an STL, OBJ, PLY or OFF file, and adds it to the scene or makes a new one of it."), "open"},
               [&files](const QVariantList& path) {

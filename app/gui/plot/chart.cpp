@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/number_box.h"
 #include "app/gui/plot/plot_range.h"
 
 namespace underact::gui {
@@ -26,7 +27,7 @@ constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  //
 
 QString numberText(double value, int decimals) {
   if (std::abs(value) < 1e-9) value = 0.0;
-  return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+  return localNumber(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 QFont smaller(QFont font) {

@@ -1,5 +1,6 @@
 #include "app/gui/plot/live_plot.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +22,7 @@ constexpr double kLeastChart_lines = 9.0;  // of text: as wide as a chart has to
 constexpr double kBelowZero = 0.1;         // of the energy's range
 
 QString pathTitle(int axis) {
-  return LivePlot::tr("Force along %1 [N]").arg(QLatin1Char("xyz"[axis]));
+  return QCoreApplication::translate("underact::gui::LivePlot", "Force along %1 [N]").arg(QLatin1Char("xyz"[axis]));
 }
 
 double greatestOf(std::span<const PlotPoint> points) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "app/gui/chooser.h"
+#include "app/gui/number_box.h"
 #include "app/gui/push_button.h"
 #include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
@@ -125,10 +126,7 @@ std::vector<Vec3> PreparePage::marks_D() const {
   for (int row = 0; row < table_->rowCount(); ++row) {
     Vec3 place_m;  // right, away, up
     for (int column = 0; column < 3; ++column) {
-      bool is_number = false;
-      QString text = table_->item(row, column + 1)->text();
-      const double place_mm = text.replace(QChar(0x2212), '-').toDouble(&is_number);
-      place_m[column] = is_number ? kMetrePerMillimetre * place_mm : kNotANumber;
+      place_m[column] = kMetrePerMillimetre * typed(table_->item(row, column + 1)->text()).value_or(kNotANumber);
     }
     marks_D.push_back(registration::onDesk(place_m[0], place_m[1], place_m[2]));
   }

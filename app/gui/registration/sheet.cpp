@@ -19,7 +19,7 @@ constexpr int kDotsPerInch = 1200;
 constexpr double kMillimetresPerInch = 25.4;
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("sheet", text);
+  return QCoreApplication::translate("underact::gui", text);
 }
 
 QRectF boundsOf(const std::vector<Vec3>& marks_D) {

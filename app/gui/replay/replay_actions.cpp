@@ -13,7 +13,7 @@ namespace underact::gui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("replay", text);
+  return QCoreApplication::translate("underact::gui", text);
 }
 
 void chooseSession(Actions& actions, QWidget* window) {
@@ -33,26 +33,30 @@ void addPlaying(Actions& actions, Player& player) {
     std::function<void(const QVariantList&)> run;
   };
   const Row rows[] = {
-      {"replay.play", "&Play or pause", "P", "Plays the recording, or lets it stand still.", "play",
+      {"replay.play", QT_TR_NOOP("&Play or pause"), "P", QT_TR_NOOP("Plays the recording, or lets it stand still."),
+       "play",
        [&player](const QVariantList& on) {
          on.value(0, !player.isPlaying()).toBool() ? player.play() : player.pause();
        }},
-      {"replay.back", "One tick &back", ",", "Shows the tick before this one, and stands still.", "back",
+      {"replay.back", QT_TR_NOOP("One tick &back"), ",",
+       QT_TR_NOOP("Shows the tick before this one, and stands still."), "back",
        [&player](const QVariantList&) {
          player.pause();
          player.step(-1);
        }},
-      {"replay.forward", "One tick &further", ".", "Shows the tick after this one, and stands still.", "forward",
+      {"replay.forward", QT_TR_NOOP("One tick &further"), ".",
+       QT_TR_NOOP("Shows the tick after this one, and stands still."), "forward",
        [&player](const QVariantList&) {
          player.pause();
          player.step(1);
        }},
-      {"replay.loop_in", "Loop begins &here", "I", "The loop begins at this tick.", "",
+      {"replay.loop_in", QT_TR_NOOP("Loop begins &here"), "I", QT_TR_NOOP("The loop begins at this tick."), "",
        [&player](const QVariantList&) {
          player.setLoopIn(player.row());
          player.setLoop(true);
        }},
-      {"replay.loop_out", "Loop &ends here", "O", "The loop ends at this tick.", "", [&player](const QVariantList&) {
+      {"replay.loop_out", QT_TR_NOOP("Loop &ends here"), "O", QT_TR_NOOP("The loop ends at this tick."), "",
+       [&player](const QVariantList&) {
          player.setLoopOut(player.row());
          player.setLoop(true);
        }}};

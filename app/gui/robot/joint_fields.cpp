@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/gui/number_box.h"
 #include "app/gui/words.h"
 #include "core/base/units.h"
 
@@ -116,15 +117,11 @@ QString exactText(const scene::Joint& joint, JointField field) {
 }
 
 QString exactNumber(double value) {
-  return QString::number(value, 'g', 12);
+  return localNumber(value, 'g', 12);
 }
 
 Result<double> typedNumber(const QString& text) {
-  QString plain = text.trimmed();
-  plain.replace(QChar(0x2212), '-');
-  bool is_number = false;
-  const double value = plain.toDouble(&is_number);
-  if (is_number) return value;
+  if (const std::optional<double> number = typed(text)) return *number;
   return Problems{{QObject::tr("\"%1\" is no number. Type one such as −12.5.").arg(text.trimmed()).toStdString(), {}}};
 }
 

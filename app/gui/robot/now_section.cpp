@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/number_box.h"
 #include "app/gui/readout.h"
 #include "app/gui/robot/sections.h"
 #include "app/gui/words.h"
@@ -66,7 +67,7 @@ void RobotNowSection::present(const tick::Held& held) {
     readout_->set(found_, tr("iteration, %1 of %2 steps").arg(robot.steps).arg(manipulator_.options.max_steps));
   }
   const bool arrived = !(robot.left > manipulator_.options.tolerance);
-  readout_->set(left_, arrived ? tr("nothing") : QString::number(robot.left, 'e', 1));
+  readout_->set(left_, arrived ? tr("nothing") : localNumber(robot.left, 'e', 1));
   readout_->set(energy_, tr("%1 mJ").arg(numberText(kMillijoule * robot.energy_J, 3)));
   readout_->set(moment_, tr("%1 N mm").arg(numberText(kMillimetrePerMetre * robot.moment_W.norm(), 1)));
   readout_->set(target_, held.status == target::Status::Degenerate ? tr("every place is as good")

@@ -242,8 +242,8 @@ QString StepPanel::noteOnMeasured() const {
   const double pull_N = step.model.kp_N_per_m * step.step_m;
   if (!step.fit && pull_N <= step.friction_N)
     return tr("The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.")
-        .arg(pull_N, 0, 'f', 2)
-        .arg(step.friction_N, 0, 'f', 2);
+        .arg(numberText(pull_N, 2))
+        .arg(numberText(step.friction_N, 2));
   if (step.limited_ticks > 0)
     return tr("The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure "
               "without the limits.")
@@ -251,7 +251,7 @@ QString StepPanel::noteOnMeasured() const {
   const QString arm = QString::fromStdString(parts_.arm_in_use.model().name);
   return tr("Measured along %1%3. The model has no friction; the arm has %2 N.")
       .arg(step.axis == lab::Axis::Held ? tr("the direction in which it holds") : QString(name(step.axis)))
-      .arg(step.friction_N, 0, 'f', 2)
+      .arg(numberText(step.friction_N, 2))
       .arg(parts_.arm_in_use.isMeasured() ? tr(" on “%1”").arg(arm) : QString());
 }
 
@@ -263,7 +263,7 @@ void StepPanel::refresh() {
   } else {
     const lab::ThesisStep& step = lab::thesisSteps()[static_cast<std::size_t>(figure_) - 1];
     for (const lab::ThesisStep::Response& one : step.responses)
-      picture.responses.push_back({QString::fromUtf8(one.name), one.transfer});
+      picture.responses.push_back({QCoreApplication::translate("step", one.name), one.transfer});
     picture.metrics = lab::metricsOf(step.responses.front().transfer);
     picture.seconds = step.seconds;
     note = sentenceOn(step.responses.front().transfer);

@@ -2,7 +2,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include "app/gui/chooser.h"
 #include "app/gui/gain_row.h"
 #include "app/gui/kinematics/number_table.h"
+#include "app/gui/number_box.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/push_button.h"
 #include "app/gui/step/step_panel.h"
@@ -147,7 +147,7 @@ void StepPanel::buildMeasuring(QWidget* foot) {
                  tr("Moves the target of the scene's constraint by a step, on a simulated arm of its own with "
                     "these gains, and lays the tip's way over the model's. Nobody holds the stylus."),
                  this, tr("Measure the simulated arm"));
-  step_mm_ = new QDoubleSpinBox(this);
+  step_mm_ = new NumberBox(this);
   step_mm_->setObjectName("panel.step.size");
   step_mm_->setAccessibleName(tr("Length of the step, mm"));
   step_mm_->setToolTip(tr("How far the target is moved for the measurement."));

@@ -7,6 +7,7 @@
 
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
+#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/lab/unit_step.h"
 
@@ -184,7 +185,8 @@ void StepPlot::present(const StepPicture& picture) {
   impl_->drawTime(picture);
   impl_->drawPlane(picture);
   const std::optional<double>& overshoot = picture.metrics.overshoot_fraction;
-  setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(100.0 * *overshoot, 0, 'f', 1) : tr("Nothing settles"));
+  setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(numberText(100.0 * *overshoot, 1))
+                                     : tr("Nothing settles"));
   placeAnew();  // the legend has other names
 }
 

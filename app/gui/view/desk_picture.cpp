@@ -62,7 +62,8 @@ void DeskPicture::build() {
                                {least_mm.x(), most_mm.z()}})
       corners_mm_.push_back(X_WD_mm * Vec3(x, least_mm.y(), z));
     lines_.chain(corners_mm_, theme_.quiet, true);
-    labels_.push_back({QCoreApplication::translate("view", "desk"), corners_mm_[3] + 6.0 * up, theme_.quiet, false});
+    labels_.push_back(
+        {QCoreApplication::translate("SceneView", "desk"), corners_mm_[3] + 6.0 * up, theme_.quiet, false});
   }
   lines_.done();
 }

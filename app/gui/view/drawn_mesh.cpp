@@ -146,7 +146,7 @@ void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch) 
   for (const scene::Constraint& constraint : scene.constraints) {
     const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
     if (mesh == nullptr || mesh->surface == nullptr || watch.isCancelled()) continue;
-    watch.tell("Preparing the picture", 1.0);
+    watch.tell(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
     static_cast<void>(drawnMesh(mesh->surface, watch));
   }
 }

@@ -2,6 +2,7 @@
 
 #include <vtkProperty.h>
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -176,7 +177,7 @@ void KinematicsPicture::addElbowNumbers() {
     numbers[place] << QString::number(numberOf(solution.branch));
   }
   for (std::size_t place = 0; place < elbows_mm.size(); ++place) {
-    labels_.push_back({QStringLiteral("no. ") + numbers[place].join(QLatin1Char(' ')),
+    labels_.push_back({QCoreApplication::translate("SceneView", "no. ") + numbers[place].join(QLatin1Char(' ')),
                        elbows_mm[place] + kNumber_mm * outwards(elbows_mm[place]),
                        mixed(theme_.virtual_robot, theme_.ink, 0.35), false});
   }

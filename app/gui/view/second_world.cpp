@@ -111,7 +111,7 @@ void SecondWorld::update(OrbitCamera camera, const QSizeF& size) {
 }
 
 std::vector<Label> SecondWorld::labels() const {
-  std::vector<Label> labels{{QCoreApplication::translate("view", "second arm"), Vec3(0.0, 0.0, 0.0), ink_, true}};
+  std::vector<Label> labels{{QCoreApplication::translate("SceneView", "second arm"), Vec3(0.0, 0.0, 0.0), ink_, true}};
   labels.insert(labels.end(), influence_.labels().begin(), influence_.labels().end());
   labels.insert(labels.end(), robots_.labels().begin(), robots_.labels().end());
   labels.front().p_mm.y() = -workspaceHalf_mm().y() - 14.0;

@@ -1,7 +1,6 @@
 #include "app/gui/view/section_strip.h"
 
 #include <QAction>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "app/gui/actions.h"
+#include "app/gui/number_box.h"
 #include "app/gui/value_row.h"
 #include "app/gui/view/scene_view.h"
 
@@ -22,11 +22,7 @@ constexpr int kStepsPerMillimetre = 10;  // of the slider; arrows move 1 mm, Pag
 }  // namespace
 
 SectionStrip::SectionStrip(SceneView& view, Actions& actions, QWidget* parent)
-    : QWidget(parent),
-      view_(view),
-      actions_(actions),
-      slider_(new MarkedSlider(this)),
-      number_(new QDoubleSpinBox(this)) {
+    : QWidget(parent), view_(view), actions_(actions), slider_(new MarkedSlider(this)), number_(new NumberBox(this)) {
   setObjectName("section");
   setAccessibleName(tr("Cut"));
   addActions();

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/gui/larger_font.h"
+#include "app/gui/number_box.h"
 
 namespace underact::gui {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kMargin = 16.0;  // from the view's edges; spacing by a 4-pixel
 constexpr double kTriad = 76.0;
 
 QString newtons(double force_N) {
-  return QString::number(force_N, 'f', 2);
+  return localNumber(force_N, 'f', 2);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "app/gui/curve/curve_files.h"
+#include "app/gui/data_words.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"
@@ -17,9 +18,9 @@ bool load(const QString& path, const Watch& watch, ShownScene& into) {
   into.scene = std::move(read).value();
   into.curves = madeCurves(into.scene, watch);
   makeDrawnMeshes(into.scene, watch);
-  const scene::Teaching teaching = scene::teachingOf(path.toStdString()).value_or(scene::Teaching{});
-  into.title = QString::fromStdString(into.scene.title);
-  into.feel = QString::fromStdString(teaching.feel.empty() ? into.scene.about : teaching.feel);
+  const scene::Teaching teaching = translated(scene::teachingOf(path.toStdString()).value_or(scene::Teaching{}));
+  into.title = sceneText(into.scene.title);
+  into.feel = teaching.feel.empty() ? sceneText(into.scene.about) : QString::fromStdString(teaching.feel);
   into.try_this = QString::fromStdString(teaching.try_this);
   return true;
 }

@@ -1,0 +1,11543 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>old sample</source>
+        <translation>alter Messwert</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>a jump</source>
+        <translation>ein Sprung</translation>
+    </message>
+    <message>
+        <source>too late</source>
+        <translation>zu spät</translation>
+    </message>
+    <message>
+        <source>stood still</source>
+        <translation>stand still</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Nothing was measured.</source>
+        <translation>Es wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>p99 is %1 times and p99.9 %2 times that of a loop that does nothing.</source>
+        <translation>p99 ist das %1-Fache und p99.9 das %2-Fache einer Schleife, die nichts tut.</translation>
+    </message>
+    <message>
+        <source>The servo is as punctual as this machine allows: </source>
+        <translation>Der Servo ist so pünktlich, wie dieser Rechner es erlaubt: </translation>
+    </message>
+    <message>
+        <source>The servo is later than this machine would allow: </source>
+        <translation>Der Servo ist später, als dieser Rechner es erlauben würde: </translation>
+    </message>
+    <message>
+        <source>revolute</source>
+        <translation>Drehgelenk</translation>
+    </message>
+    <message>
+        <source>prismatic</source>
+        <translation>Schubgelenk</translation>
+    </message>
+    <message>
+        <source>not made</source>
+        <translation>nicht erstellt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>picture of the view</source>
+        <translation>Bild der Ansicht</translation>
+    </message>
+    <message>
+        <source>all %1 numbers pass</source>
+        <translation>alle %1 Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 numbers fail</source>
+        <translation>%1 von %2 Zahlen weichen ab</translation>
+    </message>
+    <message>
+        <source>%1 figures, %2 numbers checked, %3.</source>
+        <translation>%1 Abbildungen, %2 Zahlen geprüft, %3.</translation>
+    </message>
+    <message>
+        <source>all as they should be</source>
+        <translation>alle wie erwartet</translation>
+    </message>
+    <message>
+        <source>%1 not as they should be</source>
+        <translation>%1 nicht wie erwartet</translation>
+    </message>
+    <message>
+        <source>%1 pictures left out.</source>
+        <translation>%1 Bilder ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Figure %1 has no picture.</source>
+        <translation>Abbildung %1 hat kein Bild.</translation>
+    </message>
+    <message>
+        <source>Figure %1: %2</source>
+        <translation>Abbildung %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder.</source>
+        <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Drag the stylus</source>
+        <translation>Stift ziehen</translation>
+    </message>
+    <message>
+        <source>moves the simulated hand in the plane of the view</source>
+        <translation>bewegt die simulierte Hand in der Ebene der Ansicht</translation>
+    </message>
+    <message>
+        <source>Wheel while dragging</source>
+        <translation>Rad beim Ziehen</translation>
+    </message>
+    <message>
+        <source>moves the hand nearer or further away</source>
+        <translation>bewegt die Hand näher oder weiter weg</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view)</source>
+        <translation>bewegen die Hand um 2 mm, mit Umschalt um 10 mm (zuerst F2 drücken oder die Ansicht anklicken)</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>move the hand in depth</source>
+        <translation>bewegen die Hand in die Tiefe</translation>
+    </message>
+    <message>
+        <source>Ctrl and arrow keys</source>
+        <translation>Strg und Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>turn the stylus</source>
+        <translation>drehen den Stift</translation>
+    </message>
+    <message>
+        <source>Game controller, 3D mouse</source>
+        <translation>Gamepad, 3D-Maus</translation>
+    </message>
+    <message>
+        <source>move and turn the simulated hand; the panel Hands says and edits what moves what</source>
+        <translation>bewegen und drehen die simulierte Hand; der Bereich Hände zeigt und ändert, was was bewegt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>is the stylus button, for as long as it is held (press F2 first, or click the view)</source>
+        <translation>ist die Stifttaste, solange sie gehalten wird (zuerst F2 drücken oder die Ansicht anklicken)</translation>
+    </message>
+    <message>
+        <source>Rings o and p</source>
+        <translation>Ringe o und p</translation>
+    </message>
+    <message>
+        <source>of a scene with influence: where the stylus points, and what is nearest to its tip</source>
+        <translation>einer Szene mit Einfluss: wohin der Stift zeigt, und was seiner Spitze am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Drag beside the stylus</source>
+        <translation>Neben dem Stift ziehen</translation>
+    </message>
+    <message>
+        <source>turns the view; with the middle button it is moved</source>
+        <translation>dreht die Ansicht; mit der mittleren Taste wird sie verschoben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>brings the view nearer</source>
+        <translation>bringt die Ansicht näher</translation>
+    </message>
+    <message>
+        <source>Sliders</source>
+        <translation>Schieberegler</translation>
+    </message>
+    <message>
+        <source>take the mouse, arrow keys and, once clicked, the wheel; a double click goes back to the scene's value</source>
+        <translation>nehmen Maus, Pfeiltasten und, einmal angeklickt, das Rad an; ein Doppelklick geht zum Wert der Szene zurück</translation>
+    </message>
+    <message>
+        <source>Table of joints</source>
+        <translation>Tabelle der Gelenke</translation>
+    </message>
+    <message>
+        <source>F2, a double click or just typing changes a number; Enter takes it</source>
+        <translation>F2, ein Doppelklick oder einfach Tippen ändert eine Zahl; Eingabe übernimmt sie</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>one of many: only %1 is set</source>
+        <translation>eine von vielen: nur %1 ist festgelegt</translation>
+    </message>
+    <message>
+        <source>✓ within</source>
+        <translation>✓ innerhalb</translation>
+    </message>
+    <message>
+        <source>✗ outside</source>
+        <translation>✗ außerhalb</translation>
+    </message>
+    <message>
+        <source>, q1 free</source>
+        <translation>, q1 frei</translation>
+    </message>
+    <message>
+        <source>, now</source>
+        <translation>, jetzt</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose: there is no solution.</source>
+        <translation>Der Arm kann diese Lage nicht erreichen: Es gibt keine Lösung.</translation>
+    </message>
+    <message>
+        <source>%1 solutions, %2 within the joint limits.</source>
+        <translation>%1 Lösungen, %2 innerhalb der Gelenkgrenzen.</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>elbow</source>
+        <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>wrist</source>
+        <translation>Handgelenk</translation>
+    </message>
+    <message>
+        <source> Singular at the %1.</source>
+        <translation> Singulär: %1.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>%1
+Timed: %2. Error: %3; root of the mean square.
+Allowed: %4, since that is %5.</source>
+        <translation>%1
+Gemessene Zeit: %2. Fehler: %3; Wurzel des mittleren Quadrats.
+Erlaubt: %4, denn das ist %5.</translation>
+    </message>
+    <message>
+        <source>%1 for %2, %3 in a second; error %4 of %5 allowed</source>
+        <translation>%1 für %2, %3 je Sekunde; Fehler %4 von %5 erlaubt</translation>
+    </message>
+    <message>
+        <source>▲ The error is beyond what is allowed.</source>
+        <translation>▲ Der Fehler liegt über dem Erlaubten.</translation>
+    </message>
+    <message>
+        <source>→ Recommended: %1 (%2 in a second, error %3)</source>
+        <translation>→ Empfohlen: %1 (%2 je Sekunde, Fehler %3)</translation>
+    </message>
+    <message>
+        <source>not measured: no hand has use for it</source>
+        <translation>nicht gemessen: keine Hand braucht es</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ns</source>
+        <translation>%1 ns</translation>
+    </message>
+    <message>
+        <source>0 mm</source>
+        <translation>0 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>%1 nm</source>
+        <translation>%1 nm</translation>
+    </message>
+    <message>
+        <source>a second</source>
+        <translation>eine Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>STL (binary)</source>
+        <translation>STL (binär)</translation>
+    </message>
+    <message>
+        <source>STL (text)</source>
+        <translation>STL (Text)</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Revolute: it turns about its axis. Prismatic: it slides along it.</source>
+        <translation>Drehgelenk: Es dreht sich um seine Achse. Schubgelenk: Es gleitet an ihr entlang.</translation>
+    </message>
+    <message>
+        <source>axis
+x</source>
+        <translation>Achse
+x</translation>
+    </message>
+    <message>
+        <source>The axis' direction at home, of any length, in W: S = (axis, point x axis).</source>
+        <translation>Die Richtung der Achse in Grundstellung, beliebig lang, in W: S = (Achse, Punkt x Achse).</translation>
+    </message>
+    <message>
+        <source>
+y</source>
+        <translation>
+y</translation>
+    </message>
+    <message>
+        <source>The axis' direction at home.</source>
+        <translation>Die Richtung der Achse in Grundstellung.</translation>
+    </message>
+    <message>
+        <source>
+z</source>
+        <translation>
+z</translation>
+    </message>
+    <message>
+        <source>point
+x [mm]</source>
+        <translation>Punkt
+x [mm]</translation>
+    </message>
+    <message>
+        <source>A point on the axis at home, in W; a joint that slides needs none.</source>
+        <translation>Ein Punkt auf der Achse in Grundstellung, in W; ein Schubgelenk braucht keinen.</translation>
+    </message>
+    <message>
+        <source>
+y [mm]</source>
+        <translation>
+y [mm]</translation>
+    </message>
+    <message>
+        <source>A point on the axis at home.</source>
+        <translation>Ein Punkt auf der Achse in Grundstellung.</translation>
+    </message>
+    <message>
+        <source>
+z [mm]</source>
+        <translation>
+z [mm]</translation>
+    </message>
+    <message>
+        <source>min
+[° mm]</source>
+        <translation>min.
+[° mm]</translation>
+    </message>
+    <message>
+        <source>The least value, degrees or mm; empty: no limit.</source>
+        <translation>Der kleinste Wert, Grad oder mm; leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>max
+[° mm]</source>
+        <translation>max.
+[° mm]</translation>
+    </message>
+    <message>
+        <source>The largest value, degrees or mm; empty: no limit.</source>
+        <translation>Der größte Wert, Grad oder mm; leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>spring k
+[N mm/rad, N/mm]</source>
+        <translation>Feder k
+[N mm/rad, N/mm]</translation>
+    </message>
+    <message>
+        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.</source>
+        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Es bewegt sich frei.</translation>
+    </message>
+    <message>
+        <source>rest
+[° mm]</source>
+        <translation>Ruhe
+[° mm]</translation>
+    </message>
+    <message>
+        <source>Where the spring pulls nowhere, degrees or mm.</source>
+        <translation>Wo die Feder nirgendwohin zieht, Grad oder mm.</translation>
+    </message>
+    <message>
+        <source>"%1" is no number. Type one such as −12.5.</source>
+        <translation>„%1“ ist keine Zahl. Geben Sie eine ein, etwa −12,5.</translation>
+    </message>
+    <message>
+        <source>A joint is revolute or prismatic.</source>
+        <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
+    </message>
+    <message>
+        <source>at its least, %1</source>
+        <translation>am kleinsten Wert, %1</translation>
+    </message>
+    <message>
+        <source>at its most, %1</source>
+        <translation>am größten Wert, %1</translation>
+    </message>
+    <message>
+        <source>There is no such joint.</source>
+        <translation>Dieses Gelenk gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>/recorded.underact.json</source>
+        <translation>/recorded.underact.json</translation>
+    </message>
+    <message>
+        <source>/new.underact.json</source>
+        <translation>/new.underact.json</translation>
+    </message>
+    <message>
+        <source>This file cannot be read. Open it to see why.</source>
+        <translation>Diese Datei lässt sich nicht lesen. Öffnen Sie sie, um den Grund zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation>gerade eben</translation>
+    </message>
+    <message>
+        <source>last %1 s ago</source>
+        <translation>zuletzt vor %1 s</translation>
+    </message>
+    <message>
+        <source>last %1 min ago</source>
+        <translation>zuletzt vor %1 min</translation>
+    </message>
+    <message>
+        <source>The stylus button nearer to the tip; on the simulated arm the Space key, with the focus in the view (F2).</source>
+        <translation>Die Stifttaste näher an der Spitze; beim simulierten Arm die Leertaste, mit dem Fokus in der Ansicht (F2).</translation>
+    </message>
+    <message>
+        <source>The stylus button further from the tip; the simulated arm has none.</source>
+        <translation>Die Stifttaste weiter von der Spitze entfernt; der simulierte Arm hat keine.</translation>
+    </message>
+    <message>
+        <source>Cancelled: no file was written.</source>
+        <translation>Abgebrochen: Es wurde keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>Nicht exportiert. %1</translation>
+    </message>
+    <message>
+        <source>%1 ticks are in %2</source>
+        <translation>%1 Takte sind in %2</translation>
+    </message>
+    <message>
+        <source>%1. %2 more are damaged in the session and were left out.</source>
+        <translation>%1. %2 weitere sind in der Sitzung beschädigt und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 ticks are missing: the machine was too busy to write them. The servo went on.</source>
+        <translation>%1 Takte fehlen: Der Rechner war zu beschäftigt, um sie zu schreiben. Der Servo lief weiter.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: room for %1 more at this pace. Free some space; else the recording ends in order.</source>
+        <translation>Der Datenträger ist fast voll: Platz für noch %1 bei diesem Tempo. Geben Sie Platz frei; sonst endet die Aufzeichnung geordnet.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: %1 are left. Free some space; else the recording ends in order.</source>
+        <translation>Der Datenträger ist fast voll: %1 sind übrig. Geben Sie Platz frei; sonst endet die Aufzeichnung geordnet.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Not closed: it is being recorded, or the program ended without closing it. Recover makes it whole.</source>
+        <translation>Nicht geschlossen: Sie wird gerade aufgezeichnet, oder das Programm endete, ohne sie zu schließen. „Retten“ macht sie vollständig.</translation>
+    </message>
+    <message>
+        <source>Made whole after the program had ended without closing it.</source>
+        <translation>Vervollständigt, nachdem das Programm geendet hatte, ohne sie zu schließen.</translation>
+    </message>
+    <message>
+        <source>Ended because the disk was nearly full.</source>
+        <translation>Beendet, weil der Datenträger fast voll war.</translation>
+    </message>
+    <message>
+        <source>%1 ticks are missing.</source>
+        <translation>%1 Takte fehlen.</translation>
+    </message>
+    <message>
+        <source>1 fault.</source>
+        <translation>1 Störung.</translation>
+    </message>
+    <message>
+        <source>%1 faults.</source>
+        <translation>%1 Störungen.</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>not closed: Recover</source>
+        <translation>nicht geschlossen: Retten</translation>
+    </message>
+    <message>
+        <source>%1 ticks</source>
+        <translation>%1 Takte</translation>
+    </message>
+    <message>
+        <source>Scene %1</source>
+        <translation>Szene %1</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Subject %1</source>
+        <translation>Person %1</translation>
+    </message>
+    <message>
+        <source>Tags %1</source>
+        <translation>Tags %1</translation>
+    </message>
+    <message>
+        <source>Markers %1</source>
+        <translation>Marken %1</translation>
+    </message>
+    <message>
+        <source>%1 is a file, not a folder. Choose another folder for the recordings.</source>
+        <translation>%1 ist eine Datei, kein Ordner. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made. Choose another folder for the recordings.</source>
+        <translation>Der Ordner %1 lässt sich nicht anlegen. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written into the folder %1. Choose another folder for the recordings.</source>
+        <translation>In den Ordner %1 lässt sich nichts schreiben. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>1 day</source>
+        <translation>1 Tag</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 kB</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>%1, enough for %2</source>
+        <translation>%1, reicht für %2</translation>
+    </message>
+    <message>
+        <source>%1 away</source>
+        <translation>%1 entfernt</translation>
+    </message>
+    <message>
+        <source>equally far all around</source>
+        <translation>ringsum gleich weit</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Durch</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Its x axis</source>
+        <translation>Seine x-Achse</translation>
+    </message>
+    <message>
+        <source>its place alone</source>
+        <translation>nur die Position</translation>
+    </message>
+    <message>
+        <source>its place and direction</source>
+        <translation>Position und Richtung</translation>
+    </message>
+    <message>
+        <source>its place and angle</source>
+        <translation>Position und Winkel</translation>
+    </message>
+    <message>
+        <source>its place and whole turn</source>
+        <translation>Position und volle Drehung</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Tip at home</source>
+        <translation>Spitze in Grundst.</translation>
+    </message>
+    <message>
+        <source>Drawn to</source>
+        <translation>Gezogen zu</translation>
+    </message>
+    <message>
+        <source>Kθ</source>
+        <translation>Kθ</translation>
+    </message>
+    <message>
+        <source>%1 N mm/rad</source>
+        <translation>%1 N mm/rad</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>thesis 5.2</source>
+        <translation>Thesis 5.2</translation>
+    </message>
+    <message>
+        <source>nearest of all</source>
+        <translation>nächster von allen</translation>
+    </message>
+    <message>
+        <source>nearest of all, in the tree</source>
+        <translation>nächster von allen, im Baum</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Placed at</source>
+        <translation>Platziert bei</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Joined</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>smoothly</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <source>by straight lines</source>
+        <translation>durch gerade Linien</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source>none, it is closed</source>
+        <translation>keine, sie ist geschlossen</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>zwei</translation>
+    </message>
+    <message>
+        <source>held to it</source>
+        <translation>daran gehalten</translation>
+    </message>
+    <message>
+        <source>felt from outside</source>
+        <translation>von außen gespürt</translation>
+    </message>
+    <message>
+        <source>felt from inside</source>
+        <translation>von innen gespürt</translation>
+    </message>
+    <message>
+        <source>Virtual robot</source>
+        <translation>Virtueller Roboter</translation>
+    </message>
+    <message>
+        <source>Held to</source>
+        <translation>Gehalten an</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>%1 static, %2 dynamic</source>
+        <translation>%1 statisch, %2 dynamisch</translation>
+    </message>
+    <message>
+        <source>q%1: above %2 N/mm at %3 Hz the stylus may buzz somewhere in the workspace.</source>
+        <translation>q%1: Über %2 N/mm kann der Stift bei %3 Hz irgendwo im Arbeitsraum surren.</translation>
+    </message>
+    <message>
+        <source>%1: above %2 N/mm at %3 Hz the stylus may buzz in a hand with %4 N s/m of damping.</source>
+        <translation>%1: Über %2 N/mm kann der Stift bei %3 Hz in einer Hand mit %4 N s/m Dämpfung surren.</translation>
+    </message>
+    <message>
+        <source>Hold the button</source>
+        <translation>Taste halten</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Stoppt</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation>%1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>real time: not granted</source>
+        <translation>Echtzeit: nicht gewährt</translation>
+    </message>
+    <message>
+        <source>real time: %1</source>
+        <translation>Echtzeit: %1</translation>
+    </message>
+</context>
+<context>
+    <name>SceneView</name>
+    <message>
+        <source>desk</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>no. </source>
+        <translation>Nr. </translation>
+    </message>
+    <message>
+        <source>moment, not sent</source>
+        <translation>Moment, nicht gesendet</translation>
+    </message>
+    <message>
+        <source>second arm</source>
+        <translation>zweiter Arm</translation>
+    </message>
+    <message>
+        <source>where the stylus points</source>
+        <translation>wohin der Stift zeigt</translation>
+    </message>
+    <message>
+        <source>nearest to the tip</source>
+        <translation>der Spitze am nächsten</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>cause</name>
+    <message>
+        <source>the tick before was long</source>
+        <translation>der Takt davor war lang</translation>
+    </message>
+    <message>
+        <source>The tick before took longer than a period.</source>
+        <translation>Der Takt davor dauerte länger als eine Periode.</translation>
+    </message>
+    <message>
+        <source>waited for the arm</source>
+        <translation>auf den Arm gewartet</translation>
+    </message>
+    <message>
+        <source>Most of that time went into waiting for the arm.</source>
+        <translation>Der größte Teil dieser Zeit verging mit dem Warten auf den Arm.</translation>
+    </message>
+    <message>
+        <source>memory was not there</source>
+        <translation>Speicher war nicht da</translation>
+    </message>
+    <message>
+        <source>The servo thread touched memory that the system first had to fetch.</source>
+        <translation>Der Servo-Thread griff auf Speicher zu, den das System erst holen musste.</translation>
+    </message>
+    <message>
+        <source>core was taken</source>
+        <translation>Kern war belegt</translation>
+    </message>
+    <message>
+        <source>Another thread ran on the servo's core.</source>
+        <translation>Ein anderer Thread lief auf dem Kern des Servos.</translation>
+    </message>
+    <message>
+        <source>woken late</source>
+        <translation>verspätet geweckt</translation>
+    </message>
+    <message>
+        <source>None of these: the system, or the machine a virtual one runs on, woke it late.</source>
+        <translation>Nichts davon: Das System oder die Maschine, auf der eine virtuelle läuft, weckte ihn verspätet.</translation>
+    </message>
+</context>
+<context>
+    <name>choice</name>
+    <message>
+        <source>Servo rate</source>
+        <translation>Servo-Taktrate</translation>
+    </message>
+    <message>
+        <source>Simulated arm</source>
+        <translation>Simulierter Arm</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Solver's steps</source>
+        <translation>Schritte des Lösers</translation>
+    </message>
+    <message>
+        <source>Velocity filter</source>
+        <translation>Geschw.-Filter</translation>
+    </message>
+    <message>
+        <source>The arm's joints</source>
+        <translation>Gelenke des Arms</translation>
+    </message>
+    <message>
+        <source>Recording's blocks</source>
+        <translation>Blöcke der Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>explore</name>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>R, revolute: q adds to θ. P, prismatic: q adds to d.</source>
+        <translation>R, Drehgelenk: q kommt zu θ hinzu. P, Schubgelenk: q kommt zu d hinzu.</translation>
+    </message>
+    <message>
+        <source>α
+[°]</source>
+        <translation>α
+[°]</translation>
+    </message>
+    <message>
+        <source>Twist: the angle from the axis z before to this row's z, about x.</source>
+        <translation>Verwindung: der Winkel von der Achse z davor zu z dieser Zeile, um x.</translation>
+    </message>
+    <message>
+        <source>a
+[mm]</source>
+        <translation>a
+[mm]</translation>
+    </message>
+    <message>
+        <source>Length: the distance from the axis z before to this row's z, along x.</source>
+        <translation>Länge: der Abstand von der Achse z davor zu z dieser Zeile, entlang x.</translation>
+    </message>
+    <message>
+        <source>θ
+[°]</source>
+        <translation>θ
+[°]</translation>
+    </message>
+    <message>
+        <source>Angle: from x before to this row's x, about z, with the joint at 0.</source>
+        <translation>Winkel: von x davor zu x dieser Zeile, um z, mit dem Gelenk bei 0.</translation>
+    </message>
+    <message>
+        <source>d
+[mm]</source>
+        <translation>d
+[mm]</translation>
+    </message>
+    <message>
+        <source>Offset: the distance from x before to this row's x, along z, with the joint at 0.</source>
+        <translation>Versatz: der Abstand von x davor zu x dieser Zeile, entlang z, mit dem Gelenk bei 0.</translation>
+    </message>
+    <message>
+        <source>q
+[° mm]</source>
+        <translation>q
+[° mm]</translation>
+    </message>
+    <message>
+        <source>The joint's value: the arm's own where joints follow it, else what is typed.</source>
+        <translation>Der Wert des Gelenks: der des Arms selbst, wo Gelenke ihm folgen, sonst der eingegebene.</translation>
+    </message>
+    <message>
+        <source>Two links in a plane</source>
+        <translation>Zwei Glieder in der Ebene</translation>
+    </message>
+    <message>
+        <source>SCARA, with a slide</source>
+        <translation>SCARA mit Schubachse</translation>
+    </message>
+    <message>
+        <source>Two turns and a slide</source>
+        <translation>Zwei Dreh-, eine Schubachse</translation>
+    </message>
+</context>
+<context>
+    <name>gain</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain).</source>
+        <translation>Wie stark der Stift pro Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>How hard a change of the error is resisted: f = kd de/dt (derivative gain).</source>
+        <translation>Wie stark einer Änderung des Fehlers widerstanden wird: f = kd de/dt (Differentialverstärkung).</translation>
+    </message>
+    <message>
+        <source>Integral</source>
+        <translation>Integral</translation>
+    </message>
+    <message>
+        <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
+        <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
+    </message>
+</context>
+<context>
+    <name>lesson</name>
+    <message>
+        <source>The tip</source>
+        <translation>Die Spitze</translation>
+    </message>
+    <message>
+        <source>The tip in B</source>
+        <translation>Die Spitze in B</translation>
+    </message>
+    <message>
+        <source>The velocity</source>
+        <translation>Die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The speed</source>
+        <translation>Das Tempo</translation>
+    </message>
+    <message>
+        <source>The stylus' direction</source>
+        <translation>Die Richtung des Stifts</translation>
+    </message>
+    <message>
+        <source>The joint angle</source>
+        <translation>Der Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>The device's angle</source>
+        <translation>Der Winkel des Geräts</translation>
+    </message>
+    <message>
+        <source>The solution</source>
+        <translation>Die Lösung</translation>
+    </message>
+    <message>
+        <source>The number of inverse solutions</source>
+        <translation>Die Anzahl der inversen Lösungen</translation>
+    </message>
+    <message>
+        <source>The number of solutions within limits</source>
+        <translation>Die Anzahl der Lösungen innerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>The determinant of J_p</source>
+        <translation>Die Determinante von J_p</translation>
+    </message>
+    <message>
+        <source>The manipulability</source>
+        <translation>Die Manipulierbarkeit</translation>
+    </message>
+    <message>
+        <source>The gain of J_p</source>
+        <translation>Die Verstärkung von J_p</translation>
+    </message>
+    <message>
+        <source>The distance from axis 1</source>
+        <translation>Der Abstand von Achse 1</translation>
+    </message>
+    <message>
+        <source>The distance from a stretched or folded elbow</source>
+        <translation>Der Abstand vom gestreckten oder gefalteten Ellbogen</translation>
+    </message>
+    <message>
+        <source>The distance from axes 4 and 6 in line</source>
+        <translation>Der Abstand von Achse 4 und 6 in einer Linie</translation>
+    </message>
+    <message>
+        <source>The distance to the nearest joint limit</source>
+        <translation>Der Abstand zur nächsten Gelenkgrenze</translation>
+    </message>
+    <message>
+        <source>The force</source>
+        <translation>Die Kraft</translation>
+    </message>
+    <message>
+        <source>The force asked for</source>
+        <translation>Die verlangte Kraft</translation>
+    </message>
+    <message>
+        <source>The joint torque</source>
+        <translation>Das Gelenkdrehmoment</translation>
+    </message>
+    <message>
+        <source>The error</source>
+        <translation>Der Fehler</translation>
+    </message>
+    <message>
+        <source>The way from target to tip</source>
+        <translation>Der Weg vom Ziel zur Spitze</translation>
+    </message>
+    <message>
+        <source>The stiffness felt</source>
+        <translation>Die gefühlte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The angle between force and way to the target</source>
+        <translation>Der Winkel zwischen der Kraft und dem Weg zum Ziel</translation>
+    </message>
+    <message>
+        <source>What the limits take off</source>
+        <translation>Was die Grenzen wegnehmen</translation>
+    </message>
+    <message>
+        <source>The energy</source>
+        <translation>Die Energie</translation>
+    </message>
+    <message>
+        <source>The controller's damping force</source>
+        <translation>Die Dämpfungskraft des Reglers</translation>
+    </message>
+    <message>
+        <source>The stiffness kp</source>
+        <translation>Die Steifigkeit kp</translation>
+    </message>
+    <message>
+        <source>The damping kd</source>
+        <translation>Die Dämpfung kd</translation>
+    </message>
+    <message>
+        <source>The influence t</source>
+        <translation>Der Einfluss t</translation>
+    </message>
+    <message>
+        <source>The angle about the shape's axis</source>
+        <translation>Der Winkel um die Achse der Form</translation>
+    </message>
+    <message>
+        <source>The virtual robot's joint</source>
+        <translation>Das Gelenk des virtuellen Roboters</translation>
+    </message>
+    <message>
+        <source>The robot's energy</source>
+        <translation>Die Energie des Roboters</translation>
+    </message>
+    <message>
+        <source>The moment that is not sent</source>
+        <translation>Das Moment, das nicht gesendet wird</translation>
+    </message>
+    <message>
+        <source>The stylus button</source>
+        <translation>Die Taste des Stifts</translation>
+    </message>
+    <message>
+        <source>%1; it should be %2</source>
+        <translation>%1; Soll: %2</translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s.</source>
+        <translation>%1 von %2 s gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reached.</source>
+        <translation>%1 von %2 erreicht.</translation>
+    </message>
+    <message>
+        <source>Still to go: %1, to %2. %3.</source>
+        <translation>Noch offen: %1, bis %2. %3.</translation>
+    </message>
+    <message>
+        <source>%1 went over %2 of %3.</source>
+        <translation>%1 durchlief %2 von %3.</translation>
+    </message>
+    <message>
+        <source>%1 swung through %2 %3 of %4 times within %5 s.</source>
+        <translation>%1 schwang innerhalb von %5 s %3 von %4 Mal um %2.</translation>
+    </message>
+    <message>
+        <source>Type your answer.</source>
+        <translation>Geben Sie Ihre Antwort ein.</translation>
+    </message>
+    <message>
+        <source>Choose an answer.</source>
+        <translation>Wählen Sie eine Antwort.</translation>
+    </message>
+    <message>
+        <source>At the same time it should be: %1 %2; now %3.</source>
+        <translation>Zugleich soll gelten: %1 %2; jetzt %3.</translation>
+    </message>
+    <message>
+        <source>%1 is right.</source>
+        <translation>%1 ist richtig.</translation>
+    </message>
+    <message>
+        <source>%1 is not right. Look again.</source>
+        <translation>%1 ist nicht richtig. Schauen Sie noch einmal hin.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet</source>
+        <translation>%1 ist noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>within %1 of %2</source>
+        <translation>höchstens %1 neben %2</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+</context>
+<context>
+    <name>lesson text</name>
+    <message>
+        <source>Frames and transforms</source>
+        <translation>Koordinatensysteme und Transformationen</translation>
+    </message>
+    <message>
+        <source>Kinematics</source>
+        <translation>Kinematik</translation>
+    </message>
+    <message>
+        <source>Where is the tip, seen from where? Two frames, one place.</source>
+        <translation>Wo ist die Spitze, von wo aus gesehen? Zwei Koordinatensysteme, ein Ort.</translation>
+    </message>
+    <message>
+        <source>The frame W</source>
+        <translation>Koordinatensystem W</translation>
+    </message>
+    <message>
+        <source>A **frame** is three axes at right angles and a point where they meet. The workspace frame **W** stands in the
+middle of the box: $x$ to the right, $y$ up, $z$ towards you.
+
+Move the stylus to each of three places: $(40, 0, 50)$, $(0, 40, 50)$ and $(0, 0, 10)$ mm.
+Drag it with the mouse, or press F2 and use the arrow keys (Page Up and Page Down go away and near).</source>
+        <translation>Ein **Koordinatensystem** besteht aus drei Achsen im rechten Winkel und dem Punkt, in dem sie sich treffen. Das Koordinatensystem **W** des Arbeitsraums steht in der
+Mitte des Quaders: $x$ nach rechts, $y$ nach oben, $z$ auf Sie zu.
+
+Führen Sie den Stift nacheinander an drei Orte: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
+Ziehen Sie ihn mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfeiltasten (Bild auf und Bild ab führen ihn weg und heran).</translation>
+    </message>
+    <message>
+        <source>The panel *Arm* shows the place of the tip. Shift with an arrow key takes steps of 10 mm.</source>
+        <translation>Der Bereich *Arm* zeigt den Ort der Spitze. Umschalt mit einer Pfeiltaste macht Schritte von 10 mm.</translation>
+    </message>
+    <message>
+        <source>The same place from B</source>
+        <translation>Derselbe Ort von B aus</translation>
+    </message>
+    <message>
+        <source>The arm has a frame of its own: **B**, frame 0 of its table. It is turned and moved against W. A point with the
+coordinates $(x_W, y_W, z_W)$ in W has in B the coordinates (thesis eq. 3.1, in mm)
+
+$$x_B = z_W + 176$$
+
+$$y_B = x_W$$
+
+$$z_B = y_W - 30$$
+
+Hold the stylus anywhere and work out its place in B.</source>
+        <translation>Der Arm hat ein eigenes Koordinatensystem: **B**, das Koordinatensystem 0 seiner Tabelle. Es ist gegenüber W gedreht und verschoben. Ein Punkt mit den
+Koordinaten $(x_W, y_W, z_W)$ in W hat in B die Koordinaten (Thesis, Gl. 3.1, in mm)
+
+$$x_B = z_W + 176$$
+
+$$y_B = x_W$$
+
+$$z_B = y_W - 30$$
+
+Halten Sie den Stift an einem beliebigen Ort und rechnen Sie aus, wo er in B ist.</translation>
+    </message>
+    <message>
+        <source>Read $x_W$, $y_W$ and $z_W$ in the panel *Arm* and put them into the three equations.</source>
+        <translation>Lesen Sie $x_W$, $y_W$ und $z_W$ im Bereich *Arm* ab und setzen Sie sie in die drei Gleichungen ein.</translation>
+    </message>
+    <message>
+        <source>What is x in B, in mm?</source>
+        <translation>Wie groß ist x in B, in mm?</translation>
+    </message>
+    <message>
+        <source>What is y in B, in mm?</source>
+        <translation>Wie groß ist y in B, in mm?</translation>
+    </message>
+    <message>
+        <source>What is z in B, in mm?</source>
+        <translation>Wie groß ist z in B, in mm?</translation>
+    </message>
+    <message>
+        <source>Back to W</source>
+        <translation>Zurück zu W</translation>
+    </message>
+    <message>
+        <source>A transform can be turned round: from B to W it is
+
+$$x_W = y_B$$
+
+$$y_W = z_B + 30$$
+
+$$z_W = x_B - 176$$
+
+Bring the tip to the place that has the coordinates $(216, 0, 10)$ mm **in B**, and hold it there for a second.</source>
+        <translation>Eine Transformation lässt sich umkehren: Von B nach W lautet sie
+
+$$x_W = y_B$$
+
+$$y_W = z_B + 30$$
+
+$$z_W = x_B - 176$$
+
+Bringen Sie die Spitze an den Ort, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>In W that place is $(0, 40, 40)$ mm.</source>
+        <translation>In W ist dieser Ort $(0, 40, 40)$ mm.</translation>
+    </message>
+    <message>
+        <source>A turned frame</source>
+        <translation>Gedrehtes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>A **rotation matrix** has the axes of one frame as its columns, as seen from the other. The third column of
+the stylus' matrix is where the stylus points.
+
+Turn the stylus until it points up, along $y$ of W: third column $(0, 1, 0)$. Ctrl with the arrow keys turns it (press F2 first).</source>
+        <translation>Eine **Rotationsmatrix** hat als Spalten die Achsen des einen Koordinatensystems, vom anderen aus gesehen. Die dritte Spalte der
+Matrix des Stifts gibt an, wohin der Stift zeigt.
+
+Drehen Sie den Stift, bis er nach oben zeigt, entlang $y$ von W: dritte Spalte $(0, 1, 0)$. Strg mit den Pfeiltasten dreht ihn (drücken Sie zuerst F2).</translation>
+    </message>
+    <message>
+        <source>Seen from the front, hold Ctrl and press the up arrow.</source>
+        <translation>In der Ansicht von vorn: Halten Sie Strg und drücken Sie die Pfeiltaste nach oben.</translation>
+    </message>
+    <message>
+        <source>Order matters</source>
+        <translation>Reihenfolge zählt</translation>
+    </message>
+    <message>
+        <source>Two turns one after the other are a product of matrices, and matrices do not commute. Turning about the
+**fixed** axes of W multiplies from the left: first about $x$, then about $y$ is $R = R_y R_x$.
+
+Take a book and try: turn it by 90° about $x$, then by 90° about $y$. Then the other way round.
+
+$R_x(90°)$ takes $z$ to $-y$. $R_y(90°)$ takes $z$ to $x$ and leaves $y$ where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First about $x$: $z$ becomes $-y$; turning about $y$ leaves that. First about $y$: $z$ becomes $x$; turning about $x$ leaves that.</source>
+        <translation>Zuerst um $x$: $z$ wird zu $-y$; die Drehung um $y$ ändert daran nichts. Zuerst um $y$: $z$ wird zu $x$; die Drehung um $x$ ändert daran nichts.</translation>
+    </message>
+    <message>
+        <source>First 90° about x, then 90° about y: where does z end up?</source>
+        <translation>Zuerst 90° um x, dann 90° um y: Wohin kommt z?</translation>
+    </message>
+    <message>
+        <source>+x</source>
+        <translation>+x</translation>
+    </message>
+    <message>
+        <source>+y</source>
+        <translation>+y</translation>
+    </message>
+    <message>
+        <source>−y</source>
+        <translation>−y</translation>
+    </message>
+    <message>
+        <source>−z</source>
+        <translation>−z</translation>
+    </message>
+    <message>
+        <source>First 90° about y, then 90° about x: where does z end up?</source>
+        <translation>Zuerst 90° um y, dann 90° um x: Wohin kommt z?</translation>
+    </message>
+    <message>
+        <source>Denavit-Hartenberg parameters</source>
+        <translation>Denavit-Hartenberg-Parameter</translation>
+    </message>
+    <message>
+        <source>Four numbers for each joint say what an arm is.</source>
+        <translation>Vier Zahlen je Gelenk beschreiben einen Arm.</translation>
+    </message>
+    <message>
+        <source>Four numbers a joint</source>
+        <translation>Vier Zahlen je Gelenk</translation>
+    </message>
+    <message>
+        <source>From one joint's frame to the next it takes four numbers (modified convention of Craig): a turn $\alpha$ about
+$x$, a way $a$ along $x$, a turn $\theta$ about $z$, and a way $d$ along $z$:
+
+$$T = R_x(\alpha) \cdot D_x(a) \cdot R_z(\theta) \cdot D_z(d)$$
+
+The panel *Kinematics* has the arm's table, and the view shows the frames 1 to 6. Each $z$ is the axis that its joint turns about.</source>
+        <translation>Vom Koordinatensystem eines Gelenks zum nächsten braucht es vier Zahlen (modifizierte Konvention nach Craig): eine Drehung $\alpha$ um
+$x$, einen Weg $a$ entlang $x$, eine Drehung $\theta$ um $z$ und einen Weg $d$ entlang $z$:
+
+$$T = R_x(\alpha) \cdot D_x(a) \cdot R_z(\theta) \cdot D_z(d)$$
+
+Der Bereich *Kinematik* enthält die Tabelle des Arms, und die Ansicht zeigt die Koordinatensysteme 1 bis 6. Jedes $z$ ist die Achse, um die sich sein Gelenk dreht.</translation>
+    </message>
+    <message>
+        <source>Open *DH table and angle conventions* in the panel *Kinematics*. The upper arm is $a$ of row 3, the forearm $d$ of row 4.</source>
+        <translation>Öffnen Sie *DH-Tabelle und Winkelkonventionen* im Bereich *Kinematik*. Der Oberarm ist $a$ in Zeile 3, der Unterarm $d$ in Zeile 4.</translation>
+    </message>
+    <message>
+        <source>How long is the upper arm, a of row 3, in mm?</source>
+        <translation>Wie lang ist der Oberarm, a in Zeile 3, in mm?</translation>
+    </message>
+    <message>
+        <source>How long is the forearm, d of row 4, in mm?</source>
+        <translation>Wie lang ist der Unterarm, d in Zeile 4, in mm?</translation>
+    </message>
+    <message>
+        <source>One of them moves</source>
+        <translation>Eine davon bewegt sich</translation>
+    </message>
+    <message>
+        <source>Three of the four numbers are how the arm was built. Only $\theta$ changes when a joint turns.
+
+Turn joint 1, the turret, from one side to the other, over 40° in all, and leave the others nearly as they are.
+While the servo is stopped (Esc) the sliders of the panel *Kinematics* move the joints; dragging the stylus in the view does, too.</source>
+        <translation>Drei der vier Zahlen stehen durch den Bau des Arms fest. Nur $\theta$ ändert sich, wenn sich ein Gelenk dreht.
+
+Drehen Sie Gelenk 1, den Drehturm, von einer Seite zur anderen, über einen Bereich von insgesamt 40°, und lassen Sie die übrigen fast so, wie sie sind.
+Solange der Servo gestoppt ist (Esc), bewegen die Schieberegler im Bereich *Kinematik* die Gelenke; das Ziehen des Stifts in der Ansicht bewegt sie auch.</translation>
+    </message>
+    <message>
+        <source>Use the slider of joint 1. In the view from the top the tip goes round axis 1 on a circle.</source>
+        <translation>Benutzen Sie den Schieberegler von Gelenk 1. In der Ansicht von oben läuft die Spitze auf einem Kreis um Achse 1.</translation>
+    </message>
+    <message>
+        <source>What the twist says</source>
+        <translation>Was die Verdrehung sagt</translation>
+    </message>
+    <message>
+        <source>The twist $\alpha$ is the angle from one joint's axis to the next one's, about $x$. 0° means that the two axes are
+parallel, 90° that they stand across each other.
+
+Look at the column $\alpha$, and at the frames in the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row 3 has $\alpha = 0$: the way from axis 2 to axis 3.</source>
+        <translation>Zeile 3 hat $\alpha = 0$: der Weg von Achse 2 zu Achse 3.</translation>
+    </message>
+    <message>
+        <source>Which two axes are parallel?</source>
+        <translation>Welche zwei Achsen sind parallel?</translation>
+    </message>
+    <message>
+        <source>1 and 2</source>
+        <translation>1 und 2</translation>
+    </message>
+    <message>
+        <source>2 and 3</source>
+        <translation>2 und 3</translation>
+    </message>
+    <message>
+        <source>3 and 4</source>
+        <translation>3 und 4</translation>
+    </message>
+    <message>
+        <source>5 and 6</source>
+        <translation>5 und 6</translation>
+    </message>
+    <message>
+        <source>Set the joints</source>
+        <translation>Gelenke einstellen</translation>
+    </message>
+    <message>
+        <source>Now the other way round: put $\theta_1 = 0°$, $\theta_2 = 45°$ and $\theta_3 = 15°$ into the table, with the sliders of
+joints 1 to 3, and hold them for a second. Stop the servo first (Esc).
+
+Watch frame 3 at the elbow: $\theta_3$ is measured from the upper arm, not from the table.</source>
+        <translation>Nun umgekehrt: Bringen Sie $\theta_1 = 0°$, $\theta_2 = 45°$ und $\theta_3 = 15°$ in die Tabelle, mit den Schiebereglern der
+Gelenke 1 bis 3, und halten Sie sie eine Sekunde lang. Stoppen Sie zuerst den Servo (Esc).
+
+Beobachten Sie Koordinatensystem 3 am Ellbogen: $\theta_3$ wird vom Oberarm aus gemessen, nicht vom Tisch aus.</translation>
+    </message>
+    <message>
+        <source>Type a number beside the slider. Friction stops the arm a few tenths of a degree short; that is near enough.</source>
+        <translation>Geben Sie neben dem Schieberegler eine Zahl ein. Durch Reibung bleibt der Arm einige Zehntelgrad vorher stehen; das ist nahe genug.</translation>
+    </message>
+    <message>
+        <source>The device counts otherwise</source>
+        <translation>Das Gerät zählt anders</translation>
+    </message>
+    <message>
+        <source>The device itself measures the shin from its base, because both motors sit there (thesis figure 3.5):
+
+$$\theta_1 = -\theta_{1p}$$
+
+$$\theta_2 = \theta_{2p}$$
+
+$$\theta_3 = \theta_{3p} - \theta_{2p}$$
+
+Hold the arm anywhere. Work out the device's own angle $\theta_{3p}$ of the shin from $\theta_2$ and $\theta_3$ of the table.</source>
+        <translation>Das Gerät selbst misst den Unterschenkel von seiner Basis aus, weil beide Motoren dort sitzen (Thesis, Abbildung 3.5):
+
+$$\theta_1 = -\theta_{1p}$$
+
+$$\theta_2 = \theta_{2p}$$
+
+$$\theta_3 = \theta_{3p} - \theta_{2p}$$
+
+Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ und $\theta_3$ der Tabelle den Winkel $\theta_{3p}$, den das Gerät für den Unterschenkel misst.</translation>
+    </message>
+    <message>
+        <source>$\theta_{3p} = \theta_2 + \theta_3$. *DH table and angle conventions* in the panel *Kinematics* shows whether you are right.</source>
+        <translation>$\theta_{3p} = \theta_2 + \theta_3$. *DH-Tabelle und Winkelkonventionen* im Bereich *Kinematik* zeigt, ob Ihr Ergebnis stimmt.</translation>
+    </message>
+    <message>
+        <source>What is the device's angle of the shin, in degrees?</source>
+        <translation>Welchen Winkel misst das Gerät für den Unterschenkel, in Grad?</translation>
+    </message>
+    <message>
+        <source>Forward kinematics</source>
+        <translation>Vorwärtskinematik</translation>
+    </message>
+    <message>
+        <source>From joint angles to the place of the tip.</source>
+        <translation>Von den Gelenkwinkeln zum Ort der Spitze.</translation>
+    </message>
+    <message>
+        <source>The arm in its plane</source>
+        <translation>Der Arm in seiner Ebene</translation>
+    </message>
+    <message>
+        <source>With the turret straight ahead ($\theta_1 = 0$) the arm lies in a plane. Seen from its shoulder the tip is
+
+$$r = L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3)$$
+
+$$z_B = L_1 \sin\theta_2 - L_2 \cos(\theta_2 + \theta_3)$$
+
+away and up, with $L_1 = 127.508$ and $L_2 = 149.352$ mm (thesis eq. 3.5).
+
+Stop the servo (Esc) and set $\theta_1 = 0°$, $\theta_2 = 30°$, $\theta_3 = 30°$.</source>
+        <translation>Steht der Drehturm geradeaus ($\theta_1 = 0$), liegt der Arm in einer Ebene. Von der Schulter aus gesehen ist die Spitze
+
+$$r = L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3)$$
+
+$$z_B = L_1 \sin\theta_2 - L_2 \cos(\theta_2 + \theta_3)$$
+
+entfernt und darüber, mit $L_1 = 127.508$ und $L_2 = 149.352$ mm (Thesis, Gl. 3.5).
+
+Stoppen Sie den Servo (Esc) und stellen Sie $\theta_1 = 0°$, $\theta_2 = 30°$, $\theta_3 = 30°$ ein.</translation>
+    </message>
+    <message>
+        <source>Use the sliders of the panel *Kinematics*, or type beside them.</source>
+        <translation>Benutzen Sie die Schieberegler im Bereich *Kinematik*, oder geben Sie die Werte daneben ein.</translation>
+    </message>
+    <message>
+        <source>Predict it</source>
+        <translation>Vorhersagen</translation>
+    </message>
+    <message>
+        <source>With $\theta_2 = 30°$ and $\theta_3 = 30°$: $\cos 30° = 0.866$ and $\sin 60° = 0.866$, so $r = 0.866 \cdot (127.5 + 149.4)$ mm.
+
+In W that is $z_W = r - 176$ mm. Work it out before you look at the panel *Arm*.</source>
+        <translation>Mit $\theta_2 = 30°$ und $\theta_3 = 30°$ gilt: $\cos 30° = 0.866$ und $\sin 60° = 0.866$, also $r = 0.866 \cdot (127.5 + 149.4)$ mm.
+
+In W ist das $z_W = r - 176$ mm. Rechnen Sie es aus, bevor Sie in den Bereich *Arm* sehen.</translation>
+    </message>
+    <message>
+        <source>$r = 239.8$ mm.</source>
+        <translation>$r = 239.8$ mm.</translation>
+    </message>
+    <message>
+        <source>How far towards you is the tip, z in W, in mm?</source>
+        <translation>Wie weit zu Ihnen hin liegt die Spitze, z in W, in mm?</translation>
+    </message>
+    <message>
+        <source>Out of the plane</source>
+        <translation>Aus der Ebene heraus</translation>
+    </message>
+    <message>
+        <source>The turret turns the whole plane about the upright axis:
+
+$$x_B = \cos\theta_1 \cdot r$$
+
+$$y_B = \sin\theta_1 \cdot r$$
+
+Work out where the tip is for $\theta_1 = 20°$, $\theta_2 = 40°$, $\theta_3 = 10°$. Then set the angles and compare.</source>
+        <translation>Der Drehturm dreht die ganze Ebene um die senkrechte Achse:
+
+$$x_B = \cos\theta_1 \cdot r$$
+
+$$y_B = \sin\theta_1 \cdot r$$
+
+Rechnen Sie aus, wo die Spitze für $\theta_1 = 20°$, $\theta_2 = 40°$, $\theta_3 = 10°$ ist. Stellen Sie dann die Winkel ein und vergleichen Sie.</translation>
+    </message>
+    <message>
+        <source>$r = 127.5 \cdot 0.766 + 149.4 \cdot 0.766 = 212.1$ mm, and $y_B = x_W$.</source>
+        <translation>$r = 127.5 \cdot 0.766 + 149.4 \cdot 0.766 = 212.1$ mm, und $y_B = x_W$.</translation>
+    </message>
+    <message>
+        <source>What is x in W (that is y in B), in mm?</source>
+        <translation>Wie groß ist x in W (also y in B), in mm?</translation>
+    </message>
+    <message>
+        <source>The wrist moves nothing</source>
+        <translation>Das Handgelenk bewegt nichts</translation>
+    </message>
+    <message>
+        <source>The axes of joints 4, 5 and 6 meet in the tip. So they turn the stylus and leave the tip where it is: place and
+turn can be worked out one after the other.
+
+Turn joint 4 over 40° and keep the tip within 6 mm of $(0, 0, 50)$.</source>
+        <translation>Die Achsen der Gelenke 4, 5 und 6 treffen sich in der Spitze. Sie drehen daher den Stift und lassen die Spitze, wo sie ist: Ort und
+Orientierung lassen sich nacheinander berechnen.
+
+Drehen Sie Gelenk 4 über einen Bereich von 40° und halten Sie die Spitze höchstens 6 mm von $(0, 0, 50)$ entfernt.</translation>
+    </message>
+    <message>
+        <source>Stop the servo and use the slider of joint 4, or turn the stylus by Ctrl with the arrow keys.</source>
+        <translation>Stoppen Sie den Servo und benutzen Sie den Schieberegler von Gelenk 4, oder drehen Sie den Stift mit Strg und den Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Eight inverse solutions</source>
+        <translation>Acht inverse Lösungen</translation>
+    </message>
+    <message>
+        <source>One pose of the stylus, eight ways for the arm to stand.</source>
+        <translation>Eine Lage des Stifts, acht mögliche Stellungen des Arms.</translation>
+    </message>
+    <message>
+        <source>How many?</source>
+        <translation>Wie viele?</translation>
+    </message>
+    <message>
+        <source>Forward, joint angles give one pose. Backward, one pose has several answers. The turret may face the stylus or turn
+its back on it, the elbow may be up or down, the wrist may be bent to one side or the other: $2 \cdot 2 \cdot 2$ ways.
+
+The view draws them all as ghosts: whole lines keep the joint limits, dashed ones do not. Move the stylus and count
+the rows of *Inverse solutions* in the panel *Kinematics*.</source>
+        <translation>Vorwärts ergeben Gelenkwinkel eine einzige Lage. Rückwärts hat eine Lage mehrere Antworten. Der Drehturm kann dem Stift zugewandt oder von ihm
+abgewandt sein, der Ellbogen oben oder unten, das Handgelenk zur einen oder zur anderen Seite gebeugt: $2 \cdot 2 \cdot 2$ Möglichkeiten.
+
+Die Ansicht zeichnet sie alle als Schattenbilder: Durchgezogene Linien halten die Gelenkgrenzen ein, gestrichelte nicht. Bewegen Sie den Stift und zählen Sie
+die Zeilen von *Inverse Lösungen* im Bereich *Kinematik*.</translation>
+    </message>
+    <message>
+        <source>Choose a row: a ghost of the arm goes there.</source>
+        <translation>Wählen Sie eine Zeile: Ein Schattenbild des Arms geht dorthin.</translation>
+    </message>
+    <message>
+        <source>How many solutions does this pose have?</source>
+        <translation>Wie viele Lösungen hat diese Lage?</translation>
+    </message>
+    <message>
+        <source>Only some are possible</source>
+        <translation>Nur einige sind möglich</translation>
+    </message>
+    <message>
+        <source>A real arm has limits: its elbow cannot bend backwards, its turret not turn round. Most of the eight are out of the question.
+
+The last column of the table says which of them keep every joint within its limits.</source>
+        <translation>Ein wirklicher Arm hat Grenzen: Sein Ellbogen kann sich nicht nach hinten beugen, sein Drehturm sich nicht umdrehen. Die meisten der acht kommen nicht in Frage.
+
+Die letzte Spalte der Tabelle sagt, welche von ihnen jedes Gelenk innerhalb seiner Grenzen lassen.</translation>
+    </message>
+    <message>
+        <source>Count the rows whose last column does not say *outside*.</source>
+        <translation>Zählen Sie die Zeilen, in deren letzter Spalte nicht *außerhalb* steht.</translation>
+    </message>
+    <message>
+        <source>How many of them keep the limits here?</source>
+        <translation>Wie viele davon halten hier die Grenzen ein?</translation>
+    </message>
+    <message>
+        <source>Two elbows</source>
+        <translation>Zwei Ellbogen</translation>
+    </message>
+    <message>
+        <source>How far the tip is from the shoulder decides the elbow: with $x$, $y$ and $z$ of the tip in B,
+
+$$S = \sin\theta_3 = \frac{x^2 + y^2 + z^2 - L_1^2 - L_2^2}{2 L_1 L_2}$$
+
+$$\theta_3 = \mathrm{atan2}(S, \pm\sqrt{1 - S^2})$$
+
+A sine belongs to two angles: $\theta_3$ and $180° - \theta_3$. These are the two elbows.</source>
+        <translation>Wie weit die Spitze von der Schulter entfernt ist, bestimmt den Ellbogen: Mit $x$, $y$ und $z$ der Spitze in B gilt
+
+$$S = \sin\theta_3 = \frac{x^2 + y^2 + z^2 - L_1^2 - L_2^2}{2 L_1 L_2}$$
+
+$$\theta_3 = \mathrm{atan2}(S, \pm\sqrt{1 - S^2})$$
+
+Zu einem Sinus gehören zwei Winkel: $\theta_3$ und $180° - \theta_3$. Das sind die beiden Ellbogen.</translation>
+    </message>
+    <message>
+        <source>$180° - 30°$.</source>
+        <translation>$180° - 30°$.</translation>
+    </message>
+    <message>
+        <source>S is 0.5. One elbow has θ₃ = 30°. Which angle has the other, in degrees?</source>
+        <translation>S ist 0,5. Ein Ellbogen hat θ₃ = 30°. Welchen Winkel hat der andere, in Grad?</translation>
+    </message>
+    <message>
+        <source>Where two become one</source>
+        <translation>Wo zwei zu einem werden</translation>
+    </message>
+    <message>
+        <source>The farther out the tip, the nearer the two elbows. Where $S = 1$ the arm is stretched and they are one; where $S &gt; 1$
+nothing reaches.
+
+Pull the stylus towards you until the elbow is less than 20° from stretched, and hold it for half a second. Watch the two ghosts' elbows meet.</source>
+        <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie sind eins; bei $S &gt; 1$
+ist der Ort nicht mehr erreichbar.
+
+Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung fehlen, und halten Sie ihn eine halbe Sekunde lang. Beobachten Sie, wie die Ellbogen der beiden Schattenbilder zusammenkommen.</translation>
+    </message>
+    <message>
+        <source>Page Down brings the stylus nearer in the view from the front. Go to about $z = 98$ mm, 25 mm above the middle.</source>
+        <translation>Bild ab bringt den Stift in der Ansicht von vorn näher. Gehen Sie bis etwa $z = 98$ mm, 25 mm über der Mitte.</translation>
+    </message>
+    <message>
+        <source>Two wrists</source>
+        <translation>Zwei Handgelenke</translation>
+    </message>
+    <message>
+        <source>The wrist's two ways bring the stylus to the same turn:
+
+$$(\theta_4, \theta_5, \theta_6)$$
+
+$$(\theta_4 + 180°, -\theta_5, \theta_6 + 180°)$$
+
+In between, at $\theta_5 = 0$, axes 4 and 6 lie in line and only the sum of their angles counts.</source>
+        <translation>Die beiden Stellungen des Handgelenks geben dem Stift dieselbe Orientierung:
+
+$$(\theta_4, \theta_5, \theta_6)$$
+
+$$(\theta_4 + 180°, -\theta_5, \theta_6 + 180°)$$
+
+Dazwischen, bei $\theta_5 = 0$, liegen die Achsen 4 und 6 auf einer Geraden, und nur die Summe ihrer Winkel zählt.</translation>
+    </message>
+    <message>
+        <source>Each ± stands for two: the turret, the elbow, the wrist.</source>
+        <translation>Jedes ± steht für zwei: Drehturm, Ellbogen, Handgelenk.</translation>
+    </message>
+    <message>
+        <source>One solution has θ₅ = 60°. Which θ₅ has the one with the other wrist, in degrees?</source>
+        <translation>Eine Lösung hat θ₅ = 60°. Welches θ₅ hat die mit dem anderen Handgelenk, in Grad?</translation>
+    </message>
+    <message>
+        <source>At θ₅ = 0, how many choices of θ₄ and θ₆ give the same turn?</source>
+        <translation>Wie viele Kombinationen von θ₄ und θ₆ ergeben bei θ₅ = 0 dieselbe Orientierung?</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>zwei</translation>
+    </message>
+    <message>
+        <source>eight</source>
+        <translation>acht</translation>
+    </message>
+    <message>
+        <source>as many as you like</source>
+        <translation>beliebig viele</translation>
+    </message>
+    <message>
+        <source>Jacobian and singularities</source>
+        <translation>Jacobi-Matrix und Singularitäten</translation>
+    </message>
+    <message>
+        <source>How fast the tip goes for how fast the joints turn, and where that fails.</source>
+        <translation>Wie schnell die Spitze wird, wenn sich die Gelenke drehen, und wo das versagt.</translation>
+    </message>
+    <message>
+        <source>A matrix for speeds</source>
+        <translation>Matrix der Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>The **Jacobian** $J_p$ turns the rates of joints 1 to 3 into the tip's velocity: $v = J_p \cdot \omega$. Turn the joints at rates
+of size 1 in every direction, and the tip's velocities fill an ellipsoid. The blue one is it. Where it is long, a small turn goes far.
+
+Drag the stylus about, at 60 mm/s or more for half a second, and watch the ellipsoid change.</source>
+        <translation>Die **Jacobi-Matrix** $J_p$ macht aus den Drehgeschwindigkeiten der Gelenke 1 bis 3 die Geschwindigkeit der Spitze: $v = J_p \cdot \omega$. Drehen sich die Gelenke mit Geschwindigkeiten
+vom Betrag 1 in allen Richtungen, so füllen die Geschwindigkeiten der Spitze ein Ellipsoid. Es ist das blaue. Wo es lang ist, führt eine kleine Drehung weit.
+
+Ziehen Sie den Stift eine halbe Sekunde lang mit 60 mm/s oder mehr umher und beobachten Sie, wie sich das Ellipsoid ändert.</translation>
+    </message>
+    <message>
+        <source>Drag with the mouse from side to side.</source>
+        <translation>Ziehen Sie mit der Maus von einer Seite zur anderen.</translation>
+    </message>
+    <message>
+        <source>Read the ellipsoid</source>
+        <translation>Das Ellipsoid lesen</translation>
+    </message>
+    <message>
+        <source>The half axes are the singular values of $J_p$: how far the tip goes for a radian, in the best direction and in the worst.
+
+Hold still and read them in *Jacobian and ellipsoids* of the panel *Kinematics*.</source>
+        <translation>Die Halbachsen sind die Singulärwerte von $J_p$: wie weit die Spitze je Radiant kommt, in der besten Richtung und in der schlechtesten.
+
+Halten Sie still und lesen Sie sie in *Jacobi-Matrix und Ellipsoide* im Bereich *Kinematik* ab.</translation>
+    </message>
+    <message>
+        <source>It is the largest of the three gains.</source>
+        <translation>Es ist die größte der drei Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>How far does the tip go for a radian in the best direction, in mm?</source>
+        <translation>Wie weit kommt die Spitze je Radiant in der besten Richtung, in mm?</translation>
+    </message>
+    <message>
+        <source>Its volume</source>
+        <translation>Sein Volumen</translation>
+    </message>
+    <message>
+        <source>The determinant is the ellipsoid's volume but for a factor, and tells how well the arm can move at all (Yoshikawa's manipulability):
+
+$$\det J_p = L_1 L_2 \cos\theta_3 \cdot (L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3))$$
+
+Find a pose where it is above 4000 cm³ (0.004 m³), and one where it is below 2500 cm³.</source>
+        <translation>Die Determinante ist bis auf einen Faktor das Volumen des Ellipsoids und sagt, wie gut sich der Arm überhaupt bewegen kann (Manipulierbarkeit nach Yoshikawa):
+
+$$\det J_p = L_1 L_2 \cos\theta_3 \cdot (L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3))$$
+
+Finden Sie eine Lage, in der sie über 4000 cm³ (0,004 m³) liegt, und eine, in der sie unter 2500 cm³ liegt.</translation>
+    </message>
+    <message>
+        <source>A cosine is largest for $\theta_3 = 0$, a bracket far from axis 1. About $(0, 30, 45)$ mm is good; near the stretched arm it is small.</source>
+        <translation>Der Kosinus ist bei $\theta_3 = 0$ am größten, die Klammer weit weg von Achse 1. Etwa bei $(0, 30, 45)$ mm ist es gut; nahe am gestreckten Arm ist die Determinante klein.</translation>
+    </message>
+    <message>
+        <source>The elbow</source>
+        <translation>Der Ellbogen</translation>
+    </message>
+    <message>
+        <source>At $\theta_3 = ±90°$ the arm is stretched or folded. Then $\cos\theta_3 = 0$: the joints can no longer move the tip outwards.
+Seen from the side the ellipsoid has gone flat.
+
+Stretch the arm until it goes less than 35 mm for a radian in the worst direction, and hold for half a second.</source>
+        <translation>Bei $\theta_3 = ±90°$ ist der Arm gestreckt oder gefaltet. Dann ist $\cos\theta_3 = 0$: Die Gelenke können die Spitze nicht mehr nach außen bewegen.
+Von der Seite gesehen ist das Ellipsoid flach geworden.
+
+Strecken Sie den Arm, bis die Spitze in der schlechtesten Richtung weniger als 35 mm je Radiant kommt, und halten Sie ihn eine halbe Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>Pull the stylus towards you, to $z = 98$ mm, 25 mm above the middle.</source>
+        <translation>Ziehen Sie den Stift zu sich, bis $z = 98$ mm, 25 mm über der Mitte.</translation>
+    </message>
+    <message>
+        <source>The shoulder</source>
+        <translation>Die Schulter</translation>
+    </message>
+    <message>
+        <source>The bracket of the determinant is $r$, the tip's distance from axis 1. At $r = 0$ the tip stands on that axis, and turning the turret moves nothing.
+
+Push the stylus away from you until $r$ is below 100 mm. The ellipsoid gets narrow to the sides.</source>
+        <translation>Die Klammer der Determinante ist $r$, der Abstand der Spitze von Achse 1. Bei $r = 0$ steht die Spitze auf dieser Achse, und eine Drehung des Drehturms bewegt nichts.
+
+Schieben Sie den Stift von sich weg, bis $r$ unter 100 mm liegt. Das Ellipsoid wird zu den Seiten hin schmal.</translation>
+    </message>
+    <message>
+        <source>Away and down: about $(0, -60, -90)$ mm. In the view from the top that is upwards, and Page Up goes down.</source>
+        <translation>Weg und nach unten: etwa $(0, -60, -90)$ mm. In der Ansicht von oben ist das aufwärts, und Bild auf führt nach unten.</translation>
+    </message>
+    <message>
+        <source>All six joints</source>
+        <translation>Alle sechs Gelenke</translation>
+    </message>
+    <message>
+        <source>With the wrist the Jacobian is a 6x6 matrix, and its determinant has one more factor:
+
+$$\det J = \pm \det J_p \cdot \sin\theta_5$$</source>
+        <translation>Mit dem Handgelenk ist die Jacobi-Matrix eine 6x6-Matrix, und ihre Determinante hat einen Faktor mehr:
+
+$$\det J = \pm \det J_p \cdot \sin\theta_5$$</translation>
+    </message>
+    <message>
+        <source>Each factor can be zero: $\cos\theta_3$, the bracket, $\sin\theta_5$.</source>
+        <translation>Jeder Faktor kann null sein: $\cos\theta_3$, die Klammer, $\sin\theta_5$.</translation>
+    </message>
+    <message>
+        <source>How many kinds of singularities does this arm have?</source>
+        <translation>Wie viele Arten von Singularitäten hat dieser Arm?</translation>
+    </message>
+    <message>
+        <source>At θ₅ = 0, what can the stylus not do?</source>
+        <translation>Was kann der Stift bei θ₅ = 0 nicht?</translation>
+    </message>
+    <message>
+        <source>move its tip outwards</source>
+        <translation>die Spitze nach außen bewegen</translation>
+    </message>
+    <message>
+        <source>turn about one of the axes</source>
+        <translation>sich um eine der Achsen drehen</translation>
+    </message>
+    <message>
+        <source>anything at all</source>
+        <translation>sich überhaupt bewegen</translation>
+    </message>
+    <message>
+        <source>Statics and force ellipsoids</source>
+        <translation>Statik und Kraftellipsoide</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Which torques hold a force, and where an arm is strong.</source>
+        <translation>Welche Drehmomente eine Kraft halten und wo ein Arm stark ist.</translation>
+    </message>
+    <message>
+        <source>A force at the tip</source>
+        <translation>Eine Kraft an der Spitze</translation>
+    </message>
+    <message>
+        <source>Press Start (F5): a spring now draws the stylus to the middle. Start from there, and pull it to the right until the arm pulls back with 0.4 N, for a second.
+The orange arrow is the force; the gauge says how large it is.</source>
+        <translation>Drücken Sie Start (F5): Eine Feder zieht den Stift nun zur Mitte. Beginnen Sie dort und ziehen Sie ihn nach rechts, bis der Arm eine Sekunde lang mit 0,4 N zurückzieht.
+Der orange Pfeil ist die Kraft; die Kraftanzeige sagt, wie groß sie ist.</translation>
+    </message>
+    <message>
+        <source>The stylus starts in front of the middle. Push it back to $(0, 0, 0)$ first, then 2 mm to the right.</source>
+        <translation>Der Stift beginnt vor der Mitte. Schieben Sie ihn zuerst zurück nach $(0, 0, 0)$, dann 2 mm nach rechts.</translation>
+    </message>
+    <message>
+        <source>Which motor bears it?</source>
+        <translation>Welcher Motor trägt sie?</translation>
+    </message>
+    <message>
+        <source>Torques follow from the force by the same Jacobian, turned over:
+
+$$\tau = J_p^T f$$
+
+A force to the side is borne by the turret alone. A force up or down is none of the turret's business.
+Pull the stylus **up**, so that the force is above 0.4 N, while the turret's torque stays within 15 N mm of zero. Hold for a second.</source>
+        <translation>Die Drehmomente folgen aus der Kraft durch dieselbe Jacobi-Matrix, transponiert:
+
+$$\tau = J_p^T f$$
+
+Eine Kraft zur Seite trägt allein der Drehturm. Eine Kraft nach oben oder unten betrifft ihn nicht.
+Ziehen Sie den Stift **nach oben**, sodass die Kraft über 0,4 N liegt, während das Drehmoment des Drehturms höchstens 15 N mm von null abweicht. Halten Sie ihn eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>From the middle go 2 mm up and not to the side.</source>
+        <translation>Gehen Sie von der Mitte 2 mm nach oben und nicht zur Seite.</translation>
+    </message>
+    <message>
+        <source>Lever times force</source>
+        <translation>Hebel mal Kraft</translation>
+    </message>
+    <message>
+        <source>For a force $f_x$ to the side the turret's torque is lever times force:
+
+$$\tau_1 = r \cdot f_x$$
+
+with $r$ the tip's distance from axis 1. In the middle of the workspace it is $r = 176$ mm.
+
+Work out the torque for $f_x = 0.5$ N there. Then pull to the right until the turret bears 70 N mm or more, for a second.</source>
+        <translation>Bei einer Kraft $f_x$ zur Seite ist das Drehmoment des Drehturms Hebel mal Kraft:
+
+$$\tau_1 = r \cdot f_x$$
+
+mit $r$ als Abstand der Spitze von Achse 1. In der Mitte des Arbeitsraums ist $r = 176$ mm.
+
+Rechnen Sie das Drehmoment für $f_x = 0.5$ N dort aus. Ziehen Sie dann nach rechts, bis der Drehturm eine Sekunde lang 70 N mm oder mehr trägt.</translation>
+    </message>
+    <message>
+        <source>$176 \cdot 0.5$.</source>
+        <translation>$176 \cdot 0.5$.</translation>
+    </message>
+    <message>
+        <source>What is the torque, in N mm?</source>
+        <translation>Wie groß ist das Drehmoment, in N mm?</translation>
+    </message>
+    <message>
+        <source>Pull to the right; the spring pulls to the left, so its torque has a minus.</source>
+        <translation>Ziehen Sie nach rechts; die Feder zieht nach links, daher hat ihr Drehmoment ein Minus.</translation>
+    </message>
+    <message>
+        <source>Two ellipsoids</source>
+        <translation>Zwei Ellipsoide</translation>
+    </message>
+    <message>
+        <source>Torques of size 1 in all mixtures make an ellipsoid of forces (orange), as rates made one of velocities (blue). Both have the same axes;
+along each of them force is 1 / gain. Power in is power out: $\tau^T \omega = f^T v$.
+
+Stretch the arm, as near as 20° to the end, and look at both.</source>
+        <translation>Drehmomente vom Betrag 1 in allen Mischungen bilden ein Ellipsoid der Kräfte (orange), wie Drehgeschwindigkeiten eines der Geschwindigkeiten (blau) bildeten. Beide haben dieselben Achsen;
+entlang jeder Achse ist die Kraft 1 / Verstärkung. Leistung hinein ist Leistung heraus: $\tau^T \omega = f^T v$.
+
+Strecken Sie den Arm bis auf 20° vor der Streckung und sehen Sie sich beide an.</translation>
+    </message>
+    <message>
+        <source>Where the motion ellipsoid is thin, the force ellipsoid is …</source>
+        <translation>Wo das Bewegungsellipsoid dünn ist, ist das Kraftellipsoid …</translation>
+    </message>
+    <message>
+        <source>thin, too</source>
+        <translation>auch dünn</translation>
+    </message>
+    <message>
+        <source>long</source>
+        <translation>lang</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>rund</translation>
+    </message>
+    <message>
+        <source>Stiffness and damping</source>
+        <translation>Steifigkeit und Dämpfung</translation>
+    </message>
+    <message>
+        <source>Appendix B of the thesis: a spring, a damper and a mass in the hand.</source>
+        <translation>Anhang B der Thesis: eine Feder, ein Dämpfer und eine Masse in der Hand.</translation>
+    </message>
+    <message>
+        <source>Hooke's law</source>
+        <translation>Hookesches Gesetz</translation>
+    </message>
+    <message>
+        <source>The control law P is a spring: $F = k_p \cdot e$, with $e$ the way from the stylus to its target. Here $k_p = 0.05$ N/mm.
+
+Press Start (F5), go to the middle, and pull away until the force is between 0.35 and 0.45 N. Hold it for a second.</source>
+        <translation>Das Regelgesetz P ist eine Feder: $F = k_p \cdot e$, mit $e$ als Weg vom Stift zu seinem Ziel. Hier ist $k_p = 0.05$ N/mm.
+
+Drücken Sie Start (F5), gehen Sie zur Mitte und ziehen Sie weg, bis die Kraft zwischen 0,35 und 0,45 N liegt. Halten Sie sie eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>0.4 N at 0.05 N/mm is 8 mm.</source>
+        <translation>0,4 N bei 0,05 N/mm sind 8 mm.</translation>
+    </message>
+    <message>
+        <source>How far is that?</source>
+        <translation>Wie weit ist das?</translation>
+    </message>
+    <message>
+        <source>Read the force at the gauge, and work out from it how far the stylus is from its target.</source>
+        <translation>Lesen Sie die Kraft an der Kraftanzeige ab und rechnen Sie daraus aus, wie weit der Stift von seinem Ziel entfernt ist.</translation>
+    </message>
+    <message>
+        <source>$e = F / k_p$: 0.5 N are 10 mm.</source>
+        <translation>$e = F / k_p$: 0,5 N sind 10 mm.</translation>
+    </message>
+    <message>
+        <source>How far is the stylus from the target now, in mm?</source>
+        <translation>Wie weit ist der Stift jetzt vom Ziel entfernt, in mm?</translation>
+    </message>
+    <message>
+        <source>Make it stiffer</source>
+        <translation>Steifer machen</translation>
+    </message>
+    <message>
+        <source>Set the stiffness to 0.1 N/mm in the panel *Feel* (type it, or use the slider), and pull again until the force is above 0.5 N. The same way now gives twice the force.</source>
+        <translation>Stellen Sie im Bereich *Fühlen* die Steifigkeit auf 0,1 N/mm (durch Eingabe oder mit dem Schieberegler) und ziehen Sie noch einmal, bis die Kraft über 0,5 N liegt. Derselbe Weg ergibt nun die doppelte Kraft.</translation>
+    </message>
+    <message>
+        <source>*Link x, y and z* moves all three sliders at once.</source>
+        <translation>*x, y, z koppeln* bewegt alle drei Schieberegler zugleich.</translation>
+    </message>
+    <message>
+        <source>Mass on a spring</source>
+        <translation>Masse an einer Feder</translation>
+    </message>
+    <message>
+        <source>A mass $m$ with the damping $b$ on that spring swings at $\omega_n$, and $\zeta$ says how soon that dies out (thesis appendix B; $k_d$ is the damping of the law):
+
+$$\omega_n = \sqrt{\frac{k_p}{m}}$$
+
+$$\zeta = \frac{b + k_d}{2 \sqrt{k_p m}}$$
+
+Take $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ and $k_p = 0.1$ N/mm, that is 100 N/m. The panel *Step response* draws what follows from it.</source>
+        <translation>Eine Masse $m$ mit der Dämpfung $b$ an dieser Feder schwingt mit $\omega_n$, und $\zeta$ sagt, wie bald das abklingt (Thesis, Anhang B; $k_d$ ist die Dämpfung des Regelgesetzes):
+
+$$\omega_n = \sqrt{\frac{k_p}{m}}$$
+
+$$\zeta = \frac{b + k_d}{2 \sqrt{k_p m}}$$
+
+Nehmen Sie $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ und $k_p = 0.1$ N/mm, das sind 100 N/m. Der Bereich *Sprungantwort* zeichnet, was daraus folgt.</translation>
+    </message>
+    <message>
+        <source>$\sqrt{100 / 0.1} = 31.6$, and $4 / (2 \cdot \sqrt{10}) = 0.63$.</source>
+        <translation>$\sqrt{100 / 0.1} = 31.6$, und $4 / (2 \cdot \sqrt{10}) = 0.63$.</translation>
+    </message>
+    <message>
+        <source>What is ωₙ, in rad/s?</source>
+        <translation>Wie groß ist ωₙ, in rad/s?</translation>
+    </message>
+    <message>
+        <source>What is ζ?</source>
+        <translation>Wie groß ist ζ?</translation>
+    </message>
+    <message>
+        <source>Critically damped</source>
+        <translation>Kritisch gedämpft</translation>
+    </message>
+    <message>
+        <source>At $\zeta = 1$ nothing swings any more, and nothing is slower than it must be. Solve $\zeta = 1$ for $k_d$, with the numbers of the last step,
+and set it: $k_p = 0.1$ N/mm and your $k_d$ in N s/mm (1 N s/m is 0.001 N s/mm). The law must be PD.</source>
+        <translation>Bei $\zeta = 1$ schwingt nichts mehr, und nichts ist langsamer als nötig. Lösen Sie $\zeta = 1$ nach $k_d$ auf, mit den Zahlen des letzten Schritts,
+und stellen Sie ein: $k_p = 0.1$ N/mm und Ihr $k_d$ in N s/mm (1 N s/m ist 0,001 N s/mm). Das Regelgesetz muss PD sein.</translation>
+    </message>
+    <message>
+        <source>$k_d = 2 \sqrt{k_p m} - b = 6.32 - 4 = 2.32$ N s/m.</source>
+        <translation>$k_d = 2 \sqrt{k_p m} - b = 6.32 - 4 = 2.32$ N s/m.</translation>
+    </message>
+    <message>
+        <source>Read it from a figure</source>
+        <translation>Aus einer Abbildung ablesen</translation>
+    </message>
+    <message>
+        <source>Below $\zeta = 1$ a step overshoots, by the share
+
+$$\exp\left(\frac{-\pi \zeta}{\sqrt{1 - \zeta^2}}\right)$$
+
+Figure B.5 of the thesis shows 38 % of overshoot. Find its $\zeta$: try values, or move the sliders of the panel *Step response*.</source>
+        <translation>Unter $\zeta = 1$ schwingt die Sprungantwort über, und zwar um den Anteil
+
+$$\exp\left(\frac{-\pi \zeta}{\sqrt{1 - \zeta^2}}\right)$$
+
+Abbildung B.5 der Thesis zeigt 38 % Überschwingen. Finden Sie das zugehörige $\zeta$: Probieren Sie Werte aus, oder bewegen Sie die Schieberegler im Bereich *Sprungantwort*.</translation>
+    </message>
+    <message>
+        <source>With $\zeta = 0.3$ it is 37 %.</source>
+        <translation>Mit $\zeta = 0.3$ sind es 37 %.</translation>
+    </message>
+    <message>
+        <source>Which ζ overshoots by 38 %?</source>
+        <translation>Welches ζ schwingt um 38 % über?</translation>
+    </message>
+    <message>
+        <source>Sampled walls, and why they buzz</source>
+        <translation>Zeitdiskrete Wände und warum sie brummen</translation>
+    </message>
+    <message>
+        <source>A spring that a computer feels gives back a little more than it got.</source>
+        <translation>Eine Feder, die ein Computer fühlbar macht, gibt etwas mehr zurück, als sie bekommen hat.</translation>
+    </message>
+    <message>
+        <source>A spring gives back</source>
+        <translation>Eine Feder gibt zurück</translation>
+    </message>
+    <message>
+        <source>Press Start (F5). Push the stylus into the ball, more than 6 mm deep, and let it come out again. The spring stores what you put in and gives it back: the energy
+rises, and falls to about 0. Let it go up and down twice.</source>
+        <translation>Drücken Sie Start (F5). Schieben Sie den Stift mehr als 6 mm tief in die Kugel und lassen Sie ihn wieder herauskommen. Die Feder speichert, was Sie hineinstecken, und gibt es zurück: Die Energie
+steigt und fällt auf etwa 0. Lassen Sie sie zweimal steigen und fallen.</translation>
+    </message>
+    <message>
+        <source>The ball's surface is 50 mm from the middle. Go in to about 40 mm and out to the surface, twice. The plot *Energy* shows the account.</source>
+        <translation>Die Oberfläche der Kugel ist 50 mm von der Mitte entfernt. Gehen Sie zweimal hinein bis etwa 40 mm und heraus bis zur Oberfläche. Das Diagramm *Energie* zeigt die Bilanz.</translation>
+    </message>
+    <message>
+        <source>What a tick leaks</source>
+        <translation>Was ein Takt abgibt</translation>
+    </message>
+    <message>
+        <source>Between two ticks the force stands still while the hand moves on: going in it pushes too little, going out too much. Each tick that moves by $dx$ gives away $K \cdot dx^2 / 2$,
+as a damper of the wrong sign would:
+
+$$b_{leak} = \frac{K T}{2}$$
+
+A hand and an arm that damp more than that take it up. A wall that leaks more is **active**: it buzzes.</source>
+        <translation>Zwischen zwei Takten steht die Kraft still, während sich die Hand weiterbewegt: Auf dem Weg hinein drückt sie zu wenig, auf dem Weg heraus zu viel. Jeder Takt mit der Bewegung $dx$ verschenkt $K \cdot dx^2 / 2$,
+wie es ein Dämpfer mit falschem Vorzeichen täte:
+
+$$b_{leak} = \frac{K T}{2}$$
+
+Eine Hand und ein Arm, die stärker dämpfen, nehmen das auf. Eine Wand, die mehr abgibt, ist **aktiv**: Sie brummt.</translation>
+    </message>
+    <message>
+        <source>12 N/mm are 12000 N/m, and a tick is 0.001 s.</source>
+        <translation>12 N/mm sind 12000 N/m, und ein Takt dauert 0,001 s.</translation>
+    </message>
+    <message>
+        <source>How much does a wall of 12 N/mm leak at 1000 ticks a second, in N s/m?</source>
+        <translation>Wie viel gibt eine Wand mit 12 N/mm bei 1000 Takten je Sekunde ab, in N s/m?</translation>
+    </message>
+    <message>
+        <source>And at 2000 ticks a second?</source>
+        <translation>Und bei 2000 Takten je Sekunde?</translation>
+    </message>
+    <message>
+        <source>An active wall</source>
+        <translation>Eine aktive Wand</translation>
+    </message>
+    <message>
+        <source>This ball has 12 N/mm. Press Start and move through its surface, in and out, and along it. Watch the energy: below 0 the ball has given away more than it ever got. Your hand has it.</source>
+        <translation>Diese Kugel hat 12 N/mm. Drücken Sie Start und bewegen Sie sich durch ihre Oberfläche, hinein und heraus, und an ihr entlang. Beobachten Sie die Energie: Unter 0 hat die Kugel mehr abgegeben, als sie je bekommen hat. Ihre Hand hat es.</translation>
+    </message>
+    <message>
+        <source>The surface is 40 mm from the middle. Go through it quickly, to and fro.</source>
+        <translation>Die Oberfläche ist 40 mm von der Mitte entfernt. Gehen Sie schnell hindurch, hin und her.</translation>
+    </message>
+    <message>
+        <source>Hold it in</source>
+        <translation>Im Zaum halten</translation>
+    </message>
+    <message>
+        <source>A **passivity controller** watches the account and adds damping as soon as the wall would give more than it got. Set *Passivity* to *Control* (*Rate and energy* in the panel *Feel*),
+press Start, and go through the surface as before, until the controller has added more than 0.05 N.</source>
+        <translation>Ein **Passivitätsregler** überwacht die Bilanz und fügt Dämpfung hinzu, sobald die Wand mehr geben würde, als sie bekommen hat. Stellen Sie *Passivität* auf *Regeln* (*Rate und Energie* im Bereich *Fühlen*),
+drücken Sie Start und gehen Sie wie zuvor durch die Oberfläche, bis der Regler mehr als 0,05 N hinzugefügt hat.</translation>
+    </message>
+    <message>
+        <source>The choice is in the section *Rate and energy* of the panel *Feel*.</source>
+        <translation>Die Auswahl steht im Abschnitt *Rate und Energie* des Bereichs *Fühlen*.</translation>
+    </message>
+    <message>
+        <source>How stiff may a wall be?</source>
+        <translation>Wie steif darf eine Wand sein?</translation>
+    </message>
+    <message>
+        <source>Turn $b_{leak} = K T / 2$ round: with a damping of $b$ in all, a wall leaks less than is damped as long as
+
+$$K &lt; \frac{2 b}{T}$$</source>
+        <translation>Kehren Sie $b_{leak} = K T / 2$ um: Mit einer Dämpfung von insgesamt $b$ gibt eine Wand weniger ab, als gedämpft wird, solange
+
+$$K &lt; \frac{2 b}{T}$$</translation>
+    </message>
+    <message>
+        <source>$2 \cdot 4 / 0.001$ N/m.</source>
+        <translation>$2 \cdot 4 / 0.001$ N/m.</translation>
+    </message>
+    <message>
+        <source>A hand damps with 4 N s/m, a tick is 1 ms. How stiff may the wall be, in N/mm?</source>
+        <translation>Eine Hand dämpft mit 4 N s/m, ein Takt dauert 1 ms. Wie steif darf die Wand sein, in N/mm?</translation>
+    </message>
+    <message>
+        <source>Your wall buzzes. What does NOT help?</source>
+        <translation>Ihre Wand brummt. Was hilft NICHT?</translation>
+    </message>
+    <message>
+        <source>a faster servo</source>
+        <translation>ein schnellerer Servo</translation>
+    </message>
+    <message>
+        <source>a softer wall</source>
+        <translation>eine weichere Wand</translation>
+    </message>
+    <message>
+        <source>more damping</source>
+        <translation>mehr Dämpfung</translation>
+    </message>
+    <message>
+        <source>a stronger motor</source>
+        <translation>ein stärkerer Motor</translation>
+    </message>
+    <message>
+        <source>Constraints as robots</source>
+        <translation>Bindungen als Roboter</translation>
+    </message>
+    <message>
+        <source>Robots in software</source>
+        <translation>Roboter in Software</translation>
+    </message>
+    <message>
+        <source>A line is a robot of one joint, a plane one of two: what they let you do, and what they hold.</source>
+        <translation>Eine Gerade ist ein Roboter mit einem Gelenk, eine Ebene einer mit zweien: was sie Ihnen erlauben und was sie festhalten.</translation>
+    </message>
+    <message>
+        <source>A line: one joint that slides</source>
+        <translation>Eine Gerade: ein Gelenk, das gleitet</translation>
+    </message>
+    <message>
+        <source>Think of a wire as the tip of a robot with one sliding joint. Along it you are free, across it you are held, by $F = k_p (Q - P)$ with $Q$ the nearest point.
+
+Press Start (F5) and slide along the wire until your height has changed by 50 mm, while you stay within 3 mm of it.</source>
+        <translation>Denken Sie sich einen Draht als Spitze eines Roboters mit einem Schubgelenk. Entlang des Drahts sind Sie frei, quer dazu werden Sie gehalten, durch $F = k_p (Q - P)$ mit $Q$ als nächstem Punkt.
+
+Drücken Sie Start (F5) und gleiten Sie am Draht entlang, bis sich Ihre Höhe um 50 mm geändert hat, und bleiben Sie dabei höchstens 3 mm von ihm entfernt.</translation>
+    </message>
+    <message>
+        <source>The wire runs along $(-1, -2, 1)$. Follow where it does not resist.</source>
+        <translation>Der Draht verläuft entlang $(-1, -2, 1)$. Folgen Sie ihm dorthin, wo er keinen Widerstand leistet.</translation>
+    </message>
+    <message>
+        <source>A plane: two that slide</source>
+        <translation>Eine Ebene: zwei, die gleiten</translation>
+    </message>
+    <message>
+        <source>Two sliding joints make a plane. Two directions are free and one is held, along the normal $(1, 1, 1)$.
+
+Press Start and slide on the plane: over 40 mm in $x$ and over 40 mm in $y$, within 3 mm of it.</source>
+        <translation>Zwei Schubgelenke bilden eine Ebene. Zwei Richtungen sind frei, und eine wird gehalten, entlang der Normalen $(1, 1, 1)$.
+
+Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 40 mm in $y$, höchstens 3 mm von ihr entfernt.</translation>
+    </message>
+    <message>
+        <source>From the middle go along $(1, -1, 0)$: to the right and down.</source>
+        <translation>Gehen Sie von der Mitte entlang $(1, -1, 0)$: nach rechts und nach unten.</translation>
+    </message>
+    <message>
+        <source>A circle: one that turns</source>
+        <translation>Ein Kreis: eines, das sich dreht</translation>
+    </message>
+    <message>
+        <source>One joint that turns makes a circle. Follow it half the way round: visit the four places, within 8 mm, at the rim.</source>
+        <translation>Ein Gelenk, das sich dreht, ergibt einen Kreis. Folgen Sie ihm halb herum: Besuchen Sie die vier Orte am Rand, auf 8 mm genau.</translation>
+    </message>
+    <message>
+        <source>The places lie on the rim, 40 mm from $(10, 20, 30)$, in its own tilted plane. Let the rim lead you.</source>
+        <translation>Die Orte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner eigenen, geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
+    </message>
+    <message>
+        <source>A sphere: two that turn</source>
+        <translation>Eine Kugel: zwei, die sich drehen</translation>
+    </message>
+    <message>
+        <source>Two joints whose axes cross at right angles make a sphere. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and keep within 4 mm of the surface.</source>
+        <translation>Zwei Gelenke, deren Achsen sich im rechten Winkel kreuzen, ergeben eine Kugel. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
+    </message>
+    <message>
+        <source>Go up and away from you at the same time: the surface leads you.</source>
+        <translation>Gehen Sie zugleich nach oben und von sich weg: Die Oberfläche führt Sie.</translation>
+    </message>
+    <message>
+        <source>Count the freedoms</source>
+        <translation>Freiheiten zählen</translation>
+    </message>
+    <message>
+        <source>The tip has three freedoms of its own. A robot of $n$ joints in different directions lets it keep $n$ of them; the rest, $3 - n$, is held. At a singular pose, joints that move the tip alike count once.</source>
+        <translation>Die Spitze hat von sich aus drei Freiheiten. Ein Roboter mit $n$ Gelenken in verschiedenen Richtungen lässt ihr $n$ davon; der Rest, $3 - n$, wird gehalten. In einer singulären Lage zählen Gelenke, die die Spitze gleich bewegen, nur einmal.</translation>
+    </message>
+    <message>
+        <source>A cylinder is a joint that slides along an axis and one that turns about it.</source>
+        <translation>Ein Zylinder ist ein Gelenk, das entlang einer Achse gleitet, und eines, das um sie dreht.</translation>
+    </message>
+    <message>
+        <source>How many joints has the robot that is a cylinder's surface?</source>
+        <translation>Wie viele Gelenke hat der Roboter, der die Oberfläche eines Zylinders ist?</translation>
+    </message>
+    <message>
+        <source>A robot of three sliding joints across each other holds the tip …</source>
+        <translation>Ein Roboter aus drei Schubgelenken quer zueinander hält die Spitze …</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>gar nicht</translation>
+    </message>
+    <message>
+        <source>to a plane</source>
+        <translation>auf einer Ebene</translation>
+    </message>
+    <message>
+        <source>to a point</source>
+        <translation>in einem Punkt</translation>
+    </message>
+    <message>
+        <source>A robot without any joint is …</source>
+        <translation>Ein Roboter ganz ohne Gelenke ist …</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>eine Gerade</translation>
+    </message>
+    <message>
+        <source>free space</source>
+        <translation>freier Raum</translation>
+    </message>
+    <message>
+        <source>Virtual manipulators</source>
+        <translation>Virtuelle Manipulatoren</translation>
+    </message>
+    <message>
+        <source>Robots that exist only in software draw the stylus to their tip.</source>
+        <translation>Roboter, die es nur in Software gibt, ziehen den Stift zu ihrer Spitze.</translation>
+    </message>
+    <message>
+        <source>One joint</source>
+        <translation>Ein Gelenk</translation>
+    </message>
+    <message>
+        <source>The purple robot has one joint in the middle and an arm of 50 mm. Its tip draws your stylus; the joint turns to where your stylus is.
+
+Press Start (F5) and lead it round until its joint stands between 60° and 80°, for a second.</source>
+        <translation>Der violette Roboter hat ein Gelenk in der Mitte und einen Arm von 50 mm. Seine Spitze zieht Ihren Stift an; das Gelenk dreht sich dorthin, wo Ihr Stift ist.
+
+Drücken Sie Start (F5) und führen Sie den Roboter herum, bis sein Gelenk eine Sekunde lang zwischen 60° und 80° steht.</translation>
+    </message>
+    <message>
+        <source>At 0° its tip is at the right. 70° is nearly the top: about $(17, 47, 0)$ mm. The panel *Robot* shows the angle.</source>
+        <translation>Bei 0° ist seine Spitze rechts. 70° ist fast oben: etwa $(17, 47, 0)$ mm. Der Bereich *Roboter* zeigt den Winkel.</translation>
+    </message>
+    <message>
+        <source>It follows the turn, too</source>
+        <translation>Er folgt auch der Drehung</translation>
+    </message>
+    <message>
+        <source>The joint minimises an energy of two springs, one of place and one of turn:
+
+$$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
+
+Turn the stylus and the robot is drawn round with it. The moment $K_\theta e_\theta$ that belongs to it is shown and never sent: the arm has no motors in its wrist.
+
+Go to $(50, 0, 0)$: the stylus still points up, and the robot is torn. Turn the stylus to the right until the moment is below 40 N mm, for half a second.</source>
+        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für den Ort und einer für die Drehung:
+
+$$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
+
+Drehen Sie den Stift, und der Roboter wird mit herumgezogen. Das Moment $K_\theta e_\theta$, das dazu gehört, wird angezeigt und nie gesendet: Der Arm hat keine Motoren im Handgelenk.
+
+Gehen Sie nach $(50, 0, 0)$: Der Stift zeigt noch nach oben, und der Roboter wird hin und her gezogen. Drehen Sie den Stift nach rechts, bis das Moment eine halbe Sekunde lang unter 40 N mm liegt.</translation>
+    </message>
+    <message>
+        <source>Ctrl with the arrow keys turns the stylus. It should point along the robot's arm.</source>
+        <translation>Strg mit den Pfeiltasten dreht den Stift. Er soll entlang dem Arm des Roboters zeigen.</translation>
+    </message>
+    <message>
+        <source>What is left to feel</source>
+        <translation>Was zu fühlen bleibt</translation>
+    </message>
+    <message>
+        <source>Where the joints have settled, no joint can lessen the energy any more: $J_v^T K e = 0$. The force $F = K e$ is therefore across every way that the robot's tip can go.
+
+Press Start and pull off the sphere, 40 mm in radius, until the force asked for is above 1 N, for half a second.</source>
+        <translation>Sind die Gelenke zur Ruhe gekommen, so kann kein Gelenk die Energie weiter verringern: $J_v^T K e = 0$. Die Kraft $F = K e$ steht deshalb quer zu jeder Richtung, in die sich die Spitze des Roboters bewegen kann.
+
+Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die geforderte Kraft eine halbe Sekunde lang über 1 N liegt.</translation>
+    </message>
+    <message>
+        <source>Pull straight away from the middle, by 3 mm or more.</source>
+        <translation>Ziehen Sie gerade von der Mitte weg, um 3 mm oder mehr.</translation>
+    </message>
+    <message>
+        <source>How much of the force do the robot's joints bear?</source>
+        <translation>Wie viel von der Kraft tragen die Gelenke des Roboters?</translation>
+    </message>
+    <message>
+        <source>all of it</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>half of it</source>
+        <translation>die Hälfte</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>A joint at its limit</source>
+        <translation>Ein Gelenk an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>A SCARA: inside its reach nothing holds you, since its joints follow wherever you go. Its slide has 25 mm up and down. Press Start, lead it up to that limit, and push on until you feel 0.3 N, for half a second.</source>
+        <translation>Ein SCARA: In seiner Reichweite hält Sie nichts, denn seine Gelenke folgen Ihnen überallhin. Sein Schubgelenk hat 25 mm nach oben und nach unten. Drücken Sie Start, führen Sie es nach oben bis zu dieser Grenze und drücken Sie weiter, bis Sie eine halbe Sekunde lang 0,3 N fühlen.</translation>
+    </message>
+    <message>
+        <source>In the view from the top, Page Down goes up. The slide is joint 3.</source>
+        <translation>In der Ansicht von oben geht es mit Bild ab nach oben. Das Schubgelenk ist Gelenk 3.</translation>
+    </message>
+    <message>
+        <source>Six joints</source>
+        <translation>Sechs Gelenke</translation>
+    </message>
+    <message>
+        <source>Six joints in different directions follow every place and turn: nothing is left to hold. Beyond its reach the robot stands stretched, at a singular pose, and draws you along the one direction in which it cannot move.
+
+The ball, the wire, the wall: each was a robot, and each force the part of $K e$ that its joints could not take away.</source>
+        <translation>Sechs Gelenke in verschiedenen Richtungen folgen jedem Ort und jeder Drehung: Zu halten bleibt nichts. Außerhalb seiner Reichweite steht der Roboter gestreckt, in einer singulären Lage, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
+
+Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Teil von $K e$, den seine Gelenke nicht wegnehmen konnten.</translation>
+    </message>
+    <message>
+        <source>Look at the scene: press Start, and pull away from the robot.</source>
+        <translation>Sehen Sie sich die Szene an: Drücken Sie Start und ziehen Sie vom Roboter weg.</translation>
+    </message>
+    <message>
+        <source>Inside its reach, what force does a robot of six joints put on you?</source>
+        <translation>Welche Kraft übt ein Roboter mit sechs Gelenken in seiner Reichweite auf Sie aus?</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>that of a spring to its base</source>
+        <translation>die einer Feder zu seinem Fuß</translation>
+    </message>
+    <message>
+        <source>the force of its weight</source>
+        <translation>die seines Gewichts</translation>
+    </message>
+    <message>
+        <source>Stretched, in which direction does it hold you?</source>
+        <translation>In welcher Richtung hält er Sie, wenn er gestreckt ist?</translation>
+    </message>
+    <message>
+        <source>along the arm</source>
+        <translation>entlang dem Arm</translation>
+    </message>
+    <message>
+        <source>across the arm</source>
+        <translation>quer zum Arm</translation>
+    </message>
+    <message>
+        <source>in all</source>
+        <translation>in allen</translation>
+    </message>
+</context>
+<context>
+    <name>limit</name>
+    <message>
+        <source>Greatest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>greatest force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>No force is greater than what the arm bears for good; its direction is kept.</source>
+        <translation>Keine Kraft ist größer, als der Arm auf Dauer verträgt; ihre Richtung bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>From 1 m/s on less and from 2 m/s on none of the force may drive the stylus along; a force that brakes it is not touched.</source>
+        <translation>Ab 1 m/s darf weniger und ab 2 m/s nichts von der Kraft den Stift weitertreiben; eine Kraft, die ihn bremst, bleibt unberührt.</translation>
+    </message>
+    <message>
+        <source>Workspace edge</source>
+        <translation>Arbeitsraumrand</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>In the last 3° before a joint's stop a force that presses towards it fades.</source>
+        <translation>Auf den letzten 3° vor dem Anschlag eines Gelenks lässt eine Kraft nach, die dorthin drückt.</translation>
+    </message>
+    <message>
+        <source>Motor heat</source>
+        <translation>Motorwärme</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>From 90 % of the heat that a motor bears for good the force goes down to what it can give for good.</source>
+        <translation>Ab 90 % der Wärme, die ein Motor auf Dauer verträgt, geht die Kraft auf das zurück, was er auf Dauer geben kann.</translation>
+    </message>
+    <message>
+        <source>Change of force</source>
+        <translation>Kraftänderung</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>The force changes by 1 N in a millisecond at most.</source>
+        <translation>Die Kraft ändert sich um höchstens 1 N in einer Millisekunde.</translation>
+    </message>
+    <message>
+        <source>Frozen sample</source>
+        <translation>Starrer Messwert</translation>
+    </message>
+    <message>
+        <source>frozen sample</source>
+        <translation>starrer Messwert</translation>
+    </message>
+    <message>
+        <source>An arm whose joints stay the same to the last bit says nothing of the hand: the force is let go until they move.</source>
+        <translation>Ein Arm, dessen Gelenke bis aufs letzte Bit gleich bleiben, sagt nichts über die Hand: Die Kraft wird losgelassen, bis sich die Gelenke bewegen.</translation>
+    </message>
+</context>
+<context>
+    <name>panel</name>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>The scenes that come with the program, and your own.</source>
+        <translation>Die Szenen, die mit dem Programm kommen, und Ihre eigenen.</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>How hard the constraint pulls, axis by axis.</source>
+        <translation>Wie stark die Bindung zieht, Achse für Achse.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>What the stylus is held to, in numbers.</source>
+        <translation>Woran der Stift gehalten wird, in Zahlen.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Where the joints and the tip of the arm are.</source>
+        <translation>Wo die Gelenke und die Spitze des Arms sind.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Error and force over the last 10 s, and one axis' displacement against its force.</source>
+        <translation>Fehler und Kraft der letzten 10 s, und die Auslenkung einer Achse gegen ihre Kraft.</translation>
+    </message>
+    <message>
+        <source>Kinematics</source>
+        <translation>Kinematik</translation>
+    </message>
+    <message>
+        <source>Joints, DH table, inverse solutions, Jacobian and singularities.</source>
+        <translation>Gelenke, DH-Tabelle, inverse Lösungen, Jacobi-Matrix und Singularitäten.</translation>
+    </message>
+    <message>
+        <source>DH table</source>
+        <translation>DH-Tabelle</translation>
+    </message>
+    <message>
+        <source>A DH table to be changed, drawn with the arm's joints beside the arm.</source>
+        <translation>Eine DH-Tabelle zum Ändern, mit den Gelenken des Arms neben dem Arm gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Transforms</source>
+        <translation>Transformationen</translation>
+    </message>
+    <message>
+        <source>Turns and shifts put together, in both orders side by side.</source>
+        <translation>Drehungen und Verschiebungen zusammengesetzt, in beiden Reihenfolgen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>The robot that exists only in software: joints, springs, turning stiffness, solver.</source>
+        <translation>Der virtuelle Roboter: Gelenke, Federn, Drehsteifigkeit, Löser.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>How small a difference of stiffness a hand can tell, with two beams.</source>
+        <translation>Welchen kleinen Unterschied der Steifigkeit eine Hand erkennt, mit zwei Balken.</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Which arms are plugged in, what is missing to use one, and which one is in use.</source>
+        <translation>Welche Arme angeschlossen sind, was für ihre Nutzung fehlt und welcher in Gebrauch ist.</translation>
+    </message>
+    <message>
+        <source>Second arm</source>
+        <translation>Zweiter Arm</translation>
+    </message>
+    <message>
+        <source>Another arm beside the first, with a scene of its own.</source>
+        <translation>Ein weiterer Arm neben dem ersten, mit einer eigenen Szene.</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>Hände</translation>
+    </message>
+    <message>
+        <source>Mouse, game controllers and 3D mice: which are there, and what moves what.</source>
+        <translation>Maus, Gamepads und 3D-Mäuse: welche da sind und was sie bewegen.</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Exercises in robot kinematics and forces, checked by what the hand does.</source>
+        <translation>Übungen zu Roboterkinematik und Kräften, geprüft an dem, was die Hand tut.</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>How evenly the servo ticks, which limits cut the force, how it is scheduled.</source>
+        <translation>Wie gleichmäßig der Servo taktet, welche Grenzen die Kraft kürzen, wie seine Zeitplanung ist.</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>How the tip follows a target that jumps: rise, settling, overshoot, poles, and the arm measured beside the model.</source>
+        <translation>Wie die Spitze einem springenden Ziel folgt: Anstieg, Einschwingen, Überschwingen, Pole und der gemessene Arm neben dem Modell.</translation>
+    </message>
+    <message>
+        <source>Lab</source>
+        <translation>Labor</translation>
+    </message>
+    <message>
+        <source>What each choice between speed and accuracy costs, and a slider along the best.</source>
+        <translation>Was jede Wahl zwischen Tempo und Genauigkeit kostet, und ein Regler entlang der besten.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Record, mark, and find what was recorded.</source>
+        <translation>Aufzeichnen, Marken setzen und Aufgezeichnetes finden.</translation>
+    </message>
+    <message>
+        <source>Session plots</source>
+        <translation>Sitzungsdiagramme</translation>
+    </message>
+    <message>
+        <source>The whole session that is replayed, in plots: force, angles, energy, spectrum.</source>
+        <translation>Die ganze wiedergegebene Sitzung in Diagrammen: Kraft, Winkel, Energie, Spektrum.</translation>
+    </message>
+</context>
+<context>
+    <name>scene text</name>
+    <message>
+        <source>Free space</source>
+        <translation>Freier Raum</translation>
+    </message>
+    <message>
+        <source>Nothing holds the stylus here: a floor far below is all there is. For lessons about where the arm is, not about what it feels.</source>
+        <translation>Hier hält nichts den Stift: Es gibt nur einen Boden weit unten. Für Lektionen darüber, wo der Arm ist, nicht darüber, was er fühlt.</translation>
+    </message>
+    <message>
+        <source>Soft spring</source>
+        <translation>Weiche Feder</translation>
+    </message>
+    <message>
+        <source>The stylus hangs on one soft spring whose other end is in the middle of the workspace. Soft enough to see how the force grows with the way, before the arm is at its limit of 0.88 N.</source>
+        <translation>Der Stift hängt an einer weichen Feder, deren anderes Ende in der Mitte des Arbeitsraums ist. Weich genug, um zu sehen, wie die Kraft mit dem Weg wächst, bevor der Arm an seiner Grenze von 0,88 N ist.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>A spring in space: the stylus is drawn to one point, the harder the farther it is. Pull it away along x, y and z and feel the same spring each way; let go and it returns. Thesis figures 4.2 and 4.3.</source>
+        <translation>Eine Feder im Raum: Der Stift wird zu einem Punkt gezogen, umso stärker, je weiter er weg ist. Ziehen Sie ihn entlang x, y und z weg und fühlen Sie in jeder Richtung dieselbe Feder; lassen Sie los, und er kehrt zurück. Abschlussarbeit, Abbildungen 4.2 und 4.3.</translation>
+    </message>
+    <message>
+        <source>The same spring in every direction, stronger with every millimetre.</source>
+        <translation>Dieselbe Feder in jeder Richtung, stärker mit jedem Millimeter.</translation>
+    </message>
+    <message>
+        <source>Pull the stylus 1 mm away, then 2 mm: the force doubles. Beyond 1.76 mm it grows no more, because the arm's limit of 0.88 N is reached.</source>
+        <translation>Ziehen Sie den Stift 1 mm weg, dann 2 mm: Die Kraft verdoppelt sich. Ab 1,76 mm wächst sie nicht mehr, weil die Grenze des Arms von 0,88 N erreicht ist.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (q - p)$, where $p$ is the tip and $q$ the point</source>
+        <translation>$f = k_p (q - p)$, dabei ist $p$ die Spitze und $q$ der Punkt</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>The stylus is held to the surface of a ball of 50 mm radius. Slide over it freely; push in or pull off and it draws you back. In the very middle every direction is equally near, so nothing pulls there. Thesis figures 4.5 and 4.6.</source>
+        <translation>Der Stift wird an der Oberfläche einer Kugel mit 50 mm Radius gehalten. Gleiten Sie frei darüber; drücken Sie hinein oder ziehen Sie weg, und sie holt Sie zurück. Genau in der Mitte ist jede Richtung gleich nah, dort zieht also nichts. Abschlussarbeit, Abbildungen 4.5 und 4.6.</translation>
+    </message>
+    <message>
+        <source>A ball that holds you on its skin, from inside and from outside. Along the skin nothing holds you.</source>
+        <translation>Eine Kugel, die Sie auf ihrer Haut hält, von innen und von außen. Entlang der Haut hält Sie nichts.</translation>
+    </message>
+    <message>
+        <source>Slide once around. Then go to the very middle, where every way out is equally near: the pull is gone.</source>
+        <translation>Gleiten Sie einmal herum. Gehen Sie dann genau in die Mitte, wo jeder Weg hinaus gleich nah ist: Der Zug ist weg.</translation>
+    </message>
+    <message>
+        <source>$q = c + r \frac{p - c}{|p - c|}$, $f = k_p (q - p)$</source>
+        <translation>$q = c + r \frac{p - c}{|p - c|}$, $f = k_p (q - p)$</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>A straight wire: the stylus slides along it without effort and is held across it. Close your eyes and find out which way the wire runs. Thesis figure 4.8.</source>
+        <translation>Ein gerader Draht: Der Stift gleitet mühelos an ihm entlang und wird quer dazu gehalten. Schließen Sie die Augen und finden Sie heraus, wie der Draht verläuft. Abschlussarbeit, Abbildung 4.8.</translation>
+    </message>
+    <message>
+        <source>One direction without effort, two that hold.</source>
+        <translation>Eine Richtung ohne Mühe, zwei, die halten.</translation>
+    </message>
+    <message>
+        <source>Find out with closed eyes which way the wire runs. Then look at the view.</source>
+        <translation>Finden Sie mit geschlossenen Augen heraus, wie der Draht verläuft. Sehen Sie dann in die Ansicht.</translation>
+    </message>
+    <message>
+        <source>$q = p_0 + \frac{v \cdot (p - p_0)}{v \cdot v} v$, $f = k_p (q - p)$</source>
+        <translation>$q = p_0 + \frac{v \cdot (p - p_0)}{v \cdot v} v$, $f = k_p (q - p)$</translation>
+    </message>
+    <message>
+        <source>Tilted plane</source>
+        <translation>Geneigte Ebene</translation>
+    </message>
+    <message>
+        <source>A sheet tilted alike to all three axes: two directions are free, the third is held, from both sides. Draw a circle on it without looking. Thesis figure 4.10.</source>
+        <translation>Eine Platte, zu allen drei Achsen gleich geneigt: Zwei Richtungen sind frei, die dritte wird gehalten, von beiden Seiten. Zeichnen Sie ohne hinzusehen einen Kreis darauf. Abschlussarbeit, Abbildung 4.10.</translation>
+    </message>
+    <message>
+        <source>Two free directions and one that holds, from both sides.</source>
+        <translation>Zwei freie Richtungen und eine, die hält, von beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Draw a circle on the sheet without looking. The green point shows the foot of your tip on it.</source>
+        <translation>Zeichnen Sie ohne hinzusehen einen Kreis auf die Platte. Der grüne Punkt zeigt den Fußpunkt Ihrer Spitze darauf.</translation>
+    </message>
+    <message>
+        <source>$q = p - \frac{n \cdot (p - p_0)}{n \cdot n} n$, $f = k_p (q - p)$</source>
+        <translation>$q = p - \frac{n \cdot (p - p_0)}{n \cdot n} n$, $f = k_p (q - p)$</translation>
+    </message>
+    <message>
+        <source>Circle in a tilted plane</source>
+        <translation>Kreis in geneigter Ebene</translation>
+    </message>
+    <message>
+        <source>A ring in a tilted plane, 40 mm in radius. Follow it all the way round: one direction is free, two are held. On its axis every point of the ring is equally near, and nothing pulls. Thesis figure 4.12.</source>
+        <translation>Ein Ring in einer geneigten Ebene, Radius 40 mm. Folgen Sie ihm ganz herum: Eine Richtung ist frei, zwei werden gehalten. Auf seiner Achse ist jeder Punkt des Rings gleich nah, und nichts zieht. Abschlussarbeit, Abbildung 4.12.</translation>
+    </message>
+    <message>
+        <source>One free direction that bends back to its own beginning.</source>
+        <translation>Eine freie Richtung, die zu ihrem eigenen Anfang zurückführt.</translation>
+    </message>
+    <message>
+        <source>Follow the ring all the way round, then move to its axis: there no point of the ring is nearer than another, and nothing pulls.</source>
+        <translation>Folgen Sie dem Ring ganz herum und gehen Sie dann zu seiner Achse: Dort ist kein Punkt des Rings näher als ein anderer, und nichts zieht.</translation>
+    </message>
+    <message>
+        <source>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + r \frac{e}{|e|}$</source>
+        <translation>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + r \frac{e}{|e|}$</translation>
+    </message>
+    <message>
+        <source>Tilted cylinder</source>
+        <translation>Geneigter Zylinder</translation>
+    </message>
+    <message>
+        <source>A tube of 30 mm radius without ends. Slide along it and around it; compare with the ring of scene 05, which lets you do only one of the two. Thesis figure 4.14.</source>
+        <translation>Ein Rohr mit 30 mm Radius, ohne Enden. Gleiten Sie an ihm entlang und um es herum; vergleichen Sie mit dem Ring aus Szene 05, der nur eines von beiden zulässt. Abschlussarbeit, Abbildung 4.14.</translation>
+    </message>
+    <message>
+        <source>Two free directions on a bent surface: along the tube and around it.</source>
+        <translation>Zwei freie Richtungen auf einer gekrümmten Oberfläche: entlang dem Rohr und um es herum.</translation>
+    </message>
+    <message>
+        <source>Draw a screw line: slide and turn at the same time. The ring of scene 05 lets you do only one of the two.</source>
+        <translation>Zeichnen Sie eine Schraubenlinie: Gleiten und drehen Sie zugleich. Der Ring aus Szene 05 lässt nur eines von beiden zu.</translation>
+    </message>
+    <message>
+        <source>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + (d \cdot a) a + r \frac{e}{|e|}$</source>
+        <translation>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + (d \cdot a) a + r \frac{e}{|e|}$</translation>
+    </message>
+    <message>
+        <source>Box from outside</source>
+        <translation>Quader von außen</translation>
+    </message>
+    <message>
+        <source>A solid box in mid-air: free all around it, firm where you push in. Stroke its faces, follow an edge, find a corner. Push in deeper than half its thickness and you come out on the other side, because that face is nearer then.</source>
+        <translation>Ein fester Quader in der Luft: frei ringsherum, fest, wo Sie hineindrücken. Streichen Sie über seine Flächen, folgen Sie einer Kante, finden Sie eine Ecke. Drücken Sie tiefer hinein als seine halbe Dicke, so kommen Sie auf der anderen Seite heraus, weil dann jene Fläche näher ist.</translation>
+    </message>
+    <message>
+        <source>Nothing in the air; firm faces, edges and corners where you push in.</source>
+        <translation>Nichts in der Luft; feste Flächen, Kanten und Ecken, wo Sie hineindrücken.</translation>
+    </message>
+    <message>
+        <source>Stroke a face until you fall over the edge. Then push in more than half of its thickness: the other face is nearer now, and lets you out there.</source>
+        <translation>Streichen Sie über eine Fläche, bis Sie über die Kante fallen. Drücken Sie dann um mehr als die halbe Dicke hinein: Nun ist die andere Fläche näher und lässt Sie dort hinaus.</translation>
+    </message>
+    <message>
+        <source>inside $f = k_p (q - p)$ with $q$ on the nearest face, outside $f = 0$</source>
+        <translation>innen $f = k_p (q - p)$ mit $q$ auf der nächsten Fläche, außen $f = 0$</translation>
+    </message>
+    <message>
+        <source>Room of six walls</source>
+        <translation>Raum aus sechs Wänden</translation>
+    </message>
+    <message>
+        <source>The classic haptic cube: the stylus is free inside and stopped by six walls. At the start it is outside and is drawn in. Run along a wall into a corner: there three walls push at once.</source>
+        <translation>Der klassische haptische Würfel: Der Stift ist innen frei und wird von sechs Wänden aufgehalten. Am Anfang ist er draußen und wird hineingezogen. Fahren Sie an einer Wand entlang in eine Ecke: Dort drücken drei Wände zugleich.</translation>
+    </message>
+    <message>
+        <source>Free in the room, stopped by six walls.</source>
+        <translation>Frei im Raum, aufgehalten von sechs Wänden.</translation>
+    </message>
+    <message>
+        <source>Run along a wall into a corner and feel one, two, then three walls push at once.</source>
+        <translation>Fahren Sie an einer Wand entlang in eine Ecke und fühlen Sie eine, zwei, dann drei Wände zugleich drücken.</translation>
+    </message>
+    <message>
+        <source>$q_i = \min(\max(p_i, -30), 30)$ in mm for each axis, $f = k_p (q - p)$</source>
+        <translation>$q_i = \min(\max(p_i, -30), 30)$ in mm für jede Achse, $f = k_p (q - p)$</translation>
+    </message>
+    <message>
+        <source>Wall with damping</source>
+        <translation>Wand mit Dämpfung</translation>
+    </message>
+    <message>
+        <source>A floor 20 mm below the middle, felt only when you push into it. The damping takes the bounce out of the contact: tap the floor, then set kd to 0 and tap again.</source>
+        <translation>Ein Boden 20 mm unter der Mitte, zu fühlen nur, wenn Sie hineindrücken. Die Dämpfung nimmt dem Kontakt das Prellen: Tippen Sie auf den Boden, stellen Sie dann kd auf 0 und tippen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>A floor that does not bounce.</source>
+        <translation>Ein Boden, der nicht prellt.</translation>
+    </message>
+    <message>
+        <source>Tap the floor. Set the damping kd to 0 in the Feel panel and tap again.</source>
+        <translation>Tippen Sie auf den Boden. Stellen Sie im Bereich Fühlen die Dämpfung kd auf 0. Tippen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>below the floor $f = k_p e + k_d \frac{de}{dt}$ with $e = q - p$, above it $f = 0$</source>
+        <translation>unter dem Boden $f = k_p e + k_d \frac{de}{dt}$ mit $e = q - p$, darüber $f = 0$</translation>
+    </message>
+    <message>
+        <source>Two balls, the nearest one counts</source>
+        <translation>Zwei Kugeln, die nähere zählt</translation>
+    </message>
+    <message>
+        <source>The stylus is held to the nearer of two balls. Pull from one to the other: halfway between them you are let go and caught. With "combine" at "sum" both would pull at once.</source>
+        <translation>Der Stift wird an der näheren von zwei Kugeln gehalten. Ziehen Sie von der einen zur anderen: Auf halbem Weg werden Sie losgelassen und wieder gefangen. Mit „combine“ auf „sum“ würden beide zugleich ziehen.</translation>
+    </message>
+    <message>
+        <source>Two balls; only the nearer one holds you.</source>
+        <translation>Zwei Kugeln; nur die nähere hält Sie.</translation>
+    </message>
+    <message>
+        <source>Pull slowly from one ball to the other. In the middle you are let go and caught.</source>
+        <translation>Ziehen Sie langsam von einer Kugel zur anderen. In der Mitte werden Sie losgelassen und wieder gefangen.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (q_j - p)$, where $j$ is the ball with the least $|q_j - p|$</source>
+        <translation>$f = k_p (q_j - p)$, dabei ist $j$ die Kugel mit dem kleinsten $|q_j - p|$</translation>
+    </message>
+    <message>
+        <source>Soft and stiff axes</source>
+        <translation>Weiche und steife Achsen</translation>
+    </message>
+    <message>
+        <source>One point, three springs: stiff to the sides, soft up and down, softer still to and fro. Pull the stylus slantwise: the force does not point along your pull. The thesis speaks of this in section 4.1, with the gain as a vector.</source>
+        <translation>Ein Punkt, drei Federn: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück. Ziehen Sie den Stift schräg: Die Kraft zeigt nicht entlang Ihrem Zug. Die Abschlussarbeit spricht davon in Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
+    </message>
+    <message>
+        <source>A spring for each axis: stiff to the sides, soft up and down, softer still to and fro.</source>
+        <translation>Eine Feder je Achse: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück.</translation>
+    </message>
+    <message>
+        <source>Pull slantwise and watch the arrow: the force does not point along your pull.</source>
+        <translation>Ziehen Sie schräg und beobachten Sie den Pfeil: Die Kraft zeigt nicht entlang Ihrem Zug.</translation>
+    </message>
+    <message>
+        <source>$f_i = k_i (q_i - p_i)$ for $i = x, y, z$</source>
+        <translation>$f_i = k_i (q_i - p_i)$ für $i = x, y, z$</translation>
+    </message>
+    <message>
+        <source>Line with PID</source>
+        <translation>Gerade mit PID</translation>
+    </message>
+    <message>
+        <source>The wire of scene 03 with all three laws at once. Hold the stylus a little off the wire: the force keeps growing, up to what the arm can do, because the integral adds up the error over time. Then let it snap back, and see it overshoot.</source>
+        <translation>Der Draht aus Szene 03 mit allen drei Regelgesetzen zugleich. Halten Sie den Stift ein wenig neben dem Draht: Die Kraft wächst weiter bis zu dem, was der Arm kann, weil das Integral den Fehler über die Zeit aufsummiert. Lassen Sie ihn dann zurückschnellen und sehen Sie ihn überschwingen.</translation>
+    </message>
+    <message>
+        <source>A force that keeps growing while you stay beside the wire, and overshoots when you let go.</source>
+        <translation>Eine Kraft, die weiter wächst, solange Sie neben dem Draht bleiben, und überschwingt, wenn Sie loslassen.</translation>
+    </message>
+    <message>
+        <source>Hold the stylus 1 mm off the wire for a few seconds and watch the force. Then set ki to 0 and do it again.</source>
+        <translation>Halten Sie den Stift einige Sekunden lang 1 mm neben dem Draht und beobachten Sie die Kraft. Stellen Sie dann ki auf 0 und wiederholen Sie es.</translation>
+    </message>
+    <message>
+        <source>$f = k_p e + k_d \frac{de}{dt} + k_i \int e \, dt$ with $e = q - p$</source>
+        <translation>$f = k_p e + k_d \frac{de}{dt} + k_i \int e \, dt$ mit $e = q - p$</translation>
+    </message>
+    <message>
+        <source>Sphere held by the joints</source>
+        <translation>Kugel, gehalten von den Gelenken</translation>
+    </message>
+    <message>
+        <source>The same ball as in scene 2, but the arm draws its joints to those of the target. Slide around the ball: the pull leans aside, is soft in one direction and hard in another, and carries you along the surface. Thesis section 4.1 calls this scheme harder; here is why.</source>
+        <translation>Dieselbe Kugel wie in Szene 2, aber der Arm zieht seine Gelenke zu denen des Ziels. Gleiten Sie um die Kugel: Der Zug neigt sich zur Seite, ist in einer Richtung weich und in einer anderen hart, und er trägt Sie die Oberfläche entlang. Abschnitt 4.1 der Abschlussarbeit nennt dieses Verfahren schwieriger; hier ist der Grund.</translation>
+    </message>
+    <message>
+        <source>The same ball, drawn to by the joints: soft in one direction, hard in another, and never quite straight.</source>
+        <translation>Dieselbe Kugel, angezogen von den Gelenken: weich in einer Richtung, hart in einer anderen und nie ganz gerade.</translation>
+    </message>
+    <message>
+        <source>Slide around the ball and compare with scene 02. The pull leans aside and carries you along.</source>
+        <translation>Gleiten Sie um die Kugel und vergleichen Sie mit Szene 02. Der Zug neigt sich zur Seite und trägt Sie mit.</translation>
+    </message>
+    <message>
+        <source>$\tau = K (\theta_q - \theta)$, $f = J_p^{-T} \tau$</source>
+        <translation>$\tau = K (\theta_q - \theta)$, $f = J_p^{-T} \tau$</translation>
+    </message>
+    <message>
+        <source>Circle with influence</source>
+        <translation>Kreis mit Einfluss</translation>
+    </message>
+    <message>
+        <source>Half of the target comes from where the stylus is, half from where it points: turn the stylus, and it is drawn around the rim without being moved. Point it along the circle's axis and only its place counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
+        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur sein Ort. Abschlussarbeit, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+    </message>
+    <message>
+        <source>Where you point draws you around the ring, half as much as where you are.</source>
+        <translation>Wohin Sie zeigen, zieht Sie um den Ring, halb so stark wie der Ort, an dem Sie sind.</translation>
+    </message>
+    <message>
+        <source>Keep your hand still and turn the stylus with Ctrl and the mouse. Then set t to 0 and to 1 in the Feel panel.</source>
+        <translation>Halten Sie die Hand still und drehen Sie den Stift mit Strg und der Maus. Stellen Sie dann im Bereich Fühlen t auf 0 und auf 1.</translation>
+    </message>
+    <message>
+        <source>$\theta = \alpha + t (\beta - \alpha)$, $q = c + r (\cos\theta \, u + \sin\theta \, v)$; $\alpha$: the stylus, $\beta$: the tip, $\beta - \alpha$ by the shorter way</source>
+        <translation>$\theta = \alpha + t (\beta - \alpha)$, $q = c + r (\cos\theta \, u + \sin\theta \, v)$; $\alpha$: der Stift, $\beta$: die Spitze, $\beta - \alpha$ auf dem kürzeren Weg</translation>
+    </message>
+    <message>
+        <source>Cylinder with influence</source>
+        <translation>Zylinder mit Einfluss</translation>
+    </message>
+    <message>
+        <source>Slide along the tube freely; around it you are drawn to where the stylus points. Thesis section 5.1, on a tilted cylinder.</source>
+        <translation>Gleiten Sie frei das Rohr entlang; um das Rohr herum werden Sie dorthin gezogen, wohin der Stift zeigt. Abschlussarbeit, Abschnitt 5.1, an einem geneigten Zylinder.</translation>
+    </message>
+    <message>
+        <source>Free along the tube; around it you are drawn to where you point.</source>
+        <translation>Frei entlang dem Rohr; um es herum werden Sie dorthin gezogen, wohin Sie zeigen.</translation>
+    </message>
+    <message>
+        <source>Slide along the tube without turning the stylus, then turn it: you go round.</source>
+        <translation>Gleiten Sie das Rohr entlang, ohne den Stift zu drehen, und drehen Sie ihn dann: Sie gehen herum.</translation>
+    </message>
+    <message>
+        <source>$\theta = \alpha + t (\beta - \alpha)$, $q = c + k a + r (\cos\theta \, u + \sin\theta \, v)$ with $k = (p - c) \cdot a$</source>
+        <translation>$\theta = \alpha + t (\beta - \alpha)$, $q = c + k a + r (\cos\theta \, u + \sin\theta \, v)$ mit $k = (p - c) \cdot a$</translation>
+    </message>
+    <message>
+        <source>A robot of one joint</source>
+        <translation>Ein Roboter mit einem Gelenk</translation>
+    </message>
+    <message>
+        <source>The tip of a robot that exists only in software: one joint, 50 mm long. It turns to where the stylus is and to where the stylus points, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus and you are drawn around the rim; the moment that belongs to it is shown, and never sent.</source>
+        <translation>Die Spitze eines Roboters, den es nur in Software gibt: ein Gelenk, 50 mm lang. Er dreht sich dorthin, wo der Stift ist und wohin der Stift zeigt, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Abschlussarbeit (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das Moment, das dazu gehört, wird angezeigt und nie gesendet.</translation>
+    </message>
+    <message>
+        <source>The tip of a robot of one joint, which turns to where you are and to where you point.</source>
+        <translation>Die Spitze eines Roboters mit einem Gelenk, der sich dorthin dreht, wo Sie sind und wohin Sie zeigen.</translation>
+    </message>
+    <message>
+        <source>Turn the stylus and let yourself be drawn around the rim. The moment that belongs to it is shown in the Robot panel, and never sent.</source>
+        <translation>Drehen Sie den Stift und lassen Sie sich am Rand herumziehen. Das Moment, das dazu gehört, wird im Bereich Roboter angezeigt und nie gesendet.</translation>
+    </message>
+    <message>
+        <source>$V = \min_\theta (\frac{1}{2} k_p |e_p|^2 + \frac{1}{2} k_o e_o^2)$, $f = k_p (p_V - p)$</source>
+        <translation>$V = \min_\theta (\frac{1}{2} k_p |e_p|^2 + \frac{1}{2} k_o e_o^2)$, $f = k_p (p_V - p)$</translation>
+    </message>
+    <message>
+        <source>The same robot, the thesis's force law</source>
+        <translation>Derselbe Roboter, das Kraftgesetz der Arbeit</translation>
+    </message>
+    <message>
+        <source>As the scene before, with the thesis's own law (code 5.2, its misprints corrected). It takes the joint nearest to the stylus's place and pulls along the rim by the error of the turn; near the rim the two feel alike. Go around a loop inside the circle at a fixed turn: this law does work on your hand, the other does none.</source>
+        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Abschlussarbeit (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die dem Ort des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
+    </message>
+    <message>
+        <source>Almost the same as the scene before, and yet not the same: this law can give more than it got.</source>
+        <translation>Fast dasselbe wie die Szene davor, und doch nicht dasselbe: Dieses Regelgesetz kann mehr geben, als es bekam.</translation>
+    </message>
+    <message>
+        <source>Go around a small loop inside the circle without turning the stylus, in both scenes, and watch the energy in the plots.</source>
+        <translation>Fahren Sie in beiden Szenen innerhalb des Kreises eine kleine Schleife, ohne den Stift zu drehen, und beobachten Sie die Energie in den Diagrammen.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (q - p) - \frac{k_o e_o}{L} t$, where $t$ is the tangent at the nearest point $q$ and $e_o = \theta_V - \theta_T$</source>
+        <translation>$f = k_p (q - p) - \frac{k_o e_o}{L} t$, dabei ist $t$ die Tangente im nächsten Punkt $q$ und $e_o = \theta_V - \theta_T$</translation>
+    </message>
+    <message>
+        <source>A sphere made of two joints</source>
+        <translation>Eine Kugel aus zwei Gelenken</translation>
+    </message>
+    <message>
+        <source>Two joints whose axes cross at right angles: their tip is a sphere of 40 mm. Where you point draws you over it, 250 N mm/rad against 0.5 N/mm. The closed form and the iteration give the same; switch the solver and feel that nothing changes.</source>
+        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig kreuzen: Ihre Spitze ist eine Kugel von 40 mm. Wohin Sie zeigen, zieht Sie über sie hinweg, 250 N mm/rad gegen 0,5 N/mm. Die geschlossene Form und die Iteration ergeben dasselbe; wechseln Sie den Löser und fühlen Sie, dass sich nichts ändert.</translation>
+    </message>
+    <message>
+        <source>A sphere that is made of two joints; where you point draws you over it.</source>
+        <translation>Eine Kugel aus zwei Gelenken; wohin Sie zeigen, zieht Sie über sie hinweg.</translation>
+    </message>
+    <message>
+        <source>Switch the solver from closed form to iteration in the Robot panel and feel that nothing changes.</source>
+        <translation>Wechseln Sie im Bereich Roboter den Löser von der geschlossenen Form zur Iteration und fühlen Sie, dass sich nichts ändert.</translation>
+    </message>
+    <message>
+        <source>$n$ is the unit vector along $k_p R (p - c) + k_o z$, $q = c + R n$, $f = k_p (q - p)$</source>
+        <translation>$n$ ist der Einheitsvektor entlang $k_p R (p - c) + k_o z$, $q = c + R n$, $f = k_p (q - p)$</translation>
+    </message>
+    <message>
+        <source>Four bars, closed by the hand</source>
+        <translation>Viergelenk, von der Hand geschlossen</translation>
+    </message>
+    <message>
+        <source>A crank of 30 mm and a coupler of 70 mm on one side, a rocker of 50 mm on the other, pivots 60 mm apart: two robots whose tips meet in your stylus, which is the fourth joint of the linkage. You swing on the rocker's circle as far as the crank's chain lets you; at its ends the crank and the coupler lie in line, and you feel the dead centre.</source>
+        <translation>Eine Kurbel von 30 mm und eine Koppel von 70 mm auf der einen Seite, eine Schwinge von 50 mm auf der anderen, die Drehpunkte 60 mm auseinander: zwei Roboter, deren Spitzen sich in Ihrem Stift treffen, dem vierten Gelenk des Getriebes. Sie schwingen auf dem Kreis der Schwinge, so weit die Kette der Kurbel Sie lässt; an seinen Enden liegen Kurbel und Koppel auf einer Linie, und Sie fühlen den Totpunkt.</translation>
+    </message>
+    <message>
+        <source>The rocker's circle, as far as the crank's chain lets you.</source>
+        <translation>Der Kreis der Schwinge, so weit die Kette der Kurbel Sie lässt.</translation>
+    </message>
+    <message>
+        <source>Swing to both ends. There crank and coupler lie in line, and you feel the dead centre.</source>
+        <translation>Schwingen Sie zu beiden Enden. Dort liegen Kurbel und Koppel auf einer Linie, und Sie fühlen den Totpunkt.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (q_1 - p) + k_p (q_2 - p)$, one part from each chain</source>
+        <translation>$f = k_p (q_1 - p) + k_p (q_2 - p)$, ein Teil von jeder Kette</translation>
+    </message>
+    <message>
+        <source>SCARA</source>
+        <translation>SCARA</translation>
+    </message>
+    <message>
+        <source>A robot for assembly: two joints that turn about the vertical, a slide along it, and a turning gripper. Inside its reach nothing holds you; its limits are what you feel: the elbow's ends, the slide's 25 mm up and down, the rim where the arm is stretched.</source>
+        <translation>Ein Roboter für die Montage: zwei Gelenke, die um die Senkrechte drehen, ein Schubgelenk an ihr entlang und ein drehbarer Greifer. In seiner Reichweite hält Sie nichts; was Sie fühlen, sind seine Grenzen: die Enden des Ellbogens, die 25 mm des Schubgelenks nach oben und unten, der Rand, an dem der Arm gestreckt ist.</translation>
+    </message>
+    <message>
+        <source>Nothing inside the reach; ends of joints where it stops.</source>
+        <translation>Nichts innerhalb der Reichweite; Enden von Gelenken, wo sie aufhört.</translation>
+    </message>
+    <message>
+        <source>Look for the elbow's ends, for the slide's 25 mm up and down, and for the rim where the arm is stretched.</source>
+        <translation>Suchen Sie die Enden des Ellbogens, die 25 mm des Schubgelenks nach oben und unten und den Rand, an dem der Arm gestreckt ist.</translation>
+    </message>
+    <message>
+        <source>$J^T K e = 0$: the robot bears no load along its joints; where one is at its limit, the hand does</source>
+        <translation>$J^T K e = 0$: Entlang seiner Gelenke trägt der Roboter keine Last; wo eines an seiner Grenze ist, trägt sie die Hand</translation>
+    </message>
+    <message>
+        <source>PUMA 560, a quarter of its size</source>
+        <translation>PUMA 560, ein Viertel so groß</translation>
+    </message>
+    <message>
+        <source>The classic of robot courses as the robot that holds you, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: inside its reach you are free in place and turn. Go to its edges: a stretched elbow, a joint at its limit. There it cannot follow, and you feel why.</source>
+        <translation>Der Klassiker der Robotikkurse als der Roboter, der Sie hält, im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Ort und Drehung frei. Gehen Sie an seine Ränder: ein gestreckter Ellbogen, ein Gelenk an seiner Grenze. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
+    </message>
+    <message>
+        <source>Six joints follow six coordinates: free inside, held at the edge of the reach.</source>
+        <translation>Sechs Gelenke folgen sechs Koordinaten: innen frei, am Rand der Reichweite gehalten.</translation>
+    </message>
+    <message>
+        <source>Stretch the elbow, then turn the stylus as far as the wrist goes.</source>
+        <translation>Strecken Sie den Ellbogen und drehen Sie dann den Stift, so weit das Handgelenk geht.</translation>
+    </message>
+    <message>
+        <source>$J^T K e = 0$ with a regular $J$ of six columns means $e = 0$, so $f = 0$</source>
+        <translation>$J^T K e = 0$ mit regulärer $J$ aus sechs Spalten heißt $e = 0$, also $f = 0$</translation>
+    </message>
+    <message>
+        <source>Six joints, out of reach</source>
+        <translation>Sechs Gelenke, außer Reichweite</translation>
+    </message>
+    <message>
+        <source>The arm's own chain at a third of its size, standing at the left: it reaches 92 mm. In most of the workspace your stylus is out of its reach, so it ends stretched, at a singular pose, and points at you with all it has; the force is along it, and the turn is still followed. Move left into its reach and it lets you go.</source>
+        <translation>Die Kette des Arms selbst auf ein Drittel verkleinert, links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außer ihrer Reichweite; sie endet deshalb gestreckt, in einer singulären Lage, und zeigt mit allem, was sie hat, auf Sie; die Kraft liegt entlang der Kette, und der Drehung wird weiter gefolgt. Gehen Sie nach links in ihre Reichweite, und sie lässt Sie los.</translation>
+    </message>
+    <message>
+        <source>A small arm that cannot reach you, and points at you with all it has.</source>
+        <translation>Ein kleiner Arm, der Sie nicht erreicht und mit allem, was er hat, auf Sie zeigt.</translation>
+    </message>
+    <message>
+        <source>Move left into its reach: it lets you go. Outside of it, turn the stylus: the turn is still followed.</source>
+        <translation>Gehen Sie nach links in seine Reichweite: Er lässt Sie los. Drehen Sie außerhalb davon den Stift: Der Drehung wird weiter gefolgt.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (\ell - |p - s|) \frac{p - s}{|p - s|}$ where $|p - s| &gt; \ell$; $s$: its shoulder, $\ell$: its length</source>
+        <translation>$f = k_p (\ell - |p - s|) \frac{p - s}{|p - s|}$ bei $|p - s| &gt; \ell$; $s$: seine Schulter, $\ell$: seine Länge</translation>
+    </message>
+    <message>
+        <source>Two beams, one softer</source>
+        <translation>Zwei Balken, einer weicher</translation>
+    </message>
+    <message>
+        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down and tell which is stiffer. A beam is a robot of one elastic joint, 0.85 L long (Howell's pseudo-rigid-body model, 2001), whose tip keeps to the beam's deflection curve within half a percent of its length. The panel Calibration measures how small a difference you can feel.</source>
+        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Ein Balken ist ein Roboter mit einem elastischen Gelenk, 0,85 L lang (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Spitze der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Kalibrierung misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
+    </message>
+    <message>
+        <source>Two beams that bend, one softer than the other.</source>
+        <translation>Zwei Balken, die sich biegen, einer weicher als der andere.</translation>
+    </message>
+    <message>
+        <source>Press each one down as far as the other. Which one is stiffer? The left one, at 0.03 N/mm, is the softer.</source>
+        <translation>Drücken Sie beide gleich weit nach unten. Welcher ist steifer? Der linke mit 0,03 N/mm ist der weichere.</translation>
+    </message>
+    <message>
+        <source>$k = \frac{3 E I}{L^3}$</source>
+        <translation>$k = \frac{3 E I}{L^3}$</translation>
+    </message>
+    <message>
+        <source>Too stiff for its servo</source>
+        <translation>Zu steif für seinen Servo</translation>
+    </message>
+    <message>
+        <source>A ball whose surface is stiffer than ticks of a millisecond can hold calm. Move through it and along it and watch the energy: where it falls below 0, the ball gives more than it got. Then set Passivity to Control and do it again.</source>
+        <translation>Eine Kugel, deren Oberfläche steifer ist, als Takte von einer Millisekunde ruhig halten können. Gehen Sie durch sie hindurch und an ihr entlang und beobachten Sie die Energie: Wo sie unter 0 fällt, gibt die Kugel mehr, als sie bekam. Stellen Sie dann Passivität auf Regeln und wiederholen Sie es.</translation>
+    </message>
+    <message>
+        <source>A surface so stiff that the servo cannot hold it calm: it buzzes, and gives more than it got.</source>
+        <translation>Eine Oberfläche, so steif, dass der Servo sie nicht ruhig halten kann: Sie schnarrt und gibt mehr, als sie bekam.</translation>
+    </message>
+    <message>
+        <source>Watch the energy fall below 0. Then set Passivity to Control in the Feel panel.</source>
+        <translation>Beobachten Sie, wie die Energie unter 0 fällt. Stellen Sie dann im Bereich Fühlen Passivität auf Regeln.</translation>
+    </message>
+    <message>
+        <source>a wall is passive for any hand while $b &gt; \frac{K T}{2} + |B|$; $b$: the arm's damping, $T$: a tick</source>
+        <translation>eine Wand ist für jede Hand passiv, solange $b &gt; \frac{K T}{2} + |B|$; $b$: die Dämpfung des Arms, $T$: ein Takt</translation>
+    </message>
+    <message>
+        <source>Torus knot</source>
+        <translation>Torusknoten</translation>
+    </message>
+    <message>
+        <source>A body from an STL file, felt from outside. Follow the tube round and round: it goes through its own hole three times. However hard you press, you stay on the side you came from. meshes/ has the same knot with 1000 and with 300 000 triangles: name another file and feel how little changes.</source>
+        <translation>Ein Körper aus einer STL-Datei, von außen gefühlt. Folgen Sie dem Rohr rundherum und rundherum: Es geht dreimal durch sein eigenes Loch. Wie fest Sie auch drücken, Sie bleiben auf der Seite, von der Sie kamen. meshes/ enthält denselben Knoten mit 1000 und mit 300 000 Dreiecken: Geben Sie eine andere Datei an und fühlen Sie, wie wenig sich ändert.</translation>
+    </message>
+    <message>
+        <source>A body from a file: a tube that goes through its own hole three times.</source>
+        <translation>Ein Körper aus einer Datei: ein Rohr, das dreimal durch sein eigenes Loch geht.</translation>
+    </message>
+    <message>
+        <source>Follow the tube round and round. Press hard: you stay on the side you came from.</source>
+        <translation>Folgen Sie dem Rohr rundherum und rundherum. Drücken Sie fest: Sie bleiben auf der Seite, von der Sie kamen.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (q - p)$, where $q$ stays on the surface and follows the tip; it sticks while $|f_t| \le \mu_s |f_n|$</source>
+        <translation>$f = k_p (q - p)$, dabei bleibt $q$ auf der Oberfläche und folgt der Spitze; es haftet, solange $|f_t| \le \mu_s |f_n|$</translation>
+    </message>
+    <message>
+        <source>Bumpy sphere</source>
+        <translation>Kugel mit Höckern</translation>
+    </message>
+    <message>
+        <source>A ball with bumps 1.5 mm high, smooth to the touch between them. Stroke it: the force turns with the surface and has no edges, though the ball is made of flat triangles.</source>
+        <translation>Eine Kugel mit 1,5 mm hohen Höckern, dazwischen fühlt sie sich glatt an. Streichen Sie darüber: Die Kraft dreht sich mit der Oberfläche und hat keine Kanten, obwohl die Kugel aus ebenen Dreiecken besteht.</translation>
+    </message>
+    <message>
+        <source>Bumps 1.5 mm high on a ball of flat triangles that feels round.</source>
+        <translation>1,5 mm hohe Höcker auf einer Kugel aus ebenen Dreiecken, die sich rund anfühlt.</translation>
+    </message>
+    <message>
+        <source>Stroke the ball slowly and count the bumps along a finger's breadth.</source>
+        <translation>Streichen Sie langsam über die Kugel und zählen Sie die Höcker auf einer Fingerbreite.</translation>
+    </message>
+    <message>
+        <source>$f = k_p e + k_d \frac{de}{dt}$ with $e = q - p$, where $q$ follows the tip on the surface</source>
+        <translation>$f = k_p e + k_d \frac{de}{dt}$ mit $e = q - p$, dabei folgt $q$ der Spitze auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Bracket with holes</source>
+        <translation>Winkel mit Löchern</translation>
+    </message>
+    <message>
+        <source>A part with sharp edges, two screw holes and a rib. Find the holes by touch, slide into the corner of the L, and along an edge until you fall off. The static friction is above the dynamic one: press and pull slowly, and the target lets go by jerks.</source>
+        <translation>Ein Teil mit scharfen Kanten, zwei Schraubenlöchern und einer Rippe. Ertasten Sie die Löcher, gleiten Sie in die Ecke des L und eine Kante entlang, bis Sie herunterfallen. Die Haftreibung ist größer als die Gleitreibung: Drücken und ziehen Sie langsam, und das Ziel löst sich ruckweise.</translation>
+    </message>
+    <message>
+        <source>A part with sharp edges, two holes and a rib, and friction that sticks and slips.</source>
+        <translation>Ein Teil mit scharfen Kanten, zwei Löchern und einer Rippe, und Reibung, die haftet und rutscht.</translation>
+    </message>
+    <message>
+        <source>Find the holes by touch. Then press and pull slowly: the target lets go by jerks.</source>
+        <translation>Ertasten Sie die Löcher. Drücken und ziehen Sie dann langsam: Das Ziel löst sich ruckweise.</translation>
+    </message>
+    <message>
+        <source>it sticks while $|f_t| \le \mu_s |f_n|$, then slides with $|f_t| = \mu_d |f_n|$; $\mu_s = 0.5$, $\mu_d = 0.3$</source>
+        <translation>es haftet, solange $|f_t| \le \mu_s |f_n|$, und gleitet dann mit $|f_t| = \mu_d |f_n|$; $\mu_s = 0.5$, $\mu_d = 0.3$</translation>
+    </message>
+    <message>
+        <source>Led along a trefoil</source>
+        <translation>Am Kleeblatt geführt</translation>
+    </message>
+    <message>
+        <source>A closed curve through the points of a file. A guide runs along it at 40 mm/s and waits for you 8 mm ahead: let your hand be led. In the Feel panel set t to 1, and you are held to the curve but led no more.</source>
+        <translation>Eine geschlossene Kurve durch die Punkte einer Datei. Eine Führung läuft mit 40 mm/s auf ihr und wartet 8 mm vor Ihnen: Lassen Sie Ihre Hand führen. Stellen Sie im Bereich Fühlen t auf 1, so werden Sie auf der Kurve gehalten, aber nicht mehr geführt.</translation>
+    </message>
+    <message>
+        <source>A guide that leads your hand along a closed curve and waits for you.</source>
+        <translation>Eine Führung, die Ihre Hand eine geschlossene Kurve entlangführt und auf Sie wartet.</translation>
+    </message>
+    <message>
+        <source>Let yourself be led. Hold the hand still: the guide stops 8 mm ahead. Then set t to 1 in the Feel panel.</source>
+        <translation>Lassen Sie sich führen. Halten Sie die Hand still: Die Führung hält 8 mm vor Ihnen an. Stellen Sie dann im Bereich Fühlen t auf 1.</translation>
+    </message>
+    <message>
+        <source>$q = C(s)$; $\frac{ds}{dt} = 40$ mm/s as long as $s$ is less than 8 mm ahead of you</source>
+        <translation>$q = C(s)$; $\frac{ds}{dt} = 40$ mm/s, solange $s$ weniger als 8 mm vor Ihnen liegt</translation>
+    </message>
+    <message>
+        <source>A signature to follow</source>
+        <translation>Eine Unterschrift zum Folgen</translation>
+    </message>
+    <message>
+        <source>An open stroke with a little friction. The search is local: where the stroke crosses itself you stay on your branch, and do not change over to the other one.</source>
+        <translation>Ein offener Strich mit ein wenig Reibung. Gesucht wird nur in der Nähe: Wo der Strich sich selbst kreuzt, bleiben Sie auf Ihrem Zweig und wechseln nicht auf den anderen.</translation>
+    </message>
+    <message>
+        <source>A stroke to follow, with a little friction.</source>
+        <translation>Ein Strich zum Folgen, mit ein wenig Reibung.</translation>
+    </message>
+    <message>
+        <source>Follow the stroke over its own crossing: you stay on your branch.</source>
+        <translation>Folgen Sie dem Strich über seine eigene Kreuzung: Sie bleiben auf Ihrem Zweig.</translation>
+    </message>
+    <message>
+        <source>$q = C(s)$, where $s$ is the nearest place beside the last one</source>
+        <translation>$q = C(s)$, dabei ist $s$ die nächste Stelle neben der letzten</translation>
+    </message>
+</context>
+<context>
+    <name>scenes</name>
+    <message>
+        <source>Shapes</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Robots in software</source>
+        <translation>Virtuelle Roboter</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Dreiecksnetze</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+</context>
+<context>
+    <name>step</name>
+    <message>
+        <source>First order system response</source>
+        <translation>Antwort eines Systems erster Ordnung</translation>
+    </message>
+    <message>
+        <source>a/(s + a) ends at 1, 1/(s + a) at 1/a, 3a/(s + a) at 3; here a = 2.</source>
+        <translation>a/(s + a) endet bei 1, 1/(s + a) bei 1/a, 3a/(s + a) bei 3; hier a = 2.</translation>
+    </message>
+    <message>
+        <source>Generic second order responses</source>
+        <translation>Antworten zweiter Ordnung</translation>
+    </message>
+    <message>
+        <source>The damping ratio from none to twice critical, with a natural frequency of 1 rad/s.</source>
+        <translation>Dämpfungsgrad von null bis zum Doppelten des kritischen, Eigenfrequenz 1 rad/s.</translation>
+    </message>
+    <message>
+        <source>Comparing third and second order responses</source>
+        <translation>Dritte und zweite Ordnung im Vergleich</translation>
+    </message>
+    <message>
+        <source>5/((s + 1)(s + 2)(s + 30)), the same without the fast pole's part, and a second order of its gain: at most 0.0014 apart.</source>
+        <translation>5/((s + 1)(s + 2)(s + 30)), dasselbe ohne den Teil des schnellen Pols und eine zweite Ordnung gleicher Verstärkung: höchstens 0,0014 auseinander.</translation>
+    </message>
+    <message>
+        <source>third order</source>
+        <translation>dritte Ordnung</translation>
+    </message>
+    <message>
+        <source>fast part left out</source>
+        <translation>ohne schnellen Teil</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>zweite Ordnung</translation>
+    </message>
+    <message>
+        <source>First order system step response</source>
+        <translation>Sprungantwort erster Ordnung</translation>
+    </message>
+    <message>
+        <source>a/(s + a): rise ln 9 / a, settling ln 50 / a; here a = 1.</source>
+        <translation>a/(s + a): Anstieg ln 9 / a, Einschwingen ln 50 / a; hier a = 1.</translation>
+    </message>
+    <message>
+        <source>Second order system step response</source>
+        <translation>Sprungantwort zweiter Ordnung</translation>
+    </message>
+    <message>
+        <source>Rise, peak, overshoot of 38 % and settling; damping ratio 0.2943, natural frequency 1 rad/s.</source>
+        <translation>Anstieg, Spitze, Überschwingen von 38 % und Einschwingen; Dämpfungsgrad 0,2943, Eigenfrequenz 1 rad/s.</translation>
+    </message>
+</context>
+<context>
+    <name>step of work</name>
+    <message>
+        <source>Joining the points</source>
+        <translation>verbindet die Punkte</translation>
+    </message>
+    <message>
+        <source>Preparing the picture</source>
+        <translation>bereitet das Bild vor</translation>
+    </message>
+    <message>
+        <source>reading points</source>
+        <translation>liest Punkte</translation>
+    </message>
+    <message>
+        <source>Building the tree</source>
+        <translation>baut den Suchbaum</translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation>liest die Datei</translation>
+    </message>
+    <message>
+        <source>Keeping</source>
+        <translation>legt ab</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>liest das Netz</translation>
+    </message>
+</context>
+<context>
+    <name>tour</name>
+    <message>
+        <source>The view</source>
+        <translation>Die Ansicht</translation>
+    </message>
+    <message>
+        <source>The hand's world, in the arm's own frame: what is felt is what is drawn. Drag beside the stylus to turn it, use the wheel to come nearer.</source>
+        <translation>Die Welt der Hand, im eigenen Koordinatensystem des Arms: Was zu fühlen ist, ist auch gezeichnet. Ziehen Sie neben dem Stift, um sie zu drehen; mit dem Rad kommen Sie näher.</translation>
+    </message>
+    <message>
+        <source>The stylus</source>
+        <translation>Der Stift</translation>
+    </message>
+    <message>
+        <source>Drag it with the mouse: that is the hand on the simulated arm. With Ctrl the stylus turns. The arrow is the force that is sent.</source>
+        <translation>Ziehen Sie ihn mit der Maus: Das ist die Hand am simulierten Arm. Mit Strg dreht sich der Stift. Der Pfeil ist die gesendete Kraft.</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>What the stylus can be held to, in teaching order. Below the list stands what to feel, what to try, and the equation.</source>
+        <translation>Woran der Stift gehalten werden kann, in Lehrreihenfolge. Unter der Liste steht, was zu fühlen ist, was Sie probieren können und die Gleichung.</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>How hard it pulls: stiffness, damping and more, felt while you drag a slider. A double click goes back to the scene's own value.</source>
+        <translation>Wie stark es zieht: Steifigkeit, Dämpfung und mehr, zu fühlen, während Sie einen Regler ziehen. Ein Doppelklick führt zum eigenen Wert der Szene zurück.</translation>
+    </message>
+    <message>
+        <source>The status line</source>
+        <translation>Die Statuszeile</translation>
+    </message>
+    <message>
+        <source>Always true: what the servo does, which arm, how fast, how late, and the force beside its limit, as the gauge in the view has it.</source>
+        <translation>Stimmt immer: was der Servo tut, welcher Arm, wie schnell, wie verspätet, und die Kraft neben ihrer Grenze, wie sie die Anzeige in der Ansicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>One press writes every tick into a session. The Sessions panel lists them, replays them and exports them.</source>
+        <translation>Ein Druck schreibt jeden Takt in eine Sitzung. Der Bereich „Sitzungen“ listet sie auf, gibt sie wieder und exportiert sie.</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Which arms are plugged in, what is missing to use one, and which one is in use. A real arm pushes only after you have pressed Start.</source>
+        <translation>Welche Arme angeschlossen sind, was für ihre Nutzung fehlt und welcher in Gebrauch ist. Ein echter Arm drückt erst, nachdem Sie Start gedrückt haben.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>The guide: F1 opens the page for what has the keyboard. The menu beside it has the keys, lessons, and this tour once more. Esc stops the force, from anywhere.</source>
+        <translation>Das Handbuch: F1 öffnet die Seite zu dem, was den Tastaturfokus hat. Das Menü daneben enthält die Tasten, die Lektionen und noch einmal diesen Rundgang. Esc hält die Kraft an, von überall.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui</name>
+    <message>
+        <source>Add &amp;curve…</source>
+        <translation>&amp;Kurve hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Loads a file of points, and adds their curve to the scene or makes a new one of it.</source>
+        <translation>Lädt eine Datei mit Punkten und fügt deren Kurve zur Szene hinzu oder macht eine neue daraus.</translation>
+    </message>
+    <message>
+        <source>&amp;Figures of the thesis</source>
+        <translation>&amp;Abbildungen der Thesis</translation>
+    </message>
+    <message>
+        <source>The thesis's figures, remade by this program, with the numbers that they should show.</source>
+        <translation>Die Abbildungen der Thesis, von diesem Programm neu erstellt, mit den Zahlen, die sie zeigen sollen.</translation>
+    </message>
+    <message>
+        <source>Right, left</source>
+        <translation>Rechts, links</translation>
+    </message>
+    <message>
+        <source>Up, down</source>
+        <translation>Auf, ab</translation>
+    </message>
+    <message>
+        <source>To you, away</source>
+        <translation>Her, weg</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigen</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>moves the stylus to the right</source>
+        <translation>bewegt den Stift nach rechts</translation>
+    </message>
+    <message>
+        <source>moves the stylus up</source>
+        <translation>bewegt den Stift nach oben</translation>
+    </message>
+    <message>
+        <source>moves the stylus towards you</source>
+        <translation>bewegt den Stift zu Ihnen</translation>
+    </message>
+    <message>
+        <source>tilts the stylus: its top towards you</source>
+        <translation>neigt den Stift: oben zu Ihnen</translation>
+    </message>
+    <message>
+        <source>swings the stylus: its front to the right</source>
+        <translation>schwenkt den Stift: vorn nach rechts</translation>
+    </message>
+    <message>
+        <source>rolls the stylus: its top to the left</source>
+        <translation>rollt den Stift: oben nach links</translation>
+    </message>
+    <message>
+        <source>Stylus button 1</source>
+        <translation>Stifttaste 1</translation>
+    </message>
+    <message>
+        <source>Stylus button 2</source>
+        <translation>Stifttaste 2</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>game controller</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>joystick</source>
+        <translation>Joystick</translation>
+    </message>
+    <message>
+        <source>3D mouse</source>
+        <translation>3D-Maus</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>button %1</source>
+        <translation>Taste %1</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>The system's language, from the next start on.</source>
+        <translation>Die Sprache des Systems, ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>English, from the next start on.</source>
+        <translation>Englisch, ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>German, from the next start on.</source>
+        <translation>Deutsch, ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The window speaks it from the next start on.</source>
+        <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>✓ Solved</source>
+        <translation>✓ Gelöst</translation>
+    </message>
+    <message>
+        <source>○ Not solved</source>
+        <translation>○ Nicht gelöst</translation>
+    </message>
+    <message>
+        <source>On another day.</source>
+        <translation>An einem anderen Tag.</translation>
+    </message>
+    <message>
+        <source>✓ Solved: %1</source>
+        <translation>✓ Gelöst: %1</translation>
+    </message>
+    <message>
+        <source>○ To do: %1</source>
+        <translation>○ Zu tun: %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Gelöst</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps</source>
+        <translation>%1 von %2 Schritten</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Servo</source>
+        <translation>&amp;Servo</translation>
+    </message>
+    <message>
+        <source>Sessio&amp;ns</source>
+        <translation>Sitzu&amp;ngen</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Less&amp;ons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>L&amp;ayers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sp&amp;rache</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>&amp;Layout</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Symbolleiste</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Add &amp;mesh…</source>
+        <translation>&amp;Dreiecksnetz hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Loads an STL, OBJ, PLY or OFF file, and adds it to the scene or makes a new one of it.</source>
+        <translation>Lädt eine STL-, OBJ-, PLY- oder OFF-Datei und fügt sie zur Szene hinzu oder macht eine neue daraus.</translation>
+    </message>
+    <message>
+        <source>Mesh &amp;report</source>
+        <translation>&amp;Bericht zum Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>What was found in the file of the scene's mesh, what was repaired, and how it can be felt.</source>
+        <translation>Was in der Datei des Dreiecksnetzes der Szene gefunden wurde, was repariert wurde und wie es sich fühlen lässt.</translation>
+    </message>
+    <message>
+        <source>Underact: marks for registering an arm. Print at 100 %, tape it to the desk, the arm behind or beside it. This edge is away from you.</source>
+        <translation>Underact: Messpunkte zum Registrieren eines Arms. Mit 100 % drucken, auf den Tisch kleben, der Arm dahinter oder daneben. Diese Kante zeigt von Ihnen weg.</translation>
+    </message>
+    <message>
+        <source>100 mm, if it was printed at 100 %</source>
+        <translation>100 mm, falls mit 100 % gedruckt</translation>
+    </message>
+    <message>
+        <source>Marks for registering an arm</source>
+        <translation>Messpunkte zum Registrieren eines Arms</translation>
+    </message>
+    <message>
+        <source>Replay a session</source>
+        <translation>Sitzung wiedergeben</translation>
+    </message>
+    <message>
+        <source>Recorded sessions (*.h5 *.hdf5);;All files (*)</source>
+        <translation>Aufgezeichnete Sitzungen (*.h5 *.hdf5);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>A&amp;bspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Plays the recording, or lets it stand still.</source>
+        <translation>Spielt die Aufzeichnung ab oder hält sie an.</translation>
+    </message>
+    <message>
+        <source>One tick &amp;back</source>
+        <translation>Einen Takt &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Shows the tick before this one, and stands still.</source>
+        <translation>Zeigt den Takt vor diesem und bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>One tick &amp;further</source>
+        <translation>Einen Takt &amp;weiter</translation>
+    </message>
+    <message>
+        <source>Shows the tick after this one, and stands still.</source>
+        <translation>Zeigt den Takt nach diesem und bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>Loop begins &amp;here</source>
+        <translation>Schleife beginnt &amp;hier</translation>
+    </message>
+    <message>
+        <source>The loop begins at this tick.</source>
+        <translation>Die Schleife beginnt bei diesem Takt.</translation>
+    </message>
+    <message>
+        <source>Loop &amp;ends here</source>
+        <translation>Schleife &amp;endet hier</translation>
+    </message>
+    <message>
+        <source>The loop ends at this tick.</source>
+        <translation>Die Schleife endet bei diesem Takt.</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Schleife</translation>
+    </message>
+    <message>
+        <source>Plays on and on: from where the loop begins to where it ends.</source>
+        <translation>Spielt immer weiter: vom Anfang der Schleife bis zu ihrem Ende.</translation>
+    </message>
+    <message>
+        <source>&amp;Open session…</source>
+        <translation>Sitzung ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a recorded session and replays it.</source>
+        <translation>Öffnet eine aufgezeichnete Sitzung und gibt sie wieder.</translation>
+    </message>
+    <message>
+        <source>&amp;What if</source>
+        <translation>&amp;Was wäre wenn</translation>
+    </message>
+    <message>
+        <source>The recorded hand on the scene and the gains of the window, in place of the recorded ones.</source>
+        <translation>Die aufgezeichnete Hand an der Szene und den Verstärkungen des Fensters, statt der aufgezeichneten.</translation>
+    </message>
+    <message>
+        <source>&amp;Close session</source>
+        <translation>Sitzung s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Ends the replay: the arm and the scene from before are there again.</source>
+        <translation>Beendet die Wiedergabe: Der Arm und die Szene von vorher sind wieder da.</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Shows all of the scene, from the same direction.</source>
+        <translation>Zeigt die ganze Szene, aus derselben Richtung.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Looks from where the hand is, along −z.</source>
+        <translation>Blick von der Hand aus, entlang −z.</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Looks down, along −y.</source>
+        <translation>Blick nach unten, entlang −y.</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>&amp;Side</source>
+        <translation>&amp;Seite</translation>
+    </message>
+    <message>
+        <source>Looks from the right, along −x.</source>
+        <translation>Blick von rechts, entlang −x.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isometrisch</translation>
+    </message>
+    <message>
+        <source>Looks from above, in front and the right.</source>
+        <translation>Blick von oben, vorn und rechts.</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Looks from the left, along x.</source>
+        <translation>Blick von links, entlang x.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Looks from behind the arm, along z.</source>
+        <translation>Blick von hinter dem Arm, entlang z.</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Looks up, along y.</source>
+        <translation>Blick nach oben, entlang y.</translation>
+    </message>
+    <message>
+        <source>&amp;Move the hand with the keys</source>
+        <translation>Hand mit den &amp;Tasten bewegen</translation>
+    </message>
+    <message>
+        <source>Puts the focus into the view: the arrow keys then move the hand.</source>
+        <translation>Setzt den Fokus in die Ansicht: Die Pfeiltasten bewegen dann die Hand.</translation>
+    </message>
+    <message>
+        <source>&amp;Workspace box</source>
+        <translation>&amp;Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>The box the arm can reach, with ticks every 20 mm.</source>
+        <translation>Der Quader, den der Arm erreicht, mit einem Strich alle 20 mm.</translation>
+    </message>
+    <message>
+        <source>&amp;Axes of W and B</source>
+        <translation>Achsen von &amp;W und B</translation>
+    </message>
+    <message>
+        <source>The axes of the workspace and of the arm's base.</source>
+        <translation>Die Achsen des Arbeitsraums und des Armsockels.</translation>
+    </message>
+    <message>
+        <source>A&amp;rm</source>
+        <translation>A&amp;rm</translation>
+    </message>
+    <message>
+        <source>The arm's links.</source>
+        <translation>Die Glieder des Arms.</translation>
+    </message>
+    <message>
+        <source>&amp;Target and error</source>
+        <translation>&amp;Ziel und Abweichung</translation>
+    </message>
+    <message>
+        <source>The point the stylus is drawn to, and the line to it.</source>
+        <translation>Der Punkt, zu dem der Stift gezogen wird, und die Linie dorthin.</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Kraft</translation>
+    </message>
+    <message>
+        <source>The arrow of the force sent.</source>
+        <translation>Der Pfeil der gesendeten Kraft.</translation>
+    </message>
+    <message>
+        <source>&amp;Influence</source>
+        <translation>&amp;Einfluss</translation>
+    </message>
+    <message>
+        <source>Where the stylus points (o), the point nearest to its tip (p), and the target's arc between them.</source>
+        <translation>Wohin der Stift zeigt (o), der Punkt, der seiner Spitze am nächsten liegt (p), und der Bogen des Ziels dazwischen.</translation>
+    </message>
+    <message>
+        <source>&amp;Virtual robot</source>
+        <translation>&amp;Virtueller Roboter</translation>
+    </message>
+    <message>
+        <source>The robots that exist only in software, where their joints are, and which ways their tips can go.</source>
+        <translation>Die Roboter, die es nur in Software gibt, wo ihre Gelenke sind und wohin ihre Spitzen können.</translation>
+    </message>
+    <message>
+        <source>Recorded &amp;path</source>
+        <translation>Aufgezeichneter &amp;Pfad</translation>
+    </message>
+    <message>
+        <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
+        <translation>Wo die Spitze in der abgespielten Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
+    </message>
+    <message>
+        <source>&amp;Desk</source>
+        <translation>&amp;Tisch</translation>
+    </message>
+    <message>
+        <source>The marks on the desk by which the arm was registered.</source>
+        <translation>Die Marken auf dem Tisch, mit denen der Arm registriert wurde.</translation>
+    </message>
+    <message>
+        <source>As se&amp;en from the desk</source>
+        <translation>Vom Tisch aus &amp;gesehen</translation>
+    </message>
+    <message>
+        <source>Left, right and up are those of the desk, however a registered arm is turned; off: those of the arm.</source>
+        <translation>Links, rechts und oben sind die des Tischs, wie auch ein registrierter Arm gedreht ist; aus: die des Arms.</translation>
+    </message>
+    <message>
+        <source>&amp;Link frames</source>
+        <translation>&amp;Gliedkoordinaten</translation>
+    </message>
+    <message>
+        <source>The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.</source>
+        <translation>Die Koordinatensysteme 1 bis 6 der DH-Tabelle entlang des Arms; jede Zahl steht am Ende der z-Achse eines Gelenks.</translation>
+    </message>
+    <message>
+        <source>&amp;Inverse solutions</source>
+        <translation>&amp;Inverse Lösungen</translation>
+    </message>
+    <message>
+        <source>All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits.</source>
+        <translation>Alle Stellungen, in denen der Arm den Stift erreicht, als Geisterbilder; gestrichelt: außerhalb der Gelenkgrenzen.</translation>
+    </message>
+    <message>
+        <source>&amp;Motion ellipsoid (v)</source>
+        <translation>&amp;Bewegungsellipsoid (v)</translation>
+    </message>
+    <message>
+        <source>Where the tip gets to by a joint turn of 0.25 rad in all (manipulability ellipsoid).</source>
+        <translation>Wohin die Spitze mit insgesamt 0,25 rad Gelenkdrehung kommt (Manipulierbarkeitsellipsoid).</translation>
+    </message>
+    <message>
+        <source>F&amp;orce ellipsoid (f)</source>
+        <translation>Kra&amp;ftellipsoid (f)</translation>
+    </message>
+    <message>
+        <source>The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.</source>
+        <translation>Die Kräfte bei insgesamt 0,05 N m Gelenkmoment, im Maßstab des Kraftpfeils.</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh: triangles</source>
+        <translation>&amp;Netz: Dreiecke</translation>
+    </message>
+    <message>
+        <source>The edges of all triangles of a mesh, as it is drawn.</source>
+        <translation>Die Kanten aller Dreiecke eines Netzes, wie es gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>Mesh: &amp;cut open</source>
+        <translation>Netz: auf&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.</source>
+        <translation>Schneidet Netze quer zu einer Achse auf; die Seite näher am Auge wird verborgen. Was man fühlt, bleibt ganz.</translation>
+    </message>
+    <message>
+        <source>Cut &amp;follows the stylus</source>
+        <translation>S&amp;chnitt folgt dem Stift</translation>
+    </message>
+    <message>
+        <source>The cut goes through the stylus's tip; off, it stays where it is.</source>
+        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: er bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Cut across x</source>
+        <translation>Schnitt quer zu x</translation>
+    </message>
+    <message>
+        <source>The cut stands across x: it is seen from the side.</source>
+        <translation>Der Schnitt steht quer zu x: von der Seite zu sehen.</translation>
+    </message>
+    <message>
+        <source>Cut across y</source>
+        <translation>Schnitt quer zu y</translation>
+    </message>
+    <message>
+        <source>The cut stands across y: it is seen from the top.</source>
+        <translation>Der Schnitt steht quer zu y: von oben zu sehen.</translation>
+    </message>
+    <message>
+        <source>Cut across z</source>
+        <translation>Schnitt quer zu z</translation>
+    </message>
+    <message>
+        <source>The cut stands across z: it is seen from the front.</source>
+        <translation>Der Schnitt steht quer zu z: von vorn zu sehen.</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is, also while running.</source>
+        <translation>Hell oder dunkel wie der Schreibtisch, auch während des Betriebs.</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Always light.</source>
+        <translation>Immer hell.</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Always dark.</source>
+        <translation>Immer dunkel.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::AboutDialog</name>
+    <message>
+        <source>About Underact</source>
+        <translation>Über Underact</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Underact %1&lt;/h3&gt;&lt;p&gt;Feel geometry through a small haptic arm, and see what you feel.&lt;/p&gt;&lt;p&gt;Licence: BSD-3-Clause. Uses Qt %2 (LGPL) and VTK (BSD).&lt;/p&gt;&lt;p&gt;No part of it was tried on a real arm yet: what is shown is simulated.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Underact %1&lt;/h3&gt;&lt;p&gt;Mit einem kleinen haptischen Arm Geometrie fühlen und sehen, was man fühlt.&lt;/p&gt;&lt;p&gt;Lizenz: BSD-3-Clause. Verwendet Qt %2 (LGPL) und VTK (BSD).&lt;/p&gt;&lt;p&gt;Noch nichts davon wurde an einem echten Arm erprobt: Was gezeigt wird, ist simuliert.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Actions</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::AddressDialog</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Send live data to</source>
+        <translation>Live-Daten senden an</translation>
+    </message>
+    <message>
+        <source>Each tick goes out as one JSON object over UDP. PlotJuggler listens with its source “UDP Server”, at port %1 by itself.</source>
+        <translation>Jeder Takt geht als ein JSON-Objekt über UDP hinaus. PlotJuggler empfängt sie mit seiner Quelle „UDP Server“, von sich aus an Port %1.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>A port, a host by its number, or both: 9870, 192.168.1.20, 192.168.1.20:9870.</source>
+        <translation>Ein Port, ein Rechner mit seiner Nummer oder beides: 9870, 192.168.1.20, 192.168.1.20:9870.</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Senden</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Adresse</translation>
+    </message>
+    <message>
+        <source>%1 is not this machine. What the hand does and feels goes there unencrypted: whoever is on the way can read it.</source>
+        <translation>%1 ist nicht dieser Rechner. Was die Hand tut und fühlt, geht unverschlüsselt dorthin: Wer auf dem Weg liegt, kann es lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::AnglesSection</name>
+    <message>
+        <source>Angle conventions</source>
+        <translation>Winkelkonventionen</translation>
+    </message>
+    <message>
+        <source>The same posture as the DH table counts it and as the device does. The device measures the shin from the base, not from the thigh. Thesis figure 3.5; the signs were never verified on hardware.</source>
+        <translation>Dieselbe Haltung, wie die DH-Tabelle sie zählt und wie das Gerät sie zählt. Das Gerät misst den Unterschenkel von der Basis aus, nicht vom Oberschenkel. Abbildung 3.5 der Arbeit; die Vorzeichen wurden nie an einem Gerät geprüft.</translation>
+    </message>
+    <message>
+        <source>DH [°]</source>
+        <translation>DH [°]</translation>
+    </message>
+    <message>
+        <source>device [°]</source>
+        <translation>Gerät [°]</translation>
+    </message>
+    <message>
+        <source>turret</source>
+        <translation>Drehturm</translation>
+    </message>
+    <message>
+        <source>q1 = −turret</source>
+        <translation>q1 = −Turm</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>q2 = thigh</source>
+        <translation>q2 = Schenkel</translation>
+    </message>
+    <message>
+        <source>shin</source>
+        <translation>Unterschenkel</translation>
+    </message>
+    <message>
+        <source>q3 = shin − thigh</source>
+        <translation>q3 = Schienbein − Schenkel</translation>
+    </message>
+    <message>
+        <source>gimbal 1</source>
+        <translation>Kardan 1</translation>
+    </message>
+    <message>
+        <source>q4 = −g1</source>
+        <translation>q4 = −g1</translation>
+    </message>
+    <message>
+        <source>gimbal 2</source>
+        <translation>Kardan 2</translation>
+    </message>
+    <message>
+        <source>q5 = g2 + 90°</source>
+        <translation>q5 = g2 + 90°</translation>
+    </message>
+    <message>
+        <source>gimbal 3</source>
+        <translation>Kardan 3</translation>
+    </message>
+    <message>
+        <source>q6 = −g3 − 90°</source>
+        <translation>q6 = −g3 − 90°</translation>
+    </message>
+    <message>
+        <source>%1 (thesis figure 3.5).</source>
+        <translation>%1 (Thesis, Abbildung 3.5).</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ArmPanel</name>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Position of the stylus tip in the workspace frame W: p_WT (x, y, z).</source>
+        <translation>Position der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
+    </message>
+    <message>
+        <source>Joints 1–3</source>
+        <translation>Gelenke 1–3</translation>
+    </message>
+    <message>
+        <source>Turret, thigh and shin: q1, q2, q3 as in the DH table; driven.</source>
+        <translation>Drehturm, Oberschenkel und Unterschenkel: q1, q2, q3 wie in der DH-Tabelle; angetrieben.</translation>
+    </message>
+    <message>
+        <source>Joints 4–6</source>
+        <translation>Gelenke 4–6</translation>
+    </message>
+    <message>
+        <source>The gimbal: q4, q5, q6 as in the DH table; measured, not driven.</source>
+        <translation>Das Kardangelenk: q4, q5, q6 wie in der DH-Tabelle; gemessen, nicht angetrieben.</translation>
+    </message>
+    <message>
+        <source>Let through</source>
+        <translation>Durchlass</translation>
+    </message>
+    <message>
+        <source>The share of the force that soft start and soft release let through.</source>
+        <translation>Der Anteil der Kraft, den sanfter Start und sanftes Loslassen durchlassen.</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>What made the servo stop by itself; the line over the view says what to do.</source>
+        <translation>Was den Servo von selbst angehalten hat; die Zeile über der Ansicht sagt, was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ArmSearch</name>
+    <message>
+        <source>%1: none is plugged in</source>
+        <translation>%1: keiner ist angeschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::AxisBar</name>
+    <message>
+        <source>The line: how far it is moved. The bar: what comes through. Grey: the dead zone.</source>
+        <translation>Der Strich: wie weit sie ausgelenkt ist. Der Balken: was durchkommt. Grau: die Totzone.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::BeginPage</name>
+    <message>
+        <source>Say &amp;whether it was right</source>
+        <translation>Sa&amp;gen, ob es richtig war</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>a person</source>
+        <translation>eine Person</translation>
+    </message>
+    <message>
+        <source>simulated hand</source>
+        <translation>simulierte Hand</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>&amp;Reference</source>
+        <translation>&amp;Referenz</translation>
+    </message>
+    <message>
+        <source>The stiffness of one beam in every trial, at its tip: k = K / L². The other is stiffer.</source>
+        <translation>Die Steifigkeit des einen Balkens in jedem Versuch, an seiner Spitze: k = K / L². Der andere ist steifer.</translation>
+    </message>
+    <message>
+        <source>&amp;Answers</source>
+        <translation>&amp;Antworten</translation>
+    </message>
+    <message>
+        <source>Who presses the beams and says which is stiffer: you, or a hand that exists only in software.</source>
+        <translation>Wer die Balken drückt und sagt, welcher steifer ist: Sie oder eine Hand, die es nur in Software gibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Weber share</source>
+        <translation>&amp;Weber-Anteil</translation>
+    </message>
+    <message>
+        <source>What the simulated hand feels scatters by this share of the stiffness (Weber's law).</source>
+        <translation>Was die simulierte Hand fühlt, streut um diesen Anteil der Steifigkeit (Webersches Gesetz).</translation>
+    </message>
+    <message>
+        <source>See&amp;d</source>
+        <translation>Startwer&amp;t</translation>
+    </message>
+    <message>
+        <source>Of the stiffer side of each trial and of the simulated hand: the same seed, the same measurement.</source>
+        <translation>Für die steifere Seite jedes Versuchs und für die simulierte Hand: derselbe Startwert, dieselbe Messung.</translation>
+    </message>
+    <message>
+        <source>Say whether each answer was right</source>
+        <translation>Sagen, ob jede Antwort richtig war</translation>
+    </message>
+    <message>
+        <source>For practice. A measurement is made without: whoever is told learns.</source>
+        <translation>Zum Üben. Gemessen wird ohne: Wer es erfährt, lernt.</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Begin the measurement</source>
+        <translation>Messung beginnen</translation>
+    </message>
+    <message>
+        <source>Two right answers in a row make it harder, a wrong one easier (Levitt 1971).</source>
+        <translation>Zwei richtige Antworten nacheinander machen es schwerer, eine falsche leichter (Levitt 1971).</translation>
+    </message>
+    <message>
+        <source>How small a difference of stiffness can be felt (just-noticeable difference, JND)? Two beams are pressed, and the stiffer one is told, again and again.</source>
+        <translation>Wie klein darf ein Unterschied der Steifigkeit sein, um noch fühlbar zu sein (eben merklicher Unterschied, JND)? Zwei Balken werden gedrückt und der steifere genannt, immer wieder.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ButtonsSection</name>
+    <message>
+        <source>Stylus buttons</source>
+        <translation>Stifttasten</translation>
+    </message>
+    <message>
+        <source>What a press of a button on the stylus does.</source>
+        <translation>Was ein Druck auf eine Taste am Stift bewirkt.</translation>
+    </message>
+    <message>
+        <source>At the ti&amp;p</source>
+        <translation>An der S&amp;pitze</translation>
+    </message>
+    <message>
+        <source>Se&amp;cond</source>
+        <translation>&amp;Zweite</translation>
+    </message>
+    <message>
+        <source>does nothing here</source>
+        <translation>tut hier nichts</translation>
+    </message>
+    <message>
+        <source>starts and stops the recording</source>
+        <translation>startet und beendet die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>sets a marker</source>
+        <translation>setzt eine Marke</translation>
+    </message>
+    <message>
+        <source>Hold to run is on: this button lets the servo push, and does nothing else.</source>
+        <translation>„Zum Laufen halten“ ist an: Diese Taste lässt den Servo drücken und tut sonst nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CalibrationPanel</name>
+    <message>
+        <source>&amp;Open the two beams</source>
+        <translation>Die zwei Balken ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Open the two beams</source>
+        <translation>Die zwei Balken öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the scene “Two beams, one softer”.</source>
+        <translation>Öffnet die Szene „Zwei Balken, einer weicher“.</translation>
+    </message>
+    <message>
+        <source>A calibration needs a scene of two beams whose stiffness can be set. This scene has none.</source>
+        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine.</translation>
+    </message>
+    <message>
+        <source>Says that the %1 beam is stiffer; possible once both were pressed.</source>
+        <translation>Sagt, dass der Balken %1 steifer ist; möglich, sobald beide gedrückt wurden.</translation>
+    </message>
+    <message>
+        <source>&amp;Left beam is stiffer</source>
+        <translation>&amp;Linker Balken ist steifer</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>&amp;Right beam is stiffer</source>
+        <translation>&amp;Rechter Balken ist steifer</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1. Choose another place.</source>
+        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Save the trials</source>
+        <translation>Versuche speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CalibrationSession</name>
+    <message>
+        <source>Another scene was opened, so the measurement was cancelled.</source>
+        <translation>Eine andere Szene wurde geöffnet, daher wurde die Messung abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The scene was changed, so the measurement was cancelled.</source>
+        <translation>Die Szene wurde geändert, daher wurde die Messung abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ChainSection</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>From the base to the tip, all at home, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Type into a cell; each is one step back.</source>
+        <translation>Von der Basis zur Spitze, alle in Grundstellung, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Schreiben Sie in eine Zelle; jede Eingabe ist ein Schritt zurück.</translation>
+    </message>
+    <message>
+        <source>Joints of the robot</source>
+        <translation>Gelenke des Roboters</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Add a joint after the selected one</source>
+        <translation>Ein Gelenk nach dem gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>A joint after the selected one, 8 at most.</source>
+        <translation>Ein Gelenk nach dem gewählten, höchstens 8.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected joint</source>
+        <translation>Gewähltes Gelenk entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the selected joint away; one stays.</source>
+        <translation>Nimmt das gewählte Gelenk weg; eines bleibt.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Move the selected joint towards the base</source>
+        <translation>Gewähltes Gelenk zur Basis hin verschieben</translation>
+    </message>
+    <message>
+        <source>Towards the base.</source>
+        <translation>Zur Basis hin.</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Move the selected joint towards the tip</source>
+        <translation>Gewähltes Gelenk zur Spitze hin verschieben</translation>
+    </message>
+    <message>
+        <source>Towards the tip.</source>
+        <translation>Zur Spitze hin.</translation>
+    </message>
+    <message>
+        <source>joint %1, %2</source>
+        <translation>Gelenk %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CheckDialog</name>
+    <message>
+        <source>&amp;Keep every core busy meanwhile</source>
+        <translation>Dabei alle &amp;Kerne auslasten</translation>
+    </message>
+    <message>
+        <source>Servo check</source>
+        <translation>Servoprüfung</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Measures how late the servo's ticks start at %1 Hz, and in turn how late a loop starts that does nothing else. It runs on a simulated arm of its own; yours and the window go on.</source>
+        <translation>Misst, wie verspätet die Takte des Servos bei %1 Hz beginnen, und im Wechsel dazu, wie verspätet eine Schleife beginnt, die sonst nichts tut. Das läuft an einem eigenen simulierten Arm; Ihrer und das Fenster laufen weiter.</translation>
+    </message>
+    <message>
+        <source>Duration in seconds</source>
+        <translation>Dauer in Sekunden</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Lateness and tick time</source>
+        <translation>Verspätung und Taktdauer</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>p99</source>
+        <translation>p99</translation>
+    </message>
+    <message>
+        <source>p99.9</source>
+        <translation>p99.9</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>max.</translation>
+    </message>
+    <message>
+        <source>bare loop, late [µs]</source>
+        <translation>leere Schleife, verspätet [µs]</translation>
+    </message>
+    <message>
+        <source>servo, late [µs]</source>
+        <translation>Servo, verspätet [µs]</translation>
+    </message>
+    <message>
+        <source>servo's tick takes [µs]</source>
+        <translation>Takt des Servos dauert [µs]</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>Measuring, the servo and a bare loop in turn, a second each.</source>
+        <translation>Gemessen werden der Servo und eine leere Schleife im Wechsel, je eine Sekunde.</translation>
+    </message>
+    <message>
+        <source>E&amp;nd now</source>
+        <translation>Jetzt be&amp;enden</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>Erneut &amp;messen</translation>
+    </message>
+    <message>
+        <source>%1 ticks in %2 s at %3 Hz, real time: %4; %5 of them a whole period late.</source>
+        <translation>%1 Takte in %2 s bei %3 Hz, Echtzeit: %4; %5 davon um eine ganze Periode verspätet.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CheckRow</name>
+    <message>
+        <source>Check %1</source>
+        <translation>Aufgabe %1</translation>
+    </message>
+    <message>
+        <source>Question %1</source>
+        <translation>Frage %1</translation>
+    </message>
+    <message>
+        <source>Answer to: %1</source>
+        <translation>Antwort auf: %1</translation>
+    </message>
+    <message>
+        <source>A number; Enter gives it.</source>
+        <translation>Eine Zahl; Eingabe übernimmt sie.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Looks whether the answer is right.</source>
+        <translation>Sieht nach, ob die Antwort richtig ist.</translation>
+    </message>
+    <message>
+        <source>An answer to: %1</source>
+        <translation>Eine Antwort auf: %1</translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ChoiceList</name>
+    <message>
+        <source>%1: cost and error</source>
+        <translation>%1: Kosten und Fehler</translation>
+    </message>
+    <message>
+        <source>%1: advice</source>
+        <translation>%1: Rat</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CliProcess</name>
+    <message>
+        <source>The program %1 could not be started. Install Underact whole.</source>
+        <translation>Das Programm %1 ließ sich nicht starten. Installieren Sie Underact vollständig.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ComparisonTable</name>
+    <message>
+        <source>Recorded and now</source>
+        <translation>Aufgezeichnet und jetzt</translation>
+    </message>
+    <message>
+        <source>Over the ticks since the last jump or edit in which both times the servo let the whole force through.</source>
+        <translation>Über die Takte seit dem letzten Sprung oder der letzten Änderung, in denen der Servo beide Male die ganze Kraft durchließ.</translation>
+    </message>
+    <message>
+        <source>rms error [mm]</source>
+        <translation>Fehler, RMS [mm]</translation>
+    </message>
+    <message>
+        <source>peak force [N]</source>
+        <translation>größte Kraft [N]</translation>
+    </message>
+    <message>
+        <source>mean force [N]</source>
+        <translation>mittlere Kraft [N]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>Error, recorded</source>
+        <translation>Fehler, aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Greatest force, recorded</source>
+        <translation>Größte Kraft, aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Mean force, recorded</source>
+        <translation>Mittlere Kraft, aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Error, now</source>
+        <translation>Fehler, jetzt</translation>
+    </message>
+    <message>
+        <source>Greatest force, now</source>
+        <translation>Größte Kraft, jetzt</translation>
+    </message>
+    <message>
+        <source>Mean force, now</source>
+        <translation>Mittlere Kraft, jetzt</translation>
+    </message>
+    <message>
+        <source>Compared over</source>
+        <translation>Verglichen über</translation>
+    </message>
+    <message>
+        <source>over %1 s</source>
+        <translation>über %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CurveDialog</name>
+    <message>
+        <source>Size of the curve</source>
+        <translation>Größe der Kurve</translation>
+    </message>
+    <message>
+        <source>Why it was not added</source>
+        <translation>Warum sie nicht hinzukam</translation>
+    </message>
+    <message>
+        <source>Curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>How the points are joined</source>
+        <translation>Wie die Punkte verbunden sind</translation>
+    </message>
+    <message>
+        <source>smoothly (spline)</source>
+        <translation>glatt (Spline)</translation>
+    </message>
+    <message>
+        <source>by straight lines (polyline)</source>
+        <translation>durch Geraden (Polylinie)</translation>
+    </message>
+    <message>
+        <source>C&amp;losed: from the last point back to the first</source>
+        <translation>&amp;Geschlossen: vom letzten Punkt zum ersten</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Millimetres a unit of the file</source>
+        <translation>Millimeter je Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>How long a unit of the file is: 1 for mm, 1000 for m, 25.4 for inches.</source>
+        <translation>Wie lang eine Einheit der Datei ist: 1 für mm, 1000 für m, 25,4 für Zoll.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Joined</source>
+        <translation>&amp;Verbunden</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source>A &amp;unit is</source>
+        <translation>Eine &amp;Einheit ist</translation>
+    </message>
+    <message>
+        <source>Which unit</source>
+        <translation>Welche Einheit</translation>
+    </message>
+    <message>
+        <source>As millimetres it would be %1 long.</source>
+        <translation>In Millimetern wäre sie %1 lang.</translation>
+    </message>
+    <message>
+        <source>%1 Which unit is the file in?</source>
+        <translation>%1 In welcher Einheit ist die Datei?</translation>
+    </message>
+    <message>
+        <source>%1 It is taken to be in %2.</source>
+        <translation>%1 Angenommen wird %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the scene</source>
+        <translation>Zur Szene &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the curve to the scene that is there.</source>
+        <translation>Fügt die Kurve zur vorhandenen Szene hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;New scene of it</source>
+        <translation>&amp;Neue Szene daraus</translation>
+    </message>
+    <message>
+        <source>Opens a new scene that holds this curve alone.</source>
+        <translation>Öffnet eine neue Szene, die nur diese Kurve enthält.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Closes this. The scene stays.</source>
+        <translation>Schließt dies. Die Szene bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 points, %2; %3 from point to point.</source>
+        <translation>%1 Punkte, %2; %3 von Punkt zu Punkt.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CurveFiles</name>
+    <message>
+        <source>Points (%1);;All files (*)</source>
+        <translation>Punkte (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Add a curve</source>
+        <translation>Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>“%1” was not loaded. The scene stays as it is.</source>
+        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Curve not loaded</source>
+        <translation>Kurve nicht geladen</translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>The curve %1.</source>
+        <translation>Die Kurve %1.</translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation>%1 wird hinzugefügt</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DemonstratorPanel</name>
+    <message>
+        <source>Seconds for each scene</source>
+        <translation>Sekunden für jede Szene</translation>
+    </message>
+    <message>
+        <source>Greatest force, percent of what the arm bears for good</source>
+        <translation>Größte Kraft, in Prozent dessen, was der Arm dauernd aushält</translation>
+    </message>
+    <message>
+        <source>What to know</source>
+        <translation>Was zu wissen ist</translation>
+    </message>
+    <message>
+        <source>Demonstrator</source>
+        <translation>Vorführende</translation>
+    </message>
+    <message>
+        <source>Scenes for visitors</source>
+        <translation>Szenen für Besucher</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Each scene for</source>
+        <translation>Jede Szene für</translation>
+    </message>
+    <message>
+        <source>Greatest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Lets go: the force goes to zero.</source>
+        <translation>Lässt los: Die Kraft geht auf null.</translation>
+    </message>
+    <message>
+        <source>Leave visitor mode</source>
+        <translation>Besuchermodus verlassen</translation>
+    </message>
+    <message>
+        <source>The window is as it was before.</source>
+        <translation>Das Fenster ist wieder wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Visitors go on.</source>
+        <translation>Der Besuchermodus läuft weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DevicesPanel</name>
+    <message>
+        <source>in use</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>something is missing</source>
+        <translation>etwas fehlt</translation>
+    </message>
+    <message>
+        <source>The arm in use</source>
+        <translation>Der verwendete Arm</translation>
+    </message>
+    <message>
+        <source>What came of the choice</source>
+        <translation>Was aus der Wahl wurde</translation>
+    </message>
+    <message>
+        <source>“%1” was not opened. %2</source>
+        <translation>„%1“ wurde nicht geöffnet. %2</translation>
+    </message>
+    <message>
+        <source>Use the si&amp;mulated arm</source>
+        <translation>Si&amp;mulierten Arm verwenden</translation>
+    </message>
+    <message>
+        <source>Closes the arm in use: the mouse is the hand again.</source>
+        <translation>Schließt den verwendeten Arm: Die Maus ist wieder die Hand.</translation>
+    </message>
+    <message>
+        <source>&amp;Look for arms</source>
+        <translation>Arme &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Looks again at what is plugged in.</source>
+        <translation>Sieht erneut nach, was angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>Plugged in</source>
+        <translation>Angeschlossen</translation>
+    </message>
+    <message>
+        <source>Arms</source>
+        <translation>Arme</translation>
+    </message>
+    <message>
+        <source>About the selected arm</source>
+        <translation>Über den gewählten Arm</translation>
+    </message>
+    <message>
+        <source>Use this arm</source>
+        <translation>Arm verwenden</translation>
+    </message>
+    <message>
+        <source>Opens it; the servo is stopped, and Start lets it push.</source>
+        <translation>Öffnet ihn; der Servo ist angehalten, und nach Start darf er drücken.</translation>
+    </message>
+    <message>
+        <source>How to fix it…</source>
+        <translation>Abhilfe …</translation>
+    </message>
+    <message>
+        <source>Shows the command that mends what is missing.</source>
+        <translation>Zeigt den Befehl, der behebt, was fehlt.</translation>
+    </message>
+    <message>
+        <source>Report how it works…</source>
+        <translation>Erfahrung melden …</translation>
+    </message>
+    <message>
+        <source>Shows the command that tries the arm and writes a report for the program's makers.</source>
+        <translation>Zeigt den Befehl, der den Arm erprobt und einen Bericht für die Entwickler des Programms schreibt.</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Looks at what is plugged in.</source>
+        <translation>Sieht nach, was angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>Another one</source>
+        <translation>Ein anderer</translation>
+    </message>
+    <message>
+        <source>An arm by its name</source>
+        <translation>Ein Arm nach Namen</translation>
+    </message>
+    <message>
+        <source>KIND:ADDRESS</source>
+        <translation>ART:ADRESSE</translation>
+    </message>
+    <message>
+        <source>As “underact-cli devices” lists it, with a serial number, a path or an address after the colon: wooden:/dev/hidraw3.</source>
+        <translation>Wie „underact-cli devices“ ihn auflistet, mit einer Seriennummer, einem Pfad oder einer Adresse nach dem Doppelpunkt: wooden:/dev/hidraw3.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the arm of that name.</source>
+        <translation>Öffnet den Arm dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Where it stands</source>
+        <translation>Wo er steht</translation>
+    </message>
+    <message>
+        <source>Where the arm stands on the desk</source>
+        <translation>Wo der Arm auf dem Tisch steht</translation>
+    </message>
+    <message>
+        <source>Register the arm…</source>
+        <translation>Arm registrieren …</translation>
+    </message>
+    <message>
+        <source>What is being opened</source>
+        <translation>Was geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The simulated arm stays.</source>
+        <translation>Der simulierte Arm bleibt.</translation>
+    </message>
+    <message>
+        <source>The arm stays. %1</source>
+        <translation>Der Arm bleibt. %1</translation>
+    </message>
+    <message>
+        <source>The arm must be free: use the simulated arm first. The command reads from it for two seconds, pushes with nothing, and writes down what it said; add what you felt, and send the file to the program's makers.</source>
+        <translation>Der Arm muss frei sein: Verwenden Sie zuerst den simulierten Arm. Der Befehl liest zwei Sekunden lang vom Arm, drückt dabei nicht und schreibt auf, was dieser meldet; fügen Sie hinzu, was Sie gefühlt haben, und senden Sie die Datei an die Entwickler des Programms.</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>In use: %1. Untested on hardware: begin with a soft scene, and a hand on Stop.</source>
+        <translation>In Gebrauch: %1. Nicht am Gerät erprobt: Beginnen Sie mit einer weichen Szene und einer Hand an Stopp.</translation>
+    </message>
+    <message>
+        <source>In use: %1.</source>
+        <translation>In Gebrauch: %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DhPanel</name>
+    <message>
+        <source>Table to start from</source>
+        <translation>Ausgangstabelle</translation>
+    </message>
+    <message>
+        <source>Puts the table of an arm in place of this one.</source>
+        <translation>Setzt die Tabelle eines Arms an die Stelle dieser.</translation>
+    </message>
+    <message>
+        <source>The scene's arm</source>
+        <translation>Arm der Szene</translation>
+    </message>
+    <message>
+        <source>DH table</source>
+        <translation>DH-Tabelle</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>&amp;Joints follow the arm</source>
+        <translation>&amp;Gelenke folgen dem Arm</translation>
+    </message>
+    <message>
+        <source>Joints follow the arm</source>
+        <translation>Gelenke folgen dem Arm</translation>
+    </message>
+    <message>
+        <source>Turning joints 1 to 6 stand as those of the arm do: move the stylus, and the table moves.</source>
+        <translation>Die Drehgelenke 1 bis 6 stehen wie die des Arms: Bewegen Sie den Stift, und die Tabelle bewegt sich mit.</translation>
+    </message>
+    <message>
+        <source>x [mm]</source>
+        <translation>x [mm]</translation>
+    </message>
+    <message>
+        <source>y [mm]</source>
+        <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>z [mm]</source>
+        <translation>z [mm]</translation>
+    </message>
+    <message>
+        <source>Table's tip</source>
+        <translation>Spitze (Tabelle)</translation>
+    </message>
+    <message>
+        <source>Where the last frame's tool is by the table: ⁰T₁ ¹T₂ … in the workspace frame.</source>
+        <translation>Wo das Werkzeug des letzten Koordinatensystems nach der Tabelle ist: ⁰T₁ ¹T₂ … im Koordinatensystem des Arbeitsraums.</translation>
+    </message>
+    <message>
+        <source>From the arm's</source>
+        <translation>Von der des Arms</translation>
+    </message>
+    <message>
+        <source>The way from the arm's own tip to the table's; 0 where the table is the arm's.</source>
+        <translation>Der Weg von der Spitze des Arms zu der der Tabelle; 0, wo die Tabelle die des Arms ist.</translation>
+    </message>
+    <message>
+        <source>What is odd about the table</source>
+        <translation>Was an der Tabelle auffällt</translation>
+    </message>
+    <message>
+        <source>What was refused</source>
+        <translation>Was abgelehnt wurde</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>A row after the selected one, 8 at most.</source>
+        <translation>Eine Zeile nach der gewählten, höchstens 8.</translation>
+    </message>
+    <message>
+        <source>Add a row</source>
+        <translation>Zeile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the selected row away; one stays.</source>
+        <translation>Nimmt die gewählte Zeile weg; eine bleibt.</translation>
+    </message>
+    <message>
+        <source>Remove the selected row</source>
+        <translation>Gewählte Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The table as it was before the last change.</source>
+        <translation>Die Tabelle, wie sie vor der letzten Änderung war.</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the table</source>
+        <translation>Letzte Änderung der Tabelle rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>The change that was taken back, again.</source>
+        <translation>Die zurückgenommene Änderung noch einmal.</translation>
+    </message>
+    <message>
+        <source>Redo the change of the table</source>
+        <translation>Änderung der Tabelle wiederholen</translation>
+    </message>
+    <message>
+        <source>row %1, %2</source>
+        <translation>Zeile %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DhSection</name>
+    <message>
+        <source>DH table</source>
+        <translation>DH-Tabelle</translation>
+    </message>
+    <message>
+        <source>Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d), with the angle of now in θ. Thesis table 3.1; Craig, eq. 3.6.</source>
+        <translation>Modifizierte Konvention (Craig): von Koordinatensystem i−1 zu i durch Rx(α) Dx(a) Rz(θ) Dz(d), mit dem jetzigen Winkel in θ. Tabelle 3.1 der Arbeit; Craig, Gl. 3.6.</translation>
+    </message>
+    <message>
+        <source>α [°]</source>
+        <translation>α [°]</translation>
+    </message>
+    <message>
+        <source>a [mm]</source>
+        <translation>a [mm]</translation>
+    </message>
+    <message>
+        <source>θ [°]</source>
+        <translation>θ [°]</translation>
+    </message>
+    <message>
+        <source>d [mm]</source>
+        <translation>d [mm]</translation>
+    </message>
+    <message>
+        <source>Twist α and length a of link %1, angle θ and offset d of joint %2.</source>
+        <translation>Verwindung α und Länge a von Glied %1, Winkel θ und Versatz d von Gelenk %2.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DistanceBar</name>
+    <message>
+        <source>%1, near or not</source>
+        <translation>%1, nah oder nicht</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Document</name>
+    <message>
+        <source>edits</source>
+        <translation>Änderungen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FaultDialog</name>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>Was es bedeutet</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Where the fault is kept</source>
+        <translation>Wo die Störung abgelegt ist</translation>
+    </message>
+    <message>
+        <source>The servo has stopped</source>
+        <translation>Der Servo hat angehalten</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Störungen</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>Wieder &amp;starten</translation>
+    </message>
+    <message>
+        <source>Lets the servo push again, with its soft start.</source>
+        <translation>Lässt den Servo wieder drücken, mit sanftem Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the servo</source>
+        <translation>Servo &amp;neu starten</translation>
+    </message>
+    <message>
+        <source>Opens the arm again and begins the servo anew; then press Start.</source>
+        <translation>Öffnet den Arm erneut und beginnt den Servo von vorn; drücken Sie danach Start.</translation>
+    </message>
+    <message>
+        <source>Show &amp;folder</source>
+        <translation>&amp;Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Opens the folder that holds the file.</source>
+        <translation>Öffnet den Ordner, in dem die Datei liegt.</translation>
+    </message>
+    <message>
+        <source>Copy &amp;path</source>
+        <translation>&amp;Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the path of the file.</source>
+        <translation>Kopiert den Pfad der Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Closes this. The servo stays stopped until Start is pressed.</source>
+        <translation>Schließt dies. Der Servo bleibt angehalten, bis Start gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2-mal)</translation>
+    </message>
+    <message>
+        <source>Force is off, and stays off until Start is pressed.</source>
+        <translation>Die Kraft ist aus und bleibt aus, bis Start gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>The second before it is kept in %1</source>
+        <translation>Die Sekunde davor ist abgelegt in %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FaultPlot</name>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>Lateness [µs]</source>
+        <translation>Verspätung [µs]</translation>
+    </message>
+    <message>
+        <source>The second before the fault</source>
+        <translation>Die Sekunde vor der Störung</translation>
+    </message>
+    <message>
+        <source>Force and lateness of the ticks before the fault, which is at the right edge.</source>
+        <translation>Kraft und Verspätung der Takte vor der Störung; sie selbst liegt am rechten Rand.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FaultWatch</name>
+    <message>
+        <source>Show the last &amp;fault</source>
+        <translation>Letzte &amp;Störung zeigen</translation>
+    </message>
+    <message>
+        <source>What stopped the servo last, and where its file is.</source>
+        <translation>Was den Servo zuletzt angehalten hat und wo die Datei dazu liegt.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FeelPanel</name>
+    <message>
+        <source>&amp;Reset to scene</source>
+        <translation>Auf Szene &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Puts gains, influence and friction back to those of the scene's file.</source>
+        <translation>Setzt Verstärkungen, Einfluss und Reibung auf die Werte der Szenendatei zurück.</translation>
+    </message>
+    <message>
+        <source>influence t</source>
+        <translation>Einfluss t</translation>
+    </message>
+    <message>
+        <source>influence on</source>
+        <translation>Einfluss an</translation>
+    </message>
+    <message>
+        <source>influence off</source>
+        <translation>Einfluss aus</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>friction on</source>
+        <translation>Reibung an</translation>
+    </message>
+    <message>
+        <source>friction off</source>
+        <translation>Reibung aus</translation>
+    </message>
+    <message>
+        <source>guide on</source>
+        <translation>Führung an</translation>
+    </message>
+    <message>
+        <source>guide off</source>
+        <translation>Führung aus</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>law</source>
+        <translation>Regelgesetz</translation>
+    </message>
+    <message>
+        <source>where the control works</source>
+        <translation>wo die Regelung wirkt</translation>
+    </message>
+    <message>
+        <source>passivity</source>
+        <translation>Passivität</translation>
+    </message>
+    <message>
+        <source>reset to scene</source>
+        <translation>auf Szene zurücksetzen</translation>
+    </message>
+    <message>
+        <source>smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>L&amp;ink q1, q2 and q3</source>
+        <translation>q1, q2, q3 &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>L&amp;ink x, y and z</source>
+        <translation>x, y, z &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>Constraint whose gains are shown</source>
+        <translation>Bindung, deren Verstärkungen gezeigt sind</translation>
+    </message>
+    <message>
+        <source>Which constraint of the scene the gains below belong to.</source>
+        <translation>Zu welcher Bindung der Szene die Verstärkungen darunter gehören.</translation>
+    </message>
+    <message>
+        <source>Control law</source>
+        <translation>Regelgesetz</translation>
+    </message>
+    <message>
+        <source>P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e.</source>
+        <translation>P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + Integral von ki e.</translation>
+    </message>
+    <message>
+        <source>P, proportional</source>
+        <translation>P, proportional</translation>
+    </message>
+    <message>
+        <source>PD, with damping</source>
+        <translation>PD, mit Dämpfung</translation>
+    </message>
+    <message>
+        <source>PID, with integral</source>
+        <translation>PID, mit Integral</translation>
+    </message>
+    <message>
+        <source>Nearest point with unequal gains</source>
+        <translation>Nächster Punkt bei ungleichen Verstärkungen</translation>
+    </message>
+    <message>
+        <source>With unequal gains the point of least effort is not the point of least distance. By effort the stylus stays where it is put; by distance, as in the thesis, it may creep.</source>
+        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Nach Aufwand bleibt der Stift, wo er hingesetzt wird; nach Abstand, wie in der Arbeit, kann er kriechen.</translation>
+    </message>
+    <message>
+        <source>by effort (weighted)</source>
+        <translation>nach Aufwand (gewichtet)</translation>
+    </message>
+    <message>
+        <source>by distance (euclidean)</source>
+        <translation>nach Abstand (euklidisch)</translation>
+    </message>
+    <message>
+        <source>Where the control works</source>
+        <translation>Wo die Regelung wirkt</translation>
+    </message>
+    <message>
+        <source>On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.</source>
+        <translation>An der Spitze: f = kp e, Achse für Achse. An den Gelenken: Drehmomente ziehen die Gelenke 1 bis 3 zu denen des Ziels, tau = K (q* - q), f = J^-T tau; die Verstärkungen gelten, wie sie in der Mitte des Arbeitsraums zu fühlen sind.</translation>
+    </message>
+    <message>
+        <source>the tip (Cartesian)</source>
+        <translation>die Spitze (kartesisch)</translation>
+    </message>
+    <message>
+        <source>the joints</source>
+        <translation>die Gelenke</translation>
+    </message>
+    <message>
+        <source>&amp;Constraint</source>
+        <translation>&amp;Bindung</translation>
+    </message>
+    <message>
+        <source>&amp;Law</source>
+        <translation>Re&amp;gelgesetz</translation>
+    </message>
+    <message>
+        <source>&amp;Works on</source>
+        <translation>&amp;Wirkt auf</translation>
+    </message>
+    <message>
+        <source>&amp;Nearest</source>
+        <translation>&amp;Nächster</translation>
+    </message>
+    <message>
+        <source>Link x, y and z</source>
+        <translation>x, y, z koppeln</translation>
+    </message>
+    <message>
+        <source>A change of one axis changes all three.</source>
+        <translation>Die Änderung einer Achse ändert alle drei.</translation>
+    </message>
+    <message>
+        <source>nearest point</source>
+        <translation>nächster Punkt</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>A sampled wall with one tick of delay stays calm for K &lt; (b + B) / (1.5 T); b: the hand's damping, B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly.</source>
+        <translation>Eine abgetastete Wand mit einem Takt Verzögerung bleibt ruhig für K &lt; (b + B) / (1,5 T); b: die Dämpfung der Hand, B: kd, T: der Takt. Verringern Sie die Steifigkeit oder halten Sie den Stift fest.</translation>
+    </message>
+    <message>
+        <source>Why the change was refused</source>
+        <translation>Warum die Änderung abgelehnt wurde</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FiguresRun</name>
+    <message>
+        <source>Another window is making the figures. Wait until it has them, then open this anew.</source>
+        <translation>Ein anderes Fenster erstellt gerade die Abbildungen. Warten Sie, bis es sie hat, und öffnen Sie dies dann erneut.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>Der Ordner %1 ist nicht beschreibbar.</translation>
+    </message>
+    <message>
+        <source>Cancelled: the figures are those from before.</source>
+        <translation>Abgebrochen: Die Abbildungen sind die von zuvor.</translation>
+    </message>
+    <message>
+        <source>The figures could not be put into %1. Make room there, or leave to write.</source>
+        <translation>Die Abbildungen ließen sich nicht in %1 ablegen. Schaffen Sie dort Platz oder das Recht zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The figures were not made, and underact-cli did not say why.</source>
+        <translation>Die Abbildungen wurden nicht erstellt, und underact-cli hat nicht gesagt, warum.</translation>
+    </message>
+    <message>
+        <source>The figures were not made. %1</source>
+        <translation>Die Abbildungen wurden nicht erstellt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FitPage</name>
+    <message>
+        <source>How well the points fit</source>
+        <translation>Wie gut die Punkte passen</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>What does not look right</source>
+        <translation>Was nicht richtig aussieht</translation>
+    </message>
+    <message>
+        <source>Whether it is kept</source>
+        <translation>Ob es gespeichert wird</translation>
+    </message>
+    <message>
+        <source>How far beside each mark its point lies</source>
+        <translation>Wie weit neben jedem Messpunkt sein Punkt liegt</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>beside it, mm</source>
+        <translation>daneben, mm</translation>
+    </message>
+    <message>
+        <source>spread, mm</source>
+        <translation>Streuung, mm</translation>
+    </message>
+    <message>
+        <source>How well it fits</source>
+        <translation>Wie gut es passt</translation>
+    </message>
+    <message>
+        <source>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998.</source>
+        <translation>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West und Maurer, 1998.</translation>
+    </message>
+    <message>
+        <source>The touched points lie beside their marks by %1 mm (root mean square).</source>
+        <translation>Die berührten Punkte liegen um %1 mm neben ihren Messpunkten (quadratisches Mittel).</translation>
+    </message>
+    <message>
+        <source>In the middle of the workspace an error of %1 mm is expected; in 19 of 20 registrations like this one it is at most %2 mm. More marks, and such that are farther apart, make it smaller.</source>
+        <translation>In der Mitte des Arbeitsraums ist ein Fehler von %1 mm zu erwarten; in 19 von 20 Registrierungen wie dieser beträgt er höchstens %2 mm. Mehr Messpunkte, die weiter auseinanderliegen, machen ihn kleiner.</translation>
+    </message>
+    <message>
+        <source>It counts now, but only until the window closes. %1 Press Accept again to close this.</source>
+        <translation>Es gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal Übernehmen, um dies zu schließen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FixDialog</name>
+    <message>
+        <source>Command for a terminal</source>
+        <translation>Befehl für ein Terminal</translation>
+    </message>
+    <message>
+        <source>How to use this arm</source>
+        <translation>Diesen Arm verwenden</translation>
+    </message>
+    <message>
+        <source>What is missing</source>
+        <translation>Was fehlt</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Then paste it into a terminal.</source>
+        <translation>Fügen Sie ihn dann in ein Terminal ein.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FoundPage</name>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Swings that are shown</source>
+        <translation>Gezeigte Schwingungen</translation>
+    </message>
+    <message>
+        <source>Uncertainty: one standard deviation. “below”: not told from zero.</source>
+        <translation>Unsicherheit: eine Standardabweichung. „unter“: nicht von null zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source> Given: what the simulation is made of, or the stiffness that was asked for.</source>
+        <translation> Vorgabe: woraus die Simulation besteht, oder die verlangte Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>Swings along %1 at place %2, the fit leaves %3 µm</source>
+        <translation>Schwingungen längs %1 an Stelle %2, die Anpassung lässt %3 µm übrig</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FrontChart</name>
+    <message>
+        <source>Error of the tip's way against processor time</source>
+        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
+    </message>
+    <message>
+        <source>Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in both.</source>
+        <translation>Jede Art, diese Szene laufen zu lassen: was eine Sekunde davon kostet, Takt und simulierter Arm, und wie weit die Spitze von ihrem Weg bei 16 kHz abweicht, quadratisches Mittel über alle Hände. Auf der Front liegt, was in beidem nicht übertroffen wird.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured.</source>
+        <translation>Nichts ist gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 ways, %2 on the front; %3</source>
+        <translation>%1 Arten, %2 auf der Front; %3</translation>
+    </message>
+    <message>
+        <source>chosen: %1 a second, error %2</source>
+        <translation>gewählt: %1 je Sekunde, Fehler %2</translation>
+    </message>
+    <message>
+        <source>none of them is in effect</source>
+        <translation>keine davon ist in Kraft</translation>
+    </message>
+    <message>
+        <source>error of the tip's way</source>
+        <translation>Fehler des Spitzenwegs</translation>
+    </message>
+    <message>
+        <source>processor time for a second</source>
+        <translation>Prozessorzeit für eine Sekunde</translation>
+    </message>
+    <message>
+        <source>○ a way  ● on the front  ■ as it was  ◎ chosen</source>
+        <translation>○ eine Art  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GalleryDialog</name>
+    <message>
+        <source>figure %1 (%2 of %3)</source>
+        <translation>Abbildung %1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The figures are made in the background; the arm and the window go on. It takes about a minute.</source>
+        <translation>Die Abbildungen werden im Hintergrund erstellt; der Arm und das Fenster laufen weiter. Es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>&amp;Make the figures again</source>
+        <translation>Abbildungen &amp;neu erstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Make the figures</source>
+        <translation>Abbildu&amp;ngen erstellen</translation>
+    </message>
+    <message>
+        <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
+        <translation>Jede Szene der Arbeit wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Made by Underact %1 on %2.</source>
+        <translation>Erstellt von Underact %1 am %2.</translation>
+    </message>
+    <message>
+        <source>This is Underact %1: make them again to see what it does.</source>
+        <translation>Dies ist Underact %1: Erstellen Sie sie neu, um zu sehen, was es tut.</translation>
+    </message>
+    <message>
+        <source>%1  %2
+%3</source>
+        <translation>%1  %2
+%3</translation>
+    </message>
+    <message>
+        <source>Figure %1: %2</source>
+        <translation>Abbildung %1: %2</translation>
+    </message>
+    <message>
+        <source>There is no picture.</source>
+        <translation>Es gibt kein Bild.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>✓ pass</source>
+        <translation>✓ erfüllt</translation>
+    </message>
+    <message>
+        <source>✗ fail</source>
+        <translation>✗ verfehlt</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Figure %1 is in %2</source>
+        <translation>Abbildung %1 ist in %2</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildtext</translation>
+    </message>
+    <message>
+        <source>State of the figures</source>
+        <translation>Stand der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Figures of the thesis</source>
+        <translation>Abbildungen der Arbeit</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Abbildungen</translation>
+    </message>
+    <message>
+        <source>Numbers that the figure must show</source>
+        <translation>Zahlen, die die Abbildung zeigen muss</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Open the scene</source>
+        <translation>S&amp;zene öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the figure's scene in the window, to be felt.</source>
+        <translation>Öffnet die Szene der Abbildung im Fenster, zum Fühlen.</translation>
+    </message>
+    <message>
+        <source>Open the s&amp;ession</source>
+        <translation>S&amp;itzung öffnen</translation>
+    </message>
+    <message>
+        <source>Replays the run that the figure was drawn from.</source>
+        <translation>Gibt den Lauf wieder, aus dem die Abbildung gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;PDF…</source>
+        <translation>Als &amp;PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Keeps the figure as it was drawn for print.</source>
+        <translation>Speichert die Abbildung, wie sie für den Druck gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Runs every scene of the thesis anew, draws and checks.</source>
+        <translation>Führt jede Szene der Arbeit neu aus, zeichnet und prüft.</translation>
+    </message>
+    <message>
+        <source>Show the pa&amp;ge</source>
+        <translation>Sei&amp;te zeigen</translation>
+    </message>
+    <message>
+        <source>Opens all figures as one page in the browser.</source>
+        <translation>Öffnet alle Abbildungen als eine Seite im Browser.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Closes this. A making that goes on is ended.</source>
+        <translation>Schließt dies. Ein laufendes Erstellen wird beendet.</translation>
+    </message>
+    <message>
+        <source>No program opens the page here. It is %1</source>
+        <translation>Kein Programm öffnet hier die Seite. Sie ist %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GuideList</name>
+    <message>
+        <source>Contents of the guide</source>
+        <translation>Inhalt des Handbuchs</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Nichts wurde gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GuideSection</name>
+    <message>
+        <source>A &amp;guide leads along it</source>
+        <translation>Eine &amp;Führung zieht mit</translation>
+    </message>
+    <message>
+        <source>Along the curve</source>
+        <translation>Entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>A guide leads along the curve</source>
+        <translation>Eine Führung zieht an der Kurve entlang</translation>
+    </message>
+    <message>
+        <source>Off, the stylus is held to the nearest point of the curve. On, a point runs ahead of the hand along the curve, draws it on, and waits for it.</source>
+        <translation>Aus: Der Stift wird am nächsten Punkt der Kurve gehalten. An: Ein Punkt läuft der Hand auf der Kurve voraus, zieht sie weiter und wartet auf sie.</translation>
+    </message>
+    <message>
+        <source>guide on</source>
+        <translation>Führung an</translation>
+    </message>
+    <message>
+        <source>guide off</source>
+        <translation>Führung aus</translation>
+    </message>
+    <message>
+        <source>How fast the guide runs.</source>
+        <translation>Wie schnell die Führung läuft.</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Speed of the guide</source>
+        <translation>Tempo der Führung</translation>
+    </message>
+    <message>
+        <source>0: to the guide; 1: to the point nearest to the tip; between them along the curve: s = s_guide + t (s_hand - s_guide).</source>
+        <translation>0: zur Führung; 1: zum Punkt, der der Spitze am nächsten ist; dazwischen entlang der Kurve: s = s_guide + t (s_hand - s_guide).</translation>
+    </message>
+    <message>
+        <source>Influence of the hand's own place on the curve</source>
+        <translation>Einfluss der Stelle der Hand auf der Kurve</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nächster</translation>
+    </message>
+    <message>
+        <source>How far ahead of the hand the guide goes at most. There it waits.</source>
+        <translation>Wie weit die Führung der Hand höchstens vorausgeht. Dort wartet sie.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Vorlauf</translation>
+    </message>
+    <message>
+        <source>Lead of the guide</source>
+        <translation>Vorlauf der Führung</translation>
+    </message>
+    <message>
+        <source>bac&amp;kwards</source>
+        <translation>rü&amp;ckwärts</translation>
+    </message>
+    <message>
+        <source>The guide runs backwards</source>
+        <translation>Die Führung läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>guide t</source>
+        <translation>Führung t</translation>
+    </message>
+    <message>
+        <source>lead of the guide</source>
+        <translation>Vorlauf der Führung</translation>
+    </message>
+    <message>
+        <source>speed of the guide</source>
+        <translation>Tempo der Führung</translation>
+    </message>
+    <message>
+        <source>way of the guide</source>
+        <translation>Richtung der Führung</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GuideTool</name>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>The guide, at the page for what has the focus.</source>
+        <translation>Das Handbuch, auf der Seite zu dem, was den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>The guide's pages are not beside the program.</source>
+        <translation>Die Seiten des Handbuchs liegen nicht neben dem Programm.</translation>
+    </message>
+    <message>
+        <source>The guide cannot be opened.</source>
+        <translation>Das Handbuch lässt sich nicht öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GuideWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Page of the guide</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The page before (Alt+Left)</source>
+        <translation>Die Seite davor (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>The page after (Alt+Right)</source>
+        <translation>Die Seite danach (Alt+Rechts)</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Search the guide (Ctrl+F)</source>
+        <translation>Handbuch durchsuchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Enter opens what is chosen in the list, F3 goes to the next place on the page.</source>
+        <translation>Eingabe öffnet, was in der Liste gewählt ist, F3 geht zur nächsten Stelle auf der Seite.</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Smaller text (Ctrl+minus)</source>
+        <translation>Kleinerer Text (Strg+Minus)</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Larger text (Ctrl+plus)</source>
+        <translation>Größerer Text (Strg+Plus)</translation>
+    </message>
+    <message>
+        <source>%1 – Guide</source>
+        <translation>%1 – Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Hand</name>
+    <message>
+        <source>Replaying: forces go to no arm.</source>
+        <translation>Wiedergabe: Kräfte gehen an keinen Arm.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::HandsPanel</name>
+    <message>
+        <source>something is missing</source>
+        <translation>etwas fehlt</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>moves the stylus</source>
+        <translation>bewegt den Stift</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>What the hands do</source>
+        <translation>Was die Hände tun</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>Hände</translation>
+    </message>
+    <message>
+        <source>What is there; one without its tick moves nothing.</source>
+        <translation>Was da ist; was kein Häkchen hat, bewegt nichts.</translation>
+    </message>
+    <message>
+        <source>About the selected hand</source>
+        <translation>Über die gewählte Hand</translation>
+    </message>
+    <message>
+        <source>How to fix it…</source>
+        <translation>Abhilfe …</translation>
+    </message>
+    <message>
+        <source>Shows the command that mends what is missing.</source>
+        <translation>Zeigt den Befehl, der behebt, was fehlt.</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard – always</source>
+        <translation>Maus und Tastatur – immer</translation>
+    </message>
+    <message>
+        <source>Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A controller or 3D mouse that is plugged in comes into this list.</source>
+        <translation>Ziehen Sie den Stift in der Ansicht, oder klicken Sie in die Ansicht und drücken Sie die Pfeiltasten. Umschalt+F1 listet alle auf. Ein Gamepad oder eine 3D-Maus kommt beim Anschließen in diese Liste.</translation>
+    </message>
+    <message>
+        <source>A %1, untested. Its mapping is kept.</source>
+        <translation>%1, nicht erprobt. Die Zuordnung wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Whatever is moved moves the simulated hand.</source>
+        <translation>Was immer bewegt wird, bewegt die simulierte Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::HelpDialog</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>What the mouse and the keys do</source>
+        <translation>Was die Maus und die Tasten tun</translation>
+    </message>
+    <message>
+        <source>What you see is the hand's world: the constraint in blue, the stylus, the point it is drawn to in green, the force in orange. Start lets the servo push, Stop and Esc let go.</source>
+        <translation>Was Sie sehen, ist die Welt der Hand: die Bindung in Blau, der Stift, der Punkt, zu dem er gezogen wird, in Grün, die Kraft in Orange. Start lässt den Servo drücken, Stopp und Esc lassen los.</translation>
+    </message>
+    <message>
+        <source>The hand and the view</source>
+        <translation>Die Hand und die Ansicht</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::HomeSection</name>
+    <message>
+        <source>Tip at home</source>
+        <translation>Spitze in Grundstellung</translation>
+    </message>
+    <message>
+        <source>Where the tip V is while all joints are at 0, and how it is turned: about x, then y, then z of W, R = Rz Ry Rx. The stylus is drawn to V, and its z to V's.</source>
+        <translation>Wo die Spitze V ist, wenn alle Gelenke auf 0 stehen, und wie sie gedreht ist: um x, dann y, dann z von W, R = Rz Ry Rx. Der Stift wird zu V gezogen und sein z zu dem von V.</translation>
+    </message>
+    <message>
+        <source>The robot's tip at home</source>
+        <translation>Die Spitze des Roboters in Grundstellung</translation>
+    </message>
+    <message>
+        <source>Along, and about, %1 of W.</source>
+        <translation>Entlang und um %1 von W.</translation>
+    </message>
+    <message>
+        <source>place [mm]</source>
+        <translation>Ort [mm]</translation>
+    </message>
+    <message>
+        <source>turn [°]</source>
+        <translation>Drehung [°]</translation>
+    </message>
+    <message>
+        <source>tip at home, %1, mm</source>
+        <translation>Spitze in Grundstellung, %1, mm</translation>
+    </message>
+    <message>
+        <source>Where the tip is at home, in W.</source>
+        <translation>Wo die Spitze in Grundstellung ist, in W.</translation>
+    </message>
+    <message>
+        <source>turn of the tip about %1, degrees</source>
+        <translation>Drehung der Spitze um %1, Grad</translation>
+    </message>
+    <message>
+        <source>How the tip is turned at home: R = Rz Ry Rx.</source>
+        <translation>Wie die Spitze in Grundstellung gedreht ist: R = Rz Ry Rx.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::IdentifyRun</name>
+    <message>
+        <source>Another scene was opened, so the measurement was ended.</source>
+        <translation>Eine andere Szene wurde geöffnet, daher wurde die Messung beendet.</translation>
+    </message>
+    <message>
+        <source>A recording was opened, so the measurement was ended.</source>
+        <translation>Eine Aufzeichnung wurde geöffnet, daher wurde die Messung beendet.</translation>
+    </message>
+    <message>
+        <source>Another arm is simulated now, so the measurement was ended.</source>
+        <translation>Jetzt wird ein anderer Arm simuliert, daher wurde die Messung beendet.</translation>
+    </message>
+    <message>
+        <source>%1 Force is off. When that is mended, press “Repeat this part”.</source>
+        <translation>%1 Die Kraft ist aus. Wenn das behoben ist, drücken Sie „Diesen Teil wiederholen“.</translation>
+    </message>
+    <message>
+        <source>The servo was stopped.</source>
+        <translation>Der Servo wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.</source>
+        <translation>Die Taktrate des Servos wurde inzwischen geändert. Stellen Sie sie auf %1 Hz zurück, oder gehen Sie zurück und beginnen Sie neu.</translation>
+    </message>
+    <message>
+        <source>The scene is for another arm now, so the measurement was ended.</source>
+        <translation>Die Szene ist jetzt für einen anderen Arm, daher wurde die Messung beendet.</translation>
+    </message>
+    <message>
+        <source>The scene was changed meanwhile.</source>
+        <translation>Die Szene wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>Evaluating</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>A simulated hand does it: %1</source>
+        <translation>Eine simulierte Hand tut es: %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::IdentifyTool</name>
+    <message>
+        <source>&amp;Measure the arm…</source>
+        <translation>Arm &amp;vermessen …</translation>
+    </message>
+    <message>
+        <source>Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.</source>
+        <translation>Masse, Reibung, Dämpfung, Encoder und dargestellte Steifigkeit des vorhandenen Arms, Schritt für Schritt.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a measured arm…</source>
+        <translation>Vermessenen Arm ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>The simulated arm becomes one that was measured, from its file.</source>
+        <translation>Der simulierte Arm wird zu einem, der vermessen wurde, aus dessen Datei.</translation>
+    </message>
+    <message>
+        <source>Open a measured arm</source>
+        <translation>Vermessenen Arm öffnen</translation>
+    </message>
+    <message>
+        <source>Arm models (*.json)</source>
+        <translation>Armmodelle (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Vendor's arm</source>
+        <translation>&amp;Herstellerarm</translation>
+    </message>
+    <message>
+        <source>The simulated arm is made of the vendor's figures again.</source>
+        <translation>Der simulierte Arm besteht wieder aus den Angaben des Herstellers.</translation>
+    </message>
+    <message>
+        <source>Measured arm</source>
+        <translation>Vermessener Arm</translation>
+    </message>
+    <message>
+        <source>This file is no arm that can be simulated. The arm stays as it is.</source>
+        <translation>Diese Datei ist kein Arm, der sich simulieren lässt. Der Arm bleibt, wie er ist.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::IdentifyWizard</name>
+    <message>
+        <source>Measure the arm</source>
+        <translation>Arm vermessen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::InfluenceSection</name>
+    <message>
+        <source>&amp;Turn of the stylus counts</source>
+        <translation>&amp;Drehung des Stifts zählt</translation>
+    </message>
+    <message>
+        <source>Influence t</source>
+        <translation>Einfluss t</translation>
+    </message>
+    <message>
+        <source>Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the point nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3).</source>
+        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der seiner Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Gleichung 5.3 der Arbeit).</translation>
+    </message>
+    <message>
+        <source>Turn of the stylus counts</source>
+        <translation>Drehung des Stifts zählt</translation>
+    </message>
+    <message>
+        <source>Off, the target is the nearest point: position only. On, turning the stylus moves the target.</source>
+        <translation>Aus: Das Ziel ist der nächste Punkt, nur die Position zählt. An: Das Drehen des Stifts bewegt das Ziel.</translation>
+    </message>
+    <message>
+        <source>influence on</source>
+        <translation>Einfluss an</translation>
+    </message>
+    <message>
+        <source>influence off</source>
+        <translation>Einfluss aus</translation>
+    </message>
+    <message>
+        <source>0: the point that the stylus points at; 1: the point nearest to the tip; between them along the shorter arc: theta = alpha + t wrap(beta - alpha).</source>
+        <translation>0: der Punkt, auf den der Stift zeigt; 1: der Punkt, der der Spitze am nächsten ist; dazwischen entlang des kürzeren Bogens: theta = alpha + t wrap(beta - alpha).</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Within this angle of the shape's axis the stylus's direction says less and less, and the target goes over to position smoothly.</source>
+        <translation>Innerhalb dieses Winkels zur Achse der Form sagt die Richtung des Stifts immer weniger, und das Ziel geht glatt zur Position über.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Blend width</source>
+        <translation>Übergangsbreite</translation>
+    </message>
+    <message>
+        <source>Direction of the stylus that counts</source>
+        <translation>Richtung des Stifts, die zählt</translation>
+    </message>
+    <message>
+        <source>Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.</source>
+        <translation>Mit welcher Richtung der Stift auf die Form zeigt: z von Koordinatensystem 6 läuft von der Spitze in die Hand.</translation>
+    </message>
+    <message>
+        <source>+z, from the tip to the hand</source>
+        <translation>+z, von der Spitze zur Hand</translation>
+    </message>
+    <message>
+        <source>−z, from the hand to the tip</source>
+        <translation>−z, von der Hand zur Spitze</translation>
+    </message>
+    <message>
+        <source>&amp;Stylus axis</source>
+        <translation>&amp;Stiftachse</translation>
+    </message>
+    <message>
+        <source>influence t</source>
+        <translation>Einfluss t</translation>
+    </message>
+    <message>
+        <source>blend width</source>
+        <translation>Übergangsbreite</translation>
+    </message>
+    <message>
+        <source>stylus axis</source>
+        <translation>Stiftachse</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::IntroPage</name>
+    <message>
+        <source>Measure the arm</source>
+        <translation>Den Arm vermessen</translation>
+    </message>
+    <message>
+        <source>This finds, on the arm at hand, what the tip feels like: its mass, friction and damping along x, y and z, the steps of its encoders, and the stiffness that is really rendered. It ends with a file of the arm and a report.</source>
+        <translation>Hier wird am vorhandenen Arm ermittelt, wie sich die Spitze anfühlt: Masse, Reibung und Dämpfung entlang x, y und z, die Schritte der Encoder und die Steifigkeit, die wirklich dargestellt wird. Am Ende stehen eine Datei des Arms und ein Bericht.</translation>
+    </message>
+    <message>
+        <source>The arm is a simulated one, and a simulated hand does what is asked. It takes half a minute.</source>
+        <translation>Der Arm ist simuliert, und eine simulierte Hand tut, was verlangt wird. Es dauert eine halbe Minute.</translation>
+    </message>
+    <message>
+        <source>First let go: for about 20 seconds the arm moves the stylus by itself, 20 mm to each side, with at most the force that any scene may use. Then you take the stylus, press it slowly, and turn it. It takes about a minute.</source>
+        <translation>Lassen Sie zuerst los: Etwa 20 Sekunden lang bewegt der Arm den Stift selbst, 20 mm nach jeder Seite, höchstens mit der Kraft, die jede Szene verwenden darf. Danach nehmen Sie den Stift, drücken ihn langsam und drehen ihn. Es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Esc stops the force at any time. The scene that is open now is there again afterwards.</source>
+        <translation>Esc beendet die Kraft jederzeit. Die jetzt geöffnete Szene ist danach wieder da.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::JacobianSection</name>
+    <message>
+        <source>Jacobian</source>
+        <translation>Jacobi-Matrix</translation>
+    </message>
+    <message>
+        <source>How fast the tip moves (v, m/rad) and turns (ω, rad/rad) for each joint's rate, in the workspace frame: (v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Eq. 3.5 derived.</source>
+        <translation>Wie schnell sich die Spitze bewegt (v, m/rad) und dreht (ω, rad/rad), je Geschwindigkeit jedes Gelenks, im Koordinatensystem des Arbeitsraums: (v, ω) = J dq/dt; die Gelenkdrehmomente sind τ = Jᵀ F. Hergeleitet aus Gl. 3.5.</translation>
+    </message>
+    <message>
+        <source>Speed of the tip along %1 of W for each joint's rate, m/rad.</source>
+        <translation>Geschwindigkeit der Spitze entlang %1 von W je Geschwindigkeit jedes Gelenks, m/rad.</translation>
+    </message>
+    <message>
+        <source>Turning of the stylus about %1 of W for each joint's rate, rad/rad.</source>
+        <translation>Drehung des Stifts um %1 von W je Geschwindigkeit jedes Gelenks, rad/rad.</translation>
+    </message>
+    <message>
+        <source>&amp;Position only, J_p (3 × 3)</source>
+        <translation>Nur &amp;Position, J_p (3 × 3)</translation>
+    </message>
+    <message>
+        <source>Only the position part of the Jacobian</source>
+        <translation>Nur der Positionsteil der Jacobi-Matrix</translation>
+    </message>
+    <message>
+        <source>Joints 4 to 6 turn the stylus about its tip and do not move it: v = J_p (q1, q2, q3)'.</source>
+        <translation>Die Gelenke 4 bis 6 drehen den Stift um seine Spitze und bewegen sie nicht: v = J_p (q1, q2, q3)'.</translation>
+    </message>
+    <message>
+        <source>det J_p</source>
+        <translation>det J_p</translation>
+    </message>
+    <message>
+        <source>L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)), per rad³; 0 at a singularity.</source>
+        <translation>L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)), je rad³; 0 an einer Singularität.</translation>
+    </message>
+    <message>
+        <source>Manipulability</source>
+        <translation>Manipulierbarkeit</translation>
+    </message>
+    <message>
+        <source>Yoshikawa's measure of J_p, |det J_p|.</source>
+        <translation>Yoshikawas Maß für J_p, |det J_p|.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Kondition</translation>
+    </message>
+    <message>
+        <source>Largest over smallest singular value of J_p: 1 is alike in all directions.</source>
+        <translation>Größter durch kleinsten Singulärwert von J_p: 1 heißt gleich in allen Richtungen.</translation>
+    </message>
+    <message>
+        <source>Singular values</source>
+        <translation>Singulärwerte</translation>
+    </message>
+    <message>
+        <source>Of J_p: how far the tip goes along the motion ellipsoid's axes, for each rad of joint turn. A force along the same axis is one over it for each N m of joint torque.</source>
+        <translation>Von J_p: wie weit die Spitze entlang der Achsen des Bewegungsellipsoids kommt, je rad Gelenkdrehung. Eine Kraft entlang derselben Achse ist der Kehrwert davon, je N m Gelenkdrehmoment.</translation>
+    </message>
+    <message>
+        <source>%1 m³</source>
+        <translation>%1 m³</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 m/rad</source>
+        <translation>%1, %2, %3 m/rad</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::JobStrip</name>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel the work on the session</source>
+        <translation>Die Arbeit an der Sitzung abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the work.</source>
+        <translation>Beendet die Arbeit.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Drawing the plots of %1</source>
+        <translation>Diagramme von %1 werden gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::JointRow</name>
+    <message>
+        <source>Joint %1, %2, slider</source>
+        <translation>Gelenk %1, %2, Schieberegler</translation>
+    </message>
+    <message>
+        <source>Joint %1, %2, degrees</source>
+        <translation>Gelenk %1, %2, Grad</translation>
+    </message>
+    <message>
+        <source>Joint %1, limits</source>
+        <translation>Gelenk %1, Grenzen</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>Limits %1° to %2°</source>
+        <translation>Grenzen %1° bis %2°</translation>
+    </message>
+    <message>
+        <source>, marked below the slider.</source>
+        <translation>, unter dem Schieberegler markiert.</translation>
+    </message>
+    <message>
+        <source>at limit</source>
+        <translation>an Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::JointsSection</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>The joint angles q of the DH table, as the arm's encoders say.</source>
+        <translation>Die Gelenkwinkel q der DH-Tabelle, wie die Encoder des Arms sie melden.</translation>
+    </message>
+    <message>
+        <source>turret</source>
+        <translation>Drehturm</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>shin</source>
+        <translation>Unterschenkel</translation>
+    </message>
+    <message>
+        <source>gimbal 1</source>
+        <translation>Kardan 1</translation>
+    </message>
+    <message>
+        <source>gimbal 2</source>
+        <translation>Kardan 2</translation>
+    </message>
+    <message>
+        <source>gimbal 3</source>
+        <translation>Kardan 3</translation>
+    </message>
+    <message>
+        <source>Angle q%1 of table 3.1; measured and driven.</source>
+        <translation>Winkel q%1 der Tabelle 3.1; gemessen und angetrieben.</translation>
+    </message>
+    <message>
+        <source>Angle q%1 of table 3.1; measured, not driven.</source>
+        <translation>Winkel q%1 der Tabelle 3.1; gemessen, nicht angetrieben.</translation>
+    </message>
+    <message>
+        <source>A slider moves the hand, and the hand takes the arm there.</source>
+        <translation>Ein Schieberegler bewegt die Hand, und die Hand nimmt den Arm mit.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::KeepPage</name>
+    <message>
+        <source>Keep it</source>
+        <translation>Aufbewahren</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>A short name, as it stands in the status line.</source>
+        <translation>Ein kurzer Name, wie er in der Statuszeile steht.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Provenance</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Save the arm…</source>
+        <translation>Arm &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>A file for --arm-model and for here.</source>
+        <translation>Eine Datei für --arm-model und für hier.</translation>
+    </message>
+    <message>
+        <source>Save the &amp;report…</source>
+        <translation>&amp;Bericht speichern …</translation>
+    </message>
+    <message>
+        <source>A Markdown file.</source>
+        <translation>Eine Markdown-Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Use this arm</source>
+        <translation>Arm &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>The simulated arm is this one from now on, until it is changed back.</source>
+        <translation>Der simulierte Arm ist ab jetzt dieser, bis er zurückgeändert wird.</translation>
+    </message>
+    <message>
+        <source>Save the arm</source>
+        <translation>Arm speichern</translation>
+    </message>
+    <message>
+        <source>Arm models (*.json)</source>
+        <translation>Armmodelle (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Markdown (*.md)</source>
+        <translation>Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>measured-%1</source>
+        <translation>measured-%1</translation>
+    </message>
+    <message>
+        <source>%1, measured on %2</source>
+        <translation>%1, vermessen am %2</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2.</source>
+        <translation>%1 konnte nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>The simulated arm is “%1” now.</source>
+        <translation>Der simulierte Arm ist jetzt „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::KinematicsPanel</name>
+    <message>
+        <source>&amp;Kinematics, all of it</source>
+        <translation>&amp;Kinematik, vollständig</translation>
+    </message>
+    <message>
+        <source>Opens the kinematics panel and shows link frames, inverse solutions and both ellipsoids; once more: hides them.</source>
+        <translation>Öffnet den Bereich Kinematik und zeigt Glied-Koordinatensysteme, inverse Lösungen und beide Ellipsoide; nochmals: blendet sie aus.</translation>
+    </message>
+    <message>
+        <source>v: the tip's way for 0.25 rad of joint turn. f: the force of 0.05 N m.</source>
+        <translation>v: der Weg der Spitze bei 0,25 rad Gelenkdrehung. f: die Kraft bei 0,05 N m.</translation>
+    </message>
+    <message>
+        <source>A recording moves the arm: close the session, then the sliders do.</source>
+        <translation>Eine Aufzeichnung bewegt den Arm: Schließen Sie die Sitzung, dann tun es die Schieberegler.</translation>
+    </message>
+    <message>
+        <source>A real arm is moved by hand: these only show where it is.</source>
+        <translation>Ein echter Arm wird von Hand bewegt: Diese zeigen nur, wo er ist.</translation>
+    </message>
+    <message>
+        <source>The servo is running. Press Stop (Esc), then the sliders move the arm.</source>
+        <translation>Der Servo läuft. Drücken Sie Stopp (Esc), dann bewegen die Schieberegler den Arm.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LabPanel</name>
+    <message>
+        <source>Measuring. Window and servo go on; leave the scene as it is.</source>
+        <translation>Messung läuft. Fenster und Servo laufen weiter; lassen Sie die Szene, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Cancelling: the run that is on its way ends first.</source>
+        <translation>Abbruch: Der laufende Durchgang endet zuerst.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was kept: a part would look like the whole.</source>
+        <translation>Abgebrochen. Nichts wurde behalten: Ein Teil sähe wie das Ganze aus.</translation>
+    </message>
+    <message>
+        <source>The scene was changed meanwhile: what was measured is of another one. Measure again.</source>
+        <translation>Die Szene wurde inzwischen geändert: Gemessen wurde eine andere. Messen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What could be measured stands below. Softer gains may help.</source>
+        <translation>Der feinste Durchgang dieser Szene oder jeder andere endete mit einer Störung, also gibt es keine Front, auf der man gehen kann. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
+    </message>
+    <message>
+        <source> The rate stays at %1 Hz. </source>
+        <translation> Die Taktrate bleibt bei %1 Hz. </translation>
+    </message>
+    <message>
+        <source> The servo stays at %1 Hz.</source>
+        <translation> Der Servo bleibt bei %1 Hz.</translation>
+    </message>
+    <message>
+        <source>The scene was changed: the figures were of another one and are gone. Measure again.</source>
+        <translation>Die Szene wurde geändert: Die Zahlen galten für eine andere und sind weg. Messen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>speed or accuracy</source>
+        <translation>Tempo oder Genauigkeit</translation>
+    </message>
+    <message>
+        <source>The scene stays. %1</source>
+        <translation>Die Szene bleibt. %1</translation>
+    </message>
+    <message>
+        <source>The rate stays at %1 Hz. %2</source>
+        <translation>Die Taktrate bleibt bei %1 Hz. %2</translation>
+    </message>
+    <message>
+        <source>A tick of this scene: %1 predicted, %2 % of its period of %3 at %4 Hz.</source>
+        <translation>Ein Takt dieser Szene: %1 vorhergesagt, %2 % seiner Periode von %3 bei %4 Hz.</translation>
+    </message>
+    <message>
+        <source>There is nothing to choose from yet.</source>
+        <translation>Es gibt noch nichts zur Auswahl.</translation>
+    </message>
+    <message>
+        <source>What is set now is none of the ways that were measured.</source>
+        <translation>Was jetzt eingestellt ist, wurde so nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 of processor time a second, the tip %2 off its way, the force %3 N.</source>
+        <translation>%1 Rechenzeit je Sekunde, die Spitze %2 neben ihrem Weg, die Kraft %3 N.</translation>
+    </message>
+    <message>
+        <source>The rate of %1 Hz comes when you let go of the slider; the force lets go for a moment then.</source>
+        <translation>Die Taktrate von %1 Hz kommt, wenn Sie den Regler loslassen; die Kraft setzt dann kurz aus.</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Nothing differs from how it was measured.</source>
+        <translation>Nichts weicht von der Messung ab.</translation>
+    </message>
+    <message>
+        <source>Measured: %1 ways to run this scene, %2 of them on the front.</source>
+        <translation>Gemessen: %1 Arten, diese Szene auszuführen, davon %2 auf der Front.</translation>
+    </message>
+    <message>
+        <source>Open a scene: then it can be measured.</source>
+        <translation>Öffnen Sie eine Szene: Dann kann sie gemessen werden.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Measure runs this scene on a simulated arm of its own, in every way that it can be run, and lays what each costs against how far it is off: about %1 here. Window and servo go on.</source>
+        <translation>Noch ist nichts gemessen. „Messen“ führt diese Szene an einem eigenen simulierten Arm auf jede mögliche Art aus und stellt gegenüber, was jede kostet und wie weit sie danebenliegt: hier etwa %1. Fenster und Servo laufen weiter.</translation>
+    </message>
+    <message>
+        <source> The arm that is simulated here has the vendor's figures, not those of “%1”.</source>
+        <translation> Der hier simulierte Arm hat die Zahlen des Herstellers, nicht die von „%1“.</translation>
+    </message>
+    <message>
+        <source>What this scene offers</source>
+        <translation>Was diese Szene bietet</translation>
+    </message>
+    <message>
+        <source>What a tick is predicted to take</source>
+        <translation>Was ein Takt voraussichtlich braucht</translation>
+    </message>
+    <message>
+        <source>Hands that hold the stylus</source>
+        <translation>Hände, die den Stift halten</translation>
+    </message>
+    <message>
+        <source>Who moves the simulated stylus while it is measured.</source>
+        <translation>Wer den simulierten Stift während der Messung bewegt.</translation>
+    </message>
+    <message>
+        <source>All hands</source>
+        <translation>Alle Hände</translation>
+    </message>
+    <message>
+        <source>Length of each run, s</source>
+        <translation>Länge jedes Durchgangs, s</translation>
+    </message>
+    <message>
+        <source>How long each run is, in the time of the simulated arm.</source>
+        <translation>Wie lang jeder Durchgang ist, in der Zeit des simulierten Arms.</translation>
+    </message>
+    <message>
+        <source> s each</source>
+        <translation> s je Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measures cost and error of every choice, and the front of all ways to run this scene.</source>
+        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Arten, diese Szene auszuführen.</translation>
+    </message>
+    <message>
+        <source>Measure speed and accuracy of this scene</source>
+        <translation>Tempo und Genauigkeit dieser Szene messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the measurement; nothing is kept.</source>
+        <translation>Beendet die Messung; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Cancel the measurement</source>
+        <translation>Die Messung abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
+    </message>
+    <message>
+        <source>What there is to know of the measurement</source>
+        <translation>Was über die Messung zu wissen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Hands</source>
+        <translation>&amp;Hände</translation>
+    </message>
+    <message>
+        <source>R&amp;uns</source>
+        <translation>Lä&amp;ufe</translation>
+    </message>
+    <message>
+        <source>From speed to accuracy</source>
+        <translation>Von Tempo zu Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Along the front: from the cheapest way to run this scene to the most exact. The mark is how it was; a double click goes back there.</source>
+        <translation>Entlang der Front: von der billigsten Art, diese Szene auszuführen, zur genauesten. Die Marke zeigt, wie es war; ein Doppelklick geht dorthin zurück.</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>Tem&amp;po</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Was gewählt ist</translation>
+    </message>
+    <message>
+        <source>What differs from how the scene was</source>
+        <translation>Was von der vorigen Szene abweicht</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>Wie &amp;vorher</translation>
+    </message>
+    <message>
+        <source>Puts scene and servo rate back to how they were when they were measured.</source>
+        <translation>Setzt Szene und Servo-Taktrate auf den Stand der Messung zurück.</translation>
+    </message>
+    <message>
+        <source>As it was when it was measured</source>
+        <translation>Wie es bei der Messung war</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LatenessChart</name>
+    <message>
+        <source>How often ticks were how late</source>
+        <translation>Wie oft Takte wie sehr verspätet waren</translation>
+    </message>
+    <message>
+        <source>Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick was late.</source>
+        <translation>Takte nach der Verspätung ihres Beginns, beide Skalen logarithmisch. Die Linie ist eine Periode: Rechts davon war ein Takt verspätet.</translation>
+    </message>
+    <message>
+        <source>99 of 100 ticks at most %1 µs late</source>
+        <translation>99 von 100 Takten höchstens %1 µs verspätet</translation>
+    </message>
+    <message>
+        <source>1 µs</source>
+        <translation>1 µs</translation>
+    </message>
+    <message>
+        <source>1 ms</source>
+        <translation>1 ms</translation>
+    </message>
+    <message>
+        <source>100 ms</source>
+        <translation>100 ms</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LessonList</name>
+    <message>
+        <source>About the selected lesson</source>
+        <translation>Über die gewählte Lektion</translation>
+    </message>
+    <message>
+        <source>Why the lesson was not begun</source>
+        <translation>Warum die Lektion nicht begonnen wurde</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Enter or a click begins a lesson; the scene and panels of now come back after it.</source>
+        <translation>Eingabe oder ein Klick beginnt eine Lektion; Szene und Bereiche von jetzt kommen danach zurück.</translation>
+    </message>
+    <message>
+        <source>Open a lesson file</source>
+        <translation>Eine Lektionsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>○ %1 (%2 of %3)</source>
+        <translation>○ %1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 steps solved</source>
+        <translation>%1, %2 von %3 Schritten gelöst</translation>
+    </message>
+    <message>
+        <source>Opened lately</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LessonPage</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Text des Schritts</translation>
+    </message>
+    <message>
+        <source>Name in the report</source>
+        <translation>Name im Bericht</translation>
+    </message>
+    <message>
+        <source>Name in the report (may stay empty)</source>
+        <translation>Name im Bericht (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>It is written into the report alone, and kept nowhere else.</source>
+        <translation>Er wird nur in den Bericht geschrieben und nirgends sonst gespeichert.</translation>
+    </message>
+    <message>
+        <source>**Hint:**</source>
+        <translation>**Hinweis:**</translation>
+    </message>
+    <message>
+        <source>%1 – step %2 of %3</source>
+        <translation>%1 – Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>✓ %1 (solved)</source>
+        <translation>✓ %1 (gelöst)</translation>
+    </message>
+    <message>
+        <source>The servo is stopped. Press Start (F5) to feel the force.</source>
+        <translation>Der Servo ist gestoppt. Drücken Sie Start (F5), um die Kraft zu spüren.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LessonRun</name>
+    <message>
+        <source>“%1” has mistakes, which are listed.</source>
+        <translation>„%1“ enthält Fehler, die aufgelistet sind.</translation>
+    </message>
+    <message>
+        <source>A recorded session is being replayed. Close it, then begin the lesson.</source>
+        <translation>Eine aufgezeichnete Sitzung wird wiedergegeben. Schließen Sie sie und beginnen Sie dann die Lektion.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LessonsPanel</name>
+    <message>
+        <source>&amp;Open a lesson…</source>
+        <translation>Le&amp;ktion öffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a lesson file, as a teacher writes it.</source>
+        <translation>Öffnet eine Lektionsdatei, wie eine Lehrkraft sie schreibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>Lektion &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>Back to the scene and the panels of before.</source>
+        <translation>Zurück zur Szene und zu den Bereichen von vorher.</translation>
+    </message>
+    <message>
+        <source>Save &amp;report…</source>
+        <translation>&amp;Bericht speichern …</translation>
+    </message>
+    <message>
+        <source>Saves what was done in the lesson, and what was measured, as a page.</source>
+        <translation>Speichert als Seite, was in der Lektion getan und gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>The next step of the lesson.</source>
+        <translation>Der nächste Schritt der Lektion.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>The step of the lesson before this one.</source>
+        <translation>Der vorige Schritt der Lektion.</translation>
+    </message>
+    <message>
+        <source>&amp;Show me</source>
+        <translation>Zei&amp;gen</translation>
+    </message>
+    <message>
+        <source>Shows a hint for this step, below its text.</source>
+        <translation>Zeigt einen Hinweis zu diesem Schritt unter seinem Text.</translation>
+    </message>
+    <message>
+        <source>Lesson not opened</source>
+        <translation>Lektion nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>Open another lesson file</source>
+        <translation>Eine andere Lektionsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1. Choose another place.</source>
+        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html);;All files (*)</source>
+        <translation>Webseiten (*.html);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LimitsSection</name>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>What the gate takes off the force on its way to the arm.</source>
+        <translation>Was die Kraftschleuse der Kraft auf dem Weg zum Arm nimmt.</translation>
+    </message>
+    <message>
+        <source>−0.00 N</source>
+        <translation>−0.00 N</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>After Start the force comes in within 0.3 s, after Stop it goes within 0.05 s; the bar is the share that is held back.</source>
+        <translation>Nach Start kommt die Kraft innerhalb von 0,3 s, nach Stopp geht sie innerhalb von 0,05 s; der Balken ist der Anteil, der zurückgehalten wird.</translation>
+    </message>
+    <message>
+        <source>How warm motor %1 would be, of what it bears for good. Assumed, not measured: torque squared warms it, with a time constant of 60 s.</source>
+        <translation>Wie warm Motor %1 wäre, gemessen an dem, was er auf Dauer verträgt. Angenommen, nicht gemessen: Das Drehmoment im Quadrat erwärmt ihn, mit einer Zeitkonstante von 60 s.</translation>
+    </message>
+    <message>
+        <source>Heat of the motors (assumed)</source>
+        <translation>Wärme der Motoren (angenommen)</translation>
+    </message>
+    <message>
+        <source>1, 2 or 3</source>
+        <translation>1, 2 oder 3</translation>
+    </message>
+    <message>
+        <source>1 turret</source>
+        <translation>1 Drehturm</translation>
+    </message>
+    <message>
+        <source>2 thigh</source>
+        <translation>2 Oberschenkel</translation>
+    </message>
+    <message>
+        <source>3 shin</source>
+        <translation>3 Unterschenkel</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>losgelassen</translation>
+    </message>
+    <message>
+        <source>has not acted</source>
+        <translation>hat nicht gewirkt</translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <translation>%1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LiveData</name>
+    <message>
+        <source>Send &amp;live data to PlotJuggler</source>
+        <translation>&amp;Live-Daten an PlotJuggler senden</translation>
+    </message>
+    <message>
+        <source>Sends every tick as JSON over UDP while it is on; to this machine, where no address is given.</source>
+        <translation>Sendet, solange es an ist, jeden Takt als JSON über UDP; ohne Adresse an diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Send live &amp;data to…</source>
+        <translation>Live-&amp;Daten senden an …</translation>
+    </message>
+    <message>
+        <source>Sends every tick to an address that you give.</source>
+        <translation>Sendet jeden Takt an eine Adresse, die Sie angeben.</translation>
+    </message>
+    <message>
+        <source>live data to %1</source>
+        <translation>Live-Daten an %1</translation>
+    </message>
+    <message>
+        <source>%1 ticks sent, %2 not taken by the network.</source>
+        <translation>%1 Takte gesendet, %2 vom Netz nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>Another machine gets what the hand does.</source>
+        <translation>Ein anderer Rechner erhält, was die Hand tut.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LivePlot</name>
+    <message>
+        <source>Force along %1 [N]</source>
+        <translation>Kraft entlang %1 [N]</translation>
+    </message>
+    <message>
+        <source>Error [mm]</source>
+        <translation>Fehler [mm]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>passive</source>
+        <translation>passiv</translation>
+    </message>
+    <message>
+        <source>displacement [mm]</source>
+        <translation>Auslenkung [mm]</translation>
+    </message>
+    <message>
+        <source>Angle [°]</source>
+        <translation>Winkel [°]</translation>
+    </message>
+    <message>
+        <source>α stylus</source>
+        <translation>α Stift</translation>
+    </message>
+    <message>
+        <source>β tip</source>
+        <translation>β Spitze</translation>
+    </message>
+    <message>
+        <source>θ target</source>
+        <translation>θ Ziel</translation>
+    </message>
+    <message>
+        <source>Energy [mJ]</source>
+        <translation>Energie [mJ]</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>Live plots</source>
+        <translation>Live-Diagramme</translation>
+    </message>
+    <message>
+        <source>Error and force over the last 10 seconds, and force against displacement along one axis.</source>
+        <translation>Fehler und Kraft der letzten 10 Sekunden, und Kraft gegen Auslenkung entlang einer Achse.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LoadStrip</name>
+    <message>
+        <source>What is loaded</source>
+        <translation>Was geladen wird</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel the loading</source>
+        <translation>Das Laden abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the loading. The scene stays as it is.</source>
+        <translation>Beendet das Laden. Die Szene bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MainWindow</name>
+    <message>
+        <source>A scene of “%1” cannot be run. The one before it stays.</source>
+        <translation>Eine Szene von „%1“ kann nicht ausgeführt werden. Die vorige bleibt.</translation>
+    </message>
+    <message>
+        <source>“%1” was not opened. Scene and arm stay as they are.</source>
+        <translation>„%1“ wurde nicht geöffnet. Szene und Arm bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Recorded session</source>
+        <translation>Aufgezeichnete Sitzung</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What could be read is replayed.</source>
+        <translation>„%1“ ist beschädigt. Was lesbar war, wird wiedergegeben.</translation>
+    </message>
+    <message>
+        <source>%1[*] – Underact</source>
+        <translation>%1[*] – Underact</translation>
+    </message>
+    <message>
+        <source>Underact</source>
+        <translation>Underact</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>Lets the servo push; also after a fault.</source>
+        <translation>Lässt den Servo Kraft ausüben; auch nach einer Störung.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Lets go: the force goes to zero. Esc does it from anywhere.</source>
+        <translation>Lässt los: Die Kraft geht auf null. Esc tut es von überall.</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>&amp;Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a scene file.</source>
+        <translation>Öffnet eine Szenendatei.</translation>
+    </message>
+    <message>
+        <source>&amp;Save tuned scene as…</source>
+        <translation>Abgestimmte Szene &amp;speichern unter …</translation>
+    </message>
+    <message>
+        <source>Saves the scene with its gains as they are now.</source>
+        <translation>Speichert die Szene mit ihren jetzigen Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Stops the servo and closes the window.</source>
+        <translation>Stoppt den Servo und schließt das Fenster.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Takes the last change of a gain back.</source>
+        <translation>Nimmt die letzte Änderung einer Verstärkung zurück.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Makes the change again.</source>
+        <translation>Führt die Änderung noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>What the view shows.</source>
+        <translation>Was die Ansicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Puts every panel back to where it was at first.</source>
+        <translation>Setzt jeden Bereich dorthin zurück, wo er anfangs war.</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>What the mouse and the keys do.</source>
+        <translation>Was Maus und Tasten tun.</translation>
+    </message>
+    <message>
+        <source>&amp;About Underact</source>
+        <translation>Ü&amp;ber Underact</translation>
+    </message>
+    <message>
+        <source>Version, licence, and what was never tried.</source>
+        <translation>Version, Lizenz und was nie erprobt wurde.</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>The settings on this computer were written by a newer Underact. This one starts with its own and leaves those as they are.</source>
+        <translation>Die Einstellungen auf diesem Rechner stammen von einem neueren Underact. Dieses startet mit eigenen und lässt jene, wie sie sind.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MapEditor</name>
+    <message>
+        <source>What moves what: %1</source>
+        <translation>Was bewegt was: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Learn…</source>
+        <translation>Lernen …</translation>
+    </message>
+    <message>
+        <source>The mark is the usual value; a double click goes back to it.</source>
+        <translation>Die Marke ist der übliche Wert; ein Doppelklick geht zu ihm zurück.</translation>
+    </message>
+    <message>
+        <source>What moves what</source>
+        <translation>Was bewegt was</translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation>Was jetzt zu tun ist</translation>
+    </message>
+    <message>
+        <source>Shows what moves it: what %1.</source>
+        <translation>Zeigt die Belegung für: %1.</translation>
+    </message>
+    <message>
+        <source>Moved by</source>
+        <translation>Bewegt durch</translation>
+    </message>
+    <message>
+        <source>The stick, buttons or triggers that move it.</source>
+        <translation>Der Stick, die Tasten oder Trigger, die es bewegen.</translation>
+    </message>
+    <message>
+        <source>Takes the stick that you push next.</source>
+        <translation>Übernimmt den Stick, den Sie als Nächstes bewegen.</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Right becomes left, up becomes down.</source>
+        <translation>Rechts wird links, oben wird unten.</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Totzone</translation>
+    </message>
+    <message>
+        <source>So much of the stick's way does nothing.</source>
+        <translation>So viel vom Weg des Sticks bewirkt nichts.</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>How fine it is near the middle: the speed grows with the way to the power 1 + this. 0: evenly.</source>
+        <translation>Wie fein es nahe der Mitte ist: Die Geschwindigkeit wächst mit dem Weg hoch 1 + diesem Wert. 0: gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Of the tip, with the stick at its end.</source>
+        <translation>Der Spitze, mit dem Stick am Anschlag.</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>Of the turn, with the stick at its end.</source>
+        <translation>Der Drehung, mit dem Stick am Anschlag.</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>The button that is this one.</source>
+        <translation>Die Taste, die hierfür steht.</translation>
+    </message>
+    <message>
+        <source>Takes the button that you press next.</source>
+        <translation>Übernimmt die Taste, die Sie als Nächstes drücken.</translation>
+    </message>
+    <message>
+        <source>Learn %1</source>
+        <translation>%1 lernen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Takes the last change of a mapping back.</source>
+        <translation>Nimmt die letzte Änderung einer Belegung zurück.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Makes the change again.</source>
+        <translation>Führt die Änderung noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>Puts all of this device back to the usual mapping.</source>
+        <translation>Setzt dieses Gerät ganz auf die übliche Belegung zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MarksPicture</name>
+    <message>
+        <source>The marks on the desk, from above</source>
+        <translation>Die Messpunkte auf dem Tisch, von oben</translation>
+    </message>
+    <message>
+        <source>Mark %1 of %2 is due.</source>
+        <translation>Nun Messpunkt %1 von %2.</translation>
+    </message>
+    <message>
+        <source>%1 marks.</source>
+        <translation>%1 Messpunkte.</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MeasurePage</name>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Fortfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat this part</source>
+        <translation>Diesen Teil &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>Why it stands still</source>
+        <translation>Warum es stillsteht</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>The hand does what is asked.</source>
+        <translation>Die Hand tut, was verlangt wird.</translation>
+    </message>
+    <message>
+        <source>Starts the servo again, and measures the part that was stopped from its beginning.</source>
+        <translation>Startet den Servo wieder und misst den angehaltenen Teil von vorn.</translation>
+    </message>
+    <message>
+        <source>&amp;Begin again</source>
+        <translation>&amp;Neu beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MeshDialog</name>
+    <message>
+        <source>Size of the mesh</source>
+        <translation>Größe des Dreiecksnetzes</translation>
+    </message>
+    <message>
+        <source>Report on the mesh</source>
+        <translation>Bericht über das Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>Why it was not added</source>
+        <translation>Warum es nicht hinzugefügt wurde</translation>
+    </message>
+    <message>
+        <source>Mesh %1</source>
+        <translation>Dreiecksnetz %1</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Which unit</source>
+        <translation>Welche Einheit</translation>
+    </message>
+    <message>
+        <source>%1 Which unit is the file in?</source>
+        <translation>%1 Welche Einheit hat die Datei?</translation>
+    </message>
+    <message>
+        <source>In %1: %2 long</source>
+        <translation>In %1: %2 lang</translation>
+    </message>
+    <message>
+        <source>In millimetres, as it is</source>
+        <translation>In Millimetern, wie es ist</translation>
+    </message>
+    <message>
+        <source>How it is felt</source>
+        <translation>Wie es gefühlt wird</translation>
+    </message>
+    <message>
+        <source>from outside, as a wall</source>
+        <translation>von außen, als Wand</translation>
+    </message>
+    <message>
+        <source>from inside, as a wall</source>
+        <translation>von innen, als Wand</translation>
+    </message>
+    <message>
+        <source>held to its surface, on both sides</source>
+        <translation>an der Oberfläche gehalten, beidseitig</translation>
+    </message>
+    <message>
+        <source>&amp;Felt</source>
+        <translation>Ge&amp;fühlt</translation>
+    </message>
+    <message>
+        <source>F&amp;riction</source>
+        <translation>&amp;Reibung</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>Dynamic friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>Haften</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>Gleiten</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the report.</source>
+        <translation>Kopiert den Bericht.</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the scene</source>
+        <translation>&amp;Zur Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the mesh to the scene that is there.</source>
+        <translation>Fügt das Dreiecksnetz der vorhandenen Szene hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;New scene of it</source>
+        <translation>&amp;Neue Szene daraus</translation>
+    </message>
+    <message>
+        <source>Opens a new scene that holds this mesh alone.</source>
+        <translation>Öffnet eine neue Szene, die nur dieses Dreiecksnetz enthält.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Closes this. The scene stays.</source>
+        <translation>Schließt dies. Die Szene bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, %3 corners, %4.</source>
+        <translation>%1: %2 Dreiecke, %3 Ecken, %4.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MeshFiles</name>
+    <message>
+        <source>Add a mesh</source>
+        <translation>Dreiecksnetz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;All files (*)</source>
+        <translation>Dreiecksnetze (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>Dreiecksnetz %1</translation>
+    </message>
+    <message>
+        <source>The mesh %1.</source>
+        <translation>Das Dreiecksnetz %1.</translation>
+    </message>
+    <message>
+        <source>“%1” was not loaded. The scene stays as it is.</source>
+        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Mesh not loaded</source>
+        <translation>Dreiecksnetz nicht geladen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MovingHands</name>
+    <message>
+        <source>The hands rest: they move the simulated arm, and it is not in place now.</source>
+        <translation>Die Hände ruhen: Sie bewegen den simulierten Arm, und der ist jetzt nicht im Einsatz.</translation>
+    </message>
+    <message>
+        <source>The mapping of %1 cannot be read, and it moves as usual. %2</source>
+        <translation>Die Belegung von %1 kann nicht gelesen werden; es gilt die übliche. %2</translation>
+    </message>
+    <message>
+        <source>Press the button that is to be “%1”.</source>
+        <translation>Drücken Sie die Taste, die „%1“ sein soll.</translation>
+    </message>
+    <message>
+        <source>Now press the button for the other way.</source>
+        <translation>Drücken Sie jetzt die Taste für die Gegenrichtung.</translation>
+    </message>
+    <message>
+        <source>Push the stick all the way, or press the button, that %1.</source>
+        <translation>Bewegen Sie den Stick bis zum Anschlag oder drücken Sie die Taste für: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PageView</name>
+    <message>
+        <source>A page on the net</source>
+        <translation>Eine Seite im Netz</translation>
+    </message>
+    <message>
+        <source>This link leads out of the program, to:</source>
+        <translation>Dieser Link führt aus dem Programm heraus, zu:</translation>
+    </message>
+    <message>
+        <source>Open in browser</source>
+        <translation>Im Browser öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PlacePage</name>
+    <message>
+        <source>Also at &amp;two more places, to the left and to the right</source>
+        <translation>Auch an zwei &amp;weiteren Orten, links und rechts</translation>
+    </message>
+    <message>
+        <source>Place and arm</source>
+        <translation>Ort und Arm</translation>
+    </message>
+    <message>
+        <source>Place &amp;x</source>
+        <translation>Ort &amp;x</translation>
+    </message>
+    <message>
+        <source>Place &amp;y</source>
+        <translation>Ort &amp;y</translation>
+    </message>
+    <message>
+        <source>Place &amp;z</source>
+        <translation>Ort &amp;z</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The tip swings about this place, in the workspace frame W.</source>
+        <translation>Die Spitze schwingt um diesen Ort, im Koordinatensystem W des Arbeitsraums.</translation>
+    </message>
+    <message>
+        <source>Also at two more places</source>
+        <translation>Auch an zwei weiteren Orten</translation>
+    </message>
+    <message>
+        <source>Tells whether the arm is the same everywhere; takes three times as long.</source>
+        <translation>Zeigt, ob der Arm überall gleich ist; dauert dreimal so lange.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Which arm this is; stands in the file.</source>
+        <translation>Welcher Arm es ist; steht in der Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation>&amp;Arm</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>As it stands on the arm; may stay empty.</source>
+        <translation>Wie sie auf dem Arm steht; darf leer bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Serial number</source>
+        <translation>&amp;Seriennummer</translation>
+    </message>
+    <message>
+        <source>The servo runs at %1 Hz.</source>
+        <translation>Der Servo läuft mit %1 Hz.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Player</name>
+    <message>
+        <source>what if</source>
+        <translation>was wäre wenn</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PlotsPanel</name>
+    <message>
+        <source>Ener&amp;gy</source>
+        <translation>Ener&amp;gie</translation>
+    </message>
+    <message>
+        <source>Error and force over the last 10 s, and displacement against force</source>
+        <translation>Fehler und Kraft der letzten 10 s, und Auslenkung gegen Kraft</translation>
+    </message>
+    <message>
+        <source>Axis of displacement against force</source>
+        <translation>Achse der Auslenkung gegen Kraft</translation>
+    </message>
+    <message>
+        <source>Which axis of W the plot of displacement against force shows (thesis figure 4.3).</source>
+        <translation>Welche Achse von W das Diagramm der Auslenkung gegen Kraft zeigt (Thesis, Abbildung 4.3).</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Energy plot</source>
+        <translation>Energiediagramm</translation>
+    </message>
+    <message>
+        <source>The energy that the stylus has put into the constraints and not got back, E = Σ −f·Δp; below zero they give more than they got: they are active.</source>
+        <translation>Die Energie, die der Stift in die Bindungen gesteckt und nicht zurückbekommen hat, E = Σ −f·Δp; unter null geben sie mehr ab, als sie bekamen: Sie sind aktiv.</translation>
+    </message>
+    <message>
+        <source>&amp;Displacement against force, axis</source>
+        <translation>&amp;Auslenkung gegen Kraft, Achse</translation>
+    </message>
+    <message>
+        <source>There is no room for this plot: hide Energy, or make the window wider.</source>
+        <translation>Für dieses Diagramm ist kein Platz: Blenden Sie Energie aus, oder machen Sie das Fenster breiter.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PlotsRun</name>
+    <message>
+        <source>Cancelled: the plots are not all drawn.</source>
+        <translation>Abgebrochen: Nicht alle Diagramme sind gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 plots are drawn: %2</source>
+        <translation>%1 Diagramme sind gezeichnet: %2</translation>
+    </message>
+    <message>
+        <source>The plots were not drawn, and underact-cli did not say why.</source>
+        <translation>Die Diagramme wurden nicht gezeichnet, und underact-cli nannte keinen Grund.</translation>
+    </message>
+    <message>
+        <source>The plots were not drawn. %1</source>
+        <translation>Die Diagramme wurden nicht gezeichnet. %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PreparePage</name>
+    <message>
+        <source>Where does the arm stand?</source>
+        <translation>Wo steht der Arm?</translation>
+    </message>
+    <message>
+        <source>What this is for</source>
+        <translation>Wozu das dient</translation>
+    </message>
+    <message>
+        <source>The stylus touches marks on the desk whose places are known. From them follows how the arm stands there: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and do not move sheet and arm any more. The scene and its forces stay where they are in the arm's own frame.</source>
+        <translation>Der Stift berührt Messpunkte auf dem Tisch, deren Orte bekannt sind. Daraus folgt, wie der Arm dort steht: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie Blatt und Arm nicht mehr. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Which arm is registered.</source>
+        <translation>Welcher Arm registriert wird.</translation>
+    </message>
+    <message>
+        <source>Whether the arm is registered</source>
+        <translation>Ob der Arm registriert ist</translation>
+    </message>
+    <message>
+        <source>Whether the arm is calibrated</source>
+        <translation>Ob der Arm kalibriert ist</translation>
+    </message>
+    <message>
+        <source>&amp;Forget where it stands</source>
+        <translation>Standort &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>The view is drawn as the arm stands, as before.</source>
+        <translation>Die Ansicht wird wie zuvor so gezeichnet, wie der Arm steht.</translation>
+    </message>
+    <message>
+        <source>How many marks</source>
+        <translation>Wie viele Messpunkte</translation>
+    </message>
+    <message>
+        <source>More marks: a smaller error, and it is better known. Puts the sheet's own places back.</source>
+        <translation>Mehr Messpunkte: Der Fehler wird kleiner und ist besser bekannt. Setzt die Orte des Blatts wieder ein.</translation>
+    </message>
+    <message>
+        <source> marks</source>
+        <translation> Messpunkte</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>What the sheet is printed on.</source>
+        <translation>Worauf das Blatt gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Save the &amp;sheet as PDF…</source>
+        <translation>&amp;Blatt als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %; its ruler shows whether it was.</source>
+        <translation>Drucken Sie es mit 100 %; sein Lineal zeigt, ob es stimmt.</translation>
+    </message>
+    <message>
+        <source>Places of the marks, mm from mark 1</source>
+        <translation>Orte der Messpunkte, mm ab Messpunkt 1</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>right, mm</source>
+        <translation>rechts, mm</translation>
+    </message>
+    <message>
+        <source>away, mm</source>
+        <translation>weg, mm</translation>
+    </message>
+    <message>
+        <source>up, mm</source>
+        <translation>oben, mm</translation>
+    </message>
+    <message>
+        <source>Where the marks are, from mark 1: to the right, away from you, up. Own marks can be typed.</source>
+        <translation>Wo die Messpunkte sind, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Eigene Messpunkte können eingetippt werden.</translation>
+    </message>
+    <message>
+        <source>How the marks lie</source>
+        <translation>Wie die Messpunkte liegen</translation>
+    </message>
+    <message>
+        <source>Each place must be a number within 1000 mm.</source>
+        <translation>Jeder Ort muss eine Zahl bis 1000 mm sein.</translation>
+    </message>
+    <message>
+        <source>The arm says: %1</source>
+        <translation>Der Arm meldet: %1</translation>
+    </message>
+    <message>
+        <source>A simulated arm needs no calibration. Move its hand in the view meanwhile.</source>
+        <translation>Ein simulierter Arm braucht keine Kalibrierung. Bewegen Sie inzwischen seine Hand in der Ansicht.</translation>
+    </message>
+    <message>
+        <source>The arm says that it is calibrated and that nothing is missing.</source>
+        <translation>Der Arm meldet, dass er kalibriert ist und nichts fehlt.</translation>
+    </message>
+    <message>
+        <source>The sheet is in %1. Print it at 100 %, and check its ruler.</source>
+        <translation>Das Blatt ist in %1. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
+    </message>
+    <message>
+        <source>Save the sheet</source>
+        <translation>Blatt speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ProblemsDialog</name>
+    <message>
+        <source>Scene not opened</source>
+        <translation>Szene nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>Problems of the file</source>
+        <translation>Probleme der Datei</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Open another…</source>
+        <translation>&amp;Andere öffnen …</translation>
+    </message>
+    <message>
+        <source>Copy the problems</source>
+        <translation>Die Probleme kopieren</translation>
+    </message>
+    <message>
+        <source>Open another scene file</source>
+        <translation>Eine andere Szenendatei öffnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>One problem</source>
+        <translation>Ein Problem</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 Probleme</translation>
+    </message>
+    <message>
+        <source>%1 was not opened. The scene before it is still in effect. %2 to put right:</source>
+        <translation>%1 wurde nicht geöffnet. Die vorige Szene gilt weiter. Zu beheben – %2:</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Projector</name>
+    <message>
+        <source>&amp;Projector layout</source>
+        <translation>&amp;Projektor-Layout</translation>
+    </message>
+    <message>
+        <source>For a class: the view with a large force gauge and large type, in high contrast, without panels.</source>
+        <translation>Für den Unterricht: die Ansicht mit großer Kraftanzeige und großer Schrift, in hohem Kontrast, ohne Bereiche.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PullSection</name>
+    <message>
+        <source>What it pulls with</source>
+        <translation>Womit er zieht</translation>
+    </message>
+    <message>
+        <source>The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e.</source>
+        <translation>Die Gelenke des Roboters nehmen die kleinste Energie V = e·K e / 2 ein, und der Stift wird zu dessen Spitze gezogen: F = K e.</translation>
+    </message>
+    <message>
+        <source>How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the tip, go where the stylus points.</source>
+        <translation>Wie stark die Drehung der Spitze der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen die Spitze dorthin gehen, wohin der Stift zeigt.</translation>
+    </message>
+    <message>
+        <source>Kθ</source>
+        <translation>Kθ</translation>
+    </message>
+    <message>
+        <source>Turning stiffness</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>What of the stylus's turn the tip follows</source>
+        <translation>Was die Spitze von der Drehung des Stifts mitmacht</translation>
+    </message>
+    <message>
+        <source>Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one joint that turns, as in the thesis. The whole turn: e_o is its rotation vector.</source>
+        <translation>Nichts: e = (p, 0). Die Richtung von z: e_o = z_V − z_T. Der Winkel um das eine Gelenk, das sich dreht, wie in der Thesis. Die ganze Drehung: e_o ist ihr Rotationsvektor.</translation>
+    </message>
+    <message>
+        <source>nothing of the turn</source>
+        <translation>nichts von der Drehung</translation>
+    </message>
+    <message>
+        <source>direction of z (axis)</source>
+        <translation>Richtung von z (Achse)</translation>
+    </message>
+    <message>
+        <source>angle about the joint</source>
+        <translation>Winkel um das Gelenk</translation>
+    </message>
+    <message>
+        <source>the whole turn</source>
+        <translation>die ganze Drehung</translation>
+    </message>
+    <message>
+        <source>Force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis 5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.</source>
+        <translation>Energie: F = K e bei den Gelenken kleinster Energie; auf einer geschlossenen Schleife wird keine Arbeit verrichtet. Thesis 5.2, für ein Gelenk: F = kp e − (ko e_θ / L) t; auf einer Schleife verrichtet es Arbeit.</translation>
+    </message>
+    <message>
+        <source>energy, F = K e</source>
+        <translation>Energie, F = K e</translation>
+    </message>
+    <message>
+        <source>thesis 5.2</source>
+        <translation>Thesis 5.2</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Folgt</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RateChooser</name>
+    <message>
+        <source>Rate of the servo</source>
+        <translation>Taktrate des Servos</translation>
+    </message>
+    <message>
+        <source>Ticks a second. A change lets the force go for a moment; where the servo ran it starts again, softly.</source>
+        <translation>Takte je Sekunde. Eine Änderung lässt die Kraft kurz los; wo der Servo lief, startet er sanft wieder.</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Taktrate</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RateSection</name>
+    <message>
+        <source>Rate and energy</source>
+        <translation>Rate und Energie</translation>
+    </message>
+    <message>
+        <source>How the rate of the error is found, for damping, and whether the energy of the constraint is watched.</source>
+        <translation>Wie die Änderungsrate des Fehlers für die Dämpfung bestimmt wird und ob die Energie der Bindung überwacht wird.</translation>
+    </message>
+    <message>
+        <source>Velocity filter</source>
+        <translation>Geschwindigkeitsfilter</translation>
+    </message>
+    <message>
+        <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
+        <translation>Wie die Rate de/dt aus Positionen bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
+    </message>
+    <message>
+        <source>Kalman</source>
+        <translation>Kalman</translation>
+    </message>
+    <message>
+        <source>low-pass</source>
+        <translation>Tiefpass</translation>
+    </message>
+    <message>
+        <source>adaptive window</source>
+        <translation>adaptives Fenster</translation>
+    </message>
+    <message>
+        <source>raw difference</source>
+        <translation>rohe Differenz</translation>
+    </message>
+    <message>
+        <source>Passivity</source>
+        <translation>Passivität</translation>
+    </message>
+    <message>
+        <source>Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below 0 the wall is active. Control adds the damping that is missing.</source>
+        <translation>„Beobachten“ zählt die Energie, die der Stift in die Bindung steckt und zurückbekommt, E = Summe von f dx; unter 0 ist die Wand aktiv. „Regeln“ fügt die fehlende Dämpfung hinzu.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>observe</source>
+        <translation>beobachten</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>regeln</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity</source>
+        <translation>&amp;Filter</translation>
+    </message>
+    <message>
+        <source>&amp;Passivity</source>
+        <translation>&amp;Passivität</translation>
+    </message>
+    <message>
+        <source>velocity filter</source>
+        <translation>Geschwindigkeitsfilter</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>How hard the hand may speed up: more, and the filter follows sooner and is noisier.</source>
+        <translation>Wie stark die Hand beschleunigen darf: Bei mehr folgt der Filter eher und rauscht stärker.</translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>mm/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay.</source>
+        <translation>Zeitkonstante tau des Tiefpasses, r' = (de/dt - r) / tau: seine Verzögerung.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation>Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>The longest window, in ticks: longer is calmer and later.</source>
+        <translation>Das längste Fenster, in Takten: Ein längeres ist ruhiger und später.</translation>
+    </message>
+    <message>
+        <source>ticks</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>Longest window</source>
+        <translation>Längstes Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RecordSection</name>
+    <message>
+        <source>&amp;Mark</source>
+        <translation>&amp;Marke</translation>
+    </message>
+    <message>
+        <source>What became of the recording</source>
+        <translation>Was aus der Aufzeichnung wurde</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>From the recording's first tick to its last.</source>
+        <translation>Vom ersten Takt der Aufzeichnung bis zum letzten.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Of the file.</source>
+        <translation>Der Datei.</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>That are in the file; and those that found no room, if there are any.</source>
+        <translation>Die in der Datei sind; und die, die keinen Platz fanden, falls es welche gibt.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Set by key M, the button or the stylus.</source>
+        <translation>Gesetzt mit der Taste M, der Schaltfläche oder dem Stift.</translation>
+    </message>
+    <message>
+        <source>Disk left</source>
+        <translation>Platz frei</translation>
+    </message>
+    <message>
+        <source>What the disk still takes; the recording ends in order before it is full.</source>
+        <translation>Was der Datenträger noch fasst; die Aufzeichnung endet geordnet, bevor er voll ist.</translation>
+    </message>
+    <message>
+        <source>Enough for</source>
+        <translation>Reicht für</translation>
+    </message>
+    <message>
+        <source>How long that lasts at this recording's pace.</source>
+        <translation>Wie lange das beim Tempo dieser Aufzeichnung reicht.</translation>
+    </message>
+    <message>
+        <source>%1, %2 missing</source>
+        <translation>%1, %2 fehlen</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Angaben</translation>
+    </message>
+    <message>
+        <source>What the file says of the session; they can be changed later.</source>
+        <translation>Was die Datei über die Sitzung sagt; später änderbar.</translation>
+    </message>
+    <message>
+        <source>Set a marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>What the next marker says</source>
+        <translation>Was die nächste Marke sagt</translation>
+    </message>
+    <message>
+        <source>What the next marker says; Enter sets it.</source>
+        <translation>Was die nächste Marke sagt; Eingabe setzt sie.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>&amp;Aufzeichnung stoppen</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufzeichnung stoppen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Recording into %1</source>
+        <translation>Wird aufgezeichnet in %1</translation>
+    </message>
+    <message>
+        <source>Recorded into %1</source>
+        <translation>Aufgezeichnet in %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Recording</name>
+    <message>
+        <source>%1 Choose another folder for the recordings.</source>
+        <translation>%1 Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RegistrationRun</name>
+    <message>
+        <source>Hold the tip still.</source>
+        <translation>Halten Sie die Spitze still.</translation>
+    </message>
+    <message>
+        <source>The tip moved by more than 1 mm while it was held. Rest it in mark %1 and press again.</source>
+        <translation>Die Spitze bewegte sich um mehr als 1 mm, während sie gehalten wurde. Setzen Sie sie in Messpunkt %1 und drücken Sie erneut.</translation>
+    </message>
+    <message>
+        <source>Mark %1 is touched, the tip spread by %2 mm.</source>
+        <translation>Messpunkt %1 ist berührt, die Spitze streute um %2 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RegistrationTool</name>
+    <message>
+        <source>Re&amp;gister the arm…</source>
+        <translation>Arm re&amp;gistrieren …</translation>
+    </message>
+    <message>
+        <source>Finds where the arm stands on the desk from marks that its tip touches, step by step.</source>
+        <translation>Findet Schritt für Schritt, wo der Arm auf dem Tisch steht, anhand von Messpunkten, die seine Spitze berührt.</translation>
+    </message>
+    <message>
+        <source>Second arm: %1</source>
+        <translation>Zweiter Arm: %1</translation>
+    </message>
+    <message>
+        <source>A recording is replayed. Close it, then register the arm.</source>
+        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und registrieren Sie dann den Arm.</translation>
+    </message>
+    <message>
+        <source>A measurement is at work on this arm. End it, then register the arm.</source>
+        <translation>An diesem Arm läuft eine Messung. Beenden Sie sie und registrieren Sie dann den Arm.</translation>
+    </message>
+    <message>
+        <source>No scene is open. Open one, so that the tip is known.</source>
+        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit die Spitze bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Not registered: %1</source>
+        <translation>Nicht registriert: %1</translation>
+    </message>
+    <message>
+        <source>Not registered: the view is drawn as the arm stands.</source>
+        <translation>Nicht registriert: Die Ansicht ist so gezeichnet, wie der Arm steht.</translation>
+    </message>
+    <message>
+        <source>Registered on %1 by %2 marks, which the points miss by %3 mm. In the middle of the workspace %4 mm of error are expected.</source>
+        <translation>Registriert am %1 mit %2 Messpunkten, die die Punkte um %3 mm verfehlen. In der Mitte des Arbeitsraums sind %4 mm Fehler zu erwarten.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RegistrationWizard</name>
+    <message>
+        <source>Register the arm</source>
+        <translation>Arm registrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Accept</source>
+        <translation>&amp;Annehmen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ReplayBar</name>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Reading the session</source>
+        <translation>Die Sitzung wird gelesen</translation>
+    </message>
+    <message>
+        <source>How much of the session is read</source>
+        <translation>Wie viel der Sitzung gelesen ist</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Do not open the session</source>
+        <translation>Sitzung nicht öffnen</translation>
+    </message>
+    <message>
+        <source>One tick back</source>
+        <translation>Einen Takt zurück</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>One tick further</source>
+        <translation>Einen Takt weiter</translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation>Stelle in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Where the recording is. Ticks above the line are markers, crosses are faults.</source>
+        <translation>Wo die Aufzeichnung ist. Striche über der Linie sind Marken, Kreuze sind Störungen.</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>Zeit in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the hand moves, times the recorded speed. At 1 the samples are the recorded ones.</source>
+        <translation>Wie schnell die Hand sich bewegt, als Vielfaches des aufgezeichneten Tempos. Bei 1 sind die Abtastwerte die aufgezeichneten.</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre wenn</translation>
+    </message>
+    <message>
+        <source>Recorded here</source>
+        <translation>Hier aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close session</source>
+        <translation>Sitzung schließen</translation>
+    </message>
+    <message>
+        <source>%1: recorded here %2 N, error %3 mm</source>
+        <translation>%1: hier aufgezeichnet %2 N, Fehler %3 mm</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ResultPage</name>
+    <message>
+        <source>No threshold: the way turned fewer than four times, so nothing was met that could not be told, or nothing that could.</source>
+        <translation>Keine Schwelle: Der Weg kehrte weniger als viermal um; es kam also nichts vor, was nicht zu unterscheiden war, oder nichts, was es war.</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Just-noticeable difference: 70.7 % of answers are right at it (Levitt 1971). Geometric mean of the reversals after the first two.</source>
+        <translation>Eben merklicher Unterschied (JND): 70,7 % der Antworten sind bei ihm richtig (Levitt 1971). Geometrisches Mittel der Umkehrungen nach den ersten zwei.</translation>
+    </message>
+    <message>
+        <source>± 1 s.d.</source>
+        <translation>± 1 Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>One standard deviation of the reversals' logarithms, either way.</source>
+        <translation>Eine Standardabweichung der Logarithmen der Umkehrungen, nach beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>in stiffness</source>
+        <translation>in Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The just-noticeable difference times the reference.</source>
+        <translation>Der eben merkliche Unterschied mal die Referenz.</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The stiffness of the softer beam of every trial, at its tip.</source>
+        <translation>Die Steifigkeit des weicheren Balkens jedes Durchgangs, an seiner Spitze.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Answers that were given.</source>
+        <translation>Gegebene Antworten.</translation>
+    </message>
+    <message>
+        <source>Weber share</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>What one press scatters by, if two are compared: ln(1 + JND) = 0.771 w.</source>
+        <translation>Wie stark ein einzelner Druck streut, wenn zwei verglichen werden: ln(1 + JND) = 0,771 w.</translation>
+    </message>
+    <message>
+        <source>Answered by</source>
+        <translation>Geantwortet hat</translation>
+    </message>
+    <message>
+        <source>A person, or the simulated hand with its own Weber share.</source>
+        <translation>Eine Person oder die simulierte Hand mit ihrem eigenen Weber-Bruch.</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern …</translation>
+    </message>
+    <message>
+        <source>Save the trials</source>
+        <translation>Durchgänge speichern</translation>
+    </message>
+    <message>
+        <source>Writes every trial and the result as a CSV file.</source>
+        <translation>Schreibt jeden Durchgang und das Ergebnis als CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>A&amp;gain</source>
+        <translation>&amp;Erneut</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Erneut messen</translation>
+    </message>
+    <message>
+        <source>Back to the beginning; this result is forgotten unless it is saved.</source>
+        <translation>Zurück zum Anfang; dieses Ergebnis geht verloren, wenn es nicht gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>a person</source>
+        <translation>eine Person</translation>
+    </message>
+    <message>
+        <source>hand of %1</source>
+        <translation>Hand mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RobotNowSection</name>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>What the solver found in the tick that is shown.</source>
+        <translation>Was der Löser im gezeigten Takt gefunden hat.</translation>
+    </message>
+    <message>
+        <source>Joints found by</source>
+        <translation>Gelenke durch</translation>
+    </message>
+    <message>
+        <source>The closed form, or the iteration and its steps of this tick.</source>
+        <translation>Die geschlossene Form oder die Iteration und ihre Schritte in diesem Takt.</translation>
+    </message>
+    <message>
+        <source>Left to go</source>
+        <translation>Restweg</translation>
+    </message>
+    <message>
+        <source>The largest step that a joint would still take by itself.</source>
+        <translation>Der größte Schritt, den ein Gelenk von sich aus noch machen würde.</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>V = e·K e / 2, and the springs' part, at the joints of this tick.</source>
+        <translation>V = e·K e / 2 und der Anteil der Federn, bei den Gelenken dieses Takts.</translation>
+    </message>
+    <message>
+        <source>Moment, not sent</source>
+        <translation>Moment, nicht gesendet</translation>
+    </message>
+    <message>
+        <source>m = Kθ e_o about the stylus's tip. The arm has no motors for it: it is shown, never sent.</source>
+        <translation>m = Kθ e_o um die Spitze des Stifts. Der Arm hat dafür keine Motoren: Es wird gezeigt, nie gesendet.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>At the robot's tip; or on its way there, at 2 m/s at most, where a minimum vanished or was left for a better one.</source>
+        <translation>An der Spitze des Roboters; oder auf dem Weg dorthin, mit höchstens 2 m/s, wo ein Minimum verschwand oder für ein besseres verlassen wurde.</translation>
+    </message>
+    <message>
+        <source>A better pose</source>
+        <translation>Eine bessere Lage</translation>
+    </message>
+    <message>
+        <source>Another minimum that a second search knows of; it is taken once it has saved a tenth for 50 ms.</source>
+        <translation>Ein anderes Minimum, das eine zweite Suche kennt; es wird genommen, sobald es 50 ms lang ein Zehntel gespart hat.</translation>
+    </message>
+    <message>
+        <source>Joint q%1</source>
+        <translation>Gelenk q%1</translation>
+    </message>
+    <message>
+        <source>Its value; 0 is home.</source>
+        <translation>Sein Wert; 0 ist die Grundstellung.</translation>
+    </message>
+    <message>
+        <source>nearest point, thesis 5.2</source>
+        <translation>nächster Punkt, Thesis 5.2</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>iteration, %1 of %2 steps</source>
+        <translation>Iteration, %1 von %2 Schritten</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>%1 N mm</source>
+        <translation>%1 N mm</translation>
+    </message>
+    <message>
+        <source>every place is as good</source>
+        <translation>jeder Ort ist gleich gut</translation>
+    </message>
+    <message>
+        <source>on its way to the tip</source>
+        <translation>auf dem Weg zur Spitze</translation>
+    </message>
+    <message>
+        <source>at the tip</source>
+        <translation>an der Spitze</translation>
+    </message>
+    <message>
+        <source>is known: saves %1 mJ</source>
+        <translation>ist bekannt: spart %1 mJ</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RobotPanel</name>
+    <message>
+        <source>This scene has no virtual robot. A new one is added beside what there is: one joint, whose tip the stylus is drawn to.</source>
+        <translation>Diese Szene hat keinen virtuellen Roboter. Ein neuer kommt zu dem hinzu, was da ist: ein Gelenk, zu dessen Spitze der Stift gezogen wird.</translation>
+    </message>
+    <message>
+        <source>Robot that is shown</source>
+        <translation>Gezeigter Roboter</translation>
+    </message>
+    <message>
+        <source>Which robot of the scene is shown.</source>
+        <translation>Welcher Roboter der Szene gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Moment, not sent</source>
+        <translation>Moment, nicht gesendet</translation>
+    </message>
+    <message>
+        <source>iteration, 100 of 100 steps</source>
+        <translation>Iteration, 100 von 100 Schritten</translation>
+    </message>
+    <message>
+        <source>Why the change was refused</source>
+        <translation>Warum die Änderung abgelehnt wurde</translation>
+    </message>
+    <message>
+        <source>New robot</source>
+        <translation>Neuer Roboter</translation>
+    </message>
+    <message>
+        <source>Adds a robot of one joint to the scene, beside what it has.</source>
+        <translation>Fügt der Szene einen Roboter mit einem Gelenk hinzu, neben dem, was sie hat.</translation>
+    </message>
+    <message>
+        <source>Add a robot to the scene</source>
+        <translation>Der Szene einen Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the robot that is shown out of the scene; something must stay to be held to.</source>
+        <translation>Nimmt den gezeigten Roboter aus der Szene; etwas muss bleiben, woran gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Remove the robot that is shown from the scene</source>
+        <translation>Den gezeigten Roboter aus der Szene entfernen</translation>
+    </message>
+    <message>
+        <source>turning stiffness</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>what the tip follows</source>
+        <translation>wem die Spitze folgt</translation>
+    </message>
+    <message>
+        <source>force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>solver's method</source>
+        <translation>Methode des Lösers</translation>
+    </message>
+    <message>
+        <source>solver's steps</source>
+        <translation>Schritte des Lösers</translation>
+    </message>
+    <message>
+        <source>solver's tolerance</source>
+        <translation>Toleranz des Lösers</translation>
+    </message>
+    <message>
+        <source>joint %1, %2</source>
+        <translation>Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>add a joint</source>
+        <translation>Gelenk hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove a joint</source>
+        <translation>Gelenk entfernen</translation>
+    </message>
+    <message>
+        <source>move a joint</source>
+        <translation>Gelenk verschieben</translation>
+    </message>
+    <message>
+        <source>tip at home</source>
+        <translation>Spitze in Grundst.</translation>
+    </message>
+    <message>
+        <source>turn of the tip</source>
+        <translation>Drehung der Spitze</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>new robot</source>
+        <translation>neuer Roboter</translation>
+    </message>
+    <message>
+        <source>remove the robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::RunPage</name>
+    <message>
+        <source>Reversals</source>
+        <translation>Umkehrungen</translation>
+    </message>
+    <message>
+        <source>A reversal is where the way turns between harder and easier. The first two are a run-in; the just-noticeable difference is the geometric mean of the others (Levitt 1971).</source>
+        <translation>Eine Umkehrung ist, wo der Weg zwischen schwerer und leichter umkehrt. Die ersten zwei sind Einlauf; der eben merkliche Unterschied ist das geometrische Mittel der anderen (Levitt 1971).</translation>
+    </message>
+    <message>
+        <source>Left beam</source>
+        <translation>Linker Balken</translation>
+    </message>
+    <message>
+        <source>Right beam</source>
+        <translation>Rechter Balken</translation>
+    </message>
+    <message>
+        <source>%1, pressed or not</source>
+        <translation>%1, gedrückt oder nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel the measurement</source>
+        <translation>Messung abbrechen</translation>
+    </message>
+    <message>
+        <source>The beams are again as stiff as the scene says; nothing is kept.</source>
+        <translation>Die Balken sind wieder so steif, wie die Szene sagt; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>%1 is stiffer</source>
+        <translation>%1 ist steifer</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Trial %1: which beam is stiffer?</source>
+        <translation>Durchgang %1: Welcher Balken ist steifer?</translation>
+    </message>
+    <message>
+        <source>The simulated hand is at trial %1.</source>
+        <translation>Die simulierte Hand ist bei Durchgang %1.</translation>
+    </message>
+    <message>
+        <source>reversals %v of %m</source>
+        <translation>Umkehrungen %v von %m</translation>
+    </message>
+    <message>
+        <source>It presses the beams on an arm of its own; the window's stays where it is.</source>
+        <translation>Sie drückt die Balken an einem eigenen Arm; der des Fensters bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Press each beam down with the stylus, as often as you like. Let go before you answer.</source>
+        <translation>Drücken Sie jeden Balken mit dem Stift herunter, so oft Sie mögen. Lassen Sie los, bevor Sie antworten.</translation>
+    </message>
+    <message>
+        <source>The servo is stopped. Press Start to feel the beams.</source>
+        <translation>Der Servo ist gestoppt. Drücken Sie Start, um die Balken zu spüren.</translation>
+    </message>
+    <message>
+        <source>✓ pressed</source>
+        <translation>✓ gedrückt</translation>
+    </message>
+    <message>
+        <source>press it</source>
+        <translation>drücken</translation>
+    </message>
+    <message>
+        <source>✓ That was right.</source>
+        <translation>✓ Das war richtig.</translation>
+    </message>
+    <message>
+        <source>✗ It was the other.</source>
+        <translation>✗ Es war der andere.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SceneFiles</name>
+    <message>
+        <source>Loading the files of %1</source>
+        <translation>Dateien von %1 werden geladen</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Scene not saved</source>
+        <translation>Szene nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Save the tuned scene</source>
+        <translation>Abgestimmte Szene speichern</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Neue Szene</translation>
+    </message>
+    <message>
+        <source>Tuned gains</source>
+        <translation>Abgestimmte Verstärkungen</translation>
+    </message>
+    <message>
+        <source>The scene “%1” was never saved.</source>
+        <translation>Die Szene „%1“ wurde nie gespeichert.</translation>
+    </message>
+    <message>
+        <source>The gains of “%1” were changed.</source>
+        <translation>Die Verstärkungen von „%1“ wurden geändert.</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, or discard it?</source>
+        <translation>Als Szenendatei speichern oder verwerfen?</translation>
+    </message>
+    <message>
+        <source>Save them as a scene file, or discard them?</source>
+        <translation>Als Szenendatei speichern oder verwerfen?</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SceneView</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>What the stylus is held to, the stylus and the force on it. Arrow keys move the hand.</source>
+        <translation>Woran der Stift gehalten wird, der Stift und die Kraft auf ihn. Pfeiltasten bewegen die Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ScenesPanel</name>
+    <message>
+        <source>Feel:</source>
+        <translation>Spüren:</translation>
+    </message>
+    <message>
+        <source>Try:</source>
+        <translation>Probieren:</translation>
+    </message>
+    <message>
+        <source>Equation:</source>
+        <translation>Gleichung:</translation>
+    </message>
+    <message>
+        <source>Filter the scenes</source>
+        <translation>Szenen filtern</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>About the selected scene</source>
+        <translation>Über die gewählte Szene</translation>
+    </message>
+    <message>
+        <source>Open a scene file</source>
+        <translation>Szenendatei öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Find a scene</source>
+        <translation>Szene &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Puts the cursor into the filter.</source>
+        <translation>Setzt den Cursor in den Filter.</translation>
+    </message>
+    <message>
+        <source>Opened lately</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SchedulingSection</name>
+    <message>
+        <source>Scheduling</source>
+        <translation>Zeitplanung</translation>
+    </message>
+    <message>
+        <source>What the system granted the servo thread.</source>
+        <translation>Was das System dem Servo-Thread gewährt hat.</translation>
+    </message>
+    <message>
+        <source>Scheduling in effect</source>
+        <translation>Geltende Zeitplanung</translation>
+    </message>
+    <message>
+        <source>What else was granted</source>
+        <translation>Was sonst gewährt wurde</translation>
+    </message>
+    <message>
+        <source>How to get better</source>
+        <translation>Wie es besser wird</translation>
+    </message>
+    <message>
+        <source>It is as good as it gets.</source>
+        <translation>Besser geht es nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SecondArm</name>
+    <message>
+        <source>“%1” was not opened. %2</source>
+        <translation>„%1“ wurde nicht geöffnet. %2</translation>
+    </message>
+    <message>
+        <source>The scene stays. %1</source>
+        <translation>Die Szene bleibt. %1</translation>
+    </message>
+    <message>
+        <source>The second arm keeps its rate. %1</source>
+        <translation>Der zweite Arm behält seine Taktrate. %1</translation>
+    </message>
+    <message>
+        <source>The second arm: %1 %2</source>
+        <translation>Der zweite Arm: %1 %2</translation>
+    </message>
+    <message>
+        <source> It is kept in %1.</source>
+        <translation> Aufbewahrt in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SecondPanel</name>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation>stoppt</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>A second arm</source>
+        <translation>Ein zweiter Arm</translation>
+    </message>
+    <message>
+        <source>What happened to the second arm</source>
+        <translation>Was mit dem zweiten Arm geschah</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Which arm it is.</source>
+        <translation>Welcher Arm es ist.</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>What its servo does. Start and Stop are those of the first arm.</source>
+        <translation>Was sein Servo tut. Start und Stopp sind die des ersten Arms.</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>The force sent to the second arm.</source>
+        <translation>Die an den zweiten Arm gesendete Kraft.</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Where its tip is, in its own frame W.</source>
+        <translation>Wo seine Spitze ist, in seinem eigenen Koordinatensystem W.</translation>
+    </message>
+    <message>
+        <source>A s&amp;econd arm</source>
+        <translation>Ein &amp;zweiter Arm</translation>
+    </message>
+    <message>
+        <source>Another arm with a servo and a scene of its own, beside the first. Start and Stop are for both.</source>
+        <translation>Ein weiterer Arm mit eigenem Servo und eigener Szene, neben dem ersten. Start und Stopp gelten für beide.</translation>
+    </message>
+    <message>
+        <source>The second arm stays. %1</source>
+        <translation>Der zweite Arm bleibt. %1</translation>
+    </message>
+    <message>
+        <source>Second arm</source>
+        <translation>Zweiter Arm</translation>
+    </message>
+    <message>
+        <source>Which arm it is; others are in the panel Devices.</source>
+        <translation>Welcher Arm es ist; andere stehen im Bereich Geräte.</translation>
+    </message>
+    <message>
+        <source>Scene of the second arm</source>
+        <translation>Szene des zweiten Arms</translation>
+    </message>
+    <message>
+        <source>What it is held to.</source>
+        <translation>Woran er gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Side of the second arm</source>
+        <translation>Seite des zweiten Arms</translation>
+    </message>
+    <message>
+        <source>Where it stands beside the first.</source>
+        <translation>Wo er neben dem ersten steht.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>Another scene file…</source>
+        <translation>Andere Szenendatei …</translation>
+    </message>
+    <message>
+        <source>Opens a scene file for the second arm.</source>
+        <translation>Öffnet eine Szenendatei für den zweiten Arm.</translation>
+    </message>
+    <message>
+        <source>Mirrors my hand</source>
+        <translation>Spiegelt meine Hand</translation>
+    </message>
+    <message>
+        <source>A simulated second arm is moved as the first hand is, in a mirror.</source>
+        <translation>Ein simulierter zweiter Arm wird wie die erste Hand bewegt, gespiegelt.</translation>
+    </message>
+    <message>
+        <source>What is being opened</source>
+        <translation>Was geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Stands</source>
+        <translation>Steht</translation>
+    </message>
+    <message>
+        <source>A scene for the second arm</source>
+        <translation>Szene für den zweiten Arm</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Where the registrations of both arms say.</source>
+        <translation>Wo die Registrierungen beider Arme es angeben.</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Loading the scene…</source>
+        <translation>Szene wird geladen …</translation>
+    </message>
+    <message>
+        <source> (untested)</source>
+        <translation> (ungetestet)</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Section</name>
+    <message>
+        <source>%1, show or hide</source>
+        <translation>%1, ein- oder ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SectionStrip</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut across</source>
+        <translation>Schnitt quer zu</translation>
+    </message>
+    <message>
+        <source>Cut across x</source>
+        <translation>Schnitt quer zu x</translation>
+    </message>
+    <message>
+        <source>Cut across y</source>
+        <translation>Schnitt quer zu y</translation>
+    </message>
+    <message>
+        <source>Cut across z</source>
+        <translation>Schnitt quer zu z</translation>
+    </message>
+    <message>
+        <source>Where the cut is</source>
+        <translation>Wo der Schnitt ist</translation>
+    </message>
+    <message>
+        <source>Where along its axis the cut is. A double click lets it follow the stylus again.</source>
+        <translation>Wo entlang seiner Achse der Schnitt ist. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The cut follows the stylus</source>
+        <translation>Der Schnitt folgt dem Stift</translation>
+    </message>
+    <message>
+        <source>&amp;Move the cut with the keys</source>
+        <translation>Schnitt mit &amp;Tasten verschieben</translation>
+    </message>
+    <message>
+        <source>Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.</source>
+        <translation>Setzt den Fokus auf den Regler des Schnitts: Die Pfeiltasten verschieben ihn dann um 1 mm, Bild auf und Bild ab um 10.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ServoPanel</name>
+    <message>
+        <source>&amp;Hold to run</source>
+        <translation>&amp;Nur mit Taste</translation>
+    </message>
+    <message>
+        <source>The servo pushes only while the stylus button is held.</source>
+        <translation>Der Servo drückt nur, solange die Stifttaste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the servo</source>
+        <translation>Servo neu &amp;starten</translation>
+    </message>
+    <message>
+        <source>Ends the servo thread, opens the arm again and begins anew; the scene stays.</source>
+        <translation>Beendet den Servo-Thread, öffnet den Arm wieder und beginnt neu; die Szene bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Check the servo…</source>
+        <translation>Servo &amp;prüfen …</translation>
+    </message>
+    <message>
+        <source>Measures how late the servo's ticks are, beside the least that this machine allows.</source>
+        <translation>Misst, wie verspätet die Takte des Servos sind, neben dem Mindesten, das dieser Rechner zulässt.</translation>
+    </message>
+    <message>
+        <source>Hold to run</source>
+        <translation>Nur mit Taste</translation>
+    </message>
+    <message>
+        <source>The servo pushes only while the stylus button is held: here the Space key, with the focus in the view (F2).</source>
+        <translation>Der Servo drückt nur, solange die Stifttaste gehalten wird: hier die Leertaste, mit dem Fokus in der Ansicht (F2).</translation>
+    </message>
+    <message>
+        <source>What came of the restart, or of another rate</source>
+        <translation>Ergebnis des Neustarts oder einer anderen Taktrate</translation>
+    </message>
+    <message>
+        <source>Restart the servo</source>
+        <translation>Servo neu starten</translation>
+    </message>
+    <message>
+        <source>Check the servo…</source>
+        <translation>Servo prüfen …</translation>
+    </message>
+    <message>
+        <source>The servo was begun anew. Start lets it push.</source>
+        <translation>Der Servo wurde neu begonnen. Start lässt ihn drücken.</translation>
+    </message>
+    <message>
+        <source>The arm did not open again. %1</source>
+        <translation>Der Arm ließ sich nicht wieder öffnen. %1</translation>
+    </message>
+    <message>
+        <source>The rate stays. %1</source>
+        <translation>Die Taktrate bleibt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SessionList</name>
+    <message>
+        <source>Search the sessions</source>
+        <translation>Sitzungen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Words of the name, notes, tags, subject, scene, markers or date; all of them must be there.</source>
+        <translation>Wörter aus Name, Notizen, Tags, Person, Szene, Marken oder Datum; alle müssen vorkommen.</translation>
+    </message>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>About the chosen session</source>
+        <translation>Über die gewählte Sitzung</translation>
+    </message>
+    <message>
+        <source>Reading the folder</source>
+        <translation>Der Ordner wird gelesen</translation>
+    </message>
+    <message>
+        <source>No sessions yet. Record makes one.</source>
+        <translation>Noch keine Sitzungen. „Aufzeichnen“ legt eine an.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions</source>
+        <translation>%1 von %2 Sitzungen</translation>
+    </message>
+    <message>
+        <source>1 session</source>
+        <translation>1 Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 sessions</source>
+        <translation>%1 Sitzungen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SessionPanel</name>
+    <message>
+        <source>What is plotted</source>
+        <translation>Was aufgetragen ist</translation>
+    </message>
+    <message>
+        <source>Which plot of the whole session is shown. A click into a plot against time goes there.</source>
+        <translation>Welches Diagramm der ganzen Sitzung gezeigt wird. Ein Klick in ein Diagramm über der Zeit springt dorthin.</translation>
+    </message>
+    <message>
+        <source>Error and force</source>
+        <translation>Fehler und Kraft</translation>
+    </message>
+    <message>
+        <source>Force against displacement</source>
+        <translation>Kraft über Auslenkung</translation>
+    </message>
+    <message>
+        <source>Angles of influence</source>
+        <translation>Einflusswinkel</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Lateness</source>
+        <translation>Verspätung</translation>
+    </message>
+    <message>
+        <source>Plots of a recorded session stand here when one is open (Ctrl+Shift+O).</source>
+        <translation>Hier stehen Diagramme einer aufgezeichneten Sitzung, wenn eine geöffnet ist (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>Of the &amp;session</source>
+        <translation>Zur &amp;Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SessionPlot</name>
+    <message>
+        <source>Error [mm]</source>
+        <translation>Fehler [mm]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>Force along x [N]</source>
+        <translation>Kraft entlang x [N]</translation>
+    </message>
+    <message>
+        <source>displacement [mm]</source>
+        <translation>Auslenkung [mm]</translation>
+    </message>
+    <message>
+        <source>Force along y [N]</source>
+        <translation>Kraft entlang y [N]</translation>
+    </message>
+    <message>
+        <source>Force along z [N]</source>
+        <translation>Kraft entlang z [N]</translation>
+    </message>
+    <message>
+        <source>Angle [°]</source>
+        <translation>Winkel [°]</translation>
+    </message>
+    <message>
+        <source>α stylus</source>
+        <translation>α Stift</translation>
+    </message>
+    <message>
+        <source>β tip</source>
+        <translation>β Spitze</translation>
+    </message>
+    <message>
+        <source>θ target</source>
+        <translation>θ Ziel</translation>
+    </message>
+    <message>
+        <source>Energy [mJ]</source>
+        <translation>Energie [mJ]</translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>Force [dB over 1 mN]</source>
+        <translation>Kraft [dB über 1 mN]</translation>
+    </message>
+    <message>
+        <source>frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>Error [dB over 1 µm]</source>
+        <translation>Fehler [dB über 1 µm]</translation>
+    </message>
+    <message>
+        <source>Plots of the whole session</source>
+        <translation>Diagramme der ganzen Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SessionsPanel</name>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Begins a recording at once, or ends it.</source>
+        <translation>Beginnt sofort eine Aufzeichnung oder beendet sie.</translation>
+    </message>
+    <message>
+        <source>Set a &amp;marker</source>
+        <translation>&amp;Marke setzen</translation>
+    </message>
+    <message>
+        <source>Marks this moment in the recording.</source>
+        <translation>Markiert diesen Moment in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>&amp;Aufzeichnung stoppen</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Aufzeichnen %1</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording, disk nearly full</source>
+        <translation>Aufzeichnung, Datenträger fast voll</translation>
+    </message>
+    <message>
+        <source>%1 left.</source>
+        <translation>%1 übrig.</translation>
+    </message>
+    <message>
+        <source>recording, ticks missing</source>
+        <translation>Aufzeichnung, Takte fehlen</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Find a session</source>
+        <translation>Sitzung &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Puts the cursor into the search field.</source>
+        <translation>Setzt den Cursor in das Suchfeld.</translation>
+    </message>
+    <message>
+        <source>Export as &amp;CSV…</source>
+        <translation>Als &amp;CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes the chosen session's ticks as a table.</source>
+        <translation>Schreibt die Takte der gewählten Sitzung als Tabelle.</translation>
+    </message>
+    <message>
+        <source>Export the session as CSV</source>
+        <translation>Sitzung als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Plots as PDF…</source>
+        <translation>&amp;Diagramme als PDF …</translation>
+    </message>
+    <message>
+        <source>Draws all plots of the chosen session, a file each.</source>
+        <translation>Zeichnet alle Diagramme der gewählten Sitzung, je eine Datei.</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Show in folder</source>
+        <translation>Im &amp;Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Opens the folder that holds the chosen session.</source>
+        <translation>Öffnet den Ordner mit der gewählten Sitzung.</translation>
+    </message>
+    <message>
+        <source>&amp;Edit words…</source>
+        <translation>Anga&amp;ben ändern …</translation>
+    </message>
+    <message>
+        <source>Changes the chosen session's name, notes, tags and subject.</source>
+        <translation>Ändert Name, Notizen, Tags und Person der gewählten Sitzung.</translation>
+    </message>
+    <message>
+        <source>Rec&amp;over</source>
+        <translation>&amp;Retten</translation>
+    </message>
+    <message>
+        <source>Makes a session whole that the program could not close, so that every program opens it.</source>
+        <translation>Macht eine Sitzung vollständig, die das Programm nicht schließen konnte, sodass jedes Programm sie öffnet.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Löschen …</translation>
+    </message>
+    <message>
+        <source>Moves the chosen session to the bin.</source>
+        <translation>Verschiebt die gewählte Sitzung in den Papierkorb.</translation>
+    </message>
+    <message>
+        <source>Choose &amp;folder…</source>
+        <translation>Ordner &amp;wählen …</translation>
+    </message>
+    <message>
+        <source>Where recordings go, and which are listed.</source>
+        <translation>Wohin Aufzeichnungen kommen und welche aufgelistet werden.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Shows the chosen session again.</source>
+        <translation>Zeigt die gewählte Sitzung noch einmal.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Retten</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>What else can be done with the chosen session, and the folder.</source>
+        <translation>Was sonst mit der gewählten Sitzung geht, und der Ordner.</translation>
+    </message>
+    <message>
+        <source>The session is whole up to its last tenth of a second: %1 ticks.</source>
+        <translation>Die Sitzung ist bis auf ihre letzte Zehntelsekunde vollständig: %1 Takte.</translation>
+    </message>
+    <message>
+        <source>Delete a session</source>
+        <translation>Sitzung löschen</translation>
+    </message>
+    <message>
+        <source>Move “%1” to the bin?</source>
+        <translation>„%1“ in den Papierkorb verschieben?</translation>
+    </message>
+    <message>
+        <source>The file is %1. The bin gives it back.</source>
+        <translation>Die Datei ist %1. Der Papierkorb gibt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Move to the bin</source>
+        <translation>In den Papierkorb</translation>
+    </message>
+    <message>
+        <source>%1 is in the bin.</source>
+        <translation>%1 ist im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>The session cannot be moved to the bin: this folder has none, or may not be changed. Show in folder, and delete it there.</source>
+        <translation>Die Sitzung lässt sich nicht in den Papierkorb verschieben: Dieser Ordner hat keinen oder darf nicht geändert werden. Wählen Sie „Im Ordner zeigen“ und löschen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Ordner der Aufzeichnungen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ShapePanel</name>
+    <message>
+        <source>Edit its joints</source>
+        <translation>Gelenke bearbeiten</translation>
+    </message>
+    <message>
+        <source>Opens the Robot panel: joints, springs, turning stiffness and solver.</source>
+        <translation>Öffnet den Bereich Roboter: Gelenke, Federn, Drehsteifigkeit und Löser.</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>What was found in the file of the mesh, what was repaired, and how it can be felt.</source>
+        <translation>Was in der Datei des Dreiecksnetzes gefunden und was repariert wurde, und wie es sich spüren lässt.</translation>
+    </message>
+    <message>
+        <source>Stylus</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>The distance e between the tip and the nearest point of the shape, or a robot's tip; free: a wall that is not touched.</source>
+        <translation>Der Abstand e zwischen der Spitze und dem nächsten Punkt der Form oder der Spitze eines Roboters; frei: eine Wand, die nicht berührt wird.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ShareBar</name>
+    <message>
+        <source>%1, when it acted last</source>
+        <translation>%1, als es zuletzt wirkte</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SingularitiesSection</name>
+    <message>
+        <source>Distance to singularities</source>
+        <translation>Abstand zu Singularitäten</translation>
+    </message>
+    <message>
+        <source>Where the arm loses a direction. Amber and "near" under the mark of each bar.</source>
+        <translation>Wo der Arm eine Richtung verliert. Bernsteinfarben und „nah“ unter der Marke jedes Balkens.</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Distance of the wrist centre from axis 1: |L1 cos q2 + L2 sin(q2 + q3)|. At 0 joint 1 no longer moves the tip. Near: under %1 mm.</source>
+        <translation>Abstand des Handgelenkmittelpunkts von Achse 1: |L1 cos q2 + L2 sin(q2 + q3)|. Bei 0 bewegt Gelenk 1 die Spitze nicht mehr. Nah: unter %1 mm.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>Distance of q3 from ±90°, where the arm is stretched or folded: det J_p = L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)). Near: under %1°.</source>
+        <translation>Abstand von q3 zu ±90°, wo der Arm gestreckt oder gefaltet ist: det J_p = L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)). Nah: unter %1°.</translation>
+    </message>
+    <message>
+        <source>Wrist</source>
+        <translation>Handgelenk</translation>
+    </message>
+    <message>
+        <source>Distance of q5 from 0° or 180°, where axes 4 and 6 lie in line and only q4 + q6 (or q6 − q4) is defined. Near: under %1°.</source>
+        <translation>Abstand von q5 zu 0° oder 180°, wo die Achsen 4 und 6 in einer Linie liegen und nur q4 + q6 (oder q6 − q4) bestimmt ist. Nah: unter %1°.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SolutionsSection</name>
+    <message>
+        <source>Inverse solutions</source>
+        <translation>Inverse Lösungen</translation>
+    </message>
+    <message>
+        <source>All joint angles that put the stylus where it is: eq. 3.11 to 3.20 and figure 3.4 of the thesis, with their errata.</source>
+        <translation>Alle Gelenkwinkel, die den Stift dorthin bringen, wo er ist: Gl. 3.11 bis 3.20 und Abbildung 3.4 der Thesis, mit ihren Errata.</translation>
+    </message>
+    <message>
+        <source>&amp;Go there</source>
+        <translation>&amp;Dorthin</translation>
+    </message>
+    <message>
+        <source>Show &amp;none</source>
+        <translation>&amp;Keine zeigen</translation>
+    </message>
+    <message>
+        <source>Let the ghost go to the chosen solution</source>
+        <translation>Das Geisterbild zur gewählten Lösung gehen lassen</translation>
+    </message>
+    <message>
+        <source>A ghost of the arm turns evenly from the joints of now to those of the chosen solution.</source>
+        <translation>Ein Geisterbild des Arms dreht sich gleichmäßig von den jetzigen Gelenkwinkeln zu denen der gewählten Lösung.</translation>
+    </message>
+    <message>
+        <source>Show no chosen solution</source>
+        <translation>Keine gewählte Lösung zeigen</translation>
+    </message>
+    <message>
+        <source>Takes the ghost of the chosen solution away.</source>
+        <translation>Nimmt das Geisterbild der gewählten Lösung weg.</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>elbow</source>
+        <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>wrist</source>
+        <translation>Handgelenk</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>The number that the ghosts in the view have.</source>
+        <translation>Die Nummer, die die Geisterbilder in der Ansicht haben.</translation>
+    </message>
+    <message>
+        <source>+: the turret faces the wrist centre; −: it faces away. In the view the short line at the shoulder.</source>
+        <translation>+: Der Drehturm ist dem Handgelenkmittelpunkt zugewandt; −: abgewandt. In der Ansicht die kurze Linie an der Schulter.</translation>
+    </message>
+    <message>
+        <source>+: cos q3 ≥ 0, as a real arm's; −: the other elbow.</source>
+        <translation>+: cos q3 ≥ 0, wie bei einem echten Arm; −: der andere Ellbogen.</translation>
+    </message>
+    <message>
+        <source>+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view the short line at the tip, axis 5.</source>
+        <translation>+: sin q5 ≥ 0; −: Das Handgelenk ist andersherum gebeugt. In der Ansicht die kurze Linie an der Spitze, Achse 5.</translation>
+    </message>
+    <message>
+        <source>Whether each joint lies inside its limits. Now: the joints of the arm as it stands.</source>
+        <translation>Ob jedes Gelenk innerhalb seiner Grenzen liegt. Jetzt: die Gelenke des Arms, wie er steht.</translation>
+    </message>
+    <message>
+        <source>Solution %1 does not exist here: at a singularity two become one.</source>
+        <translation>Lösung %1 gibt es hier nicht: An einer Singularität werden zwei zu einer.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SolverSection</name>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>How the joints of least energy are found, every tick. Nothing felt changes with the method.</source>
+        <translation>Wie in jedem Takt die Gelenkwerte kleinster Energie gefunden werden. Die Methode ändert nichts am Gefühlten.</translation>
+    </message>
+    <message>
+        <source>Method of the solver</source>
+        <translation>Methode des Lösers</translation>
+    </message>
+    <message>
+        <source>By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the iteration (Levenberg and Marquardt, from the last tick's joints).</source>
+        <translation>Von selbst: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
+    </message>
+    <message>
+        <source>by itself (auto)</source>
+        <translation>von selbst (auto)</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>iterative</source>
+        <translation>iterativ</translation>
+    </message>
+    <message>
+        <source>Most steps a tick</source>
+        <translation>Max. Schritte je Takt</translation>
+    </message>
+    <message>
+        <source>The iteration's steps in one tick, 1 to 100; what is left goes on in the next.</source>
+        <translation>Die Schritte der Iteration in einem Takt, 1 bis 100; was übrig bleibt, geht im nächsten weiter.</translation>
+    </message>
+    <message>
+        <source>Tolerance, rad and shares of the reach</source>
+        <translation>Toleranz, rad und Anteile der Reichweite</translation>
+    </message>
+    <message>
+        <source>The iteration ends where no joint would move by more: rad, and shares of the reach.</source>
+        <translation>Die Iteration endet, wo sich kein Gelenk um mehr bewegen würde: rad und Anteile der Reichweite.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Most steps</source>
+        <translation>Max. Schritte</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::StaircaseChart</name>
+    <message>
+        <source>Difference of stiffness against trial</source>
+        <translation>Steifigkeitsunterschied über Durchgang</translation>
+    </message>
+    <message>
+        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
+        <translation>Der Unterschied jedes Durchgangs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
+    </message>
+    <message>
+        <source>%1 trials; the threshold is %2</source>
+        <translation>%1 Durchgänge; die Schwelle ist %2</translation>
+    </message>
+    <message>
+        <source>%1 trials; no threshold</source>
+        <translation>%1 Durchgänge; keine Schwelle</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>● right  ○ wrong  ◎ turn</source>
+        <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::StatusLine</name>
+    <message>
+        <source>Servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>What the servo does.</source>
+        <translation>Was der Servo tut.</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Stoppt</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation>Taktrate des Servos</translation>
+    </message>
+    <message>
+        <source>Ticks a second.</source>
+        <translation>Takte je Sekunde.</translation>
+    </message>
+    <message>
+        <source>4000 Hz</source>
+        <translation>4000 Hz</translation>
+    </message>
+    <message>
+        <source>Lateness</source>
+        <translation>Verspätung</translation>
+    </message>
+    <message>
+        <source>99 of 100 ticks in the last 10 s started no later than this.</source>
+        <translation>99 von 100 Takten der letzten 10 s begannen höchstens so spät.</translation>
+    </message>
+    <message>
+        <source>late p99 9999 µs</source>
+        <translation>verspätet p99 9999 µs</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Zeitplanung</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>The force sent to the arm, and the most that it is ever sent.</source>
+        <translation>Die an den Arm gesendete Kraft und die größte, die ihm je gesendet wird.</translation>
+    </message>
+    <message>
+        <source>force 0.00 / 0.00 N</source>
+        <translation>Kraft 0,00 / 0,00 N</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Live data</source>
+        <translation>Live-Daten</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source> (simulated)</source>
+        <translation> (simuliert)</translation>
+    </message>
+    <message>
+        <source> (untested)</source>
+        <translation> (ungetestet)</translation>
+    </message>
+    <message>
+        <source>: %1</source>
+        <translation>: %1</translation>
+    </message>
+    <message>
+        <source>A recording moves the stylus: forces go to no arm.</source>
+        <translation>Eine Aufzeichnung bewegt den Stift: Kräfte gehen an keinen Arm.</translation>
+    </message>
+    <message>
+        <source>A simulation in software: no arm is moved. %1</source>
+        <translation>Eine Simulation in Software: Kein Arm wird bewegt. %1</translation>
+    </message>
+    <message>
+        <source>force %1 / %2 N%3</source>
+        <translation>Kraft %1 / %2 N%3</translation>
+    </message>
+    <message>
+        <source> limited: %1</source>
+        <translation> begrenzt: %1</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 Hz of %2</source>
+        <translation>%1 Hz von %2</translation>
+    </message>
+    <message>
+        <source>late p99 %1 µs</source>
+        <translation>verspätet p99 %1 µs</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::StepPanel</name>
+    <message>
+        <source>It grows without end: a pole lies right of the imaginary axis, or twice on it.</source>
+        <translation>Sie wächst ohne Ende: Ein Pol liegt rechts der imaginären Achse oder doppelt auf ihr.</translation>
+    </message>
+    <message>
+        <source>It goes on for ever: a pole lies at 0.</source>
+        <translation>Sie läuft immer weiter: Ein Pol liegt bei 0.</translation>
+    </message>
+    <message>
+        <source>It swings for ever: nothing damps it.</source>
+        <translation>Sie schwingt für immer: Nichts dämpft sie.</translation>
+    </message>
+    <message>
+        <source> ± %1i</source>
+        <translation> ± %1i</translation>
+    </message>
+    <message>
+        <source>Poles [rad/s]: %1</source>
+        <translation>Pole [rad/s]: %1</translation>
+    </message>
+    <message>
+        <source>gains of the step response</source>
+        <translation>Verstärkungen der Sprungantwort</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.</source>
+        <translation>Die Spitze hat sich nicht bewegt: %1 N überwinden die Reibung des Arms von %2 N nicht. Machen Sie den Sprung größer.</translation>
+    </message>
+    <message>
+        <source>The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure without the limits.</source>
+        <translation>Die Kraftschleuse hat die Kraft in %1 Takten gekürzt, dies ist also keine lineare Antwort. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
+    </message>
+    <message>
+        <source>Measured along %1%3. The model has no friction; the arm has %2 N.</source>
+        <translation>Gemessen entlang %1%3. Das Modell hat keine Reibung; der Arm hat %2 N.</translation>
+    </message>
+    <message>
+        <source>the direction in which it holds</source>
+        <translation>der Richtung, in der sie hält</translation>
+    </message>
+    <message>
+        <source> on “%1”</source>
+        <translation> an „%1“</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The arm under a law, or one of the figures of the thesis's appendix B.</source>
+        <translation>Der Arm unter einem Regelgesetz oder eine der Abbildungen aus Anhang B der Thesis.</translation>
+    </message>
+    <message>
+        <source>The arm under a law</source>
+        <translation>Der Arm unter einem Regelgesetz</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>its fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Final value</source>
+        <translation>Endwert</translation>
+    </message>
+    <message>
+        <source>Where it ends, a share of the step; of an undamped one what it swings about.</source>
+        <translation>Wo sie endet, als Anteil des Sprungs; bei einer ungedämpften, worum sie schwingt.</translation>
+    </message>
+    <message>
+        <source>Rise [s]</source>
+        <translation>Anstieg [s]</translation>
+    </message>
+    <message>
+        <source>From 10 % of the final value to 90 %, each first passed.</source>
+        <translation>Von 10 % des Endwerts bis 90 %, jeweils beim ersten Erreichen.</translation>
+    </message>
+    <message>
+        <source>Settling [s]</source>
+        <translation>Einschwingen [s]</translation>
+    </message>
+    <message>
+        <source>From then on it stays within 2 % of the final value.</source>
+        <translation>Von da an bleibt sie innerhalb von 2 % um den Endwert.</translation>
+    </message>
+    <message>
+        <source>Peak [s]</source>
+        <translation>Maximum [s]</translation>
+    </message>
+    <message>
+        <source>When it is highest, where it goes beyond the final value.</source>
+        <translation>Wann sie am höchsten ist, falls sie über den Endwert hinausgeht.</translation>
+    </message>
+    <message>
+        <source>Overshoot [%]</source>
+        <translation>Überschwingen [%]</translation>
+    </message>
+    <message>
+        <source>How far it goes beyond: exp(−π ζ / √(1 − ζ²)) of a second order.</source>
+        <translation>Wie weit sie darüber hinausgeht: exp(−π ζ / √(1 − ζ²)) bei zweiter Ordnung.</translation>
+    </message>
+    <message>
+        <source>ωₙ [rad/s]</source>
+        <translation>ωₙ [rad/s]</translation>
+    </message>
+    <message>
+        <source>Natural frequency: √(kp / m).</source>
+        <translation>Eigenfrequenz: √(kp / m).</translation>
+    </message>
+    <message>
+        <source>ζ</source>
+        <translation>ζ</translation>
+    </message>
+    <message>
+        <source>Damping ratio: (b + kd) / (2 √(kp m)); 1 is critical.</source>
+        <translation>Dämpfungsgrad: (b + kd) / (2 √(kp m)); 1 ist kritisch.</translation>
+    </message>
+    <message>
+        <source>Error [mm]</source>
+        <translation>Fehler [mm]</translation>
+    </message>
+    <message>
+        <source>Steady error: from the target to where the tip stands at the end. Friction can hold it up to friction / kp away.</source>
+        <translation>Bleibender Fehler: vom Ziel bis dahin, wo die Spitze am Ende steht. Reibung kann sie bis zu Reibung / kp entfernt halten.</translation>
+    </message>
+    <message>
+        <source>Left [mm]</source>
+        <translation>Rest [mm]</translation>
+    </message>
+    <message>
+        <source>What the fit leaves of the measured curve, root of the mean square.</source>
+        <translation>Was die Anpassung von der gemessenen Kurve übrig lässt, Wurzel aus dem mittleren Quadrat.</translation>
+    </message>
+    <message>
+        <source>What there is to know of this response</source>
+        <translation>Was es zu dieser Antwort zu wissen gibt</translation>
+    </message>
+    <message>
+        <source>Constraint that is measured</source>
+        <translation>Bindung, die gemessen wird</translation>
+    </message>
+    <message>
+        <source>Which constraint of the scene is measured, and whose gains are taken and given.</source>
+        <translation>Welche Bindung der Szene gemessen wird und wessen Verstärkungen geholt und gegeben werden.</translation>
+    </message>
+    <message>
+        <source>Law of the response</source>
+        <translation>Regelgesetz der Antwort</translation>
+    </message>
+    <message>
+        <source>P: kp e (B.13).  PD: and kd de/dt (B.14).  PID: and the integral of ki e (B.15).</source>
+        <translation>P: kp e (B.13).  PD: dazu kd de/dt (B.14).  PID: dazu das Integral von ki e (B.15).</translation>
+    </message>
+    <message>
+        <source>P, proportional</source>
+        <translation>P, proportional</translation>
+    </message>
+    <message>
+        <source>PD, with damping</source>
+        <translation>PD, mit Dämpfung</translation>
+    </message>
+    <message>
+        <source>PID, with integral</source>
+        <translation>PID, mit Integral</translation>
+    </message>
+    <message>
+        <source>C&amp;onstraint</source>
+        <translation>B&amp;indung</translation>
+    </message>
+    <message>
+        <source>La&amp;w</source>
+        <translation>&amp;Regelgesetz</translation>
+    </message>
+    <message>
+        <source>What moves at the tip: the arm's apparent mass, and a hand's: m x'' + b x' + kp x = kp r.</source>
+        <translation>Was sich an der Spitze bewegt: die scheinbare Masse des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
+    </message>
+    <message>
+        <source>What slows the tip besides the law, the arm's own damping and a hand's: m x'' + b x' + kp x = kp r.</source>
+        <translation>Was die Spitze außer dem Regelgesetz bremst, die eigene Dämpfung des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Stiffness kp</source>
+        <translation>Steifigkeit kp</translation>
+    </message>
+    <message>
+        <source>Damping kd</source>
+        <translation>Dämpfung kd</translation>
+    </message>
+    <message>
+        <source>Integral ki</source>
+        <translation>Integral ki</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
+    </message>
+    <message>
+        <source>&amp;Take gains</source>
+        <translation>Verst. h&amp;olen</translation>
+    </message>
+    <message>
+        <source>Law and gains of the scene, those along x, into this panel.</source>
+        <translation>Regelgesetz und Verstärkungen der Szene, die entlang x, in diesen Bereich.</translation>
+    </message>
+    <message>
+        <source>Take gains from the scene</source>
+        <translation>Verstärkungen aus der Szene holen</translation>
+    </message>
+    <message>
+        <source>&amp;Give gains</source>
+        <translation>Verst. &amp;geben</translation>
+    </message>
+    <message>
+        <source>Law and gains of this panel into the scene, along x, y and z; one step back undoes it.</source>
+        <translation>Regelgesetz und Verstärkungen dieses Bereichs in die Szene, entlang x, y und z; ein Schritt zurück macht es rückgängig.</translation>
+    </message>
+    <message>
+        <source>Give gains to the scene</source>
+        <translation>Verstärkungen an die Szene geben</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the arm</source>
+        <translation>Arm &amp;messen</translation>
+    </message>
+    <message>
+        <source>Moves the target of the scene's constraint by a step, on a simulated arm of its own with these gains, and lays the tip's way over the model's. Nobody holds the stylus.</source>
+        <translation>Bewegt das Ziel der Bindung der Szene um einen Sprung, an einem eigenen simulierten Arm mit diesen Verstärkungen, und legt den Weg der Spitze über den des Modells. Niemand hält den Stift.</translation>
+    </message>
+    <message>
+        <source>Measure the simulated arm</source>
+        <translation>Simulierten Arm messen</translation>
+    </message>
+    <message>
+        <source>Length of the step, mm</source>
+        <translation>Länge des Sprungs, mm</translation>
+    </message>
+    <message>
+        <source>How far the target is moved for the measurement.</source>
+        <translation>Wie weit das Ziel für die Messung bewegt wird.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>With the &amp;limits of the gate</source>
+        <translation>Mi&amp;t den Grenzen der Kraftschleuse</translation>
+    </message>
+    <message>
+        <source>With the limits of the gate</source>
+        <translation>Mit den Grenzen der Kraftschleuse</translation>
+    </message>
+    <message>
+        <source>The force is cut to what the arm bears, and to a speed. Off: the law alone, as the model has it.</source>
+        <translation>Die Kraft wird auf das gekürzt, was der Arm verträgt, und auf ein Tempo. Aus: das Regelgesetz allein, wie es das Modell hat.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::StepPlot</name>
+    <message>
+        <source>2 % band, peak, settling</source>
+        <translation>2-%-Band, Maximum, Einschwingen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>its fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Response to a step of 1</source>
+        <translation>Antwort auf einen Sprung von 1</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Imaginary part [rad/s]</source>
+        <translation>Imaginärteil [rad/s]</translation>
+    </message>
+    <message>
+        <source>real part [rad/s]</source>
+        <translation>Realteil [rad/s]</translation>
+    </message>
+    <message>
+        <source>× pole</source>
+        <translation>× Pol</translation>
+    </message>
+    <message>
+        <source>○ zero</source>
+        <translation>○ Nullstelle</translation>
+    </message>
+    <message>
+        <source>Step response and poles</source>
+        <translation>Sprungantwort und Pole</translation>
+    </message>
+    <message>
+        <source>Above: the response to a step of 1. Below: poles and zeros in the s-plane; what lies left of the upright axis dies out, the faster the farther.</source>
+        <translation>Oben: die Antwort auf einen Sprung von 1. Unten: Pole und Nullstellen in der s-Ebene; was links der senkrechten Achse liegt, klingt ab, je weiter, desto schneller.</translation>
+    </message>
+    <message>
+        <source>Overshoot %1 %</source>
+        <translation>Überschwingen %1 %</translation>
+    </message>
+    <message>
+        <source>Nothing settles</source>
+        <translation>Nichts schwingt ein</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SurfaceSection</name>
+    <message>
+        <source>The surface has f&amp;riction</source>
+        <translation>Die Oberfläche hat R&amp;eibung</translation>
+    </message>
+    <message>
+        <source>Bends between faces feel round: the force leans by up to this angle from the face's own normal. Edges that turn by more stay sharp. 0: faces as they are.</source>
+        <translation>Knicke zwischen Flächen fühlen sich rund an: Die Kraft neigt sich um bis zu diesen Winkel gegen die eigene Normale der Fläche. Kanten, die stärker knicken, bleiben scharf. 0: Flächen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>The surface has friction</source>
+        <translation>Die Oberfläche hat Reibung</translation>
+    </message>
+    <message>
+        <source>Off, the stylus glides along the surface. On, it sticks up to the static share of the force across the surface, and drags by the dynamic share beyond (Coulomb).</source>
+        <translation>Aus: Der Stift gleitet die Oberfläche entlang. Ein: Er haftet bis zum Haftanteil der Kraft quer zur Oberfläche und wird darüber mit dem Gleitanteil gebremst (Coulomb).</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smooth bends</source>
+        <translation>Knicke glätten</translation>
+    </message>
+    <message>
+        <source>Dynamic</source>
+        <translation>Gleiten</translation>
+    </message>
+    <message>
+        <source>How the nearest point of the mesh is sought</source>
+        <translation>Wie der nächste Punkt des Dreiecksnetzes gesucht wird</translation>
+    </message>
+    <message>
+        <source>Nearest of all: the target may change over to another part of the mesh. Along the surface: it stays on the sheet it is on.</source>
+        <translation>Allernächster Punkt: Das Ziel kann auf einen anderen Teil des Dreiecksnetzes wechseln. Entlang der Oberfläche: Es bleibt auf dem Flächenstück, auf dem es ist.</translation>
+    </message>
+    <message>
+        <source>nearest of all</source>
+        <translation>allernächster Punkt</translation>
+    </message>
+    <message>
+        <source>nearest of all, in the tree</source>
+        <translation>allernächster Punkt, im Baum</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Held to</source>
+        <translation>&amp;Gehalten an</translation>
+    </message>
+    <message>
+        <source>friction on</source>
+        <translation>Reibung ein</translation>
+    </message>
+    <message>
+        <source>friction off</source>
+        <translation>Reibung aus</translation>
+    </message>
+    <message>
+        <source>How hard it sticks: the share of the force across the surface that does not move it.</source>
+        <translation>Wie stark er haftet: der Anteil der Kraft quer zur Oberfläche, der ihn noch nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>Static</source>
+        <translation>Haften</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>How hard it drags while it slides; at most the static share.</source>
+        <translation>Wie stark er beim Gleiten gebremst wird; höchstens der Haftanteil.</translation>
+    </message>
+    <message>
+        <source>Dynamic friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+    <message>
+        <source>static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>dynamic friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SwingPlot</name>
+    <message>
+        <source>Tip along %1 [mm]</source>
+        <translation>Spitze entlang %1 [mm]</translation>
+    </message>
+    <message>
+        <source>Tip along x [mm]</source>
+        <translation>Spitze entlang x [mm]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>fitted body</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Swings of the tip</source>
+        <translation>Schwingungen der Spitze</translation>
+    </message>
+    <message>
+        <source>The tip is drawn to the target, and swings. The dashed line is how a mass with friction and damping moves under the force that was sent.</source>
+        <translation>Die Spitze wird zum Ziel gezogen und schwingt. Die gestrichelte Linie zeigt, wie sich eine Masse mit Reibung und Dämpfung unter der gesendeten Kraft bewegt.</translation>
+    </message>
+    <message>
+        <source>%1 points along %2</source>
+        <translation>%1 Punkte entlang %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::TimeSection</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>How evenly the servo ticks.</source>
+        <translation>Wie gleichmäßig der Servo taktet.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>Rate asked</source>
+        <translation>Soll-Taktrate</translation>
+    </message>
+    <message>
+        <source>Ticks a second, as chosen above or told to the program (--rate).</source>
+        <translation>Takte pro Sekunde, wie oben gewählt oder dem Programm mitgegeben (--rate).</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Ticks a second by the clock on the wall.</source>
+        <translation>Takte pro Sekunde nach der Uhr an der Wand.</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>Verspätung</translation>
+    </message>
+    <message>
+        <source>How late ticks started since the servo was begun at this rate, µs. p99: 99 of 100 no later than this.</source>
+        <translation>Wie verspätet Takte begannen, seit der Servo mit dieser Taktrate läuft, µs. p99: 99 von 100 nicht später als dies.</translation>
+    </message>
+    <message>
+        <source>last 10 s</source>
+        <translation>letzte 10 s</translation>
+    </message>
+    <message>
+        <source>How late the ticks of the last 10 s started, µs.</source>
+        <translation>Wie verspätet die Takte der letzten 10 s begannen, µs.</translation>
+    </message>
+    <message>
+        <source>tick</source>
+        <translation>Takt</translation>
+    </message>
+    <message>
+        <source>How long ticks took, from the sample to the force, µs.</source>
+        <translation>Wie lange Takte dauerten, vom Messwert bis zur Kraft, µs.</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätet</translation>
+    </message>
+    <message>
+        <source>Ticks that started a whole period late or more. They are not caught up.</source>
+        <translation>Takte, die um eine ganze Periode oder mehr verspätet begannen. Sie werden nicht nachgeholt.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Deadlines that had passed when a late tick came: they are left out, not made up for in a burst.</source>
+        <translation>Termine, die vorbei waren, als ein verspäteter Takt kam: Sie werden ausgelassen, nicht in einem Schub nachgeholt.</translation>
+    </message>
+    <message>
+        <source>Lost rows</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>Ticks that plots and recordings did not get, because the window was busy. The servo was not.</source>
+        <translation>Takte, die Diagramme und Aufzeichnungen nicht bekamen, weil das Fenster beschäftigt war. Der Servo war es nicht.</translation>
+    </message>
+    <message>
+        <source>Microseconds:</source>
+        <translation>Mikrosekunden:</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::TitleCard</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>What to feel</source>
+        <translation>Was zu fühlen ist</translation>
+    </message>
+    <message>
+        <source>What to try</source>
+        <translation>Zum Probieren</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>The next scene.</source>
+        <translation>Die nächste Szene.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Lets the arm push. Esc lets go.</source>
+        <translation>Lässt den Arm drücken. Esc lässt los.</translation>
+    </message>
+    <message>
+        <source>What there is to feel</source>
+        <translation>Was es zu fühlen gibt</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::TouchPage</name>
+    <message>
+        <source>What to do now</source>
+        <translation>Jetzt zu tun</translation>
+    </message>
+    <message>
+        <source>What became of the last press</source>
+        <translation>Was aus dem letzten Druck wurde</translation>
+    </message>
+    <message>
+        <source>Where the tip is</source>
+        <translation>Wo die Spitze ist</translation>
+    </message>
+    <message>
+        <source>&amp;Hold (Space)</source>
+        <translation>&amp;Halten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Takes the tip's place over half a second.</source>
+        <translation>Erfasst eine halbe Sekunde lang den Ort der Spitze.</translation>
+    </message>
+    <message>
+        <source>&amp;Touch this mark again</source>
+        <translation>Messpunkt erneut &amp;berühren</translation>
+    </message>
+    <message>
+        <source>The mark that is chosen in the table is due next.</source>
+        <translation>Der in der Tabelle gewählte Messpunkt ist als Nächstes an der Reihe.</translation>
+    </message>
+    <message>
+        <source>Marks, and where the tip was</source>
+        <translation>Messpunkte, und wo die Spitze war</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>x, y, z in W, mm</source>
+        <translation>x, y, z in W, mm</translation>
+    </message>
+    <message>
+        <source>spread, mm</source>
+        <translation>Streuung, mm</translation>
+    </message>
+    <message>
+        <source>Touch the marks</source>
+        <translation>Messpunkte berühren</translation>
+    </message>
+    <message>
+        <source>How long it was held</source>
+        <translation>Wie lange gehalten wurde</translation>
+    </message>
+    <message>
+        <source>The arm says: %1</source>
+        <translation>Der Arm meldet: %1</translation>
+    </message>
+    <message>
+        <source>Tip: %1</source>
+        <translation>Spitze: %1</translation>
+    </message>
+    <message>
+        <source>No sample came from the arm yet.</source>
+        <translation>Vom Arm kam noch kein Messwert.</translation>
+    </message>
+    <message>
+        <source>All marks are touched.</source>
+        <translation>Alle Messpunkte sind berührt.</translation>
+    </message>
+    <message>
+        <source>Rest the tip in mark %1 and press the stylus's button, or Space. The force is off.</source>
+        <translation>Legen Sie die Spitze in Messpunkt %1 und drücken Sie die Taste des Stifts oder die Leertaste. Die Kraft ist aus.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Tour</name>
+    <message>
+        <source>Tour of the window</source>
+        <translation>Rundgang durchs Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Rundgang durchs Fenster</translation>
+    </message>
+    <message>
+        <source>What is where, in eight stops; Esc leaves it at any stop.</source>
+        <translation>Was wo ist, in acht Stationen; Esc beendet ihn an jeder Station.</translation>
+    </message>
+    <message>
+        <source>What it is for</source>
+        <translation>Wozu es dient</translation>
+    </message>
+    <message>
+        <source>Which stop</source>
+        <translation>Welche Station</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The stop before.</source>
+        <translation>Die Station davor.</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>The next stop; Enter does it, too.</source>
+        <translation>Die nächste Station; auch mit Eingabe.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Leaves the tour; Esc does it, too, and stops the servo.</source>
+        <translation>Beendet den Rundgang; auch mit Esc, das zudem den Servo anhält.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::TransformPanel</name>
+    <message>
+        <source>p [mm]</source>
+        <translation>p [mm]</translation>
+    </message>
+    <message>
+        <source>Parts along %1 of W of the frame's axes, and of its place.</source>
+        <translation>Anteile der Achsen des Koordinatensystems und seines Orts entlang %1 von W.</translation>
+    </message>
+    <message>
+        <source>Axes that the steps are about</source>
+        <translation>Bezugsachsen der Schritte</translation>
+    </message>
+    <message>
+        <source>Moving: each step is about the frame that the steps before it made, X = S1 S2 S3. Fixed: about the axes of W, X = S3 S2 S1. Craig, section 2.8.</source>
+        <translation>Bewegt: Jeder Schritt bezieht sich auf das Koordinatensystem, das die Schritte davor ergaben, X = S1 S2 S3. Fest: auf die Achsen von W, X = S3 S2 S1. Craig, Abschnitt 2.8.</translation>
+    </message>
+    <message>
+        <source>About moving axes: X = S1 S2 …</source>
+        <translation>Um bewegte Achsen: X = S1 S2 …</translation>
+    </message>
+    <message>
+        <source>About fixed axes: X = … S2 S1</source>
+        <translation>Um feste Achsen: X = … S2 S1</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>R: a turn about an axis. D: a shift along it.</source>
+        <translation>R: eine Drehung um eine Achse. D: eine Verschiebung entlang der Achse.</translation>
+    </message>
+    <message>
+        <source>by [° mm]</source>
+        <translation>um [° mm]</translation>
+    </message>
+    <message>
+        <source>How far: degrees of a turn, mm of a shift.</source>
+        <translation>Wie weit: Grad bei einer Drehung, mm bei einer Verschiebung.</translation>
+    </message>
+    <message>
+        <source>What was refused</source>
+        <translation>Was abgelehnt wurde</translation>
+    </message>
+    <message>
+        <source>As listed</source>
+        <translation>Wie gelistet</translation>
+    </message>
+    <message>
+        <source>In the other order</source>
+        <translation>Umgekehrte Reihenfolge</translation>
+    </message>
+    <message>
+        <source>How far apart both ends are</source>
+        <translation>Abstand der beiden Enden</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>A step after the selected one, 6 at most.</source>
+        <translation>Ein Schritt nach dem gewählten, höchstens 6.</translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation>Schritt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the selected step away; one stays.</source>
+        <translation>Nimmt den gewählten Schritt weg; einer bleibt.</translation>
+    </message>
+    <message>
+        <source>Remove the selected step</source>
+        <translation>Gewählten Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The steps as they were before the last change.</source>
+        <translation>Die Schritte, wie sie vor der letzten Änderung waren.</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the steps</source>
+        <translation>Letzte Änderung der Schritte rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>The change that was taken back, again.</source>
+        <translation>Die zurückgenommene Änderung noch einmal.</translation>
+    </message>
+    <message>
+        <source>Redo the change of the steps</source>
+        <translation>Änderung der Schritte wiederholen</translation>
+    </message>
+    <message>
+        <source>A turn is from −360 to 360 degrees.</source>
+        <translation>Eine Drehung geht von −360 bis 360 Grad.</translation>
+    </message>
+    <message>
+        <source>A shift is from −200 to 200 mm: the picture is as wide.</source>
+        <translation>Eine Verschiebung geht von −200 bis 200 mm: So breit ist das Bild.</translation>
+    </message>
+    <message>
+        <source>step %1, kind</source>
+        <translation>Schritt %1, Art</translation>
+    </message>
+    <message>
+        <source>step %1, how far</source>
+        <translation>Schritt %1, wie weit</translation>
+    </message>
+    <message>
+        <source>Degrees.</source>
+        <translation>Grad.</translation>
+    </message>
+    <message>
+        <source>Millimetres.</source>
+        <translation>Millimeter.</translation>
+    </message>
+    <message>
+        <source>Both orders end in the same place: here order does not matter.</source>
+        <translation>Beide Reihenfolgen enden am selben Ort: Hier kommt es auf die Reihenfolge nicht an.</translation>
+    </message>
+    <message>
+        <source>The two ends are %1 and %2° apart: order matters.</source>
+        <translation>Die beiden Enden liegen %1 und %2° auseinander: Es kommt auf die Reihenfolge an.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ValueRow</name>
+    <message>
+        <source>The mark is the scene's own value; a double click goes back to it.</source>
+        <translation>Die Marke ist der eigene Wert der Szene; ein Doppelklick führt zu ihm zurück.</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, Regler</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::VisitorMode</name>
+    <message>
+        <source>&amp;Visitor mode</source>
+        <translation>&amp;Besuchermodus</translation>
+    </message>
+    <message>
+        <source>Full screen for visitors: scenes in turn, half of the force, everything else locked.</source>
+        <translation>Vollbild für Besucher: Szenen im Wechsel, die halbe Kraft, alles andere gesperrt.</translation>
+    </message>
+    <message>
+        <source>Demonstrator's &amp;panel</source>
+        <translation>Bereich für &amp;Vorführende</translation>
+    </message>
+    <message>
+        <source>In visitor mode: which scenes, how long, how much force, and the way out.</source>
+        <translation>Im Besuchermodus: welche Szenen, wie lange, wie viel Kraft und wie man ihn beendet.</translation>
+    </message>
+    <message>
+        <source>A session is being recorded. Stop the recording first.</source>
+        <translation>Eine Sitzung wird aufgezeichnet. Beenden Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>A session is being replayed. Close the replay first.</source>
+        <translation>Eine Sitzung wird wiedergegeben. Schließen Sie zuerst die Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>A measurement has a scene of its own in effect. End it first.</source>
+        <translation>Eine Messung verwendet gerade eine eigene Szene. Beenden Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>The second arm is on. Switch it off first.</source>
+        <translation>Der zweite Arm ist eingeschaltet. Schalten Sie ihn zuerst aus.</translation>
+    </message>
+    <message>
+        <source>Visitor mode</source>
+        <translation>Besuchermodus</translation>
+    </message>
+    <message>
+        <source>Visitor mode was not started.</source>
+        <translation>Der Besuchermodus wurde nicht gestartet.</translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>Lädt</translation>
+    </message>
+    <message>
+        <source>None of these scenes can be shown; those before stay.</source>
+        <translation>Keine dieser Szenen kann gezeigt werden; die vorherigen bleiben.</translation>
+    </message>
+    <message>
+        <source>Cannot be shown: %1</source>
+        <translation>Nicht darstellbar: %1</translation>
+    </message>
+    <message>
+        <source>No scene can be shown</source>
+        <translation>Keine Szene darstellbar</translation>
+    </message>
+    <message>
+        <source>The arm did not open again. %1</source>
+        <translation>Der Arm ließ sich nicht wieder öffnen. %1</translation>
+    </message>
+    <message>
+        <source>No scene is chosen; those before stay.</source>
+        <translation>Keine Szene ist gewählt; die vorherigen bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Welcome</name>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Welcome: three things to try</source>
+        <translation>Willkommen: drei Dinge zum Probieren</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Willkommen</translation>
+    </message>
+    <message>
+        <source>Three things to try first: push, move a slider, turn the stylus.</source>
+        <translation>Drei Dinge zum ersten Probieren: drücken, einen Regler bewegen, den Stift drehen.</translation>
+    </message>
+    <message>
+        <source>Try one of these</source>
+        <translation>Probieren Sie eines</translation>
+    </message>
+    <message>
+        <source>To try</source>
+        <translation>Zum Probieren</translation>
+    </message>
+    <message>
+        <source>Tour of the window</source>
+        <translation>Rundgang durchs Fenster</translation>
+    </message>
+    <message>
+        <source>Eight stops; Esc leaves it.</source>
+        <translation>Acht Stationen; Esc beendet ihn.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>It stays in the Help menu.</source>
+        <translation>Es bleibt im Menü „Hilfe“.</translation>
+    </message>
+    <message>
+        <source>Move a slider: the one with the frame is the stiffness along x.</source>
+        <translation>Bewegen Sie einen Regler: Der mit dem Rahmen ist die Steifigkeit entlang x.</translation>
+    </message>
+    <message>
+        <source>Turn the stylus: drag it with Ctrl held down.</source>
+        <translation>Drehen Sie den Stift: Ziehen Sie ihn bei gedrückter Strg-Taste.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Erledigt</translation>
+    </message>
+    <message>
+        <source>Not done yet</source>
+        <translation>Noch offen</translation>
+    </message>
+    <message>
+        <source>The Help menu brings this card back.</source>
+        <translation>Das Menü „Hilfe“ bringt diese Karte zurück.</translation>
+    </message>
+    <message>
+        <source>The force pushes back with %1 N.</source>
+        <translation>Die Kraft drückt mit %1 N zurück.</translation>
+    </message>
+    <message>
+        <source>The change is felt at once.</source>
+        <translation>Die Änderung ist sofort zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The stylus has turned; in some scenes that draws you along.</source>
+        <translation>Der Stift hat sich gedreht; in manchen Szenen zieht Sie das mit.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::WordsDialog</name>
+    <message>
+        <source>What went wrong</source>
+        <translation>Was nicht gelang</translation>
+    </message>
+    <message>
+        <source>Words of %1</source>
+        <translation>Angaben zu %1</translation>
+    </message>
+    <message>
+        <source>Save the words</source>
+        <translation>Angaben speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::WordsForm</name>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>What the session is called in the list.</source>
+        <translation>Wie die Sitzung in der Liste heißt.</translation>
+    </message>
+    <message>
+        <source>No&amp;tes</source>
+        <translation>No&amp;tizen</translation>
+    </message>
+    <message>
+        <source>Anything worth knowing when it is read again.</source>
+        <translation>Alles, was beim späteren Lesen wissenswert ist.</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>Ta&amp;gs</translation>
+    </message>
+    <message>
+        <source>Words to find it by, with commas between.</source>
+        <translation>Wörter, mit denen sie zu finden ist, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Su&amp;bject</source>
+        <translation>&amp;Person</translation>
+    </message>
+    <message>
+        <source>Whose hand it is, as a code that only your own list resolves.</source>
+        <translation>Wessen Hand es ist, als Code, den nur Ihre eigene Liste auflöst.</translation>
+    </message>
+    <message>
+        <source>A code, not a name: whoever reads the file can see it.</source>
+        <translation>Ein Code, kein Name: Wer die Datei liest, kann ihn sehen.</translation>
+    </message>
+    <message>
+        <source>pilot, left hand</source>
+        <translation>Vorversuch, linke Hand</translation>
+    </message>
+</context>
+<context>
+    <name>welcome</name>
+    <message>
+        <source>Pull it away from the point: drag the stylus with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus vom Punkt weg.</translation>
+    </message>
+    <message>
+        <source>Push into the sphere: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in die Kugel.</translation>
+    </message>
+    <message>
+        <source>Pull it away from the line: drag the stylus with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus von der Geraden weg.</translation>
+    </message>
+    <message>
+        <source>Push into the plane: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in die Ebene.</translation>
+    </message>
+    <message>
+        <source>Pull it away from the circle: drag the stylus with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus vom Kreis weg.</translation>
+    </message>
+    <message>
+        <source>Push into the cylinder: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in den Zylinder.</translation>
+    </message>
+    <message>
+        <source>Push into the box: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in den Quader.</translation>
+    </message>
+    <message>
+        <source>Push into the body: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in den Körper.</translation>
+    </message>
+    <message>
+        <source>Pull it away from the curve: drag the stylus with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus von der Kurve weg.</translation>
+    </message>
+    <message>
+        <source>Pull it away from the robot's tip: drag the stylus with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus von der Spitze des Roboters weg.</translation>
+    </message>
+</context>
+</TS>
