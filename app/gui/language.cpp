@@ -44,7 +44,8 @@ void chooseLanguage(const QString& language) {
 void speak(const QString& language) {
   qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kOwn));  // each takes itself out
   QLocale locale = language == kSystem ? QLocale::system() : QLocale(language);
-  if (locale.language() != QLocale::English) {  // which the sources speak
+  const QString first = locale.uiLanguages().value(0);  // words and numbers may be of two countries
+  if (QLocale(first).language() != QLocale::English) {  // which the sources speak
     // Qt's own words first: what is installed later is asked before.
     install(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(locale, QStringLiteral("underact"), QStringLiteral(":/languages"));

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include "app/gui/number_box.h"
+#include "app/gui/page/page_view.h"
+#include "app/gui/panels.h"
+#include "app/gui/words.h"
+#include "tests/stories/language_desk.h"
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+/// All panels, one after the other; what each is seen to cut.
+QStringList cutInPanels(Story& story) {
+  QStringList cut;
+  for (const PanelRow& row : panels()) {
+    EXPECT_TRUE(story.perform(QString("dock.") + row.key, true)) << row.key;
+    story.run(1);
+    story.settle();
+    cut << cutWords(*story.find(QString("dock.") + row.key));
+    story.savePicture(QString("german_") + row.key);
+  }
+  cut << cutWords(*story.find("toolbar")) << cutWords(*story.find("status"));
+  return cut;
+}
+
+/// What opens a window of its own, and what that is seen to cut.
+QStringList cutInDialogs(Story& story) {
+  QStringList cut;
+  for (const char* name : {"help.keys", "help.about", "live.address", "servo.check", "help.figures",
+                           "registration.open", "identify.open", "help.guide", "language.en"}) {
+    EXPECT_TRUE(story.perform(name)) << name;
+    story.settle();
+    int windows = 0;
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      if (widget == &story.window() || !widget->isVisible()) continue;
+      ++windows;
+      cut << cutWords(*widget);
+      widget->grab().save(QString(UNDERACT_BINARY) + "/pictures/german_" + name + ".png");
+      widget->close();
+    }
+    EXPECT_GT(windows, 0) << name;
+    story.settle();
+  }
+  return cut;
+}
+
+QByteArray savedAfterAnEdit() {
+  Story story("02_sphere");
+  EXPECT_TRUE(story.perform("gains.set", "kp", "x", 0.35));
+  const QString path = temporaryFile("tuned.json");
+  EXPECT_TRUE(story.perform("scene.save_as", path));
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+  return file.readAll();
+}
+
+}  // namespace
+
+TEST(LanguageStory, InGermanNoTextIsLeftOutAndNoneIsCut) {
+  const German german;
+  Story story("12_line_pid");
+  story.perform("session.start");
+  story.run(500);
+  QStringList cut = cutInPanels(story);
+  story.perform("lesson.open", QString("01_frames"));
+  cut << cutWords(*story.find("dock.lessons"));
+  story.perform("lesson.leave");
+  cut << cutInDialogs(story);
+  cut.removeDuplicates();
+  EXPECT_EQ(cut.join('\n').toStdString(), "");
+  EXPECT_EQ(german.missing().join('\n').toStdString(), "");
+}
+
+TEST(LanguageStory, TheChoiceIsKeptAndTheNextWindowSpeaksIt) {
+  {
+    Story story("02_sphere");
+    EXPECT_EQ(chosenLanguage(), "system");
+    EXPECT_TRUE(story.window().actions().find("language.system")->isChecked());
+    ASSERT_TRUE(story.perform("language.de"));
+    story.settle();
+    auto* box = story.find<QMessageBox>("dialog.language");
+    ASSERT_NE(box, nullptr);
+    EXPECT_EQ(box->text(), "The window speaks it from the next start on.");
+    box->accept();
+    EXPECT_EQ(story.window().menuBar()->actions().front()->text(), "&File") << "not before";
+  }
+  EXPECT_EQ(chosenLanguage(), "de");
+  {
+    const German german;
+    Story story("02_sphere", {.first_start = false});
+    EXPECT_EQ(story.window().menuBar()->actions().front()->text(), "&Datei");
+    EXPECT_TRUE(story.window().actions().find("language.de")->isChecked());
+    EXPECT_TRUE(story.perform("language.en"));
+    story.settle();
+    story.find<QMessageBox>("dialog.language")->accept();
+  }
+  EXPECT_EQ(chosenLanguage(), "en");
+  EXPECT_EQ(Story({}, {.first_start = false}).window().menuBar()->actions().front()->text(), "&File");
+  QSettings().clear();
+}
+
+TEST(LanguageStory, LessonsAndScenesAreShownInGerman) {
+  const German german;
+  Story story("02_sphere");
+  EXPECT_EQ(story.window().windowTitle(), QString("Kugel[*] – Underact"));
+  ASSERT_TRUE(story.perform("lesson.open", QString("01_frames")));
+  story.settle();
+  EXPECT_TRUE(story.find<PageView>("panel.lessons.text")->toPlainText().contains("Koordinatensystem"));
+  EXPECT_EQ(story.host().scene().title.find("Kugel"), std::string::npos) << "what runs and is recorded stays as it is";
+}
+
+TEST(LanguageStory, NumbersHaveACommaOnTheScreenAndBothAreUnderstood) {
+  EXPECT_EQ(numberText(-1234.56, 1), QString(QChar(0x2212)) + "1234.6");
+  const German german;
+  EXPECT_EQ(numberText(-1234.56, 1), QString(QChar(0x2212)) + "1234,6");
+  EXPECT_EQ(numberText(-0.04, 1), "0,0");
+  EXPECT_EQ(typed(" 1.5"), 1.5);
+  EXPECT_EQ(typed(QString(QChar(0x2212)) + "1,5"), -1.5);
+  EXPECT_EQ(typed("1.000,5"), std::nullopt);
+  Story story("12_line_pid");
+  auto* number = story.find<QDoubleSpinBox>("panel.gains.kp.x.number");
+  for (const char* text : {"0.45", "0,25"}) {
+    story.type(number, text);
+    EXPECT_EQ(number->value(), typed(text)) << text;
+    EXPECT_TRUE(number->text().contains(',')) << number->text().toStdString();
+    EXPECT_FALSE(number->text().contains('.')) << number->text().toStdString();
+  }
+}
+
+TEST(LanguageStory, AFileHasTheSameBytesInEveryLanguage) {
+  const QByteArray english = savedAfterAnEdit();
+  EXPECT_TRUE(english.contains("0.35"));
+  const German german;
+  EXPECT_EQ(savedAfterAnEdit(), english);
+}
+
+TEST(LanguageStory, EachMenuHasEachLetterOnce) {
+  const German german;
+  Story story("02_sphere");
+  for (QMenu* menu : story.window().menuBar()->findChildren<QMenu*>()) {
+    QSet<QChar> letters;
+    for (const QAction* action : menu->actions()) {
+      const qsizetype at = action->text().indexOf('&');
+      if (at < 0 || menu->objectName() == "menu.recent") continue;
+      const QChar letter = action->text()[at + 1].toLower();
+      EXPECT_FALSE(letters.contains(letter)) << action->text().toStdString();
+      letters.insert(letter);
+    }
+  }
+}
+
+}  // namespace underact::gui::test
