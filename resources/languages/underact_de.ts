@@ -1402,10 +1402,17 @@ Drehen Sie den Stift, bis er nach oben zeigt, entlang $y$ von W: dritte Spalte $
         <source>Two turns one after the other are a product of matrices, and matrices do not commute. Turning about the
 **fixed** axes of W multiplies from the left: first about $x$, then about $y$ is $R = R_y R_x$.
 
-Take a book and try: turn it by 90° about $x$, then by 90° about $y$. Then the other way round.
+Take a book and try: turn it by 90° about $x$, then by 90° about $y$. Then the other way round. The panel
+*Transforms* does the same: choose fixed axes, $R_x$ 90 and $R_y$ 90; it draws both orders.
 
 $R_x(90°)$ takes $z$ to $-y$. $R_y(90°)$ takes $z$ to $x$ and leaves $y$ where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Drehungen nacheinander sind ein Produkt von Matrizen, und Matrizen sind nicht vertauschbar. Eine Drehung um die
+**festen** Achsen von W multipliziert von links: zuerst um $x$, dann um $y$ ist $R = R_y R_x$.
+
+Versuchen Sie es mit einem Buch: Drehen Sie es um 90° um $x$, dann um 90° um $y$. Danach umgekehrt. Der Bereich
+*Transformationen* macht dasselbe: Wählen Sie feste Achsen, $R_x$ 90 und $R_y$ 90; er zeichnet beide Reihenfolgen.
+
+$R_x(90°)$ führt $z$ nach $-y$. $R_y(90°)$ führt $z$ nach $x$ und lässt $y$, wo es ist.</translation>
     </message>
     <message>
         <source>First about $x$: $z$ becomes $-y$; turning about $y$ leaves that. First about $y$: $z$ becomes $x$; turning about $x$ leaves that.</source>
@@ -1499,8 +1506,13 @@ Solange der Servo gestoppt ist (Esc), bewegen die Schieberegler im Bereich *Kine
         <source>The twist $\alpha$ is the angle from one joint's axis to the next one's, about $x$. 0° means that the two axes are
 parallel, 90° that they stand across each other.
 
-Look at the column $\alpha$, and at the frames in the view.</source>
-        <translation type="unfinished"></translation>
+Look at the column $\alpha$ in the panel *DH table*, and at the frames in the view. The table is drawn over the arm: type
+90 into $\alpha$ of row 3, and see where the forearm would go. *Undo* brings it back.</source>
+        <translation>Die Verdrehung $\alpha$ ist der Winkel von der Achse eines Gelenks zur Achse des nächsten, um $x$. 0° bedeutet, dass die beiden Achsen
+parallel sind, 90°, dass sie quer zueinander stehen.
+
+Betrachten Sie die Spalte $\alpha$ im Bereich *DH-Tabelle* und die Koordinatensysteme in der Ansicht. Die Tabelle wird über den Arm gezeichnet: Geben Sie
+bei $\alpha$ in Zeile 3 den Wert 90 ein und sehen Sie, wohin der Unterarm käme. *Rückgängig* stellt den alten Wert wieder her.</translation>
     </message>
     <message>
         <source>Row 3 has $\alpha = 0$: the way from axis 2 to axis 3.</source>
@@ -3788,7 +3800,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>L&amp;ayers</source>
-        <translation>&amp;Ebenen</translation>
+        <translation>Ebe&amp;nen</translation>
     </message>
     <message>
         <source>T&amp;heme</source>
@@ -3800,7 +3812,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Layout</source>
-        <translation>&amp;Layout</translation>
+        <translation>La&amp;yout</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -3816,7 +3828,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Add &amp;mesh…</source>
-        <translation>&amp;Dreiecksnetz hinzufügen …</translation>
+        <translation>Dreiecks&amp;netz hinzufügen …</translation>
     </message>
     <message>
         <source>Loads an STL, OBJ, PLY or OFF file, and adds it to the scene or makes a new one of it.</source>
@@ -3824,7 +3836,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Mesh &amp;report</source>
-        <translation>&amp;Bericht zum Dreiecksnetz</translation>
+        <translation>Be&amp;richt zum Dreiecksnetz</translation>
     </message>
     <message>
         <source>What was found in the file of the scene's mesh, what was repaired, and how it can be felt.</source>
@@ -3908,7 +3920,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;What if</source>
-        <translation>&amp;Was wäre wenn</translation>
+        <translation>Was wäre we&amp;nn</translation>
     </message>
     <message>
         <source>The recorded hand on the scene and the gains of the window, in place of the recorded ones.</source>
@@ -3992,7 +4004,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation>&amp;Zurück</translation>
+        <translation>&amp;Hinten</translation>
     </message>
     <message>
         <source>Looks from behind the arm, along z.</source>
@@ -4096,7 +4108,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Link frames</source>
-        <translation>&amp;Gliedkoordinaten</translation>
+        <translation>Glie&amp;dkoordinaten</translation>
     </message>
     <message>
         <source>The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.</source>
@@ -4283,8 +4295,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gerät [°]</translation>
     </message>
     <message>
+        <source>q3 = shin − thigh</source>
+        <translation>q3 = Unters. − Obers.</translation>
+    </message>
+    <message>
         <source>turret</source>
-        <translation>Drehturm</translation>
+        <translation>Turm</translation>
     </message>
     <message>
         <source>q1 = −turret</source>
@@ -4292,19 +4308,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>thigh</source>
-        <translation>Oberschenkel</translation>
+        <translation>Obers.</translation>
     </message>
     <message>
         <source>q2 = thigh</source>
-        <translation>q2 = Schenkel</translation>
+        <translation>q2 = Obers.</translation>
     </message>
     <message>
         <source>shin</source>
-        <translation>Unterschenkel</translation>
-    </message>
-    <message>
-        <source>q3 = shin − thigh</source>
-        <translation>q3 = Schienbein − Schenkel</translation>
+        <translation>Unters.</translation>
     </message>
     <message>
         <source>gimbal 1</source>
@@ -5087,7 +5099,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Look for arms</source>
-        <translation>Arme &amp;suchen</translation>
+        <translation>Arme s&amp;uchen</translation>
     </message>
     <message>
         <source>Looks again at what is plugged in.</source>
@@ -5500,7 +5512,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::FaultWatch</name>
     <message>
         <source>Show the last &amp;fault</source>
-        <translation>Letzte &amp;Störung zeigen</translation>
+        <translation>L&amp;etzte Störung zeigen</translation>
     </message>
     <message>
         <source>What stopped the servo last, and where its file is.</source>
@@ -6742,15 +6754,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>turret</source>
-        <translation>Drehturm</translation>
+        <translation>Turm</translation>
     </message>
     <message>
         <source>thigh</source>
-        <translation>Oberschenkel</translation>
+        <translation>Obers.</translation>
     </message>
     <message>
         <source>shin</source>
-        <translation>Unterschenkel</translation>
+        <translation>Unters.</translation>
     </message>
     <message>
         <source>gimbal 1</source>
@@ -6876,7 +6888,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::KinematicsPanel</name>
     <message>
         <source>&amp;Kinematics, all of it</source>
-        <translation>&amp;Kinematik, vollständig</translation>
+        <translation>Kinematik, v&amp;ollständig</translation>
     </message>
     <message>
         <source>Opens the kinematics panel and shows link frames, inverse solutions and both ellipsoids; once more: hides them.</source>
@@ -7384,7 +7396,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Send live &amp;data to…</source>
-        <translation>Live-&amp;Daten senden an …</translation>
+        <translation>Live-Daten s&amp;enden an …</translation>
     </message>
     <message>
         <source>Sends every tick to an address that you give.</source>
@@ -9361,7 +9373,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Find a scene</source>
-        <translation>Szene &amp;suchen</translation>
+        <translation>Szene s&amp;uchen</translation>
     </message>
     <message>
         <source>Puts the cursor into the filter.</source>
@@ -9628,7 +9640,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Move the cut with the keys</source>
-        <translation>Schnitt mit &amp;Tasten verschieben</translation>
+        <translation>Schnitt &amp;mit Tasten verschieben</translation>
     </message>
     <message>
         <source>Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.</source>
@@ -9647,7 +9659,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Restart the servo</source>
-        <translation>Servo neu &amp;starten</translation>
+        <translation>Servo neu st&amp;arten</translation>
     </message>
     <message>
         <source>Ends the servo thread, opens the arm again and begins anew; the scene stays.</source>
@@ -11305,7 +11317,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Demonstrator's &amp;panel</source>
-        <translation>Bereich für &amp;Vorführende</translation>
+        <translation>Bereich für Vorführen&amp;de</translation>
     </message>
     <message>
         <source>In visitor mode: which scenes, how long, how much force, and the way out.</source>

@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMutex>
 #include <QStyle>
@@ -53,6 +54,20 @@ QStringList German::missing() const {
 
 namespace {
 
+/// Of a table's columns.
+QStringList cutHeads(const QWidget& widget) {
+  QStringList cut;
+  const auto* head = qobject_cast<const QHeaderView*>(&widget);
+  if (head == nullptr || head->orientation() != Qt::Horizontal) return cut;
+  for (int column = 0; column < head->count(); ++column) {
+    const QString title = head->model()->headerData(column, Qt::Horizontal).toString();
+    const QSize words = head->fontMetrics().size(0, title);  // Qt's own hint is that of bold ones
+    if (!head->isSectionHidden(column) && head->sectionSize(column) < words.width())
+      cut << head->parent()->objectName() + ": " + title;
+  }
+  return cut;
+}
+
 QString wordsOf(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
@@ -77,7 +92,8 @@ bool isCut(const QWidget& widget) {
 QStringList cutWords(const QWidget& widget) {
   QStringList cut;
   for (const QWidget* part : widget.findChildren<QWidget*>()) {
-    if (!part->isVisible() || part->visibleRegion().isEmpty()) continue;
+    if (!part->isVisible()) continue;
+    cut << cutHeads(*part);
     const QString words = wordsOf(*part);
     if (!words.isEmpty() && isCut(*part)) cut << part->objectName() + ": " + words;
   }

@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSettings>
 
 #include "app/gui/number_box.h"
 #include "app/gui/page/page_view.h"
@@ -73,7 +74,8 @@ TEST(LanguageStory, InGermanNoTextIsLeftOutAndNoneIsCut) {
   story.perform("session.start");
   story.run(500);
   QStringList cut = cutInPanels(story);
-  story.perform("lesson.open", QString("01_frames"));
+  EXPECT_TRUE(story.perform("lesson.start", QString("01_frames")));
+  story.settle();
   cut << cutWords(*story.find("dock.lessons"));
   story.perform("lesson.leave");
   cut << cutInDialogs(story);
@@ -114,7 +116,7 @@ TEST(LanguageStory, LessonsAndScenesAreShownInGerman) {
   const German german;
   Story story("02_sphere");
   EXPECT_EQ(story.window().windowTitle(), QString("Kugel[*] – Underact"));
-  ASSERT_TRUE(story.perform("lesson.open", QString("01_frames")));
+  ASSERT_TRUE(story.perform("lesson.start", QString("01_frames")));
   story.settle();
   EXPECT_TRUE(story.find<PageView>("panel.lessons.text")->toPlainText().contains("Koordinatensystem"));
   EXPECT_EQ(story.host().scene().title.find("Kugel"), std::string::npos) << "what runs and is recorded stays as it is";

@@ -66,9 +66,11 @@ AnglesSection::AnglesSection(QWidget* parent)
               tr("The same posture as the DH table counts it and as the device does. The device measures the shin from "
                  "the base, not from the thigh. Thesis figure 3.5; the signs were never verified on hardware."),
               parent),
-      table_(new NumberTable(
-          "panel.kinematics.angles",
-          {{tr("DH [°]"), kWideAngle}, {tr("device [°]"), "device [°]"}, {{}, "  q3 = shin − thigh ", true}}, this)) {
+      table_(new NumberTable("panel.kinematics.angles",
+                             {{tr("DH [°]"), kWideAngle},
+                              {tr("device [°]"), "device [°]"},
+                              {{}, AnglesSection::tr("q3 = shin − thigh") + "   ", true}},
+                             this)) {
   const std::array<std::array<QString, 2>, 6> words{
       {{AnglesSection::tr("turret"), AnglesSection::tr("q1 = −turret")},
        {AnglesSection::tr("thigh"), AnglesSection::tr("q2 = thigh")},

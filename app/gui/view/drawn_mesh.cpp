@@ -12,6 +12,8 @@
 #include <map>
 #include <mutex>
 
+#include "core/base/translate.h"
+
 namespace underact::gui {
 namespace {
 
