@@ -1,7 +1,9 @@
 #include "app/gui/shape_text.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QObject>
+#include <cctype>
 
 #include "app/gui/words.h"
 
@@ -9,6 +11,12 @@ namespace underact::gui {
 namespace {
 
 using Lines = std::vector<ShapeLine>;
+
+/// The names of the types, for translators alone.
+[[maybe_unused]] constexpr const char* kShapeNames[] = {
+    QT_TRANSLATE_NOOP("shape", "Point"), QT_TRANSLATE_NOOP("shape", "Sphere"), QT_TRANSLATE_NOOP("shape", "Line"),
+    QT_TRANSLATE_NOOP("shape", "Plane"), QT_TRANSLATE_NOOP("shape", "Circle"), QT_TRANSLATE_NOOP("shape", "Cylinder"),
+    QT_TRANSLATE_NOOP("shape", "Box"),   QT_TRANSLATE_NOOP("shape", "Mesh"),   QT_TRANSLATE_NOOP("shape", "Curve")};
 
 Lines linesOf(const scene::Point& point) {
   return {{QObject::tr("Position"), placeText(point.position_mm)}};
@@ -131,9 +139,9 @@ QString sideText(target::Side side) {
 
 QString shapeName(const scene::Shape& shape) {
   if (std::holds_alternative<scene::VirtualManipulator>(shape)) return QObject::tr("Virtual robot");
-  QString name = QString::fromLatin1(scene::typeName(shape));
-  name[0] = name[0].toUpper();
-  return name;
+  QByteArray name = scene::typeName(shape);
+  name.front() = static_cast<char>(std::toupper(name.front()));
+  return QCoreApplication::translate("shape", name);
 }
 
 std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {

@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMutex>
+#include <QPushButton>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 
@@ -68,6 +69,8 @@ QStringList cutHeads(const QWidget& widget) {
   return cut;
 }
 
+constexpr int kFrame_px = 4;  // of a button, and room for the focus
+
 QString wordsOf(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
@@ -83,6 +86,11 @@ bool isCut(const QWidget& widget) {
     option.initFrom(choice);
     const QRect field = choice->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField);
     return field.width() < choice->fontMetrics().horizontalAdvance(choice->currentText());
+  }
+  if (const auto* button = qobject_cast<const QPushButton*>(&widget)) {  // its hint is wider than its words need
+    const int icon = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
+    const int words = button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
+    return button->width() < words + icon + 2 * kFrame_px;
   }
   return widget.width() < widget.sizeHint().width();
 }

@@ -35,6 +35,23 @@ QStringList cutInPanels(Story& story) {
   return cut;
 }
 
+/// What some scenes have, and others not.
+QStringList cutInScenes(Story& story) {
+  QStringList cut;
+  for (const char* scene : {"14_circle_influence", "20_scara", "09_wall"}) {
+    EXPECT_TRUE(story.perform("scene.open", shippedScene(scene)));
+    story.run(250);
+    for (const char* panel : {"feel", "shape", "robot", "scenes"}) {
+      story.perform(QString("dock.") + panel, false);  // and to the front
+      story.perform(QString("dock.") + panel, true);
+      story.settle();
+      cut << cutWords(*story.find(QString("dock.") + panel));
+    }
+    story.savePicture(QString("german_") + scene);
+  }
+  return cut;
+}
+
 /// What opens a window of its own, and what that is seen to cut.
 QStringList cutInDialogs(Story& story) {
   QStringList cut;
@@ -78,6 +95,14 @@ TEST(LanguageStory, InGermanNoTextIsLeftOutAndNoneIsCut) {
   story.settle();
   cut << cutWords(*story.find("dock.lessons"));
   story.perform("lesson.leave");
+  cut << cutInScenes(story);
+  for (const char* name : {"help.welcome", "help.tour"}) {
+    EXPECT_TRUE(story.perform(name)) << name;
+    story.run(250);
+    story.settle();
+    cut << cutWords(story.window());
+    story.savePicture(QString("german_") + name);
+  }
   cut << cutInDialogs(story);
   cut.removeDuplicates();
   EXPECT_EQ(cut.join('\n').toStdString(), "");

@@ -74,6 +74,7 @@ std::span<const HelpPage> helpPages() {
       HelpPage{"dialog.live", "sessions"},
       HelpPage{"dialog.mesh", "meshes"},
       HelpPage{"dialog.mesh_problems", "meshes"},
+      HelpPage{"dialog.language", "languages"},
       HelpPage{"dialog.newer_settings", "install"},
       HelpPage{"dialog.no_visitors", "visitor"},
       HelpPage{"dialog.not_saved", "window#feel"},
