@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -83,21 +82,15 @@ void DhPanel::build() {
 }
 
 void DhPanel::buildButtons(QVBoxLayout* column) {
-  add_ = pushButton("panel.dh.add", tr("Add"), tr("A row after the selected one, 8 at most."), this, tr("Add a row"));
-  remove_ = pushButton("panel.dh.remove", tr("Remove"), tr("Takes the selected row away; one stays."), this,
-                       tr("Remove the selected row"));
-  undo_ = pushButton("panel.dh.undo", tr("Undo"), tr("The table as it was before the last change."), this,
-                     tr("Undo the last change of the table"));
-  redo_ = pushButton("panel.dh.redo", tr("Redo"), tr("The change that was taken back, again."), this,
-                     tr("Redo the change of the table"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  for (QPushButton* one : {add_, remove_, undo_, redo_}) row->addWidget(one);
-  column->addLayout(row);
-  connect(add_, &QPushButton::clicked, this, [this] { change(withRow(tables_.now(), selected())); });
-  connect(remove_, &QPushButton::clicked, this, [this] { change(withoutRow(tables_.now(), selected())); });
-  connect(undo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("dh.undo"); });
-  connect(redo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("dh.redo"); });
+  buttons_.add =
+      pushButton("panel.dh.add", tr("Add"), tr("A row after the selected one, 8 at most."), this, tr("Add a row"));
+  buttons_.remove = pushButton("panel.dh.remove", tr("Remove"), tr("Takes the selected row away; one stays."), this,
+                               tr("Remove the selected row"));
+  buttons_.undo = pushButton("panel.dh.undo", tr("Undo"), tr("The table as it was before the last change."), this,
+                             tr("Undo the last change of the table"));
+  buttons_.redo = pushButton("panel.dh.redo", tr("Redo"), tr("The change that was taken back, again."), this,
+                             tr("Redo the change of the table"));
+  layEditRow(column, buttons_, parts_.actions, "dh");
 }
 
 void DhPanel::addCommands() {
@@ -106,16 +99,13 @@ void DhPanel::addCommands() {
   parts_.actions.addCommand("dh.set", [this](const QVariantList& values) {  // row from 1, "alpha", "90"
     return values.size() == 3 && type(values[0].toInt() - 1, dhFieldOf(values[1].toString()), values[2].toString());
   });
-  parts_.actions.addCommand("dh.undo", [this](const QVariantList&) {
-    const bool done = tables_.undo();
-    showTable();
-    return done;
+  parts_.actions.addCommand("dh.add", [this](const QVariantList&) {
+    return tables_.now().rows.size() < kMostDhRows && change(withRow(tables_.now(), selected()));
   });
-  parts_.actions.addCommand("dh.redo", [this](const QVariantList&) {
-    const bool done = tables_.redo();
-    showTable();
-    return done;
+  parts_.actions.addCommand("dh.remove", [this](const QVariantList&) {
+    return tables_.now().rows.size() > 1 && change(withoutRow(tables_.now(), selected()));
   });
+  addHistoryCommands(parts_.actions, "dh", tables_, [this] { showTable(); });
   parts_.actions.addCommand("dh.follow", [this](const QVariantList& values) {
     follows_->setChecked(values.value(0, true).toBool());
     return true;
@@ -183,10 +173,10 @@ void DhPanel::showTable() {
     table_->fitHeight();
   }
   showNumbers();
-  add_->setEnabled(table.rows.size() < kMostDhRows);
-  remove_->setEnabled(table.rows.size() > 1);
-  undo_->setEnabled(tables_.canUndo());
-  redo_->setEnabled(tables_.canRedo());
+  buttons_.add->setEnabled(table.rows.size() < kMostDhRows);
+  buttons_.remove->setEnabled(table.rows.size() > 1);
+  buttons_.undo->setEnabled(tables_.canUndo());
+  buttons_.redo->setEnabled(tables_.canRedo());
   const Problems odd = chain::oddIn(table.rows);
   odd_->setText(sentencesOf(odd));
   odd_->setVisible(!odd.empty());

@@ -2,13 +2,12 @@
 #include <vector>
 
 #include "app/gui/explore/dh_table.h"
-#include "app/gui/explore/history.h"
+#include "app/gui/explore/edit_row.h"
 #include "app/gui/panel.h"
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QVBoxLayout;
 
 namespace underact::gui {
@@ -52,7 +51,7 @@ class DhPanel : public Panel {
   QCheckBox* follows_ = nullptr;
   NumberTable* tip_ = nullptr;
   QLabel *odd_ = nullptr, *told_ = nullptr;
-  QPushButton *add_ = nullptr, *remove_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+  EditRow buttons_;
 };
 
 }  // namespace underact::gui

@@ -1,7 +1,6 @@
 #include "app/gui/explore/transform_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -106,22 +105,15 @@ void TransformPanel::build() {
 }
 
 void TransformPanel::buildButtons(QVBoxLayout* column) {
-  add_ = pushButton("panel.transform.add", tr("Add"), tr("A step after the selected one, 6 at most."), this,
-                    tr("Add a step"));
-  remove_ = pushButton("panel.transform.remove", tr("Remove"), tr("Takes the selected step away; one stays."), this,
-                       tr("Remove the selected step"));
-  undo_ = pushButton("panel.transform.undo", tr("Undo"), tr("The steps as they were before the last change."), this,
-                     tr("Undo the last change of the steps"));
-  redo_ = pushButton("panel.transform.redo", tr("Redo"), tr("The change that was taken back, again."), this,
-                     tr("Redo the change of the steps"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  for (QPushButton* one : {add_, remove_, undo_, redo_}) row->addWidget(one);
-  column->addLayout(row);
-  connect(add_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.add"); });
-  connect(remove_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.remove"); });
-  connect(undo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.undo"); });
-  connect(redo_, &QPushButton::clicked, this, [this] { parts_.actions.perform("transform.redo"); });
+  buttons_.add = pushButton("panel.transform.add", tr("Add"), tr("A step after the selected one, 6 at most."), this,
+                            tr("Add a step"));
+  buttons_.remove = pushButton("panel.transform.remove", tr("Remove"), tr("Takes the selected step away; one stays."),
+                               this, tr("Remove the selected step"));
+  buttons_.undo = pushButton("panel.transform.undo", tr("Undo"), tr("The steps as they were before the last change."),
+                             this, tr("Undo the last change of the steps"));
+  buttons_.redo = pushButton("panel.transform.redo", tr("Redo"), tr("The change that was taken back, again."), this,
+                             tr("Redo the change of the steps"));
+  layEditRow(column, buttons_, parts_.actions, "transform");
 }
 
 void TransformPanel::addCommands() {
@@ -144,16 +136,7 @@ void TransformPanel::addCommands() {
     state.steps.erase(state.steps.begin() + selected());
     return change(state);
   });
-  actions.addCommand("transform.undo", [this](const QVariantList&) {
-    const bool done = states_.undo();
-    refresh();
-    return done;
-  });
-  actions.addCommand("transform.redo", [this](const QVariantList&) {
-    const bool done = states_.redo();
-    refresh();
-    return done;
-  });
+  addHistoryCommands(actions, "transform", states_, [this] { refresh(); });
 }
 
 bool TransformPanel::setStep(int row, const QString& kind, const QString& amount) {
@@ -231,10 +214,10 @@ void TransformPanel::refresh() {
                     {numberText(amount, 1), exactNumber(amount), tr("step %1, how far").arg(row + 1),
                      chain::isTurn(step.kind) ? tr("Degrees.") : tr("Millimetres.")});
   }
-  add_->setEnabled(state.steps.size() < kMostSteps);
-  remove_->setEnabled(state.steps.size() > 1);
-  undo_->setEnabled(states_.canUndo());
-  redo_->setEnabled(states_.canRedo());
+  buttons_.add->setEnabled(state.steps.size() < kMostSteps);
+  buttons_.remove->setEnabled(state.steps.size() > 1);
+  buttons_.undo->setEnabled(states_.canUndo());
+  buttons_.redo->setEnabled(states_.canRedo());
   const Pose listed = frames(false).back(), reversed = frames(true).back();
   write(*listed_, listed);
   write(*reversed_, reversed);

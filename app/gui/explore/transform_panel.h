@@ -1,13 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "app/gui/explore/history.h"
+#include "app/gui/explore/edit_row.h"
 #include "app/gui/panel.h"
 #include "core/chain/steps.h"
 
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QVBoxLayout;
 
 namespace underact::gui {
@@ -49,7 +48,7 @@ class TransformPanel : public Panel {
   EditTable* table_ = nullptr;
   NumberTable *listed_ = nullptr, *reversed_ = nullptr;
   QLabel *apart_ = nullptr, *told_ = nullptr;
-  QPushButton *add_ = nullptr, *remove_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+  EditRow buttons_;
 };
 
 }  // namespace underact::gui
