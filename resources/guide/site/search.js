@@ -49,6 +49,7 @@ if (typeof document !== "undefined") {
   (function () {
     var field = document.getElementById("search"), list = document.getElementById("hits");
     var contents = document.getElementById("contents");
+    field.hidden = false;
     field.addEventListener("input", function () {
       var hits = guideSearch.find(guideIndex, field.value);
       list.textContent = "";
