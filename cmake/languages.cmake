@@ -3,4 +3,6 @@
 file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/resources/languages/*.ts)
 set_source_files_properties(${texts} PROPERTIES OUTPUT_LOCATION ${PROJECT_BINARY_DIR}/languages)
 qt_add_lrelease(underact_gui TS_FILES ${texts} QM_FILES_OUTPUT_VARIABLE languages)
-qt_add_resources(underact_gui languages PREFIX /languages BASE ${PROJECT_BINARY_DIR}/languages FILES ${languages})
+# Later formats keep when each file was made, and no two builds would give the same bytes.
+qt_add_resources(underact_gui languages PREFIX /languages BASE ${PROJECT_BINARY_DIR}/languages FILES ${languages}
+                 OPTIONS --format-version 1)
