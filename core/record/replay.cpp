@@ -4,9 +4,8 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/denormals.h"
 #include "core/scene/load_meshes.h"
-#include "core/tick/step.h"
+#include "core/servo/rerun.h"
 
 namespace underact::record {
 namespace {
@@ -21,47 +20,6 @@ Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeade
   program.value().limits.max_late = header.max_late;
   return program;
 }
-
-/// A tick program with its memory, and the row that each of its ticks gives.
-class Machine {
- public:
-  Machine(tick::TickProgram program, tick::TickState state) : program_(std::move(program)), state_(std::move(state)) {}
-
-  void replaceBy(tick::TickProgram program, tick::Carry carry) {
-    tick::TickState state = tick::makeState(program);
-    tick::carryOver(state_, state, carry);
-    program_ = std::move(program);
-    state_ = std::move(state);
-  }
-  /// recorded: what went in; fault: what the servo had found.
-  servo::TickRecord tick(const servo::TickRecord& recorded, const Fault& fault, bool restart) {
-    tick::TickInput input;
-    input.sample.time_ns = recorded.time_ns;
-    input.sample.q_rad = recorded.q_rad;
-    input.sample.buttons = recorded.buttons;
-    input.has_sample = (recorded.input & servo::kHadSample) != 0;
-    input.engage = (recorded.input & servo::kEngaged) != 0;
-    input.restart = restart || (recorded.input & servo::kRestarted) != 0;
-    input.late = (recorded.input & servo::kLate) != 0;
-    input.fault = fault;
-    {
-      const FlushDenormals flush;  // as the servo thread does
-      tick::step(program_, input, state_, snapshot_.report);
-    }
-    snapshot_.ticks = recorded.tick;
-    snapshot_.revision = recorded.revision;
-    snapshot_.input = recorded.input;
-    snapshot_.lateness_ns = recorded.lateness_ns;
-    snapshot_.tick_ns = recorded.tick_ns;
-    return servo::recordOf(snapshot_);
-  }
-  const arm::Geometry& geometry() const { return program_.geometry; }
-
- private:
-  tick::TickProgram program_;
-  tick::TickState state_;
-  servo::Snapshot snapshot_;
-};
 
 bool isMeasured(const Column& column) {
   return column.name == "lateness_us" || column.name == "tick_us";
@@ -104,8 +62,8 @@ class ToldFaults {
 
 class Verification {
  public:
-  Verification(Session& session, Machine machine)
-      : session_(session), machine_(std::move(machine)), faults_(session.faults()), packer_(tickColumns()) {}
+  Verification(Session& session, servo::Rerun rerun)
+      : session_(session), rerun_(std::move(rerun)), faults_(session.faults()), packer_(tickColumns()) {}
 
   /// false: it is decided.
   bool compare(const Block& recorded) {
@@ -113,7 +71,7 @@ class Verification {
     std::int64_t rows = 0;
     for (const servo::TickRecord& record : unpackTicks(recorded)) {
       if (!isNext(record) || !applyChanges(record)) break;
-      pack(machine_.tick(record, faults_.at(record.tick), false), machine_.geometry(), packer_);
+      pack(servo::recordOf(rerun_.tick(record, faults_.at(record.tick), false)), rerun_.geometry(), packer_);
       ++rows;
     }
     if (const auto difference = firstDifference(firstRows(recorded, rows), packer_.block())) {
@@ -152,7 +110,7 @@ class Verification {
       if (!scene) return fail(scene.problems());
       Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header);
       if (!program) return fail(program.problems());
-      machine_.replaceBy(std::move(program).value(), change.carry);
+      rerun_.replaceBy(std::move(program).value(), change.carry);
     }
     return true;
   }
@@ -173,17 +131,17 @@ class Verification {
   }
 
   Session& session_;
-  Machine machine_;
+  servo::Rerun rerun_;
   ToldFaults faults_;
   Packer packer_;
-  std::size_t next_change_ = 1;  // the first is what the machine was made of
+  std::size_t next_change_ = 1;  // the first is what the rerun began with
   std::int64_t last_tick_ = -1;
   Verified result_;
   Problems problems_;
 };
 
 /// The servo as it was at the first row.
-Result<Machine> machineAtStart(Session& session) {
+Result<servo::Rerun> rerunFromStart(Session& session) {
   if (session.changes().empty())
     return Problems{{"This session does not say which scene it began with.", {session.info().path}}};
   Result<scene::Description> scene = session.scene(session.changes().front());
@@ -192,16 +150,16 @@ Result<Machine> machineAtStart(Session& session) {
   if (!program) return program.problems();
   Result<tick::TickState> state = session.start(program.value());
   if (!state) return state.problems();
-  return Machine(std::move(program).value(), std::move(state).value());
+  return servo::Rerun(std::move(program).value(), std::move(state).value());
 }
 
 }  // namespace
 
 Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress) {
   if (session.info().ticks == 0) return Verified{};
-  Result<Machine> machine = machineAtStart(session);
-  if (!machine) return machine.problems();
-  Verification verification(session, std::move(machine).value());
+  Result<servo::Rerun> rerun = rerunFromStart(session);
+  if (!rerun) return rerun.problems();
+  Verification verification(session, std::move(rerun).value());
   bool goes_on = true;
   const Problems problems = session.eachBlock(
       [&](const Block& block, std::int64_t) {
@@ -221,14 +179,13 @@ Problems replayWith(Session& session, const scene::Description& scene,
                     const std::function<bool(double)>& progress) {
   Result<tick::TickProgram> program = programOf(scene, session.info().header);
   if (!program) return program.problems();
-  tick::TickState state = tick::makeState(program.value());
-  Machine machine(std::move(program).value(), std::move(state));
+  servo::Rerun rerun(std::move(program).value());
   ToldFaults faults(session.faults());
   bool begins = true, goes_on = true;
   return session.eachBlock(
       [&](const Block& block, std::int64_t) {
         for (const servo::TickRecord& recorded : unpackTicks(block)) {
-          tick(recorded, machine.tick(recorded, faults.at(recorded.tick), begins));
+          tick(recorded, servo::recordOf(rerun.tick(recorded, faults.at(recorded.tick), begins)));
           begins = false;
         }
         return goes_on;

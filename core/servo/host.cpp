@@ -89,12 +89,18 @@ struct Host::Impl {
     while (!backlog.empty() && loop.send(backlog.front())) backlog.pop_front();
   }
 
-  Problems put(const scene::Description& wanted, Order order) {
+  Result<tick::TickProgram> programOf(const scene::Description& wanted) const {
     Result<tick::TickProgram> program = scene::compile(wanted);
-    if (!program) return program.problems();
+    if (!program) return program;
     program.value().limits.max_force_N *= force_share;
     program.value().limits.frozen_s = device->info().frozen_s;
     program.value().limits.max_late = options.max_late;
+    return program;
+  }
+
+  Problems put(const scene::Description& wanted, Order order) {
+    Result<tick::TickProgram> program = programOf(wanted);
+    if (!program) return program.problems();
     tick::TickState state = tick::makeState(program.value());
     scene = wanted;
     ++revision;
@@ -167,6 +173,10 @@ Problems Host::edit(const scene::Description& edited) {
       break;
   }
   return impl_->put(edited, Order::Load);
+}
+
+Result<tick::TickProgram> Host::programOf(const scene::Description& scene) const {
+  return impl_->programOf(scene);
 }
 
 const scene::Description& Host::scene() const {

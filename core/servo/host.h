@@ -12,6 +12,7 @@
 #include "core/servo/snapshot.h"
 #include "core/servo/tap.h"
 #include "core/servo/timing.h"
+#include "core/tick/program.h"
 
 namespace underact::servo {
 
@@ -59,6 +60,8 @@ class Host {
   /// up by the next tick, without a ramp, and the laws keep what they remember; else it is ramped down and up like a
   /// load. Problems: as load(); then the old scene stays.
   Problems edit(const scene::Description& edited);
+  /// What load() would run: for somebody who reckons beside the servo. Problems: as load().
+  Result<tick::TickProgram> programOf(const scene::Description& scene) const;
   /// The scene as loaded and edited.
   const scene::Description& scene() const;
   /// Counts up by one with each load and edit that was taken; Snapshot::revision says which one is in effect.

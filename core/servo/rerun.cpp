@@ -1,0 +1,44 @@
+#include "core/servo/rerun.h"
+
+#include <utility>
+
+#include "core/base/denormals.h"
+#include "core/tick/step.h"
+
+namespace underact::servo {
+
+Rerun::Rerun(tick::TickProgram program, tick::TickState state)
+    : program_(std::move(program)), state_(std::move(state)) {}
+
+Rerun::Rerun(tick::TickProgram program) : program_(std::move(program)), state_(tick::makeState(program_)) {}
+
+void Rerun::replaceBy(tick::TickProgram program, tick::Carry carry) {
+  tick::TickState state = tick::makeState(program);
+  tick::carryOver(state_, state, carry);
+  program_ = std::move(program);
+  state_ = std::move(state);
+}
+
+const Snapshot& Rerun::tick(const TickRecord& recorded, const Fault& fault, bool restart) {
+  tick::TickInput input;
+  input.sample.time_ns = recorded.time_ns;
+  input.sample.q_rad = recorded.q_rad;
+  input.sample.buttons = recorded.buttons;
+  input.has_sample = (recorded.input & kHadSample) != 0;
+  input.engage = (recorded.input & kEngaged) != 0;
+  input.restart = restart || (recorded.input & kRestarted) != 0;
+  input.late = (recorded.input & kLate) != 0;
+  input.fault = fault;
+  {
+    const FlushDenormals flush;  // as the servo thread does
+    tick::step(program_, input, state_, snapshot_.report);
+  }
+  snapshot_.ticks = recorded.tick;
+  snapshot_.revision = recorded.revision;
+  snapshot_.input = recorded.input;
+  snapshot_.lateness_ns = recorded.lateness_ns;
+  snapshot_.tick_ns = recorded.tick_ns;
+  return snapshot_;
+}
+
+}  // namespace underact::servo
