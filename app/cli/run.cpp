@@ -21,6 +21,7 @@
 #include "core/arm/preset.h"
 #include "core/record/fault_file.h"
 #include "core/scene/compile.h"
+#include "core/scene/mirror.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand_script.h"
@@ -32,7 +33,7 @@ namespace {
 
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
 constexpr std::chrono::milliseconds kPause{20};
-constexpr double kLongest_s = 1e6;
+constexpr double kLongestRun_s = 1e6;
 constexpr const char* kSimulated = "simulated";
 
 struct RunOptions {
@@ -49,6 +50,7 @@ struct RunOptions {
   std::string stream;  // empty: none
   std::string fault_file;
   std::string space;  // empty: the scene's
+  bool left_handed = false;
   std::string arm_model{sim::kDefaultArmModel};
   std::string device{kSimulated};
   servo::SchedulingWanted scheduling;
@@ -142,13 +144,16 @@ std::string wrongIn(const RunOptions& options) {
   return options.fast ? "--fast: an arm that is none of the simulation's has its own time. Leave it out." : "";
 }
 
-/// The scene with every control in that space; empty: as it is.
-Result<LoadedScene> inSpace(LoadedScene loaded, const std::string& space) {
-  if (space.empty()) return loaded;
-  const tick::Space wanted = space == "joint" ? tick::Space::Joint : tick::Space::Cartesian;
-  loaded.description.control.space = wanted;
-  for (scene::Constraint& constraint : loaded.description.constraints) {
-    if (constraint.control) constraint.control->space = wanted;
+/// The scene with every control in that space (empty: as it is), and in the mirror where it is for the left hand.
+Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
+  if (options.space.empty() && !options.left_handed) return loaded;
+  if (options.left_handed) loaded.description = scene::mirrored(std::move(loaded.description));
+  if (!options.space.empty()) {
+    const tick::Space wanted = options.space == "joint" ? tick::Space::Joint : tick::Space::Cartesian;
+    loaded.description.control.space = wanted;
+    for (scene::Constraint& constraint : loaded.description.constraints) {
+      if (constraint.control) constraint.control->space = wanted;
+    }
   }
   Result<tick::TickProgram> program = scene::compile(loaded.description);
   if (!program) return program.problems();
@@ -164,13 +169,13 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = exitOf(scene.problems());
     return {};
   }
-  Result<LoadedScene> in_space = inSpace(std::move(scene).value(), options.space);
-  if (!in_space) {
-    print(in_space.problems(), streams.err);
+  Result<LoadedScene> asked = asAsked(std::move(scene).value(), options);
+  if (!asked) {
+    print(asked.problems(), streams.err);
     exit = Exit::BadInput;
     return {};
   }
-  if (!options.isSimulated()) return Prepared{std::move(in_space).value(), {}, {}};
+  if (!options.isSimulated()) return Prepared{std::move(asked).value(), {}, {}};
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) {
     print(hand.problems(), streams.err);
@@ -183,7 +188,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = exitOf(model.problems());
     return {};
   }
-  return Prepared{std::move(in_space).value(), std::move(hand).value(), std::move(model).value()};
+  return Prepared{std::move(asked).value(), std::move(hand).value(), std::move(model).value()};
 }
 
 Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, const Prepared& prepared) {
@@ -211,11 +216,6 @@ record::SessionWords wordsOf(const RunOptions& options) {
         "Hand " + options.hand + ", seed " + std::to_string(options.seed) + ", arm model " + options.arm_model + ".";
   }
   return words;
-}
-
-Exit fail(const Problems& problems, Exit exit, const Streams& streams) {
-  print(problems, streams.err);
-  return exit;
 }
 
 /// Opens what the ticks go to besides the summary, as far as it was asked for.
@@ -282,7 +282,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
 
 std::string checkSeconds(const std::string& text) {
   double seconds = 0.0;
-  if (CLI::detail::lexical_cast(text, seconds) && seconds > 0.0 && seconds <= kLongest_s) return {};
+  if (CLI::detail::lexical_cast(text, seconds) && seconds > 0.0 && seconds <= kLongestRun_s) return {};
   return "must be a number of seconds above 0, at most 1e6";
 }
 
@@ -325,6 +325,7 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
                       "Where the servo stops by a fault, write it here, with its last second of ticks");
   command->add_option("--space", options->space, "Where the control works, in place of what the scene says")
       ->check(CLI::IsMember({"cartesian", "joint"}));
+  command->add_flag("--left-handed", options->left_handed, "The scene's mirror image, for the stylus in the left hand");
   command
       ->add_option("--device", options->device,
                    "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it pushes at once")

@@ -6,11 +6,12 @@
 
 #include "core/scene/edit.h"
 #include "core/scene/mesh_names.h"
+#include "core/scene/mirror.h"
 #include "core/scene/write.h"
 
 namespace underact::gui {
 
-/// One step back or forth between two scenes.
+/// One step back or forth between two scenes, both as written: whichever hand it is by then.
 class SceneEdit : public QUndoCommand {
  public:
   SceneEdit(Document& document, scene::Description before, scene::Description after, const QString& what, int gesture)
@@ -41,13 +42,16 @@ class SceneEdit : public QUndoCommand {
 };
 
 Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(host), undo_(this) {
-  connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
+  connect(&undo_, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(modified()); });
 }
 
 Problems Document::open(scene::Description opened) {
+  const bool mirrors = opensMirrored();
+  if (mirrors) opened = scene::mirrored(std::move(opened));
   Problems problems = host_.load(opened);
   if (!problems.empty()) return problems;
   kept_.reset();
+  is_mirrored_ = mirrors;
   original_ = std::move(opened);
   path_ = QString::fromStdString(original_.file);
   is_open_ = true;
@@ -61,7 +65,7 @@ Problems Document::saveAs(const QString& path) {
   const QString file = QFileInfo(path).absoluteFilePath();
   const std::optional<scene::Teaching> teaching = scene::teachingOf(path_.toStdString());  // goes along, as it was
   Problems problems =
-      scene::writeSceneFile(scene::namedFrom(scene(), file.toStdString()), file.toStdString(), teaching);
+      scene::writeSceneFile(scene::namedFrom(asWritten(), file.toStdString()), file.toStdString(), teaching);
   if (!problems.empty()) return problems;
   path_ = file;
   original_ = scene();
@@ -76,14 +80,14 @@ Problems Document::edit(const scene::Description& after, const QString& what, in
   Problems problems = host_.edit(after);
   if (!problems.empty()) return problems;
   kept_.reset();
-  undo_.push(new SceneEdit(*this, before, after, what, gesture));
+  undo_.push(new SceneEdit(*this, throughMirror(before), throughMirror(after), what, gesture));
   emit edited();
   return {};
 }
 
-void Document::put(const scene::Description& scene) {
+void Document::put(const scene::Description& written) {
   // It was in effect before, so it cannot be refused; the panels show what holds in any case.
-  static_cast<void>(host_.edit(scene));
+  static_cast<void>(host_.edit(throughMirror(written)));
   kept_.reset();
   emit edited();
 }
@@ -111,12 +115,13 @@ void Document::putBack() {
 
 Problems Document::showRecorded(const scene::Description& shown) {
   const scene::Change change = scene::changeBetween(scene(), shown);
-  Own own{scene(), original_, path_};
+  Own own{asWritten(), throughMirror(original_), path_};
   Problems problems = host_.edit(shown);
   if (!problems.empty()) return problems;
   if (!own_) own_ = std::move(own);
   const bool is_another = change == scene::Change::Scene || !path_.isEmpty();
   kept_.reset();
+  is_mirrored_ = false;  // the arm was where it was
   original_ = shown;
   path_.clear();
   undo_.clear();
@@ -131,8 +136,9 @@ void Document::putBackOwn() {
   kept_.reset();
   undo_.clear();
   if (own.scene.constraints.empty()) return;  // there was none: the last one of the recording stays
-  static_cast<void>(host_.load(own.scene));   // it was in effect before
-  original_ = own.original;
+  is_mirrored_ = opensMirrored();
+  static_cast<void>(host_.load(throughMirror(own.scene)));  // it was in effect before
+  original_ = throughMirror(own.original);
   path_ = own.path;
   if (!scene::isSame(own.original, own.scene)) {
     undo_.push(new SceneEdit(*this, own.original, own.scene, tr("edits"), newGesture()));

@@ -8,17 +8,19 @@
 namespace underact::gui {
 
 /// The scene in the window: the file it came from, as the file has it and as it is now, and the way back. The servo's
-/// host keeps the scene in effect; this is the editor's side of it.
+/// host keeps the scene in effect; this is the editor's side of it. Files are for the right hand. For the left one what
+/// is in effect is their mirror image, and all that says "in effect" here is that.
 class Document : public QObject {
   Q_OBJECT
  public:
   explicit Document(servo::Host& host, QObject* parent = nullptr);
 
-  /// Opens a scene, with its meshes loaded, in place of the one there is. Its file: where it was read from; none: it is
-  /// new, and was never saved. Problems: what is wrong with it; then the old scene stays in effect.
+  /// Opens a scene as its file has it, with its meshes loaded, in place of the one there is. Its file: where it was
+  /// read from; none: it is new, and was never saved. Problems: what is wrong with it; then the old scene stays in
+  /// effect.
   Problems open(scene::Description opened);
-  /// Writes the scene as it is now; from then on that is its file, and its gains are the scene's own. Meshes are named
-  /// as seen from there.
+  /// Writes the scene as it is now, for the right hand; from then on that is its file, and its gains are the scene's
+  /// own. Meshes are named as seen from there.
   Problems saveAs(const QString& path);
 
   /// Puts after, an edit of scene(), in its place. what: "stiffness x", for the undo menu. gesture: edits in a row with
@@ -41,6 +43,23 @@ class Document : public QObject {
   void putBackOwn();
   bool showsRecorded() const { return own_.has_value(); }
 
+  /// From now on scenes are there for the left hand: the one in effect goes over as a step that can be undone, the
+  /// others as they are opened; a recording's, and one that is kept as written, stays. Problems: the old scene stays,
+  /// and so does the hand.
+  Problems setLeftHanded(bool on);
+  bool isLeftHanded() const { return left_handed_; }
+  /// Scenes are as their files have them for a while, whichever hand: a lesson speaks of left and right.
+  void keepAsWritten(bool on);
+  /// The scene in effect is the mirror image of its file's.
+  bool isMirrored() const { return is_mirrored_; }
+  /// The next one that is opened will be.
+  bool opensMirrored() const { return left_handed_ && !keeps_as_written_ && !own_; }
+  /// The scene as a file would have it.
+  scene::Description asWritten() const { return throughMirror(scene()); }
+  /// From how a file has it to how it is in effect, or back: both are the same.
+  scene::Description throughMirror(scene::Description scene) const;
+  scene::Constraint throughMirror(scene::Constraint constraint) const;
+
   const scene::Description& scene() const { return kept_ ? *kept_ : host_.scene(); }
   // As the file has it, by the name of the constraint that is at index now: others may have been added or taken away.
   /// The control at index as the file has it; of a constraint the file does not have, the scene's.
@@ -56,7 +75,7 @@ class Document : public QObject {
   /// How far the force of the mesh at index may lean, degrees, as the file has it; none: there is no mesh.
   std::optional<double> ownSmoothing(std::size_t index) const;
   bool isOpen() const { return is_open_ || own_; }
-  bool modified() const { return !undo_.isClean(); }
+  bool modified() const;
   QString path() const { return path_; }  // empty: it has no file
   QUndoStack& undoStack() { return undo_; }
 
@@ -64,23 +83,28 @@ class Document : public QObject {
   void opened();
   void edited();
   void modifiedChanged(bool modified);
+  void leftHandedChanged(bool on);
 
  private:
   friend class SceneEdit;
+  friend class HandEdit;
   const scene::Constraint* original(std::size_t index) const;
-  void put(const scene::Description& scene);  // one that was in effect before
+  void put(const scene::Description& written);  // one that was in effect before
+  Problems takeHand(bool left);
+  Problems followHand();
 
   struct Own {
-    scene::Description scene, original;
+    scene::Description scene, original;  // as written
     QString path;
   };
 
   servo::Host& host_;
-  scene::Description original_;
+  scene::Description original_;             // as its file has it, through the mirror where the one in effect is
   std::optional<scene::Description> kept_;  // while another scene is tried out in its place
   std::optional<Own> own_;                  // while a recording's is shown
   QString path_;
   bool is_open_ = false;
+  bool left_handed_ = false, keeps_as_written_ = false, is_mirrored_ = false;
   QUndoStack undo_;
   int gestures_ = 0;
 };

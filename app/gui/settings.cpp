@@ -68,6 +68,7 @@ Settings readSettings() {
   settings.guide_zoom = std::clamp(stored.value("guide/zoom", fresh.guide_zoom).toInt(), 50, 300);
   settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
   settings.projector = stored.value("window/projector", false).toBool();
+  settings.left_handed = stored.value("scene/left_handed", false).toBool();
   return settings;
 }
 
@@ -95,6 +96,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("guide/zoom", settings.guide_zoom);
   stored.setValue("hints/has_pushed", settings.has_pushed);
   stored.setValue("window/projector", settings.projector);
+  stored.setValue("scene/left_handed", settings.left_handed);
 }
 
 }  // namespace underact::gui

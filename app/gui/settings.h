@@ -26,6 +26,7 @@ struct Settings {
   int guide_zoom = 100;      // percent
   bool has_pushed = false;   // the welcome has done its work: a hand has pushed, say
   bool projector = false;    // the layout for a projector is on
+  bool left_handed = false;  // scenes are mirrored
 };
 
 /// The layout of what is stored. A key that is new, and may be missing, is no other layout.

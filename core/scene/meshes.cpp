@@ -28,9 +28,11 @@ void readMesh(ObjectReader& object, Mesh& into) {
 void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,
                     const Eigen::Matrix4d& X_WM, const Control& control, const Say& say) {
   if (file.empty()) say("file", "A " + what + " needs the name of its file.");
-  if (!(scale_mm_per_unit >= kSmallestScale && scale_mm_per_unit <= kLargestScale)) {
+  const double unit_mm = std::abs(scale_mm_per_unit);  // below 0: the mirror image
+  if (!(unit_mm >= kSmallestScale && unit_mm <= kLargestScale)) {
     say("scale_mm_per_unit",
-        "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches); here it is " +
+        "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or as much below 0, "
+        "which mirrors at the file's origin; here it is " +
             numberText(scale_mm_per_unit) + ".");
   }
   if (const std::string sentence = judgePose(X_WM); !sentence.empty()) say("X_WM", sentence);

@@ -20,12 +20,12 @@ Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState
   if (side == Side::Both) {
     const mesh::Hit hit = nearestPoint(*place.surface, place.search, q_M, state.search);
     if (hit.face < 0) return {p_WT, Status::Degenerate, 0.0};
-    return {toWorkspace(place, hit.p_M), Status::Unique, place.scale_m * std::sqrt(hit.squared)};
+    return {toWorkspace(place, hit.p_M), Status::Unique, std::abs(place.scale_m) * std::sqrt(hit.squared)};
   }
   const mesh::Free free = side == Side::Outside ? mesh::Free::Outside : mesh::Free::Inside;
   const mesh::Hit hit = touch(*place.surface, free, q_M, state.touch);
   if (hit.face < 0) return {p_WT, Status::Free, 0.0};
-  return {toWorkspace(place, hit.p_M), Status::Unique, place.scale_m * std::sqrt(hit.squared)};
+  return {toWorkspace(place, hit.p_M), Status::Unique, std::abs(place.scale_m) * std::sqrt(hit.squared)};
 }
 
 Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) noexcept {
@@ -37,6 +37,7 @@ Vec3 leanOfMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_WT
   const Vec3 way_W = p_WT - p_WP;
   const double length_m = way_W.norm();
   if (!place.lean.isThere() || !(length_m > 0.0)) return Vec3::Zero();
+  // A scale below 0 turns it over, and what leans with it: the way across the surface is the same.
   const Vec3 u_M = place.R_WM.transpose() * (way_W / length_m);
   const Vec3 leaning_M = leaning(*place.surface, alongSurface(place, state, p_WT), u_M, place.lean);
   return length_m * (place.R_WM * (u_M - leaning_M));

@@ -16,7 +16,7 @@ struct MeshPlace {
   std::shared_ptr<const mesh::Surface> surface;  // never null
   Mat3 R_WM = Mat3::Identity();
   Vec3 p_WM = Vec3::Zero();
-  double scale_m = 1.0;  // of a unit of the mesh, > 0
+  double scale_m = 1.0;  // of a unit of the mesh, not 0; below 0: of its mirror image
   mesh::Search search = mesh::Search::Hybrid;
   mesh::Lean lean = {};  // how far the force may lean, so that bends feel round
 };

@@ -269,5 +269,19 @@ TEST(Run, InJointSpaceTheSameHandIsHeldWithOtherForcesAndTheWorkIsTold) {
   EXPECT_EQ(run({"--hand", "still", "--seconds", "1", "--fast", "--space", "tool"}).exit, Exit::Usage);
 }
 
+TEST(Run, ForTheLeftHandTheSceneIsAsInAMirror) {
+  const auto held = [](double x_mm, std::vector<std::string> more) {
+    const std::string at = "{\"p_mm\": [" + std::to_string(x_mm) + ", 20, 20], \"t_s\": ";
+    const ScratchFile hand("{\"underact_hand\": 1, \"path\": [" + at + "0}, " + at + "2}]}", "hand.json");
+    more.insert(more.end(), {"--hand", hand.path(), "--seconds", "2", "--fast"});
+    return summary(more, "06_cylinder.json");
+  };
+  const Value right = held(25.0, {}), left = held(-25.0, {"--left-handed"}), not_mirrored = held(-25.0, {});
+  EXPECT_GT(numberAt(right, "peak_force_N"), 0.1);
+  EXPECT_NEAR(numberAt(left, "peak_force_N"), numberAt(right, "peak_force_N"), 1e-3);
+  EXPECT_NEAR(numberAt(left, "rms_error_mm"), numberAt(right, "rms_error_mm"), 1e-2);
+  EXPECT_GT(std::abs(numberAt(not_mirrored, "rms_error_mm") - numberAt(right, "rms_error_mm")), 1.0);
+}
+
 }  // namespace
 }  // namespace underact::test

@@ -31,7 +31,7 @@ QMainWindow* LessonPlace::window() const {
 bool LessonPlace::keep() {
   if (!parts_.actions.perform("scene.settle")) return false;
   path_ = parts_.document.path();
-  scene_ = parts_.document.isOpen() ? parts_.document.scene() : scene::Description{};
+  scene_ = parts_.document.isOpen() ? parts_.document.asWritten() : scene::Description{};
   shown_.clear();
   for (const char* name : lesson::layerNames()) {
     layers_[layerAction(name)] = parts_.actions.find(layerAction(name))->isChecked();
@@ -39,6 +39,7 @@ bool LessonPlace::keep() {
   viewpoint_ = parts_.view.viewpoint();
   docks_ = window()->saveState();
   parts_.document.undoStack().setClean();  // it is settled
+  parts_.document.keepAsWritten(true);
   return true;
 }
 
@@ -100,6 +101,7 @@ void LessonPlace::showPanels(const std::vector<std::string>& panels) {
 void LessonPlace::putBack() {
   const bool is_lessons = parts_.document.path() == shown_;
   letGoOfExercise();
+  parts_.document.keepAsWritten(false);
   if (is_lessons && !path_.isEmpty()) {
     parts_.actions.perform("scene.open", path_);
   } else if (is_lessons && !scene_.constraints.empty()) {

@@ -7,15 +7,16 @@
 #include "app/gui/view/drawn_mesh.h"
 #include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/mirror.h"
 #include "core/scene/read.h"
 
 namespace underact::gui {
 namespace {
 
-bool load(const QString& path, const Watch& watch, ShownScene& into) {
+bool load(const QString& path, bool left_handed, const Watch& watch, ShownScene& into) {
   Result<scene::Description> read = scene::readSceneFile(path.toStdString());
   if (!read || !scene::loadMeshes(read.value(), watch).empty() || !scene::compile(read.value())) return false;
-  into.scene = std::move(read).value();
+  into.scene = left_handed ? scene::mirrored(std::move(read).value()) : std::move(read).value();
   into.curves = madeCurves(into.scene, watch);
   makeDrawnMeshes(into.scene, watch);
   const scene::Teaching teaching = translated(scene::teachingOf(path.toStdString()).value_or(scene::Teaching{}));
@@ -27,12 +28,12 @@ bool load(const QString& path, const Watch& watch, ShownScene& into) {
 
 }  // namespace
 
-ShownScenes loadShownScenes(const QStringList& paths, const Watch& watch) {
+ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const Watch& watch) {
   ShownScenes loaded;
   for (const QString& path : paths) {
     if (watch.isCancelled()) break;
     ShownScene one;
-    if (load(QFileInfo(path).absoluteFilePath(), watch, one))
+    if (load(QFileInfo(path).absoluteFilePath(), left_handed, watch, one))
       loaded.scenes.push_back(std::move(one));
     else
       loaded.refused << QFileInfo(path).fileName();

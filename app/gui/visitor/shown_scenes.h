@@ -22,7 +22,7 @@ struct ShownScenes {
   QStringList refused;  // file names of those that cannot be shown
 };
 
-/// Reads and loads them all; takes a while, so not in the window's thread.
-ShownScenes loadShownScenes(const QStringList& paths, const Watch& watch);
+/// Reads and loads them all; takes a while, so not in the window's thread. left_handed: as in a mirror.
+ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const Watch& watch);
 
 }  // namespace underact::gui

@@ -50,7 +50,7 @@ VisitorMode::VisitorMode(const VisitorParts& parts, QWidget* middle)
                       tr("Full screen for visitors: scenes in turn, half of the force, everything else locked.")},
                      [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
   parts_.actions
-      .add({named("demonstrator"), tr("Demonstrator's &panel"), QKeySequence("Ctrl+Alt+Shift+U"),
+      .add({named("demonstrator"), tr("&Demonstrator's panel"), QKeySequence("Ctrl+Alt+Shift+U"),
             tr("In visitor mode: which scenes, how long, how much force, and the way out.")},
            [this](const QVariantList&) {
              showPanel();
@@ -156,7 +156,9 @@ void VisitorMode::leave() {
 
 void VisitorMode::load(const QStringList& paths) {
   load_ = std::make_unique<Background<ShownScenes>>(
-      [paths](WorkState& state) { return loadShownScenes(paths, {.progress = {}, .cancelled = &state.cancelled}); });
+      [paths, left_handed = parts_.document.isLeftHanded()](WorkState& state) {
+        return loadShownScenes(paths, left_handed, {.progress = {}, .cancelled = &state.cancelled});
+      });
 }
 
 void VisitorMode::takeLoaded() {
@@ -227,7 +229,7 @@ void VisitorMode::tellState(const servo::Snapshot& snapshot) {
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
   if (snapshot.mode == servo::Mode::Running) trouble_.clear();
   QString trouble = trouble_;
-  if (trouble.isEmpty() && faulted) trouble = QString::fromStdString(describe(snapshot.report.fault));
+  if (trouble.isEmpty() && faulted) trouble = faultText(snapshot.report.fault);
   card_->setState(!parts_.host.running(), trouble);
 }
 

@@ -12,7 +12,7 @@ namespace {
 using test::problemsIn;
 using test::sceneWith;
 
-std::string problemOf(const std::string& constraint) {
+std::string firstProblemOf(const std::string& constraint) {
   const std::vector<std::string> lines = problemsIn(sceneWith(constraint));
   return lines.empty() ? "" : lines.front();
 }
@@ -63,40 +63,46 @@ TEST(MeshScene, WhatIsLeftOutIsUsual) {
 }
 
 TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
-  EXPECT_NE(problemOf(R"({"type": "mesh"})").find("The key \"file\" is missing; a mesh needs it."), std::string::npos);
-  EXPECT_NE(problemOf(R"({"type": "mesh", "file": ""})").find("A mesh needs the name of its file."), std::string::npos);
-  EXPECT_NE(
-      problemOf(R"({"type": "mesh", "file": "a", "scale_mm_per_unit": 0})").find("This must be from 1e-9 to 1e9 mm"),
-      std::string::npos);
-  EXPECT_NE(
-      problemOf(R"({"type": "mesh", "file": "a", "X_WM": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})")
-          .find("are no rotation"),
-      std::string::npos);
-  EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "side": "outside", "search": "local"})")
+  EXPECT_NE(firstProblemOf(R"({"type": "mesh"})").find("The key \"file\" is missing; a mesh needs it."),
+            std::string::npos);
+  EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": ""})").find("A mesh needs the name of its file."),
+            std::string::npos);
+  for (const char* wrong : {"0", "1e-10", "-1e-10", "2e9", "-2e9"}) {
+    const std::string text = R"({"type": "mesh", "file": "a", "scale_mm_per_unit": )" + std::string(wrong) + "}";
+    EXPECT_NE(firstProblemOf(text).find("This must be from 1e-9 to 1e9 mm"), std::string::npos) << wrong;
+  }
+  EXPECT_EQ(firstProblemOf(R"({"type": "mesh", "file": "a", "scale_mm_per_unit": -25.4})"), "");
+  EXPECT_NE(firstProblemOf(
+                R"({"type": "mesh", "file": "a", "X_WM": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})")
+                .find("are no rotation"),
+            std::string::npos);
+  EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": "a", "side": "outside", "search": "local"})")
                 .find("A wall's proxy follows the surface"),
             std::string::npos);
   for (const char* wrong : {"-1", "45.5"}) {
-    EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "smooth_deg": )" + std::string(wrong) + "}")
+    EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": "a", "smooth_deg": )" + std::string(wrong) + "}")
                   .find("This must be from 0 (faces as they are) to 45 degrees that the force may lean, so that bends"),
               std::string::npos);
   }
-  EXPECT_NE(problemOf(R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1]}})").find("\"euclidean\""),
-            std::string::npos);
-  EXPECT_EQ(
-      problemOf(R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1], "anisotropy": "euclidean"}})"),
-      "");
-  EXPECT_NE(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "friction": {"static": 1}})")
+  EXPECT_NE(
+      firstProblemOf(R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1]}})").find("\"euclidean\""),
+      std::string::npos);
+  EXPECT_EQ(firstProblemOf(
+                R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1], "anisotropy": "euclidean"}})"),
+            "");
+  EXPECT_NE(firstProblemOf(R"({"type": "point", "position_mm": [0, 0, 0], "friction": {"static": 1}})")
                 .find("nothing to slide along"),
             std::string::npos);
-  EXPECT_NE(problemOf(R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 6}})")
-                .find("This must be from 0 (smooth) to 5"),
-            std::string::npos);
   EXPECT_NE(
-      problemOf(
+      firstProblemOf(R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 6}})")
+          .find("This must be from 0 (smooth) to 5"),
+      std::string::npos);
+  EXPECT_NE(
+      firstProblemOf(
           R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 0.1, "dynamic": 0.2}})")
           .find("from 0 to the static share, 0.1"),
       std::string::npos);
-  EXPECT_NE(problemOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 0, 1], "search": "local"})")
+  EXPECT_NE(firstProblemOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 0, 1], "search": "local"})")
                 .find("found by a formula"),
             std::string::npos);
 }
@@ -147,16 +153,17 @@ TEST(CurveScene, IsReadWholeAndWrittenBack) {
 
 TEST(CurveScene, WhatCannotBeIsSaidWithItsPlace) {
   const auto guide = [](const std::string& text) {
-    return problemOf(R"({"type": "curve", "file": "a", "guide": )" + text + "}");
+    return firstProblemOf(R"({"type": "curve", "file": "a", "guide": )" + text + "}");
   };
-  EXPECT_NE(problemOf(R"({"type": "curve"})").find("The key \"file\" is missing; a curve needs it."),
+  EXPECT_NE(firstProblemOf(R"({"type": "curve"})").find("The key \"file\" is missing; a curve needs it."),
             std::string::npos);
   EXPECT_NE(guide("{}").find("\"speed_mm_per_s\" is missing"), std::string::npos);
   EXPECT_NE(guide(R"({"speed_mm_per_s": 2001})").find("from -2000 to 2000 mm/s"), std::string::npos);
   EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "t": 2})").find("from 0 (to the guide alone)"), std::string::npos);
   EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "lead_mm": 0})").find("above 0 and at most 1000 mm"), std::string::npos);
-  EXPECT_NE(problemOf(R"({"type": "curve", "file": "a", "closed": 1})").find("true or false"), std::string::npos);
-  EXPECT_NE(problemOf(R"({"type": "curve", "file": "a", "side": "outside"})").find("has no inside"), std::string::npos);
+  EXPECT_NE(firstProblemOf(R"({"type": "curve", "file": "a", "closed": 1})").find("true or false"), std::string::npos);
+  EXPECT_NE(firstProblemOf(R"({"type": "curve", "file": "a", "side": "outside"})").find("has no inside"),
+            std::string::npos);
 }
 
 TEST(CurveScene, CompilesWhereItsPointsAre) {
