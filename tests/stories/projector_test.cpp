@@ -3,28 +3,14 @@
 #include <QApplication>
 #include <QStatusBar>
 #include <QToolBar>
-#include <cmath>
 
 #include "tests/stories/docks_seen.h"
 #include "tests/stories/story.h"
+#include "tests/support/contrast.h"
 
 namespace underact::gui::test {
-namespace {
 
-/// WCAG 2.1: relative luminance and contrast of two colours.
-double luminance(const QColor& colour) {
-  const auto linear = [](double share) {
-    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b) {
-  const double one = luminance(a), other = luminance(b);
-  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
-}
-
-}  // namespace
+using underact::test::contrast;
 
 TEST(ProjectorStory, TheViewFillsTheWindowInLargeTypeAndEverythingIsAsItWasAfter) {
   Story story("02_sphere");

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "app/gui/view/hand_picture.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kBeyond_mm = 4.0;  // of a label
 constexpr double kRing_mm = 5.0, kHalfAxis_mm = 9.0;
+constexpr int kSides = 4;  // of a stylus: the lines along it
 
 }  // namespace
 
@@ -48,6 +51,8 @@ void DrawingPicture::build() {
     for (const DrawnLink& link : drawing.links) add(link);
     for (const DrawnJoint& joint : drawing.joints) add(joint);
     for (const DrawnFrame& frame : drawing.frames) add(frame);
+    for (const DrawnStylus& stylus : drawing.styluses) add(stylus);
+    for (const DrawnWords& words : drawing.words) add(words);
   }
   lines_.done();
 }
@@ -76,10 +81,11 @@ void DrawingPicture::add(const DrawnFrame& frame) {
 void DrawingPicture::add(const DrawnLink& link) {
   if (!link.from_W.allFinite() || !link.to_W.allFinite()) return;
   const Vec3 from_mm = kMillimetrePerMetre * link.from_W, way_mm = kMillimetrePerMetre * (link.to_W - link.from_W);
+  const QColor colour = mixed(theme_.background, theme_.virtual_robot, link.strength);
   const int pieces = link.dashed ? std::max(1, static_cast<int>(way_mm.norm() / 8.0)) : 1;
   for (int piece = 0; piece < pieces; ++piece) {
     const double from = static_cast<double>(piece) / pieces, to = from + (link.dashed ? 0.5 : 1.0) / pieces;
-    lines_.segment(from_mm + from * way_mm, from_mm + to * way_mm, theme_.virtual_robot);
+    lines_.segment(from_mm + from * way_mm, from_mm + to * way_mm, colour);
   }
 }
 
@@ -95,6 +101,26 @@ void DrawingPicture::add(const DrawnJoint& joint) {
                                       at_mm - kRing_mm * v};
     lines_.chain(corners, theme_.virtual_robot, true);
   }
+}
+
+void DrawingPicture::add(const DrawnStylus& stylus) {
+  if (!stylus.p_W.allFinite() || !stylus.axis_W.allFinite() || stylus.axis_W.isZero()) return;
+  const Vec3 tip_mm = kMillimetrePerMetre * stylus.p_W, u = stylus.axis_W.unitOrthogonal(), v = stylus.axis_W.cross(u);
+  const Vec3 taper_mm = tip_mm + HandPicture::kTaper_mm * stylus.axis_W;
+  const Vec3 end_mm = tip_mm + HandPicture::kEnd_mm * stylus.axis_W;
+  for (const Vec3& middle_mm : {taper_mm, end_mm})
+    lines_.circle(middle_mm, u, v, HandPicture::kBody_mm, theme_.virtual_robot);
+  for (const auto& [one, other] : {std::pair(u, v), {v, stylus.axis_W}, {stylus.axis_W, u}})  // a ball from any side
+    lines_.circle(tip_mm, one, other, HandPicture::kTip_mm, theme_.virtual_robot);
+  for (int side = 0; side < kSides; ++side) {
+    const Vec3 out_mm = HandPicture::kBody_mm * (side < 2 ? 1.0 : -1.0) * (side % 2 == 0 ? u : v);
+    const std::array<Vec3, 3> along_mm{tip_mm, taper_mm + out_mm, end_mm + out_mm};
+    lines_.chain(along_mm, theme_.virtual_robot, false);
+  }
+}
+
+void DrawingPicture::add(const DrawnWords& words) {
+  if (words.p_W.allFinite()) labels_.push_back({words.text, kMillimetrePerMetre * words.p_W, theme_.ink, true, true});
 }
 
 }  // namespace underact::gui

@@ -25,6 +25,7 @@ struct DrawnFrame {
 struct DrawnLink {
   Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();
   bool dashed = false;
+  double strength = 1.0;  // of its colour over the ground's, 0 to 1
 };
 
 struct DrawnJoint {
@@ -33,15 +34,31 @@ struct DrawnJoint {
   Vec3 axis_W = Vec3::UnitZ();
 };
 
+/// A stylus that nobody holds: a hollow one, of the size of the one that is held.
+struct DrawnStylus {
+  Vec3 p_W = Vec3::Zero();      // its tip
+  Vec3 axis_W = Vec3::UnitZ();  // from there to the hand, of length 1
+};
+
+/// Words in large type, a line below their place.
+struct DrawnWords {
+  QString text;
+  Vec3 p_W = Vec3::Zero();
+};
+
 struct Drawing {
   std::vector<DrawnFrame> frames;
   std::vector<DrawnLink> links;
   std::vector<DrawnJoint> joints;
-  bool isEmpty() const { return frames.empty() && links.empty() && joints.empty(); }
+  std::vector<DrawnStylus> styluses;
+  std::vector<DrawnWords> words;
+  bool isEmpty() const {
+    return frames.empty() && links.empty() && joints.empty() && styluses.empty() && words.empty();
+  }
 };
 
-/// Frames with their letters, links as lines, joints as the rings and squares of drawings of machines; in the colour of
-/// what exists only in software.
+/// Frames with their letters, links as lines, joints as the rings and squares of drawings of machines, a ghost's
+/// stylus; in the colour of what exists only in software.
 class DrawingPicture {
  public:
   DrawingPicture();
@@ -58,6 +75,8 @@ class DrawingPicture {
   void add(const DrawnFrame& frame);
   void add(const DrawnLink& link);
   void add(const DrawnJoint& joint);
+  void add(const DrawnStylus& stylus);
+  void add(const DrawnWords& words);
 
   Theme theme_ = Theme::light();
   QMap<QString, Drawing> drawings_;

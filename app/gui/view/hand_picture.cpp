@@ -11,8 +11,8 @@
 namespace underact::gui {
 namespace {
 
-// The stylus in its own frame T: a round tip at 0, the body along +z, towards the hand. mm.
-constexpr double kTip_mm = 2.2, kNeck_mm = 1.5, kBody_mm = 3.2, kTaper_mm = 15.0, kEnd_mm = 84.0;
+constexpr double kTip_mm = HandPicture::kTip_mm, kNeck_mm = HandPicture::kNeck_mm, kBody_mm = HandPicture::kBody_mm,
+                 kTaper_mm = HandPicture::kTaper_mm, kEnd_mm = HandPicture::kEnd_mm;
 constexpr double kLink_mm = 1.2, kJoint_mm = 2.6;
 constexpr double kTarget_mm = 4.6;
 constexpr double kShaft_mm = 1.1, kHead_mm = 3.2, kHeadLength_mm = 9.0, kBar_mm = 6.5, kBarThick_mm = 1.1;

@@ -16,6 +16,8 @@ namespace underact::gui {
 class HandPicture {
  public:
   static constexpr double kArrow_mm = 60.0;  // of the continuous force
+  // The stylus in its own frame T: a round tip at 0, the body along +z, towards the hand.
+  static constexpr double kTip_mm = 2.2, kNeck_mm = 1.5, kBody_mm = 3.2, kTaper_mm = 15.0, kEnd_mm = 84.0;
 
   HandPicture();
   void setTheme(const Theme& theme);

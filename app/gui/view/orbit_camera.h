@@ -19,6 +19,7 @@ struct OrbitCamera {
 
   static constexpr double kViewAngle_rad = 0.42;  // of the height: modest, so that little is distorted
 
+  bool operator==(const OrbitCamera&) const = default;
   Vec3 right_W() const;
   Vec3 up_W() const;
   Vec3 back_W() const;  // from the focus to the eye

@@ -302,6 +302,10 @@ void SceneView::setGaugeScale(double scale) {
   impl_->surface->update();
 }
 
+double SceneView::gaugeScale() const {
+  return impl_->gauge_scale;
+}
+
 void SceneView::setHandAvailable(bool available) {
   impl_->hand_available = available;
   impl_->grip.forget();

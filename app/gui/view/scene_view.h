@@ -23,6 +23,7 @@ enum class Camera { Fit, Front, Back, Left, Right, Top, Bottom, Isometric };
 struct Viewpoint {
   OrbitCamera camera;
   bool fits = true;  // nobody has moved it: it keeps everything in the picture
+  bool operator==(const Viewpoint&) const = default;
 };
 
 /// What the view can show or hide.
@@ -48,6 +49,7 @@ struct Layers {
   bool ghosts = false;            // the inverse solutions
   bool motion_ellipsoid = false;  // of manipulability
   bool force_ellipsoid = false;
+  bool operator==(const Layers&) const = default;
 };
 
 /// The picture of the hand's world: constraint, stylus, target, error line, force arrow, workspace box and triads, in
@@ -107,6 +109,7 @@ class SceneView : public QWidget {
   void setForceLimit(double continuous_N);
   /// How much larger the gauge's type is than the view's; 1 at first.
   void setGaugeScale(double scale);
+  double gaugeScale() const;
   /// Letters, gauge, triad and hint over the picture; shown at first.
   void showWords(bool on);
   /// Where the stylus is drawn, tip and body, in logical pixels; empty: it is not known yet.

@@ -17,6 +17,7 @@ struct Label {
   Vec3 p_mm = Vec3::Zero();
   QColor colour;
   bool strong = false;
+  bool large = false;  // half as large again, a line below its place, on the view's ground
 };
 
 /// Half the workspace that the maker states, mm: 160 x 120 x 70 about W.

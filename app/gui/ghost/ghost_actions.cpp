@@ -1,0 +1,118 @@
+#include "app/gui/ghost/ghost_actions.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <functional>
+
+#include "app/gui/actions.h"
+#include "app/gui/document.h"
+#include "app/gui/file_question.h"
+#include "app/gui/ghost/ghost_hand.h"
+#include "app/gui/ghost/ghost_words.h"
+#include "app/gui/scene_files.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+#include "core/scene/mirror.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr double kLeastWait_mm = 1.0, kMostWait_mm = 100.0;
+
+void chooseSession(Actions& actions, QWidget* window) {
+  askForFile(window, "dialog.follow", tr("Follow a recorded hand"), {},
+             tr("Recorded sessions (*.h5 *.hdf5);;All files (*)"),
+             [&actions](const QString& path) { actions.perform("ghost.open", path); });
+}
+
+/// name: of a command with one argument that changes the options. false: that argument is none for it.
+void addOption(Actions& actions, GhostHand& ghost, const char* name,
+               std::function<bool(follow::Options& options, const QVariant& to)> put) {
+  actions.addCommand(name, [&ghost, put = std::move(put)](const QVariantList& to) {
+    if (!ghost.isOpen() || to.size() != 1) return false;
+    follow::Options options = ghost.options();
+    if (!put(options, to.first())) return false;
+    ghost.setOptions(options);
+    return true;
+  });
+}
+
+bool putWithin(double& number, const QVariant& to, double least, double most, double unit) {
+  bool is_number = false;
+  const double asked = to.toDouble(&is_number);
+  if (!is_number || !(asked >= least && asked <= most)) return false;
+  number = unit * asked;
+  return true;
+}
+
+void addOptions(Actions& actions, GhostHand& ghost) {
+  const auto flag = [](bool follow::Options::*which) {
+    return [which](follow::Options& options, const QVariant& to) {
+      options.*which = to.toBool();
+      return true;
+    };
+  };
+  addOption(actions, ghost, "ghost.loop", flag(&follow::Options::loops));
+  addOption(actions, ghost, "ghost.wait", flag(&follow::Options::waits));
+  addOption(actions, ghost, "ghost.near", flag(&follow::Options::begins_near));
+  addOption(actions, ghost, "ghost.speed", [](follow::Options& options, const QVariant& to) {
+    return putWithin(options.speed, to, follow::kSlowest, follow::kFastest, 1.0);
+  });
+  addOption(actions, ghost, "ghost.wait_beyond", [](follow::Options& options, const QVariant& to_mm) {
+    return putWithin(options.waits_beyond_m, to_mm, kLeastWait_mm, kMostWait_mm, kMetrePerMillimetre);
+  });
+}
+
+}  // namespace
+
+void addGhostActions(Actions& actions, GhostHand& ghost, const Document& document, SceneFiles& files, QWidget* window) {
+  actions.add({"ghost.open", tr("Follow a &recorded hand…"), QKeySequence("Ctrl+Alt+Shift+G"),
+               tr("Lets a recorded stylus go its way beside yours, and says how near you are.")},
+              [&actions, &ghost, window](const QVariantList& path) {
+                if (!path.isEmpty()) return ghost.open(path.first().toString());
+                chooseSession(actions, window);
+                return true;
+              });
+  actions.add({"ghost.play", tr("&Play or pause"), QKeySequence("G"), tr("Lets the ghost go, or stand still."), "play"},
+              [&ghost](const QVariantList& on) {
+                ghost.play(on.value(0, !ghost.isPlaying()).toBool());
+                return true;
+              });
+  actions.add({"ghost.restart", tr("From the &beginning"), QKeySequence("Shift+G"),
+               tr("Puts the ghost back to its beginning, and counts anew."), "reset"},
+              [&ghost](const QVariantList&) {
+                ghost.restart();
+                return true;
+              });
+  actions.add({"ghost.close", tr("&Close"), QKeySequence("Ctrl+G"), tr("Takes the ghost away.")},
+              [&ghost](const QVariantList&) {
+                ghost.close();
+                return true;
+              });
+  addOptions(actions, ghost);
+  actions.addCommand("ghost.mirror", [&ghost](const QVariantList& on) {
+    if (!ghost.isOpen() || on.size() != 1) return false;
+    ghost.setMirrored(on.first().toBool());
+    return true;
+  });
+  actions.addCommand("ghost.scene", [&ghost, &document, &files](const QVariantList&) {
+    if (!ghost.isOpen() || !ghost.ghost().scene) return false;
+    scene::Description scene = *ghost.scene();
+    return files.openLoaded(document.opensMirrored() ? scene::mirrored(scene) : scene);  // mirrored back as it opens
+  });
+  actions.addCommand("ghost.copy", [&ghost](const QVariantList&) {
+    if (!ghost.isOpen() || !ghost.state().last_round) return false;
+    QGuiApplication::clipboard()->setText(resultText(*ghost.state().last_round));
+    return true;
+  });
+  const auto enable = [&actions, &ghost] {
+    for (const char* name : {"play", "restart", "close"})
+      actions.find(QString("ghost.") + name)->setEnabled(ghost.isOpen());
+  };
+  enable();
+  QObject::connect(&ghost, &GhostHand::opened, &actions, enable);
+  QObject::connect(&ghost, &GhostHand::closed, &actions, enable);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,30 @@
+#include "app/gui/ghost/ghost_drawing.h"
+
+#include <QObject>
+
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+
+// As far as one looks ahead with a pencil; more of a way that crosses itself is a tangle.
+constexpr double kAhead_s = 1.5;
+constexpr std::size_t kPoints = 40;
+constexpr double kFaintest = 0.4;  // of the colour, at the end
+
+Drawing ghostDrawing(const follow::Way& way, const follow::State& state, const Vec3& p_WT) {
+  Drawing drawing;
+  const std::vector<Vec3> points = follow::ahead(way, state.time_s, kAhead_s, kPoints);
+  for (std::size_t index = 1; index < points.size(); ++index) {
+    const double share = static_cast<double>(index) / static_cast<double>(points.size());
+    drawing.links.push_back({points[index - 1], points[index], false, 1.0 - (1.0 - kFaintest) * share});
+  }
+  const Vec3& p_WG = state.ghost.p_WG;
+  drawing.links.push_back({p_WT, p_WG, true});
+  drawing.styluses.push_back({p_WG, state.ghost.stylus_W});
+  drawing.words.push_back(
+      {QObject::tr("%1 mm").arg(numberText(kMillimetrePerMetre * state.distance_m, 0)), 0.5 * (p_WT + p_WG)});
+  return drawing;
+}
+
+}  // namespace underact::gui

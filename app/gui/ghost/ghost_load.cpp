@@ -1,0 +1,76 @@
+#include "app/gui/ghost/ghost_load.h"
+
+#include <QObject>
+#include <memory>
+#include <utility>
+
+#include "app/gui/view/drawn_mesh.h"
+#include "core/arm/preset.h"
+#include "core/scene/edit.h"
+#include "device/recorded.h"
+
+namespace underact::gui {
+namespace {
+
+Problems oneProblem(const QString& sentence, const std::string& path) {
+  return {{sentence.toStdString(), {path}}};
+}
+
+follow::Way wayOf(const device::Recorded& recorded, const arm::Geometry& geometry) {
+  follow::WayMaker maker(geometry, recorded.rate_hz);
+  for (const device::RecordedRow& row : recorded.rows) maker.add(row.q_rad, row.begins_anew);
+  return maker.take();
+}
+
+/// The files of a recorded scene have other names than those of the scene that was opened: their content counts.
+void takeNames(scene::Shape& shape, const scene::Shape& recorded) {
+  auto* mesh = std::get_if<scene::Mesh>(&shape);
+  const auto* recorded_mesh = std::get_if<scene::Mesh>(&recorded);
+  if (mesh != nullptr && recorded_mesh != nullptr && mesh->loaded_checksum == recorded_mesh->loaded_checksum) {
+    mesh->file = recorded_mesh->file;
+    mesh->checksum = recorded_mesh->checksum;
+  }
+  auto* curve = std::get_if<scene::Curve>(&shape);
+  const auto* recorded_curve = std::get_if<scene::Curve>(&recorded);
+  if (curve == nullptr || recorded_curve == nullptr || !curve->points || !recorded_curve->points) return;
+  if (*curve->points == *recorded_curve->points) curve->file = recorded_curve->file;
+}
+
+}  // namespace
+
+Result<LoadedGhost> loadGhost(const std::string& path, const mesh::Watch& watch) {
+  device::LoadWatch reading;
+  reading.cancelled = watch.cancelled;
+  if (watch.progress) reading.progress = [&watch](double share) { watch.progress("", share); };
+  Result<std::shared_ptr<const device::Recorded>> read = device::loadRecorded(path, reading);
+  if (!read) return read.problems();
+  const device::Recorded& recorded = *read.value();
+  const arm::Preset* preset = arm::findPreset(recorded.arm);
+  if (preset == nullptr)
+    return oneProblem(QObject::tr("This program does not know the session's arm “%1”.").arg(recorded.arm.c_str()),
+                      path);
+  LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), {}, recorded.damage};
+  if (ghost.way.rows.size() < 2)
+    return oneProblem(QObject::tr("There is one tick in this session: nothing to follow."), path);
+  if (const device::RecordedScene* first = recorded.sceneAt(0)) ghost.scene = first->scene;
+  if (ghost.scene) makeDrawnMeshes(*ghost.scene, watch);
+  return ghost;
+}
+
+bool meetsTheSame(const scene::Description& recorded, scene::Description other) {
+  if (other.constraints.size() != recorded.constraints.size()) return false;
+  other.title = recorded.title;
+  other.about = recorded.about;
+  other.arm = recorded.arm;
+  other.control = recorded.control;
+  other.simulation = recorded.simulation;
+  for (std::size_t index = 0; index < other.constraints.size(); ++index) {
+    scene::Constraint& one = other.constraints[index];
+    const scene::Constraint& was = recorded.constraints[index];
+    one.control = was.control;
+    takeNames(one.shape, was.shape);
+  }
+  return scene::isSame(recorded, other);
+}
+
+}  // namespace underact::gui
