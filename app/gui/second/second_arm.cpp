@@ -1,6 +1,5 @@
 #include "app/gui/second/second_arm.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/gui/fault_watch.h"
@@ -9,8 +8,6 @@
 #include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/record/fault_file.h"
-#include "core/scene/load_meshes.h"
-#include "core/scene/read.h"
 
 namespace underact::gui {
 namespace {
@@ -69,7 +66,7 @@ void SecondArm::begin() {
 void SecondArm::end() {
   if (!isOn()) return;
   view_.hideSecond();
-  if (load_ != nullptr) leaving_.push_back(std::move(load_));
+  loading_.cancel();
   simulated_.host->stop();
   arms_.reset();
   document_.reset();
@@ -85,27 +82,15 @@ Problems SecondArm::choose(const QString& name) {
 void SecondArm::openScene(const QString& path) {
   path_ = path;
   if (!isOn() || path.isEmpty()) return;
-  Result<scene::Description> read = scene::readSceneFile(path.toStdString());
-  if (!read) {
-    emit told(tr("The scene stays. %1").arg(sentencesOf(read.problems())));
-    return;
-  }
-  if (load_ != nullptr) leaving_.push_back(std::move(load_));  // the last one that was asked for is meant
-  load_ = std::make_unique<Background<Loaded>>([scene = std::move(read).value()](WorkState&) {
-    Loaded loaded{scene, {}};
-    if (scene::lacksMeshes(loaded.scene)) loaded.problems = scene::loadMeshes(loaded.scene);
-    return loaded;
-  });
+  const Problems problems = loading_.begin(path);
+  if (!problems.empty()) return emit told(tr("The scene stays. %1").arg(sentencesOf(problems)));
   takeScene();
-  if (load_ != nullptr) emit changed();
+  if (isLoading()) emit changed();
 }
 
 void SecondArm::takeScene() {
-  leaving_.erase(std::remove_if(leaving_.begin(), leaving_.end(), [](auto& one) { return one->take().has_value(); }),
-                 leaving_.end());
-  std::optional<Loaded> loaded = load_ ? load_->take() : std::nullopt;
+  std::optional<SceneLoading::Loaded> loaded = loading_.take();
   if (!loaded) return;
-  load_.reset();
   if (loaded->problems.empty()) loaded->problems = document_->open(std::move(loaded->scene));
   if (!loaded->problems.empty()) emit told(tr("The scene stays. %1").arg(sentencesOf(loaded->problems)));
   emit changed();
@@ -151,9 +136,8 @@ void SecondArm::takeFaults() {
   while (const std::optional<servo::FaultReport> report = simulated_.host->takeFault()) {
     const record::FaultWords words = record::wordsOf(*report);
     const Result<std::string> kept = record::keepFault(*report, words, faultFolder().toStdString());
-    emit told(
-        tr("The second arm: %1 %2").arg(QString::fromStdString(words.what), QString::fromStdString(words.what_to_do)) +
-        (kept ? tr(" It is kept in %1.").arg(QString::fromStdString(kept.value())) : QString()));
+    emit told(tr("The second arm: %1 %2").arg(happenedText(*report), toDoText(report->fault)) +
+              (kept ? tr(" It is kept in %1.").arg(QString::fromStdString(kept.value())) : QString()));
   }
 }
 

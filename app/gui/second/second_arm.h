@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/background.h"
 #include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
+#include "app/gui/scene_loading.h"
 #include "app/gui/simulated_host.h"
 
 namespace underact::gui {
@@ -41,7 +41,7 @@ class SecondArm : public QObject {
   const QString& scenePath() const { return path_; }
   Side side() const { return side_; }
   bool mirrors() const { return mirrors_; }
-  bool isLoading() const { return load_ != nullptr; }
+  bool isLoading() const { return loading_.isLoading(); }
 
   void start();
   void stop();
@@ -61,10 +61,6 @@ class SecondArm : public QObject {
   void told(const QString& sentence);
 
  private:
-  struct Loaded {
-    scene::Description scene;
-    Problems problems;
-  };
   void place();
   void begin();
   void end();
@@ -78,8 +74,7 @@ class SecondArm : public QObject {
   SimulatedHost simulated_;
   std::unique_ptr<Document> document_;
   std::unique_ptr<ArmChoice> arms_;
-  std::unique_ptr<Background<Loaded>> load_;
-  std::vector<std::unique_ptr<Background<Loaded>>> leaving_;
+  SceneLoading loading_;
   QString path_;
   Side side_ = Side::Right;
   std::optional<Pose> X_WS_;

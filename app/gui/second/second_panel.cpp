@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/chooser.h"
+#include "app/gui/file_question.h"
 #include "app/gui/panel_scroll.h"
 #include "app/gui/push_button.h"
 #include "app/gui/readout.h"
@@ -139,14 +139,9 @@ QWidget* SecondPanel::buildChoices() {
   connect(side_, &QComboBox::activated, this, [this](int row) { parts_.actions.perform("second.side", row == 0); });
   connect(mirrors_, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("second.mirror", on); });
   connect(file_, &QPushButton::clicked, this, [this] {
-    auto* dialog = new QFileDialog(window(), tr("A scene for the second arm"), sceneFolder(),
-                                   tr("Scenes (*.json);;All files (*)"));
-    dialog->setObjectName("dialog.second_scene");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { parts_.actions.perform("second.scene", path); });
-    dialog->open();
+    askForFile(window(), "dialog.second_scene", tr("A scene for the second arm"), sceneFolder(),
+               tr("Scenes (*.json);;All files (*)"),
+               [this](const QString& path) { parts_.actions.perform("second.scene", path); });
   });
   return box;
 }

@@ -1,0 +1,65 @@
+#include "app/gui/compare/beside.h"
+
+#include <QCoreApplication>
+#include <chrono>
+#include <utility>
+
+namespace underact::gui {
+namespace {
+
+constexpr std::int64_t kBeforeJudged = 1000;  // ticks whose time is averaged
+
+Problems refused(const char* sentence) {
+  return {{QCoreApplication::translate("Beside", sentence).toStdString(), {}}};
+}
+
+const char* const kOtherArm = QT_TRANSLATE_NOOP("Beside", "That scene is for another arm than the one that is felt.");
+const char* const kTooSlow =
+    QT_TRANSLATE_NOOP("Beside", "The other scene takes more time a tick than the window has for it.");
+
+}  // namespace
+
+Problems Beside::setScene(const scene::Description& scene) {
+  if (scene.arm != host_.scene().arm) return refused(kOtherArm);
+  Result<tick::TickProgram> program = host_.programOf(scene);
+  if (!program) return program.problems();
+  rerun_.emplace(std::move(program).value());
+  scene_ = scene;
+  begins_ = true;
+  ticks_ = 0;
+  spent_s_ = 0.0;
+  clearFigures();
+  return {};
+}
+
+void Beside::clearFigures() {
+  felt_ = {};
+  beside_ = {};
+}
+
+Problems Beside::add(const servo::TickRecord& felt) {
+  if (!rerun_) return {};
+  if (std::exchange(revision_, felt.revision) != felt.revision) {
+    clearFigures();
+    if (scene_.arm != host_.scene().arm) {
+      end();
+      return refused(kOtherArm);
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const tick::TickReport& report = rerun_->tick(felt, {}, std::exchange(begins_, false)).report;
+  spent_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (felt.level >= 1.0 && report.level >= 1.0) {
+    felt_.add(felt.error_m, felt.f_sent_T_W.norm());
+    beside_.add(tick::errorOf(report), report.force.f_T_W().norm());
+  }
+  if (++ticks_ < kBeforeJudged) return {};
+  const bool in_time = spent_s_ < most_of_a_period_ * static_cast<double>(ticks_) / host_.rateHz();
+  ticks_ = 0;
+  spent_s_ = 0.0;
+  if (in_time) return {};
+  end();
+  return refused(kTooSlow);
+}
+
+}  // namespace underact::gui

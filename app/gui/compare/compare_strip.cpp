@@ -1,0 +1,74 @@
+#include "app/gui/compare/compare_strip.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/actions.h"
+#include "app/gui/push_button.h"
+#include "app/gui/told_label.h"
+#include "app/gui/words.h"
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+QString figuresText(const record::TickFigures& figures) {
+  return CompareStrip::tr("%1 N on average, %2 N at most, %3 mm away")
+      .arg(numberText(figures.meanForce_N(), 2), numberText(figures.peakForce_N(), 2),
+           numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
+}
+
+}  // namespace
+
+CompareStrip::CompareStrip(Actions& actions, QWidget* parent) : QWidget(parent) {
+  setObjectName("compare");
+  setAccessibleName(tr("Two scenes compared"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 4, 12, 6);
+  column->setSpacing(4);
+  told_ = toldLabel("compare.told", tr("What happened to the comparison"), "alarm", this);
+  difference_ = toldLabel("compare.difference", tr("What the two scenes do not share"), "", this);
+  figures_ = toldLabel("compare.figures", tr("Forces of both scenes"), "quiet", this);
+  column->addWidget(told_);
+  column->addWidget(difference_);
+  column->addWidget(figures_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  const auto button = [&](const QString& name, const QString& text) {
+    QAction* does = actions.find(name);
+    auto* made = pushButton("compare.button." + name.section('.', 1), text, does->toolTip(), this);
+    connect(made, &QPushButton::clicked, does, &QAction::trigger);
+    row->addWidget(made);
+  };
+  button("compare.swap", tr("Swap"));
+  button("compare.same", tr("Same as felt"));
+  button("compare.open", tr("Another scene…"));
+  row->addStretch(1);
+  button("compare.on", tr("Close"));
+  column->addLayout(row);
+  tell({});
+  hide();
+}
+
+void CompareStrip::setDifference(const QString& words, const QString& all) {
+  difference_->setText(words);
+  difference_->setToolTip(all);
+}
+
+void CompareStrip::tell(const QString& sentence) {
+  told_->setText(sentence);
+  told_->setVisible(!sentence.isEmpty());
+}
+
+void CompareStrip::present(const record::TickFigures& felt, const record::TickFigures& beside) {
+  const QString text =
+      felt.ticks() == 0
+          ? tr("Forces of both come here when the servo runs.")
+          : tr("Since the last change: felt %1; beside it %2.").arg(figuresText(felt), figuresText(beside));
+  if (figures_->text() != text) figures_->setText(text);
+}
+
+}  // namespace underact::gui

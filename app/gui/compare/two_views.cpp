@@ -1,0 +1,97 @@
+#include "app/gui/compare/two_views.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace underact::gui {
+
+TwoViews::TwoViews(SceneView& left, QWidget* parent) : QWidget(parent), left_(left) {
+  setObjectName("compare.views");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(1);
+  const auto half = [&] {
+    auto* made = new QWidget(this);
+    auto* column = new QVBoxLayout(made);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    row->addWidget(made, 1);
+    return made;
+  };
+  auto* left_half = half();
+  right_half_ = half();
+  auto* const left_column = static_cast<QVBoxLayout*>(left_half->layout());
+  left_head_ = head("compare.left", tr("What is felt"), left_column);
+  left_column->addWidget(&left_, 1);
+  right_head_ = head("compare.right", tr("What it is compared with"), static_cast<QVBoxLayout*>(right_half_->layout()));
+  left_head_->hide();
+  right_half_->hide();
+}
+
+QLabel* TwoViews::head(const char* name, const QString& spoken, QVBoxLayout* column) {
+  auto* made = new QLabel(this);
+  made->setObjectName(name);
+  made->setAccessibleName(spoken);
+  made->setTextFormat(Qt::PlainText);
+  made->setWordWrap(true);
+  made->setMargin(6);
+  column->addWidget(made);
+  return made;
+}
+
+void TwoViews::makeRight() {
+  right_ = new SceneView(right_half_);
+  right_->setObjectName("view.beside");
+  right_->setAccessibleName(tr("3D view of what is not felt"));
+  right_->setAccessibleDescription(tr("The scene that is compared, with the same hand. Arrow keys turn both views."));
+  right_->setMinimumSize(left_.minimumSize());
+  right_->setTheme(theme_);
+  right_half_->layout()->addWidget(right_);
+  static_cast<QVBoxLayout*>(right_half_->layout())->setStretchFactor(right_, 1);
+  setTabOrder(&left_, right_);
+}
+
+bool TwoViews::showsRight() const {
+  return !right_half_->isHidden();
+}
+
+void TwoViews::showRight(bool on) {
+  if (on && right_ == nullptr) makeRight();
+  if (on) follow();
+  left_head_->setVisible(on);
+  right_half_->setVisible(on);
+}
+
+void TwoViews::setHeads(const QString& left, const QString& right) {
+  left_head_->setText(left);
+  right_head_->setText(right);
+}
+
+void TwoViews::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (right_ != nullptr) right_->setTheme(theme);
+}
+
+/// The right one sees what the left one does.
+void TwoViews::follow() {
+  if (!(right_->layers() == left_.layers())) right_->setLayers(left_.layers());
+  seen_ = {left_.viewpoint().camera, false};
+  right_->setViewpoint(seen_);
+}
+
+void TwoViews::present() {
+  if (!showsRight()) return;
+  const OrbitCamera there = right_->viewpoint().camera;
+  if (!(there == seen_.camera)) {  // somebody moved it
+    seen_ = {there, false};
+    left_.setViewpoint(seen_);
+  }
+  if (!(left_.viewpoint().camera == seen_.camera) || !(right_->layers() == left_.layers())) follow();
+  if (right_->gaugeScale() != left_.gaugeScale()) right_->setGaugeScale(left_.gaugeScale());
+  for (QWidget* widget : QList<QWidget*>{right_, left_head_, right_head_}) {
+    if (widget->font() != left_.font()) widget->setFont(left_.font());
+  }
+}
+
+}  // namespace underact::gui

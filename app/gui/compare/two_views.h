@@ -1,0 +1,40 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/theme.h"
+#include "app/gui/view/scene_view.h"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+/// The view, and a second one to its right where two scenes are compared: seen from the same place, with the same
+/// layers and letters. Who moves one camera moves the other.
+class TwoViews : public QWidget {
+  Q_OBJECT
+ public:
+  TwoViews(SceneView& left, QWidget* parent);
+  void showRight(bool on);
+  bool showsRight() const;
+  /// Where it shows.
+  SceneView& right() { return *right_; }
+  void setHeads(const QString& left, const QString& right);
+  /// Each frame.
+  void present();
+  void setTheme(const Theme& theme);
+
+ private:
+  QLabel* head(const char* name, const QString& spoken, QVBoxLayout* column);
+  void makeRight();
+  void follow();
+
+  SceneView& left_;
+  QWidget* right_half_;
+  SceneView* right_ = nullptr;  // made when it is first asked for: it costs time and memory
+  QLabel *left_head_, *right_head_;
+  Viewpoint seen_;  // from where both are seen
+  Theme theme_ = Theme::light();
+};
+
+}  // namespace underact::gui

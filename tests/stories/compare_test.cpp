@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/gui/compare/compare_tool.h"
+#include "app/gui/compare/two_views.h"
+#include "tests/stories/story.h"
+
+namespace underact::gui::test {
+namespace {
+
+/// The sphere, felt, with itself beside it; the hand pushes 2 mm into it.
+struct CompareDesk {
+  explicit CompareDesk(const QString& scene = "02_sphere")
+      : story(scene), tool(*story.window().findChild<CompareTool*>()) {
+    story.arm().wish({.p_WT = Vec3(0.0, 0.0, 0.048)});
+    story.perform("session.start");
+    story.run(1000);
+    EXPECT_TRUE(story.perform("compare.on", true));
+    story.run(1000);
+  }
+  double feltForce_N() { return story.force_N(); }
+  double besideForce_N() { return tool.beside().snapshot().report.force.f_T_W().norm(); }
+  QString text(const char* name) { return story.find<QLabel>(name)->text(); }
+  SceneView& right() { return *story.window().findChild<SceneView*>("view.beside"); }
+  /// That file stands beside, in a while.
+  bool comes(const char* file) {
+    return QTest::qWaitFor(
+        [&] {
+          story.run(20);
+          return QString::fromStdString(tool.beside().scene().file).endsWith(file);
+        },
+        60'000);
+  }
+  void feel(double kp_N_per_mm) {
+    Document& document = story.window().document();
+    scene::Description edited = document.scene();
+    edited.control.gains.kp_N_per_mm.setConstant(kp_N_per_mm);
+    EXPECT_TRUE(document.edit(edited, "stiffness", document.newGesture()).empty());
+  }
+
+  Story story;
+  CompareTool& tool;
+};
+
+}  // namespace
+
+TEST(CompareStory, TheSameSceneGivesTheSameForceToTheLastBit) {
+  CompareDesk desk;
+  ASSERT_TRUE(desk.tool.isOn());
+  EXPECT_GT(desk.feltForce_N(), 0.2);
+  EXPECT_EQ(desk.tool.beside().snapshot().report.force.f_T_W(), desk.story.snapshot().report.force.f_T_W());
+  EXPECT_EQ(desk.tool.beside().snapshot().report.p_WT, desk.story.snapshot().report.p_WT);
+  EXPECT_TRUE(desk.text("compare.difference").startsWith("Both are the same"));
+}
+
+TEST(CompareStory, OtherGainsActOnTheSameMotion) {
+  CompareDesk desk;
+  desk.feel(0.25);
+  desk.story.run(2000);
+  const servo::Snapshot& beside = desk.tool.beside().snapshot();
+  EXPECT_EQ(beside.report.p_WT, desk.story.snapshot().report.p_WT);
+  EXPECT_LT(desk.besideForce_N(), 0.8) << "a clamped force is not twice another";
+  // Half the stiffness on the same error: half the force, but for what is left of the fading of the old one.
+  EXPECT_NEAR(desk.besideForce_N(), 2.0 * desk.feltForce_N(), 1e-3);
+  EXPECT_TRUE(desk.text("compare.difference").contains("control.kp_N_per_mm: 0.25 felt, 0.5 beside it"))
+      << desk.text("compare.difference").toStdString();
+  EXPECT_TRUE(desk.text("compare.figures").contains("beside it")) << desk.text("compare.figures").toStdString();
+}
+
+TEST(CompareStory, SwappedTheOtherOneIsFeltAndUndoGivesItBack) {
+  CompareDesk desk;
+  Document& document = desk.story.window().document();
+  desk.feel(0.25);
+  desk.story.run(1000);
+  desk.story.click(desk.story.find("compare.button.swap"));
+  desk.story.run(2000);
+  EXPECT_EQ(document.scene().control.gains.kp_N_per_mm.x(), 0.5);
+  EXPECT_EQ(desk.tool.beside().scene().control.gains.kp_N_per_mm.x(), 0.25);
+  EXPECT_LT(desk.besideForce_N(), desk.feltForce_N());
+  desk.story.perform("edit.undo");
+  EXPECT_EQ(document.scene().control.gains.kp_N_per_mm.x(), 0.25);
+}
+
+TEST(CompareStory, SameAsFeltTakesTheEditsOver) {
+  CompareDesk desk;
+  desk.feel(0.25);
+  ASSERT_TRUE(desk.story.perform("compare.same"));
+  desk.story.run(2000);
+  EXPECT_TRUE(desk.text("compare.difference").startsWith("Both are the same"));
+  EXPECT_NEAR(desk.besideForce_N(), desk.feltForce_N(), 1e-6);
+}
+
+TEST(CompareStory, AnotherSceneStandsBesideAndIsOpenedBySwapping) {
+  CompareDesk desk;
+  ASSERT_TRUE(desk.story.perform("compare.open", shippedScene("01_point")));
+  ASSERT_TRUE(desk.comes("01_point.json"));
+  EXPECT_TRUE(desk.text("compare.right").endsWith(QString::fromStdString(desk.tool.beside().scene().title)));
+  EXPECT_NE(desk.tool.beside().scene().file, desk.story.window().document().scene().file);
+  ASSERT_TRUE(desk.story.perform("compare.swap"));
+  desk.story.run(500);
+  EXPECT_EQ(desk.story.window().document().path(), shippedScene("01_point"));
+  EXPECT_TRUE(QString::fromStdString(desk.tool.beside().scene().file).endsWith("02_sphere.json"));
+}
+
+TEST(CompareStory, ASceneWithAMeshIsLoadedMeanwhile) {
+  CompareDesk desk;
+  ASSERT_TRUE(desk.story.perform("compare.open", shippedScene("26_bumpy_sphere")));
+  EXPECT_TRUE(desk.comes("26_bumpy_sphere.json"));
+  desk.story.run(200);
+  EXPECT_GT(desk.right().trianglesDrawn(), 1000u);
+}
+
+TEST(CompareStory, WhatCannotBeComparedIsSaid) {
+  CompareDesk desk;
+  EXPECT_FALSE(desk.story.perform("compare.open", temporaryFile("no_scene.json", "{")));
+  EXPECT_FALSE(desk.text("compare.told").isEmpty());
+  EXPECT_FALSE(desk.story.find("compare.told")->isHidden());
+  const QString other = temporaryFile("other_arm.json",
+                                      R"({"underact_scene": 1, "title": "Touch", "arm": "touch-measured",
+      "constraints": [{"name": "p", "type": "point", "position_mm": [0, 0, 0]}]})");
+  desk.story.perform("compare.open", other);
+  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("another arm"); };
+  EXPECT_TRUE(QTest::qWaitFor(isSaid, 10'000)) << desk.text("compare.told").toStdString();
+  desk.story.run(200);
+  EXPECT_NEAR(desk.besideForce_N(), desk.feltForce_N(), 1e-6);  // the one before stays
+}
+
+TEST(CompareStory, WhoMovesOneCameraMovesTheOther) {
+  CompareDesk desk;
+  desk.story.perform("view.top");
+  desk.story.settle(400);
+  desk.story.run(40);
+  EXPECT_EQ(desk.right().viewpoint().camera, desk.story.view().viewpoint().camera);
+  desk.story.press(&desk.right(), QPoint(30, 60));
+  desk.story.moveTo(&desk.right(), QPoint(90, 100));
+  desk.story.release(&desk.right(), QPoint(90, 100));
+  desk.story.run(40);
+  EXPECT_EQ(desk.story.view().viewpoint().camera, desk.right().viewpoint().camera);
+  desk.story.perform("layer.arm", false);
+  desk.story.run(40);
+  EXPECT_FALSE(desk.right().layers().arm);
+}
+
+TEST(CompareStory, ClosedThereIsOneViewAgain) {
+  CompareDesk desk;
+  const int half = desk.story.view().width();
+  desk.story.click(desk.story.find("compare.button.on"));
+  desk.story.settle();
+  EXPECT_FALSE(desk.tool.isOn());
+  EXPECT_FALSE(desk.right().isVisible());
+  EXPECT_FALSE(desk.story.window().actions().find("compare.swap")->isEnabled());
+  EXPECT_GT(desk.story.view().width(), 3 * half / 2);
+  EXPECT_FALSE(desk.story.perform("compare.swap"));
+}
+
+TEST(CompareStory, ItStopsAndStartsWithWhatIsFelt) {
+  CompareDesk desk;
+  desk.feel(0.1);
+  desk.story.perform("session.stop");
+  desk.story.run(500);
+  EXPECT_EQ(desk.feltForce_N(), 0.0);
+  EXPECT_EQ(desk.besideForce_N(), 0.0);
+  desk.story.perform("session.start");
+  desk.story.run(1000);
+  EXPECT_GT(desk.besideForce_N(), desk.feltForce_N());
+}
+
+TEST(CompareStory, OneThatTakesTooLongEndsAndSaysSo) {
+  CompareDesk desk;
+  Beside beside(desk.story.host(), 0.0);  // no time at all
+  ASSERT_TRUE(beside.setScene(desk.story.window().document().scene()).empty());
+  Problems problems;
+  int ticks = 0;
+  for (servo::TickRecord record; problems.empty() && ticks < 5000; ++ticks) {
+    record.time_ns = 1'000'000LL * ticks;
+    problems = beside.add(record);
+  }
+  EXPECT_EQ(ticks, 1000);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_FALSE(beside.isOn());
+}
+
+TEST(CompareStory, PicturesOfIt) {
+  for (const char* theme : {"light", "dark"}) {
+    CompareDesk desk;
+    desk.story.perform(QString("view.theme.") + theme);
+    desk.feel(0.2);
+    desk.story.run(2000);
+    desk.story.savePicture(QString("compare_") + theme);
+    desk.story.perform("view.projector", true);
+    desk.story.run(200);
+    desk.story.settle(300);
+    desk.story.savePicture(QString("compare_projector_") + theme);
+  }
+}
+
+}  // namespace underact::gui::test
