@@ -1,6 +1,7 @@
 #include "app/gui/fault_watch.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QStandardPaths>
 #include <QTimer>
@@ -17,11 +18,18 @@ namespace {
 
 constexpr const char* kWindowKind = "window";
 
-record::FaultWords wordsOfException(const std::string& message) {
-  return {
-      kWindowKind, "The window met an error of its own: " + message + ".",
-      "Save the scene under another name, then press Start. If it comes again, end the program and send the file to "
-      "its makers."};
+constexpr const char* kMet = QT_TRANSLATE_NOOP("fault", "The window met an error of its own: %1.");
+constexpr const char* kToDo =
+    QT_TRANSLATE_NOOP("fault",
+                      "Save the scene under another name, then press Start. If it comes again, end the program and "
+                      "send the file to its makers.");
+
+ToldFault toldException(const QString& message) {
+  ToldFault told;
+  told.words = {kWindowKind, QString(kMet).arg(message).toStdString(), kToDo};
+  told.what = QCoreApplication::translate("fault", kMet).arg(message);
+  told.to_do = QCoreApplication::translate("fault", kToDo);
+  return told;
 }
 
 }  // namespace
@@ -50,8 +58,11 @@ FaultWatch::~FaultWatch() {
 
 void FaultWatch::look(const servo::Snapshot& snapshot) {
   while (std::optional<servo::FaultReport> report = host_.takeFault()) {
-    const record::FaultWords words = record::wordsOf(*report);
-    keepAndTell(std::move(*report), words);
+    ToldFault told;
+    told.words = record::wordsOf(*report);
+    told.what = happenedText(*report);
+    told.to_do = toDoText(report->fault);
+    keepAndTell(std::move(*report), std::move(told));
   }
   if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);
 }
@@ -66,10 +77,10 @@ void FaultWatch::tellException(const std::string& message) {
 }
 
 void FaultWatch::tellOfWindow(const std::string& message) {
-  const record::FaultWords words = wordsOfException(message);
+  ToldFault told = toldException(QString::fromStdString(message));
   // What throws in every frame is told once, and counted.
   const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
-  if (before != nullptr && before->words.kind == kWindowKind && before->words.what == words.what) {
+  if (before != nullptr && before->words.kind == kWindowKind && before->words.what == told.words.what) {
     dialog_->tellAgain();
     return;
   }
@@ -82,15 +93,13 @@ void FaultWatch::tellOfWindow(const std::string& message) {
   report.scheduling = host_.scheduling();
   report.rate_hz = host_.rateHz();
   report.late = host_.snapshot().late;
-  keepAndTell(std::move(report), words);
+  keepAndTell(std::move(report), std::move(told));
 }
 
-void FaultWatch::keepAndTell(servo::FaultReport&& report, const record::FaultWords& words) {
-  ToldFault told;
-  told.words = words;
+void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
   told.when = QDateTime::fromSecsSinceEpoch(report.unix_time_s).toString("hh:mm:ss");
   told.rate_hz = report.rate_hz;
-  const Result<std::string> kept = record::keepFault(report, words, faultFolder().toStdString());
+  const Result<std::string> kept = record::keepFault(report, told.words, faultFolder().toStdString());
   if (kept) {
     told.path = QString::fromStdString(kept.value());
   } else {

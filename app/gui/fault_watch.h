@@ -41,7 +41,7 @@ class FaultWatch : public QObject {
   void setTheme(const Theme& theme);
 
  private:
-  void keepAndTell(servo::FaultReport&& report, const record::FaultWords& words);
+  void keepAndTell(servo::FaultReport&& report, ToldFault told);
   void tell(const ToldFault& told);
   void tellOfWindow(const std::string& message);
   FaultDialog& dialog();

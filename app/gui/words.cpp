@@ -1,12 +1,18 @@
 #include "app/gui/words.h"
 
+#include <QCoreApplication>
 #include <QObject>
 #include <QStringList>
 #include <cmath>
 
 #include "app/gui/number_box.h"
+#include "core/base/fault_words.h"
 
 namespace underact::gui {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("underact::gui", text);
+}
 
 QString sentencesOf(const Problems& problems) {
   QStringList lines;
@@ -21,6 +27,32 @@ QString numberText(double value, int decimals) {
   QString text = localNumber(std::abs(value), 'f', decimals);
   if (value < 0.0 && !zero) text.prepend(QChar(0x2212));
   return text;
+}
+
+QString happenedText(const Fault& fault) {
+  if (fault.kind == FaultKind::None) return {};
+  const FaultSentence sentence = happenedSentence(fault);
+  QString text = QCoreApplication::translate("fault", sentence.pattern);
+  for (std::size_t index = 0; index < sentence.numbers.size(); ++index) {
+    const auto [value, decimals] = sentence.numbers[index];
+    text.replace("%" + QString::number(index + 1), numberText(value, decimals));
+  }
+  return text;
+}
+
+QString happenedText(const servo::FaultReport& report) {
+  return (happenedText(report.fault) + " " + QString::fromStdString(report.trouble)).trimmed();
+}
+
+QString toDoText(const Fault& fault) {
+  if (fault.kind == FaultKind::None) return {};
+  return QCoreApplication::translate("fault", toDoSentence(fault));
+}
+
+QString faultText(const Fault& fault) {
+  if (fault.kind == FaultKind::None) return {};
+  return QString("%1 %2 %3")
+      .arg(happenedText(fault), QCoreApplication::translate("fault", kForceIsOff), toDoText(fault));
 }
 
 QString millimetres(double length_mm) {

@@ -1,14 +1,27 @@
 #pragma once
 #include <QString>
 
+#include "core/base/fault.h"
 #include "core/base/result.h"
 #include "core/base/types.h"
-#include "core/servo/scheduling.h"
+#include "core/servo/host.h"
 
 namespace underact::gui {
 
+/// In the window's language, for functions that are no members.
+QString tr(const char* text);
+
 /// The sentences alone, one a line: for a panel that the reader is already looking at.
 QString sentencesOf(const Problems& problems);
+
+/// What a fault was, in the window's language; empty for none.
+QString happenedText(const Fault& fault);
+/// With the arm's own words behind it, see DevicePort::trouble().
+QString happenedText(const servo::FaultReport& report);
+/// What to do about it.
+QString toDoText(const Fault& fault);
+/// Both, and what it means for the hand.
+QString faultText(const Fault& fault);
 
 /// A length on the screen, 0.1 mm.
 QString millimetres(double length_mm);

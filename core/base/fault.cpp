@@ -3,6 +3,9 @@
 #include <array>
 #include <charconv>
 
+#include "core/base/fault_words.h"
+#include "core/base/translate.h"
+
 namespace underact {
 namespace {
 
@@ -15,48 +18,65 @@ std::string digits(double value, int decimals) {
 
 }  // namespace
 
-std::string whatHappened(const Fault& fault) {
+const char* const kForceIsOff = QT_TRANSLATE_NOOP("fault", "Force is off.");
+
+FaultSentence happenedSentence(const Fault& fault) {
   switch (fault.kind) {
     case FaultKind::None:
       return {};
     case FaultKind::NoSample:
-      return "The arm stopped answering.";
+      return {QT_TRANSLATE_NOOP("fault", "The arm stopped answering."), {}};
     case FaultKind::StaleSample:
-      return "The arm sent the same sample twice.";
+      return {QT_TRANSLATE_NOOP("fault", "The arm sent the same sample twice."), {}};
     case FaultKind::NotFinite:
-      return "The arm sent a position that is not a number.";
+      return {QT_TRANSLATE_NOOP("fault", "The arm sent a position that is not a number."), {}};
     case FaultKind::TooFast:
-      return "The arm's position jumped by " + digits(fault.seen, 1) + " m/s, where a hand reaches " +
-             digits(fault.allowed, 0) + " m/s at most.";
+      return {QT_TRANSLATE_NOOP("fault", "The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most."),
+              {{{fault.seen, 1}, {fault.allowed, 0}}}};
     case FaultKind::TooLate:
-      return digits(fault.seen, 0) + " ticks in a row came a whole period late.";
+      return {QT_TRANSLATE_NOOP("fault", "%1 ticks in a row came a whole period late."), {{{fault.seen, 0}}}};
     case FaultKind::StoodStill:
-      return "The servo stood still for " + digits(fault.seen, 2) + " s.";
+      return {QT_TRANSLATE_NOOP("fault", "The servo stood still for %1 s."), {{{fault.seen, 2}}}};
   }
   return {};
 }
 
-std::string whatToDo(const Fault& fault) {
+std::string whatHappened(const Fault& fault) {
+  const FaultSentence sentence = happenedSentence(fault);
+  std::string text = sentence.pattern;
+  for (std::size_t index = 0; index < sentence.numbers.size(); ++index) {
+    const auto [value, decimals] = sentence.numbers[index];
+    const std::size_t place = text.find("%" + std::to_string(index + 1));
+    if (place != std::string::npos) text.replace(place, 2, digits(value, decimals));
+  }
+  return text;
+}
+
+const char* toDoSentence(const Fault& fault) {
   switch (fault.kind) {
     case FaultKind::None:
-      return {};
+      return "";
     case FaultKind::NoSample:
     case FaultKind::StaleSample:
     case FaultKind::TooFast:
-      return "Check the cable, then press Start.";
+      return QT_TRANSLATE_NOOP("fault", "Check the cable, then press Start.");
     case FaultKind::NotFinite:
-      return "Press Start to try again.";
+      return QT_TRANSLATE_NOOP("fault", "Press Start to try again.");
     case FaultKind::TooLate:
-      return "Close what keeps the machine busy or choose a lower rate, then press Start.";
+      return QT_TRANSLATE_NOOP("fault", "Close what keeps the machine busy or choose a lower rate, then press Start.");
     case FaultKind::StoodStill:
-      return "Press Start to go on.";
+      return QT_TRANSLATE_NOOP("fault", "Press Start to go on.");
   }
-  return {};
+  return "";
+}
+
+std::string whatToDo(const Fault& fault) {
+  return toDoSentence(fault);
 }
 
 std::string describe(const Fault& fault) {
   if (fault.kind == FaultKind::None) return {};
-  return whatHappened(fault) + " Force is off. " + whatToDo(fault);
+  return whatHappened(fault) + " " + kForceIsOff + " " + toDoSentence(fault);
 }
 
 const char* name(FaultKind kind) {

@@ -58,7 +58,7 @@ SearchTrade tradeOf(const target::MeshPlace& place, const std::vector<Vec3>& way
   trade.searches = eachSearch(way, [&place](Search search) {
     return [&place, search, state = mesh::SearchState{}](const Vec3& p_WT) mutable {
       const mesh::Hit hit = nearestPoint(*place.surface, search, toMesh(place, p_WT), state);
-      return Answer{place.scale_m * std::sqrt(hit.squared), hit.is_proved};
+      return Answer{std::abs(place.scale_m) * std::sqrt(hit.squared), hit.is_proved};
     };
   });
   return trade;

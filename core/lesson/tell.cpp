@@ -160,6 +160,7 @@ class Teller {
   /// "above 0.30 N"
   std::string should(const Wanted& wanted) const {
     const Measure& measure = wanted.measure;
+    if (!wanted.near.empty() && !(wanted.within > 0.0)) return place(measure, wanted.near);  // a count
     if (!wanted.near.empty())
       return filled(words(QT_TRANSLATE_NOOP("lesson", "within %1 of %2")),
                     {distance(measure, wanted.within), place(measure, wanted.near)});

@@ -19,8 +19,8 @@
 namespace underact::record {
 namespace {
 
-constexpr std::string_view kBegin = "fault_";
-constexpr std::string_view kEnd = ".json";
+constexpr std::string_view kFileBegin = "fault_";
+constexpr std::string_view kFileEnd = ".json";
 constexpr int kMostInASecond = 99;
 
 /// A row as a JSON list.
@@ -101,7 +101,7 @@ std::vector<std::filesystem::path> faultsIn(const std::filesystem::path& folder)
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (name.starts_with(kBegin) && name.ends_with(kEnd)) found.push_back(entry->path());
+    if (name.starts_with(kFileBegin) && name.ends_with(kFileEnd)) found.push_back(entry->path());
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -195,12 +195,13 @@ Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords
   std::erase_if(time, [](char letter) { return letter == '-' || letter == ':'; });
   int number = 1;  // of the faults of that second
   for (const std::filesystem::path& one : faultsIn(folder)) {
-    const std::string name = one.filename().string(), begin = std::string(kBegin) + time + "_";
+    const std::string name = one.filename().string(), begin = std::string(kFileBegin) + time + "_";
     int taken = 0;
     if (name.starts_with(begin)) std::from_chars(name.data() + begin.size(), name.data() + name.size(), taken);
     number = std::min(std::max(number, taken + 1), kMostInASecond);
   }
-  const std::string file = std::string(kBegin) + time + "_" + twoDigits(number) + "_" + words.kind + std::string(kEnd);
+  const std::string file =
+      std::string(kFileBegin) + time + "_" + twoDigits(number) + "_" + words.kind + std::string(kFileEnd);
   const std::filesystem::path path = std::filesystem::path(folder) / file;
   const Problems problems = writeFaultFile(faultText(report, words), path.string());
   if (!problems.empty()) return problems;

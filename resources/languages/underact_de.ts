@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Beside</name>
+    <message>
+        <source>That scene is for another arm than the one that is felt.</source>
+        <translation>Diese Szene ist für einen anderen Arm als den gefühlten.</translation>
+    </message>
+    <message>
+        <source>The other scene takes more time a tick than the window has for it.</source>
+        <translation>Die andere Szene braucht je Takt mehr Zeit, als das Fenster dafür hat.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1°</source>
@@ -53,7 +64,7 @@
     </message>
     <message>
         <source>The servo is later than this machine would allow: </source>
-        <translation>Der Servo ist später, als dieser Rechner es erlauben würde: </translation>
+        <translation>Der Servo ist unpünktlicher, als dieser Rechner es erlauben würde: </translation>
     </message>
     <message>
         <source>revolute</source>
@@ -77,11 +88,11 @@
     </message>
     <message>
         <source>all %1 numbers pass</source>
-        <translation>alle %1 Zahlen bestehen</translation>
+        <translation>alle %1 Zahlen erfüllt</translation>
     </message>
     <message>
         <source>%1 of %2 numbers fail</source>
-        <translation>%1 von %2 Zahlen weichen ab</translation>
+        <translation>%1 von %2 Zahlen verfehlt</translation>
     </message>
     <message>
         <source>%1 figures, %2 numbers checked, %3.</source>
@@ -110,6 +121,18 @@
     <message>
         <source>%1 could not be written. Choose another folder.</source>
         <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>This program does not know the session's arm “%1”.</source>
+        <translation>Dieses Programm kennt den Arm „%1“ der Sitzung nicht.</translation>
+    </message>
+    <message>
+        <source>There is one tick in this session: nothing to follow.</source>
+        <translation>In dieser Sitzung ist ein einziger Takt: Da ist nichts, dem man folgen könnte.</translation>
     </message>
     <message>
         <source>Drag the stylus</source>
@@ -302,10 +325,6 @@ Erlaubt: %4, denn das ist %5.</translation>
     <message>
         <source>0 mm</source>
         <translation>0 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 µm</source>
@@ -677,19 +696,19 @@ z [mm]</translation>
     </message>
     <message>
         <source>its place alone</source>
-        <translation>nur die Position</translation>
+        <translation>nur der Ort</translation>
     </message>
     <message>
         <source>its place and direction</source>
-        <translation>Position und Richtung</translation>
+        <translation>Ort und Richtung</translation>
     </message>
     <message>
         <source>its place and angle</source>
-        <translation>Position und Winkel</translation>
+        <translation>Ort und Winkel</translation>
     </message>
     <message>
         <source>its place and whole turn</source>
-        <translation>Position und volle Drehung</translation>
+        <translation>Ort und ganze Drehung</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -729,11 +748,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>nearest of all</source>
-        <translation>nächster von allen</translation>
+        <translation>allernächster Punkt</translation>
     </message>
     <message>
         <source>nearest of all, in the tree</source>
-        <translation>nächster von allen, im Baum</translation>
+        <translation>allernächster Punkt, im Baum</translation>
     </message>
     <message>
         <source>along the surface</source>
@@ -765,7 +784,7 @@ z [mm]</translation>
     </message>
     <message>
         <source>by straight lines</source>
-        <translation>durch gerade Linien</translation>
+        <translation>durch Strecken</translation>
     </message>
     <message>
         <source>Ends</source>
@@ -785,11 +804,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>felt from outside</source>
-        <translation>von außen gespürt</translation>
+        <translation>von außen gefühlt</translation>
     </message>
     <message>
         <source>felt from inside</source>
-        <translation>von innen gespürt</translation>
+        <translation>von innen gefühlt</translation>
     </message>
     <message>
         <source>Virtual robot</source>
@@ -809,11 +828,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>q%1: above %2 N/mm at %3 Hz the stylus may buzz somewhere in the workspace.</source>
-        <translation>q%1: Über %2 N/mm kann der Stift bei %3 Hz irgendwo im Arbeitsraum surren.</translation>
+        <translation>q%1: Über %2 N/mm kann der Stift bei %3 Hz irgendwo im Arbeitsraum brummen.</translation>
     </message>
     <message>
         <source>%1: above %2 N/mm at %3 Hz the stylus may buzz in a hand with %4 N s/m of damping.</source>
-        <translation>%1: Über %2 N/mm kann der Stift bei %3 Hz in einer Hand mit %4 N s/m Dämpfung surren.</translation>
+        <translation>%1: Über %2 N/mm kann der Stift bei %3 Hz in einer Hand mit %4 N s/m Dämpfung brummen.</translation>
     </message>
     <message>
         <source>Hold the button</source>
@@ -1031,6 +1050,61 @@ z [mm]</translation>
     </message>
 </context>
 <context>
+    <name>fault</name>
+    <message>
+        <source>The window met an error of its own: %1.</source>
+        <translation>Im Fenster selbst trat ein Fehler auf: %1.</translation>
+    </message>
+    <message>
+        <source>Save the scene under another name, then press Start. If it comes again, end the program and send the file to its makers.</source>
+        <translation>Die Szene unter anderem Namen sichern, dann Start drücken. Kommt es wieder, das Programm beenden und die Datei an die Hersteller schicken.</translation>
+    </message>
+    <message>
+        <source>Force is off.</source>
+        <translation>Die Kraft ist aus.</translation>
+    </message>
+    <message>
+        <source>The arm stopped answering.</source>
+        <translation>Der Arm antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The arm sent the same sample twice.</source>
+        <translation>Der Arm hat dieselbe Messung zweimal geschickt.</translation>
+    </message>
+    <message>
+        <source>The arm sent a position that is not a number.</source>
+        <translation>Der Arm hat eine Lage geschickt, die keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most.</source>
+        <translation>Die Lage des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
+    </message>
+    <message>
+        <source>%1 ticks in a row came a whole period late.</source>
+        <translation>%1 Takte nacheinander kamen um eine ganze Periode zu spät.</translation>
+    </message>
+    <message>
+        <source>The servo stood still for %1 s.</source>
+        <translation>Der Servo stand %1 s lang still.</translation>
+    </message>
+    <message>
+        <source>Check the cable, then press Start.</source>
+        <translation>Kabel prüfen, dann Start drücken.</translation>
+    </message>
+    <message>
+        <source>Press Start to try again.</source>
+        <translation>Start drücken, um es wieder zu versuchen.</translation>
+    </message>
+    <message>
+        <source>Close what keeps the machine busy or choose a lower rate, then press Start.</source>
+        <translation>Schließen, was den Rechner auslastet, oder eine kleinere Rate wählen, dann Start drücken.</translation>
+    </message>
+    <message>
+        <source>Press Start to go on.</source>
+        <translation>Start drücken, um weiterzumachen.</translation>
+    </message>
+</context>
+<context>
     <name>gain</name>
     <message>
         <source>Stiffness</source>
@@ -1038,7 +1112,7 @@ z [mm]</translation>
     </message>
     <message>
         <source>How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain).</source>
-        <translation>Wie stark der Stift pro Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
+        <translation>Wie stark der Stift je Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
     </message>
     <message>
         <source>Damping</source>
@@ -1197,7 +1271,7 @@ z [mm]</translation>
     </message>
     <message>
         <source>The stylus button</source>
-        <translation>Die Taste des Stifts</translation>
+        <translation>Die Stifttaste</translation>
     </message>
     <message>
         <source>%1; it should be %2</source>
@@ -1221,7 +1295,7 @@ z [mm]</translation>
     </message>
     <message>
         <source>%1 swung through %2 %3 of %4 times within %5 s.</source>
-        <translation>%1 schwang innerhalb von %5 s %3 von %4 Mal um %2.</translation>
+        <translation>%1 schwang innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
     </message>
     <message>
         <source>Type your answer.</source>
@@ -1469,8 +1543,8 @@ $$T = R_x(\alpha) \cdot D_x(a) \cdot R_z(\theta) \cdot D_z(d)$$
 Der Bereich *Kinematik* enthält die Tabelle des Arms, und die Ansicht zeigt die Koordinatensysteme 1 bis 6. Jedes $z$ ist die Achse, um die sich sein Gelenk dreht.</translation>
     </message>
     <message>
-        <source>Open *DH table and angle conventions* in the panel *Kinematics*. The upper arm is $a$ of row 3, the forearm $d$ of row 4.</source>
-        <translation>Öffnen Sie *DH-Tabelle und Winkelkonventionen* im Bereich *Kinematik*. Der Oberarm ist $a$ in Zeile 3, der Unterarm $d$ in Zeile 4.</translation>
+        <source>Open *DH table* in the panel *Kinematics*. The upper arm is $a$ of row 3, the forearm $d$ of row 4.</source>
+        <translation>Öffnen Sie *DH-Tabelle* im Bereich *Kinematik*. Der Oberarm ist $a$ in Zeile 3, der Unterarm $d$ in Zeile 4.</translation>
     </message>
     <message>
         <source>How long is the upper arm, a of row 3, in mm?</source>
@@ -1500,7 +1574,7 @@ Solange der Servo gestoppt ist (Esc), bewegen die Schieberegler im Bereich *Kine
     </message>
     <message>
         <source>What the twist says</source>
-        <translation>Was die Verdrehung sagt</translation>
+        <translation>Was die Verwindung sagt</translation>
     </message>
     <message>
         <source>The twist $\alpha$ is the angle from one joint's axis to the next one's, about $x$. 0° means that the two axes are
@@ -1508,7 +1582,7 @@ parallel, 90° that they stand across each other.
 
 Look at the column $\alpha$ in the panel *DH table*, and at the frames in the view. The table is drawn over the arm: type
 90 into $\alpha$ of row 3, and see where the forearm would go. *Undo* brings it back.</source>
-        <translation>Die Verdrehung $\alpha$ ist der Winkel von der Achse eines Gelenks zur Achse des nächsten, um $x$. 0° bedeutet, dass die beiden Achsen
+        <translation>Die Verwindung $\alpha$ ist der Winkel von der Achse eines Gelenks zur Achse des nächsten, um $x$. 0° bedeutet, dass die beiden Achsen
 parallel sind, 90°, dass sie quer zueinander stehen.
 
 Betrachten Sie die Spalte $\alpha$ im Bereich *DH-Tabelle* und die Koordinatensysteme in der Ansicht. Die Tabelle wird über den Arm gezeichnet: Geben Sie
@@ -1581,8 +1655,8 @@ $$\theta_3 = \theta_{3p} - \theta_{2p}$$
 Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ und $\theta_3$ der Tabelle den Winkel $\theta_{3p}$, den das Gerät für den Unterschenkel misst.</translation>
     </message>
     <message>
-        <source>$\theta_{3p} = \theta_2 + \theta_3$. *DH table and angle conventions* in the panel *Kinematics* shows whether you are right.</source>
-        <translation>$\theta_{3p} = \theta_2 + \theta_3$. *DH-Tabelle und Winkelkonventionen* im Bereich *Kinematik* zeigt, ob Ihr Ergebnis stimmt.</translation>
+        <source>$\theta_{3p} = \theta_2 + \theta_3$. *Angle conventions* in the panel *Kinematics* shows whether you are right.</source>
+        <translation>$\theta_{3p} = \theta_2 + \theta_3$. *Winkelkonventionen* im Bereich *Kinematik* zeigt, ob Ihr Ergebnis stimmt.</translation>
     </message>
     <message>
         <source>What is the device's angle of the shin, in degrees?</source>
@@ -1711,12 +1785,12 @@ the rows of *Inverse solutions* in the panel *Kinematics*.</source>
         <translation>Vorwärts ergeben Gelenkwinkel eine einzige Lage. Rückwärts hat eine Lage mehrere Antworten. Der Drehturm kann dem Stift zugewandt oder von ihm
 abgewandt sein, der Ellbogen oben oder unten, das Handgelenk zur einen oder zur anderen Seite gebeugt: $2 \cdot 2 \cdot 2$ Möglichkeiten.
 
-Die Ansicht zeichnet sie alle als Schattenbilder: Durchgezogene Linien halten die Gelenkgrenzen ein, gestrichelte nicht. Bewegen Sie den Stift und zählen Sie
+Die Ansicht zeichnet sie alle als Geisterbilder: Durchgezogene Linien halten die Gelenkgrenzen ein, gestrichelte nicht. Bewegen Sie den Stift und zählen Sie
 die Zeilen von *Inverse Lösungen* im Bereich *Kinematik*.</translation>
     </message>
     <message>
         <source>Choose a row: a ghost of the arm goes there.</source>
-        <translation>Wählen Sie eine Zeile: Ein Schattenbild des Arms geht dorthin.</translation>
+        <translation>Wählen Sie eine Zeile: Ein Geisterbild des Arms geht dorthin.</translation>
     </message>
     <message>
         <source>How many solutions does this pose have?</source>
@@ -1727,12 +1801,18 @@ die Zeilen von *Inverse Lösungen* im Bereich *Kinematik*.</translation>
         <translation>Nur einige sind möglich</translation>
     </message>
     <message>
-        <source>A real arm has limits: its elbow cannot bend backwards, its turret not turn round. Most of the eight are out of the question.
+        <source>A real arm has limits: its turret turns by 56° to either side, its elbow bends from $\theta_3 = -46°$ to 78°, its wrist
+from $\theta_5 = 36°$ to 149°. So in the workspace your hand always holds the arm in solution 1, the row that says *now*:
+before each other one there is a stop. The turret cannot look back, the elbow stops before it is straight (90°), the wrist
+before axes 4 and 6 are in line (0°).
 
-The last column of the table says which of them keep every joint within its limits.</source>
-        <translation>Ein wirklicher Arm hat Grenzen: Sein Ellbogen kann sich nicht nach hinten beugen, sein Drehturm sich nicht umdrehen. Die meisten der acht kommen nicht in Frage.
+The last column of the table says which of the eight keep every joint within its limits.</source>
+        <translation>Ein echter Arm hat Grenzen: Sein Drehturm dreht sich um 56° nach jeder Seite, sein Ellbogen beugt sich von $\theta_3 = -46°$ bis 78°, sein Handgelenk
+von $\theta_5 = 36°$ bis 149°. Im Arbeitsraum hält Ihre Hand den Arm deshalb immer in Lösung 1, der Zeile, in der *jetzt* steht:
+Vor jeder anderen ist ein Anschlag. Der Drehturm kann nicht nach hinten sehen, der Ellbogen hält an, bevor er gestreckt ist (90°), das Handgelenk,
+bevor die Achsen 4 und 6 auf einer Geraden liegen (0°).
 
-Die letzte Spalte der Tabelle sagt, welche von ihnen jedes Gelenk innerhalb seiner Grenzen lassen.</translation>
+Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seiner Grenzen lassen.</translation>
     </message>
     <message>
         <source>Count the rows whose last column does not say *outside*.</source>
@@ -1741,6 +1821,42 @@ Die letzte Spalte der Tabelle sagt, welche von ihnen jedes Gelenk innerhalb sein
     <message>
         <source>How many of them keep the limits here?</source>
         <translation>Wie viele davon halten hier die Grenzen ein?</translation>
+    </message>
+    <message>
+        <source>A second one within the limits</source>
+        <translation>Eine zweite innerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>The other wrist has $\theta_4$ and $\theta_6$ half a turn further and $\theta_5$ with the other sign; the limits of joint 5 are
+counted for either sign. With joint 4 near its middle half a turn more is beyond its limits; with joint 4 turned to
+a side it is not.
+
+Turn the stylus until two of the eight keep the limits, and hold it for half a second.</source>
+        <translation>Beim anderen Handgelenk sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen; die Grenzen von Gelenk 5
+zählen für beide Vorzeichen. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
+einer Seite gedreht, so nicht.
+
+Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ihn eine halbe Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>Stop the servo (Esc) and move joint 4 to more than 35° by its slider in the panel *Kinematics*, or turn the stylus by Ctrl with the arrow keys.</source>
+        <translation>Stoppen Sie den Servo (Esc) und stellen Sie Gelenk 4 mit seinem Schieberegler im Bereich *Kinematik* auf mehr als 35°, oder drehen Sie den Stift mit Strg und den Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Can your hand take the arm from one of the two to the other?</source>
+        <translation>Kann Ihre Hand den Arm von der einen der beiden zur anderen führen?</translation>
+    </message>
+    <message>
+        <source>yes, straight</source>
+        <translation>ja, geradewegs</translation>
+    </message>
+    <message>
+        <source>yes, by way of another pose</source>
+        <translation>ja, über eine andere Lage</translation>
+    </message>
+    <message>
+        <source>no, joint 5 would have to go through 0°</source>
+        <translation>nein, Gelenk 5 müsste durch 0° gehen</translation>
     </message>
     <message>
         <source>Two elbows</source>
@@ -1753,22 +1869,28 @@ $$S = \sin\theta_3 = \frac{x^2 + y^2 + z^2 - L_1^2 - L_2^2}{2 L_1 L_2}$$
 
 $$\theta_3 = \mathrm{atan2}(S, \pm\sqrt{1 - S^2})$$
 
-A sine belongs to two angles: $\theta_3$ and $180° - \theta_3$. These are the two elbows.</source>
+A sine belongs to two angles: $\theta_3$ and $180° - \theta_3$. These are the two elbows.
+
+Move the stylus to where $S = 0.5$, so that your elbow has $\theta_3 = 30°$, and hold it for half a second. The ghosts with
+the other elbow show the second angle.</source>
         <translation>Wie weit die Spitze von der Schulter entfernt ist, bestimmt den Ellbogen: Mit $x$, $y$ und $z$ der Spitze in B gilt
 
 $$S = \sin\theta_3 = \frac{x^2 + y^2 + z^2 - L_1^2 - L_2^2}{2 L_1 L_2}$$
 
 $$\theta_3 = \mathrm{atan2}(S, \pm\sqrt{1 - S^2})$$
 
-Zu einem Sinus gehören zwei Winkel: $\theta_3$ und $180° - \theta_3$. Das sind die beiden Ellbogen.</translation>
+Zu einem Sinus gehören zwei Winkel: $\theta_3$ und $180° - \theta_3$. Das sind die beiden Ellbogen.
+
+Führen Sie den Stift dorthin, wo $S = 0.5$ ist, sodass Ihr Ellbogen $\theta_3 = 30°$ hat, und halten Sie ihn eine halbe Sekunde lang. Die Geisterbilder mit
+dem anderen Ellbogen zeigen den zweiten Winkel.</translation>
     </message>
     <message>
-        <source>$180° - 30°$.</source>
-        <translation>$180° - 30°$.</translation>
+        <source>About $(0, 0, 62)$ mm. The other elbow has $180° - 30°$.</source>
+        <translation>Etwa $(0, 0, 62)$ mm. Der andere Ellbogen hat $180° - 30°$.</translation>
     </message>
     <message>
-        <source>S is 0.5. One elbow has θ₃ = 30°. Which angle has the other, in degrees?</source>
-        <translation>S ist 0,5. Ein Ellbogen hat θ₃ = 30°. Welchen Winkel hat der andere, in Grad?</translation>
+        <source>Which angle has the other elbow, in degrees?</source>
+        <translation>Welchen Winkel hat der andere Ellbogen, in Grad?</translation>
     </message>
     <message>
         <source>Where two become one</source>
@@ -1782,7 +1904,7 @@ Pull the stylus towards you until the elbow is less than 20° from stretched, an
         <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie sind eins; bei $S &gt; 1$
 ist der Ort nicht mehr erreichbar.
 
-Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung fehlen, und halten Sie ihn eine halbe Sekunde lang. Beobachten Sie, wie die Ellbogen der beiden Schattenbilder zusammenkommen.</translation>
+Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung fehlen, und halten Sie ihn eine halbe Sekunde lang. Beobachten Sie, wie die Ellbogen der beiden Geisterbilder zusammenkommen.</translation>
     </message>
     <message>
         <source>Page Down brings the stylus nearer in the view from the front. Go to about $z = 98$ mm, 25 mm above the middle.</source>
@@ -1799,22 +1921,26 @@ $$(\theta_4, \theta_5, \theta_6)$$
 
 $$(\theta_4 + 180°, -\theta_5, \theta_6 + 180°)$$
 
-In between, at $\theta_5 = 0$, axes 4 and 6 lie in line and only the sum of their angles counts.</source>
+In between, at $\theta_5 = 0$, axes 4 and 6 lie in line and only the sum of their angles counts.
+
+Bring joint 5 to 60° and hold it for half a second; choose the row of the other wrist and watch its ghost turn.</source>
         <translation>Die beiden Stellungen des Handgelenks geben dem Stift dieselbe Orientierung:
 
 $$(\theta_4, \theta_5, \theta_6)$$
 
 $$(\theta_4 + 180°, -\theta_5, \theta_6 + 180°)$$
 
-Dazwischen, bei $\theta_5 = 0$, liegen die Achsen 4 und 6 auf einer Geraden, und nur die Summe ihrer Winkel zählt.</translation>
+Dazwischen, bei $\theta_5 = 0$, liegen die Achsen 4 und 6 auf einer Geraden, und nur die Summe ihrer Winkel zählt.
+
+Bringen Sie Gelenk 5 auf 60° und halten Sie es eine halbe Sekunde lang; wählen Sie die Zeile des anderen Handgelenks und sehen Sie zu, wie sich dessen Geisterbild dreht.</translation>
     </message>
     <message>
-        <source>Each ± stands for two: the turret, the elbow, the wrist.</source>
-        <translation>Jedes ± steht für zwei: Drehturm, Ellbogen, Handgelenk.</translation>
+        <source>Joint 5 has a slider in the panel *Kinematics* (stop the servo first). Each ± stands for two: the turret, the elbow, the wrist.</source>
+        <translation>Gelenk 5 hat einen Schieberegler im Bereich *Kinematik* (stoppen Sie zuerst den Servo). Jedes ± steht für zwei: Drehturm, Ellbogen, Handgelenk.</translation>
     </message>
     <message>
-        <source>One solution has θ₅ = 60°. Which θ₅ has the one with the other wrist, in degrees?</source>
-        <translation>Eine Lösung hat θ₅ = 60°. Welches θ₅ hat die mit dem anderen Handgelenk, in Grad?</translation>
+        <source>Which θ₅ has the other wrist, in degrees?</source>
+        <translation>Welches θ₅ hat das andere Handgelenk, in Grad?</translation>
     </message>
     <message>
         <source>At θ₅ = 0, how many choices of θ₄ and θ₆ give the same turn?</source>
@@ -1869,14 +1995,14 @@ Ziehen Sie den Stift eine halbe Sekunde lang mit 60 mm/s oder mehr umher und beo
     <message>
         <source>The half axes are the singular values of $J_p$: how far the tip goes for a radian, in the best direction and in the worst.
 
-Hold still and read them in *Jacobian and ellipsoids* of the panel *Kinematics*.</source>
+Hold still and read the *Singular values* under *Jacobian* in the panel *Kinematics*.</source>
         <translation>Die Halbachsen sind die Singulärwerte von $J_p$: wie weit die Spitze je Radiant kommt, in der besten Richtung und in der schlechtesten.
 
-Halten Sie still und lesen Sie sie in *Jacobi-Matrix und Ellipsoide* im Bereich *Kinematik* ab.</translation>
+Halten Sie still und lesen Sie die *Singulärwerte* unter *Jacobi-Matrix* im Bereich *Kinematik* ab.</translation>
     </message>
     <message>
-        <source>It is the largest of the three gains.</source>
-        <translation>Es ist die größte der drei Verstärkungen.</translation>
+        <source>It is the first of the three, the largest. The panel counts in metres: 0.25 m are 250 mm.</source>
+        <translation>Es ist der erste der drei, der größte. Der Bereich zählt in Metern: 0,25 m sind 250 mm.</translation>
     </message>
     <message>
         <source>How far does the tip go for a radian in the best direction, in mm?</source>
@@ -2206,11 +2332,11 @@ Abbildung B.5 der Thesis zeigt 38 % Überschwingen. Finden Sie das zugehörige $
     </message>
     <message>
         <source>Sampled walls, and why they buzz</source>
-        <translation>Zeitdiskrete Wände und warum sie brummen</translation>
+        <translation>Abgetastete Wände und warum sie brummen</translation>
     </message>
     <message>
         <source>A spring that a computer feels gives back a little more than it got.</source>
-        <translation>Eine Feder, die ein Computer fühlbar macht, gibt etwas mehr zurück, als sie bekommen hat.</translation>
+        <translation>Eine Feder, die ein Rechner fühlbar macht, gibt etwas mehr zurück, als sie bekommen hat.</translation>
     </message>
     <message>
         <source>A spring gives back</source>
@@ -2328,7 +2454,7 @@ $$K &lt; \frac{2 b}{T}$$</translation>
     </message>
     <message>
         <source>Robots in software</source>
-        <translation>Roboter in Software</translation>
+        <translation>Virtuelle Roboter</translation>
     </message>
     <message>
         <source>A line is a robot of one joint, a plane one of two: what they let you do, and what they hold.</source>
@@ -2400,7 +2526,7 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
     </message>
     <message>
         <source>A cylinder is a joint that slides along an axis and one that turns about it.</source>
-        <translation>Ein Zylinder ist ein Gelenk, das entlang einer Achse gleitet, und eines, das um sie dreht.</translation>
+        <translation>Ein Zylinder ist ein Gelenk, das entlang einer Achse gleitet, und eines, das sich um sie dreht.</translation>
     </message>
     <message>
         <source>How many joints has the robot that is a cylinder's surface?</source>
@@ -2496,7 +2622,7 @@ Gehen Sie nach $(50, 0, 0)$: Der Stift zeigt noch nach oben, und der Roboter wir
 Press Start and pull off the sphere, 40 mm in radius, until the force asked for is above 1 N, for half a second.</source>
         <translation>Sind die Gelenke zur Ruhe gekommen, so kann kein Gelenk die Energie weiter verringern: $J_v^T K e = 0$. Die Kraft $F = K e$ steht deshalb quer zu jeder Richtung, in die sich die Spitze des Roboters bewegen kann.
 
-Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die geforderte Kraft eine halbe Sekunde lang über 1 N liegt.</translation>
+Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die verlangte Kraft eine halbe Sekunde lang über 1 N liegt.</translation>
     </message>
     <message>
         <source>Pull straight away from the middle, by 3 mm or more.</source>
@@ -2556,7 +2682,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>that of a spring to its base</source>
-        <translation>die einer Feder zu seinem Fuß</translation>
+        <translation>die einer Feder zu seiner Basis</translation>
     </message>
     <message>
         <source>the force of its weight</source>
@@ -2790,7 +2916,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>What each choice between speed and accuracy costs, and a slider along the best.</source>
-        <translation>Was jede Wahl zwischen Tempo und Genauigkeit kostet, und ein Regler entlang der besten.</translation>
+        <translation>Was jede Wahl zwischen Tempo und Genauigkeit kostet, und ein Schieberegler entlang der besten.</translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -2833,7 +2959,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A spring in space: the stylus is drawn to one point, the harder the farther it is. Pull it away along x, y and z and feel the same spring each way; let go and it returns. Thesis figures 4.2 and 4.3.</source>
-        <translation>Eine Feder im Raum: Der Stift wird zu einem Punkt gezogen, umso stärker, je weiter er weg ist. Ziehen Sie ihn entlang x, y und z weg und fühlen Sie in jeder Richtung dieselbe Feder; lassen Sie los, und er kehrt zurück. Abschlussarbeit, Abbildungen 4.2 und 4.3.</translation>
+        <translation>Eine Feder im Raum: Der Stift wird zu einem Punkt gezogen, umso stärker, je weiter er weg ist. Ziehen Sie ihn entlang x, y und z weg und fühlen Sie in jeder Richtung dieselbe Feder; lassen Sie los, und er kehrt zurück. Thesis, Abbildungen 4.2 und 4.3.</translation>
     </message>
     <message>
         <source>The same spring in every direction, stronger with every millimetre.</source>
@@ -2853,7 +2979,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The stylus is held to the surface of a ball of 50 mm radius. Slide over it freely; push in or pull off and it draws you back. In the very middle every direction is equally near, so nothing pulls there. Thesis figures 4.5 and 4.6.</source>
-        <translation>Der Stift wird an der Oberfläche einer Kugel mit 50 mm Radius gehalten. Gleiten Sie frei darüber; drücken Sie hinein oder ziehen Sie weg, und sie holt Sie zurück. Genau in der Mitte ist jede Richtung gleich nah, dort zieht also nichts. Abschlussarbeit, Abbildungen 4.5 und 4.6.</translation>
+        <translation>Der Stift wird an der Oberfläche einer Kugel mit 50 mm Radius gehalten. Gleiten Sie frei darüber; drücken Sie hinein oder ziehen Sie weg, und sie holt Sie zurück. Genau in der Mitte ist jede Richtung gleich nah, dort zieht also nichts. Thesis, Abbildungen 4.5 und 4.6.</translation>
     </message>
     <message>
         <source>A ball that holds you on its skin, from inside and from outside. Along the skin nothing holds you.</source>
@@ -2873,7 +2999,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A straight wire: the stylus slides along it without effort and is held across it. Close your eyes and find out which way the wire runs. Thesis figure 4.8.</source>
-        <translation>Ein gerader Draht: Der Stift gleitet mühelos an ihm entlang und wird quer dazu gehalten. Schließen Sie die Augen und finden Sie heraus, wie der Draht verläuft. Abschlussarbeit, Abbildung 4.8.</translation>
+        <translation>Ein gerader Draht: Der Stift gleitet mühelos an ihm entlang und wird quer dazu gehalten. Schließen Sie die Augen und finden Sie heraus, wie der Draht verläuft. Thesis, Abbildung 4.8.</translation>
     </message>
     <message>
         <source>One direction without effort, two that hold.</source>
@@ -2893,7 +3019,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A sheet tilted alike to all three axes: two directions are free, the third is held, from both sides. Draw a circle on it without looking. Thesis figure 4.10.</source>
-        <translation>Eine Platte, zu allen drei Achsen gleich geneigt: Zwei Richtungen sind frei, die dritte wird gehalten, von beiden Seiten. Zeichnen Sie ohne hinzusehen einen Kreis darauf. Abschlussarbeit, Abbildung 4.10.</translation>
+        <translation>Eine Platte, zu allen drei Achsen gleich geneigt: Zwei Richtungen sind frei, die dritte wird gehalten, von beiden Seiten. Zeichnen Sie ohne hinzusehen einen Kreis darauf. Thesis, Abbildung 4.10.</translation>
     </message>
     <message>
         <source>Two free directions and one that holds, from both sides.</source>
@@ -2913,7 +3039,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A ring in a tilted plane, 40 mm in radius. Follow it all the way round: one direction is free, two are held. On its axis every point of the ring is equally near, and nothing pulls. Thesis figure 4.12.</source>
-        <translation>Ein Ring in einer geneigten Ebene, Radius 40 mm. Folgen Sie ihm ganz herum: Eine Richtung ist frei, zwei werden gehalten. Auf seiner Achse ist jeder Punkt des Rings gleich nah, und nichts zieht. Abschlussarbeit, Abbildung 4.12.</translation>
+        <translation>Ein Ring in einer geneigten Ebene, Radius 40 mm. Folgen Sie ihm ganz herum: Eine Richtung ist frei, zwei werden gehalten. Auf seiner Achse ist jeder Punkt des Rings gleich nah, und nichts zieht. Thesis, Abbildung 4.12.</translation>
     </message>
     <message>
         <source>One free direction that bends back to its own beginning.</source>
@@ -2933,7 +3059,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A tube of 30 mm radius without ends. Slide along it and around it; compare with the ring of scene 05, which lets you do only one of the two. Thesis figure 4.14.</source>
-        <translation>Ein Rohr mit 30 mm Radius, ohne Enden. Gleiten Sie an ihm entlang und um es herum; vergleichen Sie mit dem Ring aus Szene 05, der nur eines von beiden zulässt. Abschlussarbeit, Abbildung 4.14.</translation>
+        <translation>Ein Rohr mit 30 mm Radius, ohne Enden. Gleiten Sie an ihm entlang und um es herum; vergleichen Sie mit dem Ring aus Szene 05, der nur eines von beiden zulässt. Thesis, Abbildung 4.14.</translation>
     </message>
     <message>
         <source>Two free directions on a bent surface: along the tube and around it.</source>
@@ -3033,7 +3159,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>One point, three springs: stiff to the sides, soft up and down, softer still to and fro. Pull the stylus slantwise: the force does not point along your pull. The thesis speaks of this in section 4.1, with the gain as a vector.</source>
-        <translation>Ein Punkt, drei Federn: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück. Ziehen Sie den Stift schräg: Die Kraft zeigt nicht entlang Ihrem Zug. Die Abschlussarbeit spricht davon in Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
+        <translation>Ein Punkt, drei Federn: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück. Ziehen Sie den Stift schräg: Die Kraft zeigt nicht entlang Ihrem Zug. Die Thesis spricht davon in Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
     </message>
     <message>
         <source>A spring for each axis: stiff to the sides, soft up and down, softer still to and fro.</source>
@@ -3073,7 +3199,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The same ball as in scene 2, but the arm draws its joints to those of the target. Slide around the ball: the pull leans aside, is soft in one direction and hard in another, and carries you along the surface. Thesis section 4.1 calls this scheme harder; here is why.</source>
-        <translation>Dieselbe Kugel wie in Szene 2, aber der Arm zieht seine Gelenke zu denen des Ziels. Gleiten Sie um die Kugel: Der Zug neigt sich zur Seite, ist in einer Richtung weich und in einer anderen hart, und er trägt Sie die Oberfläche entlang. Abschnitt 4.1 der Abschlussarbeit nennt dieses Verfahren schwieriger; hier ist der Grund.</translation>
+        <translation>Dieselbe Kugel wie in Szene 2, aber der Arm zieht seine Gelenke zu denen des Ziels. Gleiten Sie um die Kugel: Der Zug neigt sich zur Seite, ist in einer Richtung weich und in einer anderen hart, und er trägt Sie die Oberfläche entlang. Abschnitt 4.1 der Thesis nennt dieses Verfahren schwieriger; hier ist der Grund.</translation>
     </message>
     <message>
         <source>The same ball, drawn to by the joints: soft in one direction, hard in another, and never quite straight.</source>
@@ -3093,7 +3219,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Half of the target comes from where the stylus is, half from where it points: turn the stylus, and it is drawn around the rim without being moved. Point it along the circle's axis and only its place counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur sein Ort. Abschlussarbeit, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur sein Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
     </message>
     <message>
         <source>Where you point draws you around the ring, half as much as where you are.</source>
@@ -3113,7 +3239,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Slide along the tube freely; around it you are drawn to where the stylus points. Thesis section 5.1, on a tilted cylinder.</source>
-        <translation>Gleiten Sie frei das Rohr entlang; um das Rohr herum werden Sie dorthin gezogen, wohin der Stift zeigt. Abschlussarbeit, Abschnitt 5.1, an einem geneigten Zylinder.</translation>
+        <translation>Gleiten Sie frei das Rohr entlang; um das Rohr herum werden Sie dorthin gezogen, wohin der Stift zeigt. Thesis, Abschnitt 5.1, an einem geneigten Zylinder.</translation>
     </message>
     <message>
         <source>Free along the tube; around it you are drawn to where you point.</source>
@@ -3133,7 +3259,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The tip of a robot that exists only in software: one joint, 50 mm long. It turns to where the stylus is and to where the stylus points, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus and you are drawn around the rim; the moment that belongs to it is shown, and never sent.</source>
-        <translation>Die Spitze eines Roboters, den es nur in Software gibt: ein Gelenk, 50 mm lang. Er dreht sich dorthin, wo der Stift ist und wohin der Stift zeigt, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Abschlussarbeit (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das Moment, das dazu gehört, wird angezeigt und nie gesendet.</translation>
+        <translation>Die Spitze eines Roboters, den es nur in Software gibt: ein Gelenk, 50 mm lang. Er dreht sich dorthin, wo der Stift ist und wohin der Stift zeigt, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das Moment, das dazu gehört, wird angezeigt und nie gesendet.</translation>
     </message>
     <message>
         <source>The tip of a robot of one joint, which turns to where you are and to where you point.</source>
@@ -3149,11 +3275,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The same robot, the thesis's force law</source>
-        <translation>Derselbe Roboter, das Kraftgesetz der Arbeit</translation>
+        <translation>Derselbe Roboter, das Kraftgesetz der Thesis</translation>
     </message>
     <message>
         <source>As the scene before, with the thesis's own law (code 5.2, its misprints corrected). It takes the joint nearest to the stylus's place and pulls along the rim by the error of the turn; near the rim the two feel alike. Go around a loop inside the circle at a fixed turn: this law does work on your hand, the other does none.</source>
-        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Abschlussarbeit (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die dem Ort des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
+        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die dem Ort des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
     </message>
     <message>
         <source>Almost the same as the scene before, and yet not the same: this law can give more than it got.</source>
@@ -3173,11 +3299,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Two joints whose axes cross at right angles: their tip is a sphere of 40 mm. Where you point draws you over it, 250 N mm/rad against 0.5 N/mm. The closed form and the iteration give the same; switch the solver and feel that nothing changes.</source>
-        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig kreuzen: Ihre Spitze ist eine Kugel von 40 mm. Wohin Sie zeigen, zieht Sie über sie hinweg, 250 N mm/rad gegen 0,5 N/mm. Die geschlossene Form und die Iteration ergeben dasselbe; wechseln Sie den Löser und fühlen Sie, dass sich nichts ändert.</translation>
+        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig kreuzen: Ihre Spitze ist eine Kugel von 40 mm. Wohin Sie zeigen, zieht Sie auf ihr entlang, 250 N mm/rad gegen 0,5 N/mm. Die geschlossene Form und die Iteration ergeben dasselbe; wechseln Sie den Löser und fühlen Sie, dass sich nichts ändert.</translation>
     </message>
     <message>
         <source>A sphere that is made of two joints; where you point draws you over it.</source>
-        <translation>Eine Kugel aus zwei Gelenken; wohin Sie zeigen, zieht Sie über sie hinweg.</translation>
+        <translation>Eine Kugel aus zwei Gelenken; wohin Sie zeigen, zieht Sie auf ihr entlang.</translation>
     </message>
     <message>
         <source>Switch the solver from closed form to iteration in the Robot panel and feel that nothing changes.</source>
@@ -3213,7 +3339,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A robot for assembly: two joints that turn about the vertical, a slide along it, and a turning gripper. Inside its reach nothing holds you; its limits are what you feel: the elbow's ends, the slide's 25 mm up and down, the rim where the arm is stretched.</source>
-        <translation>Ein Roboter für die Montage: zwei Gelenke, die um die Senkrechte drehen, ein Schubgelenk an ihr entlang und ein drehbarer Greifer. In seiner Reichweite hält Sie nichts; was Sie fühlen, sind seine Grenzen: die Enden des Ellbogens, die 25 mm des Schubgelenks nach oben und unten, der Rand, an dem der Arm gestreckt ist.</translation>
+        <translation>Ein Roboter für die Montage: zwei Gelenke, die sich um die Senkrechte drehen, ein Schubgelenk an ihr entlang und ein drehbarer Greifer. In seiner Reichweite hält Sie nichts; was Sie fühlen, sind seine Grenzen: die Enden des Ellbogens, die 25 mm des Schubgelenks nach oben und unten, der Rand, an dem der Arm gestreckt ist.</translation>
     </message>
     <message>
         <source>Nothing inside the reach; ends of joints where it stops.</source>
@@ -3245,7 +3371,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>$J^T K e = 0$ with a regular $J$ of six columns means $e = 0$, so $f = 0$</source>
-        <translation>$J^T K e = 0$ mit regulärer $J$ aus sechs Spalten heißt $e = 0$, also $f = 0$</translation>
+        <translation>$J^T K e = 0$ mit regulärem $J$ aus sechs Spalten heißt $e = 0$, also $f = 0$</translation>
     </message>
     <message>
         <source>Six joints, out of reach</source>
@@ -3253,7 +3379,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm's own chain at a third of its size, standing at the left: it reaches 92 mm. In most of the workspace your stylus is out of its reach, so it ends stretched, at a singular pose, and points at you with all it has; the force is along it, and the turn is still followed. Move left into its reach and it lets you go.</source>
-        <translation>Die Kette des Arms selbst auf ein Drittel verkleinert, links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außer ihrer Reichweite; sie endet deshalb gestreckt, in einer singulären Lage, und zeigt mit allem, was sie hat, auf Sie; die Kraft liegt entlang der Kette, und der Drehung wird weiter gefolgt. Gehen Sie nach links in ihre Reichweite, und sie lässt Sie los.</translation>
+        <translation>Die Kette des Arms selbst auf ein Drittel verkleinert, links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außerhalb ihrer Reichweite; sie endet deshalb gestreckt, in einer singulären Lage, und zeigt mit allem, was sie hat, auf Sie; die Kraft liegt entlang der Kette, und sie folgt der Drehung weiter. Gehen Sie nach links in ihre Reichweite, und sie lässt Sie los.</translation>
     </message>
     <message>
         <source>A small arm that cannot reach you, and points at you with all it has.</source>
@@ -3261,7 +3387,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Move left into its reach: it lets you go. Outside of it, turn the stylus: the turn is still followed.</source>
-        <translation>Gehen Sie nach links in seine Reichweite: Er lässt Sie los. Drehen Sie außerhalb davon den Stift: Der Drehung wird weiter gefolgt.</translation>
+        <translation>Gehen Sie nach links in seine Reichweite: Er lässt Sie los. Drehen Sie außerhalb davon den Stift: Er folgt der Drehung weiter.</translation>
     </message>
     <message>
         <source>$f = k_p (\ell - |p - s|) \frac{p - s}{|p - s|}$ where $|p - s| &gt; \ell$; $s$: its shoulder, $\ell$: its length</source>
@@ -3297,7 +3423,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A surface so stiff that the servo cannot hold it calm: it buzzes, and gives more than it got.</source>
-        <translation>Eine Oberfläche, so steif, dass der Servo sie nicht ruhig halten kann: Sie schnarrt und gibt mehr, als sie bekam.</translation>
+        <translation>Eine Oberfläche, so steif, dass der Servo sie nicht ruhig halten kann: Sie brummt und gibt mehr, als sie bekam.</translation>
     </message>
     <message>
         <source>Watch the energy fall below 0. Then set Passivity to Control in the Feel panel.</source>
@@ -3420,7 +3546,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Orientation</source>
-        <translation>Ausrichtung</translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>Robots in software</source>
@@ -3530,7 +3656,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Rise, peak, overshoot of 38 % and settling; damping ratio 0.2943, natural frequency 1 rad/s.</source>
-        <translation>Anstieg, Spitze, Überschwingen von 38 % und Einschwingen; Dämpfungsgrad 0,2943, Eigenfrequenz 1 rad/s.</translation>
+        <translation>Anstieg, Maximum, Überschwingen von 38 % und Einschwingen; Dämpfungsgrad 0,2943, Eigenfrequenz 1 rad/s.</translation>
     </message>
 </context>
 <context>
@@ -3565,7 +3691,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Reading the mesh</source>
-        <translation>liest das Netz</translation>
+        <translation>liest das Dreiecksnetz</translation>
     </message>
 </context>
 <context>
@@ -3600,7 +3726,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>How hard it pulls: stiffness, damping and more, felt while you drag a slider. A double click goes back to the scene's own value.</source>
-        <translation>Wie stark es zieht: Steifigkeit, Dämpfung und mehr, zu fühlen, während Sie einen Regler ziehen. Ein Doppelklick führt zum eigenen Wert der Szene zurück.</translation>
+        <translation>Wie stark es zieht: Steifigkeit, Dämpfung und mehr, zu fühlen, während Sie einen Schieberegler ziehen. Ein Doppelklick führt zum eigenen Wert der Szene zurück.</translation>
     </message>
     <message>
         <source>The status line</source>
@@ -3616,7 +3742,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>One press writes every tick into a session. The Sessions panel lists them, replays them and exports them.</source>
-        <translation>Ein Druck schreibt jeden Takt in eine Sitzung. Der Bereich „Sitzungen“ listet sie auf, gibt sie wieder und exportiert sie.</translation>
+        <translation>Ein Druck schreibt jeden Takt in eine Sitzung. Der Bereich Sitzungen listet sie auf, gibt sie wieder und exportiert sie.</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -3632,7 +3758,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The guide: F1 opens the page for what has the keyboard. The menu beside it has the keys, lessons, and this tour once more. Esc stops the force, from anywhere.</source>
-        <translation>Das Handbuch: F1 öffnet die Seite zu dem, was den Tastaturfokus hat. Das Menü daneben enthält die Tasten, die Lektionen und noch einmal diesen Rundgang. Esc hält die Kraft an, von überall.</translation>
+        <translation>Das Handbuch: F1 öffnet die Seite zu dem, was den Tastaturfokus hat. Das Menü daneben enthält die Tasten, die Lektionen und noch einmal diesen Rundgang. Esc stoppt die Kraft, von überall.</translation>
     </message>
 </context>
 <context>
@@ -3652,6 +3778,90 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The thesis's figures, remade by this program, with the numbers that they should show.</source>
         <translation>Die Abbildungen der Thesis, von diesem Programm neu erstellt, mit den Zahlen, die sie zeigen sollen.</translation>
+    </message>
+    <message>
+        <source>Follow a recorded hand</source>
+        <translation>Einer aufgezeichneten Hand folgen</translation>
+    </message>
+    <message>
+        <source>Recorded sessions (*.h5 *.hdf5);;All files (*)</source>
+        <translation>Aufgezeichnete Sitzungen (*.h5 *.hdf5);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Follow a &amp;recorded hand…</source>
+        <translation>Einer aufgezeichneten Hand f&amp;olgen …</translation>
+    </message>
+    <message>
+        <source>Lets a recorded stylus go its way beside yours, and says how near you are.</source>
+        <translation>Lässt einen aufgezeichneten Stift neben dem eigenen seinen Weg gehen und sagt, wie nahe man ihm ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>A&amp;bspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Lets the ghost go, or stand still.</source>
+        <translation>Lässt die Geisterhand gehen oder stillstehen.</translation>
+    </message>
+    <message>
+        <source>From the &amp;beginning</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Puts the ghost back to its beginning, and counts anew.</source>
+        <translation>Setzt die Geisterhand an ihren Anfang zurück und zählt von Neuem.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Takes the ghost away.</source>
+        <translation>Nimmt die Geisterhand weg.</translation>
+    </message>
+    <message>
+        <source>Followed for %1 s: %2 mm away on average, %3 mm at most, %4 % of the time within %5 mm.</source>
+        <translation>%1 s lang gefolgt: im Mittel %2 mm entfernt, höchstens %3 mm, %4 % der Zeit innerhalb von %5 mm.</translation>
+    </message>
+    <message>
+        <source>The ghost waited for %1 s.</source>
+        <translation>Die Geisterhand hat %1 s gewartet.</translation>
+    </message>
+    <message>
+        <source>The ghost stands still. Play lets it go on.</source>
+        <translation>Die Geisterhand steht still. Abspielen lässt sie weitergehen.</translation>
+    </message>
+    <message>
+        <source>The ghost waits until you are within %1 mm.</source>
+        <translation>Die Geisterhand wartet, bis die Spitze auf %1 mm heran ist.</translation>
+    </message>
+    <message>
+        <source>Go to the ghost: it begins when you are within %1 mm.</source>
+        <translation>Zur Geisterhand gehen: Sie beginnt, wenn die Spitze auf %1 mm heran ist.</translation>
+    </message>
+    <message>
+        <source>Average %1 mm, largest %2 mm, %3 % within %4 mm</source>
+        <translation>Mittel %1 mm, größter Abstand %2 mm, %3 % innerhalb von %4 mm</translation>
+    </message>
+    <message>
+        <source>Last round: %1</source>
+        <translation>Letzte Runde: %1</translation>
+    </message>
+    <message>
+        <source>The scene is not as it was when this was recorded.</source>
+        <translation>Die Szene ist nicht mehr so wie bei der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>It was recorded in the scene “%1”.</source>
+        <translation>Aufgezeichnet wurde in der Szene „%1“.</translation>
+    </message>
+    <message>
+        <source>The recording has a gap: the ghost jumps there.</source>
+        <translation>Die Aufzeichnung hat eine Lücke: Dort springt die Geisterhand.</translation>
+    </message>
+    <message>
+        <source>The recording has %1 gaps: the ghost jumps there.</source>
+        <translation>Die Aufzeichnung hat %1 Lücken: Dort springt die Geisterhand.</translation>
     </message>
     <message>
         <source>Right, left</source>
@@ -3762,6 +3972,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
     </message>
     <message>
+        <source>&amp;Left-handed</source>
+        <translation>&amp;Linkshändig</translation>
+    </message>
+    <message>
+        <source>Mirrors every scene, for the stylus in the left hand; lessons and recordings stay as they are.</source>
+        <translation>Spiegelt jede Szene, für den Stift in der linken Hand; Lektionen und Aufzeichnungen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
         <source>✓ Solved</source>
         <translation>✓ Gelöst</translation>
     </message>
@@ -3810,7 +4028,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
+        <source>Open rece&amp;nt</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
@@ -3828,6 +4046,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>&amp;Replay</source>
         <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost hand</source>
+        <translation>&amp;Geisterhand</translation>
     </message>
     <message>
         <source>Less&amp;ons</source>
@@ -3898,14 +4120,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Sitzung wiedergeben</translation>
     </message>
     <message>
-        <source>Recorded sessions (*.h5 *.hdf5);;All files (*)</source>
-        <translation>Aufgezeichnete Sitzungen (*.h5 *.hdf5);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>&amp;Play or pause</source>
-        <translation>A&amp;bspielen oder anhalten</translation>
-    </message>
-    <message>
         <source>Plays the recording, or lets it stand still.</source>
         <translation>Spielt die Aufzeichnung ab oder hält sie an.</translation>
     </message>
@@ -3959,7 +4173,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;What if</source>
-        <translation>Was wäre we&amp;nn</translation>
+        <translation>Was wäre, we&amp;nn</translation>
     </message>
     <message>
         <source>The recorded hand on the scene and the gains of the window, in place of the recorded ones.</source>
@@ -4079,7 +4293,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The axes of the workspace and of the arm's base.</source>
-        <translation>Die Achsen des Arbeitsraums und des Armsockels.</translation>
+        <translation>Die Achsen des Arbeitsraums und der Basis des Arms.</translation>
     </message>
     <message>
         <source>A&amp;rm</source>
@@ -4091,7 +4305,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Target and error</source>
-        <translation>&amp;Ziel und Abweichung</translation>
+        <translation>&amp;Ziel und Fehler</translation>
     </message>
     <message>
         <source>The point the stylus is drawn to, and the line to it.</source>
@@ -4127,7 +4341,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
-        <translation>Wo die Spitze in der abgespielten Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
+        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
     </message>
     <message>
         <source>&amp;Desk</source>
@@ -4135,7 +4349,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The marks on the desk by which the arm was registered.</source>
-        <translation>Die Marken auf dem Tisch, mit denen der Arm registriert wurde.</translation>
+        <translation>Die Messpunkte auf dem Tisch, mit denen der Arm registriert wurde.</translation>
     </message>
     <message>
         <source>As se&amp;en from the desk</source>
@@ -4154,7 +4368,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Koordinatensysteme 1 bis 6 der DH-Tabelle entlang des Arms; jede Zahl steht am Ende der z-Achse eines Gelenks.</translation>
     </message>
     <message>
-        <source>&amp;Inverse solutions</source>
+        <source>Inver&amp;se solutions</source>
         <translation>&amp;Inverse Lösungen</translation>
     </message>
     <message>
@@ -4175,15 +4389,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.</source>
-        <translation>Die Kräfte bei insgesamt 0,05 N m Gelenkmoment, im Maßstab des Kraftpfeils.</translation>
+        <translation>Die Kräfte bei insgesamt 0,05 N m Gelenkdrehmoment, im Maßstab des Kraftpfeils.</translation>
     </message>
     <message>
-        <source>&amp;Mesh: triangles</source>
+        <source>Mes&amp;h: triangles</source>
         <translation>&amp;Netz: Dreiecke</translation>
     </message>
     <message>
         <source>The edges of all triangles of a mesh, as it is drawn.</source>
-        <translation>Die Kanten aller Dreiecke eines Netzes, wie es gezeichnet wird.</translation>
+        <translation>Die Kanten aller Dreiecke eines Dreiecksnetzes, wie es gezeichnet wird.</translation>
     </message>
     <message>
         <source>Mesh: &amp;cut open</source>
@@ -4191,10 +4405,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.</source>
-        <translation>Schneidet Netze quer zu einer Achse auf; die Seite näher am Auge wird verborgen. Was man fühlt, bleibt ganz.</translation>
+        <translation>Schneidet Dreiecksnetze quer zu einer Achse auf; die Seite näher am Auge wird verborgen. Was man fühlt, bleibt ganz.</translation>
     </message>
     <message>
-        <source>Cut &amp;follows the stylus</source>
+        <source>C&amp;ut follows the stylus</source>
         <translation>S&amp;chnitt folgt dem Stift</translation>
     </message>
     <message>
@@ -4231,7 +4445,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Light or dark as the desktop is, also while running.</source>
-        <translation>Hell oder dunkel wie der Schreibtisch, auch während des Betriebs.</translation>
+        <translation>Hell oder dunkel wie die Arbeitsumgebung, auch während des Betriebs.</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -4323,7 +4537,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The same posture as the DH table counts it and as the device does. The device measures the shin from the base, not from the thigh. Thesis figure 3.5; the signs were never verified on hardware.</source>
-        <translation>Dieselbe Haltung, wie die DH-Tabelle sie zählt und wie das Gerät sie zählt. Das Gerät misst den Unterschenkel von der Basis aus, nicht vom Oberschenkel. Abbildung 3.5 der Arbeit; die Vorzeichen wurden nie an einem Gerät geprüft.</translation>
+        <translation>Dieselbe Haltung, wie die DH-Tabelle sie zählt und wie das Gerät sie zählt. Das Gerät misst den Unterschenkel von der Basis aus, nicht vom Oberschenkel. Thesis, Abbildung 3.5; die Vorzeichen wurden nie an einem Gerät geprüft.</translation>
     </message>
     <message>
         <source>DH [°]</source>
@@ -4426,7 +4640,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>What made the servo stop by itself; the line over the view says what to do.</source>
-        <translation>Was den Servo von selbst angehalten hat; die Zeile über der Ansicht sagt, was zu tun ist.</translation>
+        <translation>Was den Servo von selbst gestoppt hat; die Zeile über der Ansicht sagt, was zu tun ist.</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -4487,7 +4701,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Weber share</source>
-        <translation>&amp;Weber-Anteil</translation>
+        <translation>&amp;Weber-Bruch</translation>
     </message>
     <message>
         <source>What the simulated hand feels scatters by this share of the stiffness (Weber's law).</source>
@@ -4558,7 +4772,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Hold to run is on: this button lets the servo push, and does nothing else.</source>
-        <translation>„Zum Laufen halten“ ist an: Diese Taste lässt den Servo drücken und tut sonst nichts.</translation>
+        <translation>„Nur mit Taste“ ist an: Diese Taste lässt den Servo drücken und tut sonst nichts.</translation>
     </message>
 </context>
 <context>
@@ -4584,7 +4798,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Sagt, dass der Balken %1 steifer ist; möglich, sobald beide gedrückt wurden.</translation>
     </message>
     <message>
-        <source>&amp;Left beam is stiffer</source>
+        <source>Left &amp;beam is stiffer</source>
         <translation>&amp;Linker Balken ist steifer</translation>
     </message>
     <message>
@@ -4592,7 +4806,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>links</translation>
     </message>
     <message>
-        <source>&amp;Right beam is stiffer</source>
+        <source>R&amp;ight beam is stiffer</source>
         <translation>&amp;Rechter Balken ist steifer</translation>
     </message>
     <message>
@@ -4601,7 +4815,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Saved as %1.</source>
-        <translation>Gespeichert: %1.</translation>
+        <translation>Gespeichert als %1.</translation>
     </message>
     <message>
         <source>Not saved: %1. Choose another place.</source>
@@ -4839,6 +5053,126 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
+    <name>underact::gui::CompareStrip</name>
+    <message>
+        <source>%1 N on average, %2 N at most, %3 mm away</source>
+        <translation>%1 N im Mittel, höchstens %2 N, %3 mm entfernt</translation>
+    </message>
+    <message>
+        <source>Two scenes compared</source>
+        <translation>Zwei Szenen im Vergleich</translation>
+    </message>
+    <message>
+        <source>What happened to the comparison</source>
+        <translation>Was mit dem Vergleich geschah</translation>
+    </message>
+    <message>
+        <source>What the two scenes do not share</source>
+        <translation>Worin sich die beiden Szenen unterscheiden</translation>
+    </message>
+    <message>
+        <source>Forces of both scenes</source>
+        <translation>Kräfte beider Szenen</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>Same as felt</source>
+        <translation>Wie gefühlt</translation>
+    </message>
+    <message>
+        <source>Another scene…</source>
+        <translation>Andere Szene …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Forces of both come here when the servo runs.</source>
+        <translation>Hier stehen die Kräfte beider, sobald der Servo läuft.</translation>
+    </message>
+    <message>
+        <source>Since the last change: felt %1; beside it %2.</source>
+        <translation>Seit der letzten Änderung: gefühlt %1; daneben %2.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CompareTool</name>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1: %2 felt, %3 beside it</source>
+        <translation>%1: gefühlt %2, daneben %3</translation>
+    </message>
+    <message>
+        <source>&amp;Compare two</source>
+        <translation>&amp;Zwei vergleichen</translation>
+    </message>
+    <message>
+        <source>A second view with the scene as it is now: change gains, and see what the ones before would do with the same motion.</source>
+        <translation>Eine zweite Ansicht mit der Szene, wie sie jetzt ist: Verstärkungen ändern und sehen, was die vorigen mit derselben Bewegung täten.</translation>
+    </message>
+    <message>
+        <source>S&amp;wap the compared</source>
+        <translation>Vergli&amp;chene tauschen</translation>
+    </message>
+    <message>
+        <source>What was beside is felt from now on, and what was felt stands beside it.</source>
+        <translation>Was daneben stand, wird ab jetzt gefühlt, und was gefühlt wurde, steht daneben.</translation>
+    </message>
+    <message>
+        <source>Compare with what is felt &amp;now</source>
+        <translation>Mit dem jetzt &amp;Gefühlten vergleichen</translation>
+    </message>
+    <message>
+        <source>The scene as it is now stands beside it from now on.</source>
+        <translation>Die Szene, wie sie jetzt ist, steht ab jetzt daneben.</translation>
+    </message>
+    <message>
+        <source>Compar&amp;e with another scene…</source>
+        <translation>Mit &amp;anderer Szene vergleichen …</translation>
+    </message>
+    <message>
+        <source>Opens a scene file to stand beside what is felt.</source>
+        <translation>Öffnet eine Szenendatei, die neben dem Gefühlten steht.</translation>
+    </message>
+    <message>
+        <source>swap of the compared</source>
+        <translation>Tausch der Verglichenen</translation>
+    </message>
+    <message>
+        <source>A scene to compare with</source>
+        <translation>Eine Szene zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Felt: %1</source>
+        <translation>Gefühlt: %1</translation>
+    </message>
+    <message>
+        <source>Beside it, not felt: %1</source>
+        <translation>Daneben, nicht gefühlt: %1</translation>
+    </message>
+    <message>
+        <source>Both are the same. Change what is felt: gains, shape, method.</source>
+        <translation>Beide sind gleich. Ändern Sie das Gefühlte: Verstärkungen, Form, Verfahren.</translation>
+    </message>
+    <message>
+        <source>%1
+and %2 more</source>
+        <translation>%1
+und %2 weitere</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::ComparisonTable</name>
     <message>
         <source>Recorded and now</source>
@@ -4909,7 +5243,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Why it was not added</source>
-        <translation>Warum sie nicht hinzukam</translation>
+        <translation>Warum sie nicht hinzugefügt wurde</translation>
     </message>
     <message>
         <source>Curve %1</source>
@@ -4925,7 +5259,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>by straight lines (polyline)</source>
-        <translation>durch Geraden (Polylinie)</translation>
+        <translation>durch Strecken (Polylinie)</translation>
     </message>
     <message>
         <source>C&amp;losed: from the last point back to the first</source>
@@ -4969,7 +5303,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 Which unit is the file in?</source>
-        <translation>%1 In welcher Einheit ist die Datei?</translation>
+        <translation>%1 Welche Einheit hat die Datei?</translation>
     </message>
     <message>
         <source>%1 It is taken to be in %2.</source>
@@ -5047,7 +5381,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Greatest force, percent of what the arm bears for good</source>
-        <translation>Größte Kraft, in Prozent dessen, was der Arm dauernd aushält</translation>
+        <translation>Größte Kraft, in Prozent dessen, was der Arm auf Dauer verträgt</translation>
     </message>
     <message>
         <source>What to know</source>
@@ -5162,7 +5496,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Opens it; the servo is stopped, and Start lets it push.</source>
-        <translation>Öffnet ihn; der Servo ist angehalten, und nach Start darf er drücken.</translation>
+        <translation>Öffnet ihn; der Servo ist gestoppt, und nach Start darf er drücken.</translation>
     </message>
     <message>
         <source>How to fix it…</source>
@@ -5396,7 +5730,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d), with the angle of now in θ. Thesis table 3.1; Craig, eq. 3.6.</source>
-        <translation>Modifizierte Konvention (Craig): von Koordinatensystem i−1 zu i durch Rx(α) Dx(a) Rz(θ) Dz(d), mit dem jetzigen Winkel in θ. Tabelle 3.1 der Arbeit; Craig, Gl. 3.6.</translation>
+        <translation>Modifizierte Konvention (Craig): von Koordinatensystem i−1 zu i durch Rx(α) Dx(a) Rz(θ) Dz(d), mit dem jetzigen Winkel in θ. Thesis, Tabelle 3.1; Craig, Gl. 3.6.</translation>
     </message>
     <message>
         <source>α [°]</source>
@@ -5436,6 +5770,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <source>edits</source>
         <translation>Änderungen</translation>
     </message>
+    <message>
+        <source>left-handed</source>
+        <translation>linkshändig</translation>
+    </message>
+    <message>
+        <source>right-handed</source>
+        <translation>rechtshändig</translation>
+    </message>
 </context>
 <context>
     <name>underact::gui::FaultDialog</name>
@@ -5457,7 +5799,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The servo has stopped</source>
-        <translation>Der Servo hat angehalten</translation>
+        <translation>Der Servo hat gestoppt</translation>
     </message>
     <message>
         <source>Faults</source>
@@ -5501,7 +5843,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Closes this. The servo stays stopped until Start is pressed.</source>
-        <translation>Schließt dies. Der Servo bleibt angehalten, bis Start gedrückt wird.</translation>
+        <translation>Schließt dies. Der Servo bleibt gestoppt, bis Start gedrückt wird.</translation>
     </message>
     <message>
         <source>%1 (%2 times)</source>
@@ -5555,13 +5897,13 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>What stopped the servo last, and where its file is.</source>
-        <translation>Was den Servo zuletzt angehalten hat und wo die Datei dazu liegt.</translation>
+        <translation>Was den Servo zuletzt gestoppt hat und wo die Datei dazu liegt.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::FeelPanel</name>
     <message>
-        <source>&amp;Reset to scene</source>
+        <source>Reset to &amp;scene</source>
         <translation>Auf Szene &amp;zurücksetzen</translation>
     </message>
     <message>
@@ -5670,7 +6012,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>With unequal gains the point of least effort is not the point of least distance. By effort the stylus stays where it is put; by distance, as in the thesis, it may creep.</source>
-        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Nach Aufwand bleibt der Stift, wo er hingesetzt wird; nach Abstand, wie in der Arbeit, kann er kriechen.</translation>
+        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Nach Aufwand bleibt der Stift, wo er hingesetzt wird; nach Abstand, wie in der Thesis, kann er kriechen.</translation>
     </message>
     <message>
         <source>by effort (weighted)</source>
@@ -5816,7 +6158,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>It counts now, but only until the window closes. %1 Press Accept again to close this.</source>
-        <translation>Es gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal Übernehmen, um dies zu schließen.</translation>
+        <translation>Es gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal „Annehmen“, um dies zu schließen.</translation>
     </message>
 </context>
 <context>
@@ -5956,7 +6298,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
-        <translation>Jede Szene der Arbeit wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
+        <translation>Jede Szene der Thesis wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
     </message>
     <message>
         <source>Made by Underact %1 on %2.</source>
@@ -6018,7 +6360,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Figures of the thesis</source>
-        <translation>Abbildungen der Arbeit</translation>
+        <translation>Abbildungen der Thesis</translation>
     </message>
     <message>
         <source>Figures</source>
@@ -6082,7 +6424,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Runs every scene of the thesis anew, draws and checks.</source>
-        <translation>Führt jede Szene der Arbeit neu aus, zeichnet und prüft.</translation>
+        <translation>Führt jede Szene der Thesis neu aus, zeichnet und prüft.</translation>
     </message>
     <message>
         <source>Show the pa&amp;ge</source>
@@ -6103,6 +6445,140 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>No program opens the page here. It is %1</source>
         <translation>Kein Programm öffnet hier die Seite. Sie ist %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GhostHand</name>
+    <message>
+        <source>A session is being replayed. Close the replay first.</source>
+        <translation>Eine Sitzung wird wiedergegeben. Schließen Sie zuerst die Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GhostStrip</name>
+    <message>
+        <source>Pause the ghost</source>
+        <translation>Geisterhand anhalten</translation>
+    </message>
+    <message>
+        <source>Let the ghost go</source>
+        <translation>Geisterhand gehen lassen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Following a recorded hand</source>
+        <translation>Einer aufgezeichneten Hand folgen</translation>
+    </message>
+    <message>
+        <source>From the beginning</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Time of the ghost</source>
+        <translation>Zeit der Geisterhand</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the ghost goes, times the recorded speed.</source>
+        <translation>Wie schnell die Geisterhand geht, als Vielfaches des aufgezeichneten Tempos.</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Left to right, as the scenes are for the left hand; off: where the hand was.</source>
+        <translation>Seitenverkehrt wie die Szenen für die linke Hand; aus: wo die Hand war.</translation>
+    </message>
+    <message>
+        <source>Distance to the ghost</source>
+        <translation>Abstand zur Geisterhand</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Take the ghost away</source>
+        <translation>Geisterhand wegnehmen</translation>
+    </message>
+    <message>
+        <source>Wait for me beyond</source>
+        <translation>Auf mich warten ab</translation>
+    </message>
+    <message>
+        <source>The ghost stands still while you are farther away, and goes on when you have come to half of that.</source>
+        <translation>Die Geisterhand steht still, solange die Spitze weiter weg ist, und geht weiter, wenn sie auf die Hälfte heran ist.</translation>
+    </message>
+    <message>
+        <source>Farther away than this the ghost waits</source>
+        <translation>Ab diesem Abstand wartet die Geisterhand</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Begin with me</source>
+        <translation>Mit mir beginnen</translation>
+    </message>
+    <message>
+        <source>The ghost stays at its beginning until you are there.</source>
+        <translation>Die Geisterhand bleibt an ihrem Anfang, bis die Spitze dort ist.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>At its end the ghost begins again; each round counts anew.</source>
+        <translation>Am Ende beginnt die Geisterhand von vorn; jede Runde zählt für sich.</translation>
+    </message>
+    <message>
+        <source>What to do, and how near you are</source>
+        <translation>Was zu tun ist und wie nahe die Spitze ist</translation>
+    </message>
+    <message>
+        <source>Puts the sentence of the last round where others can paste it.</source>
+        <translation>Legt den Satz der letzten Runde in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Copy the result</source>
+        <translation>Ergebnis kopieren</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+    <message>
+        <source>The round before</source>
+        <translation>Die Runde davor</translation>
+    </message>
+    <message>
+        <source>About the recording</source>
+        <translation>Zur Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Open that scene</source>
+        <translation>Diese Szene öffnen</translation>
+    </message>
+    <message>
+        <source>The scene as it was when this was recorded, in place of the one in the window.</source>
+        <translation>Die Szene, wie sie bei der Aufzeichnung war, anstelle der jetzigen.</translation>
     </message>
 </context>
 <context>
@@ -6461,7 +6937,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The servo was stopped.</source>
-        <translation>Der Servo wurde angehalten.</translation>
+        <translation>Der Servo wurde gestoppt.</translation>
     </message>
     <message>
         <source>The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.</source>
@@ -6487,7 +6963,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui::IdentifyTool</name>
     <message>
-        <source>&amp;Measure the arm…</source>
+        <source>Me&amp;asure the arm…</source>
         <translation>Arm &amp;vermessen …</translation>
     </message>
     <message>
@@ -6546,7 +7022,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the point nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3).</source>
-        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der seiner Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Gleichung 5.3 der Arbeit).</translation>
+        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der seiner Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Thesis, Gl. 5.3).</translation>
     </message>
     <message>
         <source>Turn of the stylus counts</source>
@@ -6574,7 +7050,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>orientation</source>
-        <translation>Richtung</translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>position</source>
@@ -6629,7 +7105,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::IntroPage</name>
     <message>
         <source>Measure the arm</source>
-        <translation>Den Arm vermessen</translation>
+        <translation>Arm vermessen</translation>
     </message>
     <message>
         <source>This finds, on the arm at hand, what the tip feels like: its mass, friction and damping along x, y and z, the steps of its encoders, and the stiffness that is really rendered. It ends with a file of the arm and a report.</source>
@@ -6645,7 +7121,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Esc stops the force at any time. The scene that is open now is there again afterwards.</source>
-        <translation>Esc beendet die Kraft jederzeit. Die jetzt geöffnete Szene ist danach wieder da.</translation>
+        <translation>Esc stoppt die Kraft jederzeit. Die jetzt geöffnete Szene ist danach wieder da.</translation>
     </message>
 </context>
 <context>
@@ -6931,7 +7407,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Opens the kinematics panel and shows link frames, inverse solutions and both ellipsoids; once more: hides them.</source>
-        <translation>Öffnet den Bereich Kinematik und zeigt Glied-Koordinatensysteme, inverse Lösungen und beide Ellipsoide; nochmals: blendet sie aus.</translation>
+        <translation>Öffnet den Bereich Kinematik und zeigt Gliedkoordinaten, inverse Lösungen und beide Ellipsoide; nochmals: blendet sie aus.</translation>
+    </message>
+    <message>
+        <source>%1, in the view</source>
+        <translation>%1, in der Ansicht</translation>
     </message>
     <message>
         <source>v: the tip's way for 0.25 rad of joint turn. f: the force of 0.05 N m.</source>
@@ -6958,7 +7438,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Cancelling: the run that is on its way ends first.</source>
-        <translation>Abbruch: Der laufende Durchgang endet zuerst.</translation>
+        <translation>Abbruch: Der begonnene Lauf endet zuerst.</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was kept: a part would look like the whole.</source>
@@ -6970,7 +7450,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What could be measured stands below. Softer gains may help.</source>
-        <translation>Der feinste Durchgang dieser Szene oder jeder andere endete mit einer Störung, also gibt es keine Front, auf der man gehen kann. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
+        <translation>Der feinste Lauf dieser Szene oder jeder andere endete mit einer Störung, also gibt es keine Front, auf der man gehen kann. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
     </message>
     <message>
         <source> The rate stays at %1 Hz. </source>
@@ -7010,11 +7490,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 of processor time a second, the tip %2 off its way, the force %3 N.</source>
-        <translation>%1 Rechenzeit je Sekunde, die Spitze %2 neben ihrem Weg, die Kraft %3 N.</translation>
+        <translation>%1 Prozessorzeit je Sekunde, die Spitze %2 neben ihrem Weg, die Kraft %3 N.</translation>
     </message>
     <message>
         <source>The rate of %1 Hz comes when you let go of the slider; the force lets go for a moment then.</source>
-        <translation>Die Taktrate von %1 Hz kommt, wenn Sie den Regler loslassen; die Kraft setzt dann kurz aus.</translation>
+        <translation>Die Taktrate von %1 Hz kommt, wenn Sie den Schieberegler loslassen; die Kraft setzt dann kurz aus.</translation>
     </message>
     <message>
         <source>%1: %2 → %3</source>
@@ -7062,11 +7542,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Length of each run, s</source>
-        <translation>Länge jedes Durchgangs, s</translation>
+        <translation>Länge jedes Laufs, s</translation>
     </message>
     <message>
         <source>How long each run is, in the time of the simulated arm.</source>
-        <translation>Wie lang jeder Durchgang ist, in der Zeit des simulierten Arms.</translation>
+        <translation>Wie lang jeder Lauf ist, in der Zeit des simulierten Arms.</translation>
     </message>
     <message>
         <source> s each</source>
@@ -7094,7 +7574,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Cancel the measurement</source>
-        <translation>Die Messung abbrechen</translation>
+        <translation>Messung abbrechen</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
@@ -7263,7 +7743,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The servo is stopped. Press Start (F5) to feel the force.</source>
-        <translation>Der Servo ist gestoppt. Drücken Sie Start (F5), um die Kraft zu spüren.</translation>
+        <translation>Der Servo ist gestoppt. Drücken Sie Start (F5), um die Kraft zu fühlen.</translation>
     </message>
 </context>
 <context>
@@ -7372,7 +7852,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>−0.00 N</source>
-        <translation>−0.00 N</translation>
+        <translation>−0,00 N</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -7571,12 +8051,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>„%1“ wurde nicht geöffnet. Szene und Arm bleiben, wie sie sind.</translation>
     </message>
     <message>
+        <source>“%1” is damaged. What could be read is followed.</source>
+        <translation>„%1“ ist beschädigt. Was lesbar war, lässt sich verfolgen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be followed. Everything stays as it is.</source>
+        <translation>„%1“ kann man nicht folgen. Alles bleibt, wie es ist.</translation>
+    </message>
+    <message>
         <source>Recorded session</source>
         <translation>Aufgezeichnete Sitzung</translation>
     </message>
     <message>
         <source>“%1” is damaged. What could be read is replayed.</source>
         <translation>„%1“ ist beschädigt. Was lesbar war, wird wiedergegeben.</translation>
+    </message>
+    <message>
+        <source>%1 (mirrored)[*] – Underact</source>
+        <translation>%1 (gespiegelt)[*] – Underact</translation>
     </message>
     <message>
         <source>%1[*] – Underact</source>
@@ -7587,12 +8079,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Underact</translation>
     </message>
     <message>
+        <source>Panels in this place</source>
+        <translation>Bereiche an dieser Stelle</translation>
+    </message>
+    <message>
         <source>&amp;Start</source>
         <translation>&amp;Start</translation>
     </message>
     <message>
         <source>Lets the servo push; also after a fault.</source>
-        <translation>Lässt den Servo Kraft ausüben; auch nach einer Störung.</translation>
+        <translation>Lässt den Servo drücken; auch nach einer Störung.</translation>
     </message>
     <message>
         <source>S&amp;top</source>
@@ -7775,7 +8271,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>How fine it is near the middle: the speed grows with the way to the power 1 + this. 0: evenly.</source>
-        <translation>Wie fein es nahe der Mitte ist: Die Geschwindigkeit wächst mit dem Weg hoch 1 + diesem Wert. 0: gleichmäßig.</translation>
+        <translation>Wie fein es nahe der Mitte ist: Das Tempo wächst mit dem Weg hoch 1 + diesem Wert. 0: gleichmäßig.</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -7889,7 +8385,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Starts the servo again, and measures the part that was stopped from its beginning.</source>
-        <translation>Startet den Servo wieder und misst den angehaltenen Teil von vorn.</translation>
+        <translation>Startet den Servo wieder und misst den gestoppten Teil von vorn.</translation>
     </message>
     <message>
         <source>&amp;Begin again</source>
@@ -8163,7 +8659,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::Player</name>
     <message>
         <source>what if</source>
-        <translation>was wäre wenn</translation>
+        <translation>was wäre, wenn</translation>
     </message>
 </context>
 <context>
@@ -8512,7 +9008,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Ticks a second. A change lets the force go for a moment; where the servo ran it starts again, softly.</source>
-        <translation>Takte je Sekunde. Eine Änderung lässt die Kraft kurz los; wo der Servo lief, startet er sanft wieder.</translation>
+        <translation>Takte je Sekunde. Eine Änderung lässt die Kraft kurz los; lief der Servo, so startet er sanft wieder.</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8539,7 +9035,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
-        <translation>Wie die Rate de/dt aus Positionen bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
+        <translation>Wie die Rate de/dt aus Orten bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
     </message>
     <message>
         <source>Kalman</source>
@@ -8885,7 +9381,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>What if</source>
-        <translation>Was wäre wenn</translation>
+        <translation>Was wäre, wenn</translation>
     </message>
     <message>
         <source>Recorded here</source>
@@ -8944,11 +9440,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The stiffness of the softer beam of every trial, at its tip.</source>
-        <translation>Die Steifigkeit des weicheren Balkens jedes Durchgangs, an seiner Spitze.</translation>
+        <translation>Die Steifigkeit des weicheren Balkens jedes Versuchs, an seiner Spitze.</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation>Durchgänge</translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Answers that were given.</source>
@@ -8976,11 +9472,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Save the trials</source>
-        <translation>Durchgänge speichern</translation>
+        <translation>Versuche speichern</translation>
     </message>
     <message>
         <source>Writes every trial and the result as a CSV file.</source>
-        <translation>Schreibt jeden Durchgang und das Ergebnis als CSV-Datei.</translation>
+        <translation>Schreibt jeden Versuch und das Ergebnis als CSV-Datei.</translation>
     </message>
     <message>
         <source>A&amp;gain</source>
@@ -9218,7 +9714,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>tip at home</source>
-        <translation>Spitze in Grundst.</translation>
+        <translation>Spitze in Grundstellung</translation>
     </message>
     <message>
         <source>turn of the tip</source>
@@ -9283,11 +9779,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Trial %1: which beam is stiffer?</source>
-        <translation>Durchgang %1: Welcher Balken ist steifer?</translation>
+        <translation>Versuch %1: Welcher Balken ist steifer?</translation>
     </message>
     <message>
         <source>The simulated hand is at trial %1.</source>
-        <translation>Die simulierte Hand ist bei Durchgang %1.</translation>
+        <translation>Die simulierte Hand ist bei Versuch %1.</translation>
     </message>
     <message>
         <source>reversals %v of %m</source>
@@ -9303,7 +9799,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The servo is stopped. Press Start to feel the beams.</source>
-        <translation>Der Servo ist gestoppt. Drücken Sie Start, um die Balken zu spüren.</translation>
+        <translation>Der Servo ist gestoppt. Drücken Sie Start, um die Balken zu fühlen.</translation>
     </message>
     <message>
         <source>✓ pressed</source>
@@ -9380,7 +9876,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::ScenesPanel</name>
     <message>
         <source>Feel:</source>
-        <translation>Spüren:</translation>
+        <translation>Fühlen:</translation>
     </message>
     <message>
         <source>Try:</source>
@@ -9470,7 +9966,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source> It is kept in %1.</source>
-        <translation> Aufbewahrt in %1.</translation>
+        <translation> Abgelegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -9625,7 +10121,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source> (untested)</source>
-        <translation> (ungetestet)</translation>
+        <translation> (nicht erprobt)</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -9678,12 +10174,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Schnitt folgt dem Stift</translation>
     </message>
     <message>
-        <source>&amp;Move the cut with the keys</source>
+        <source>Move the cut with the ke&amp;ys</source>
         <translation>Schnitt &amp;mit Tasten verschieben</translation>
     </message>
     <message>
         <source>Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.</source>
-        <translation>Setzt den Fokus auf den Regler des Schnitts: Die Pfeiltasten verschieben ihn dann um 1 mm, Bild auf und Bild ab um 10.</translation>
+        <translation>Setzt den Fokus auf den Schieberegler des Schnitts: Die Pfeiltasten verschieben ihn dann um 1 mm, Bild auf und Bild ab um 10.</translation>
     </message>
 </context>
 <context>
@@ -9796,7 +10292,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Which plot of the whole session is shown. A click into a plot against time goes there.</source>
-        <translation>Welches Diagramm der ganzen Sitzung gezeigt wird. Ein Klick in ein Diagramm über der Zeit springt dorthin.</translation>
+        <translation>Welches Diagramm der ganzen Sitzung gezeigt wird. Ein Klick in ein Diagramm gegen die Zeit springt dorthin.</translation>
     </message>
     <message>
         <source>Error and force</source>
@@ -9804,7 +10300,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Force against displacement</source>
-        <translation>Kraft über Auslenkung</translation>
+        <translation>Kraft gegen Auslenkung</translation>
     </message>
     <message>
         <source>Angles of influence</source>
@@ -9909,6 +10405,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <source>Plots of the whole session</source>
         <translation>Diagramme der ganzen Sitzung</translation>
     </message>
+    <message>
+        <source>Force and error, displacement, angles, energy or spectrum, as chosen above.</source>
+        <translation>Kraft und Fehler, Auslenkung, Winkel, Energie oder Spektrum, wie oben gewählt.</translation>
+    </message>
 </context>
 <context>
     <name>underact::gui::SessionsPanel</name>
@@ -9993,6 +10493,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Diagramme speichern</translation>
     </message>
     <message>
+        <source>Fo&amp;llow</source>
+        <translation>&amp;Folgen</translation>
+    </message>
+    <message>
+        <source>Lets the chosen session's stylus go its way beside yours, as a ghost to follow.</source>
+        <translation>Lässt den Stift der gewählten Sitzung als Geisterhand neben dem eigenen seinen Weg gehen.</translation>
+    </message>
+    <message>
         <source>&amp;Show in folder</source>
         <translation>Im &amp;Ordner zeigen</translation>
     </message>
@@ -10025,7 +10533,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Verschiebt die gewählte Sitzung in den Papierkorb.</translation>
     </message>
     <message>
-        <source>Choose &amp;folder…</source>
+        <source>C&amp;hoose folder…</source>
         <translation>Ordner &amp;wählen …</translation>
     </message>
     <message>
@@ -10109,7 +10617,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>What was found in the file of the mesh, what was repaired, and how it can be felt.</source>
-        <translation>Was in der Datei des Dreiecksnetzes gefunden und was repariert wurde, und wie es sich spüren lässt.</translation>
+        <translation>Was in der Datei des Dreiecksnetzes gefunden und was repariert wurde, und wie es sich fühlen lässt.</translation>
     </message>
     <message>
         <source>Stylus</source>
@@ -10308,19 +10816,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::StaircaseChart</name>
     <message>
         <source>Difference of stiffness against trial</source>
-        <translation>Steifigkeitsunterschied über Durchgang</translation>
+        <translation>Steifigkeitsunterschied gegen Versuch</translation>
     </message>
     <message>
         <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
-        <translation>Der Unterschied jedes Durchgangs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
+        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
     </message>
     <message>
         <source>%1 trials; the threshold is %2</source>
-        <translation>%1 Durchgänge; die Schwelle ist %2</translation>
+        <translation>%1 Versuche; die Schwelle ist %2</translation>
     </message>
     <message>
         <source>%1 trials; no threshold</source>
-        <translation>%1 Durchgänge; keine Schwelle</translation>
+        <translation>%1 Versuche; keine Schwelle</translation>
     </message>
     <message>
         <source>difference</source>
@@ -10328,7 +10836,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>trial</source>
-        <translation>Durchgang</translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>● right  ○ wrong  ◎ turn</source>
@@ -10355,7 +10863,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Servo rate</source>
-        <translation>Taktrate des Servos</translation>
+        <translation>Servo-Taktrate</translation>
     </message>
     <message>
         <source>Ticks a second.</source>
@@ -10411,7 +10919,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source> (untested)</source>
-        <translation> (ungetestet)</translation>
+        <translation> (nicht erprobt)</translation>
     </message>
     <message>
         <source>: %1</source>
@@ -10812,7 +11320,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Off, the stylus glides along the surface. On, it sticks up to the static share of the force across the surface, and drags by the dynamic share beyond (Coulomb).</source>
-        <translation>Aus: Der Stift gleitet die Oberfläche entlang. Ein: Er haftet bis zum Haftanteil der Kraft quer zur Oberfläche und wird darüber mit dem Gleitanteil gebremst (Coulomb).</translation>
+        <translation>Aus: Der Stift gleitet die Oberfläche entlang. An: Er haftet bis zum Haftanteil der Kraft quer zur Oberfläche und wird darüber mit dem Gleitanteil gebremst (Coulomb).</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -10852,7 +11360,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>friction on</source>
-        <translation>Reibung ein</translation>
+        <translation>Reibung an</translation>
     </message>
     <message>
         <source>friction off</source>
@@ -10946,7 +11454,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Ticks a second, as chosen above or told to the program (--rate).</source>
-        <translation>Takte pro Sekunde, wie oben gewählt oder dem Programm mitgegeben (--rate).</translation>
+        <translation>Takte je Sekunde, wie oben gewählt oder dem Programm mitgegeben (--rate).</translation>
     </message>
     <message>
         <source>measured</source>
@@ -10954,7 +11462,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Ticks a second by the clock on the wall.</source>
-        <translation>Takte pro Sekunde nach der Uhr an der Wand.</translation>
+        <translation>Takte je Sekunde nach der Uhr an der Wand.</translation>
     </message>
     <message>
         <source>late</source>
@@ -11060,7 +11568,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <name>underact::gui::TouchPage</name>
     <message>
         <source>What to do now</source>
-        <translation>Jetzt zu tun</translation>
+        <translation>Was jetzt zu tun ist</translation>
     </message>
     <message>
         <source>What became of the last press</source>
@@ -11128,7 +11636,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Rest the tip in mark %1 and press the stylus's button, or Space. The force is off.</source>
-        <translation>Legen Sie die Spitze in Messpunkt %1 und drücken Sie die Taste des Stifts oder die Leertaste. Die Kraft ist aus.</translation>
+        <translation>Legen Sie die Spitze in Messpunkt %1 und drücken Sie die Stifttaste oder die Leertaste. Die Kraft ist aus.</translation>
     </message>
 </context>
 <context>
@@ -11175,7 +11683,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Leaves the tour; Esc does it, too, and stops the servo.</source>
-        <translation>Beendet den Rundgang; auch mit Esc, das zudem den Servo anhält.</translation>
+        <translation>Beendet den Rundgang; auch mit Esc, das zudem den Servo stoppt.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -11330,6 +11838,25 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
+    <name>underact::gui::TwoViews</name>
+    <message>
+        <source>What is felt</source>
+        <translation>Was gefühlt wird</translation>
+    </message>
+    <message>
+        <source>What it is compared with</source>
+        <translation>Womit verglichen wird</translation>
+    </message>
+    <message>
+        <source>3D view of what is not felt</source>
+        <translation>3D-Ansicht des nicht Gefühlten</translation>
+    </message>
+    <message>
+        <source>The scene that is compared, with the same hand. Arrow keys turn both views.</source>
+        <translation>Die verglichene Szene mit derselben Hand. Die Pfeiltasten drehen beide Ansichten.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::ValueRow</name>
     <message>
         <source>The mark is the scene's own value; a double click goes back to it.</source>
@@ -11337,7 +11864,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1, slider</source>
-        <translation>%1, Regler</translation>
+        <translation>%1, Schieberegler</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -11355,7 +11882,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Vollbild für Besucher: Szenen im Wechsel, die halbe Kraft, alles andere gesperrt.</translation>
     </message>
     <message>
-        <source>Demonstrator's &amp;panel</source>
+        <source>&amp;Demonstrator's panel</source>
         <translation>Bereich für Vorführen&amp;de</translation>
     </message>
     <message>
@@ -11364,7 +11891,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A session is being recorded. Stop the recording first.</source>
-        <translation>Eine Sitzung wird aufgezeichnet. Beenden Sie zuerst die Aufzeichnung.</translation>
+        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
         <source>A session is being replayed. Close the replay first.</source>
@@ -11427,7 +11954,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Three things to try first: push, move a slider, turn the stylus.</source>
-        <translation>Drei Dinge zum ersten Probieren: drücken, einen Regler bewegen, den Stift drehen.</translation>
+        <translation>Drei Dinge zum ersten Probieren: drücken, einen Schieberegler bewegen, den Stift drehen.</translation>
     </message>
     <message>
         <source>Try one of these</source>
@@ -11455,7 +11982,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Move a slider: the one with the frame is the stiffness along x.</source>
-        <translation>Bewegen Sie einen Regler: Der mit dem Rahmen ist die Steifigkeit entlang x.</translation>
+        <translation>Bewegen Sie einen Schieberegler: Der mit dem Rahmen ist die Steifigkeit entlang x.</translation>
     </message>
     <message>
         <source>Turn the stylus: drag it with Ctrl held down.</source>

@@ -3,10 +3,12 @@
 import importlib.machinery
 import importlib.util
 import pathlib
+import re
 import tempfile
 import unittest
 
-PATH = pathlib.Path(__file__).parents[2] / "packaging/languages"
+ROOT = pathlib.Path(__file__).parents[2]
+PATH = ROOT / "packaging/languages"
 LOADER = importlib.machinery.SourceFileLoader("languages", str(PATH))
 languages = importlib.util.module_from_spec(importlib.util.spec_from_loader("languages", LOADER))
 LOADER.exec_module(languages)
@@ -57,6 +59,30 @@ class Languages(unittest.TestCase):
             ("so $x_1$ and $y$", "also $y$ und $x_1$"),
         ]:
             self.assertEqual(list(languages.disagreements(text(source), form)), [], source)
+
+    def test_a_lesson_names_what_the_window_has_in_each_language(self):
+        window = {text("Save &as…"): ["Speichern &unter …"], text("feel"): ["Fühlen"]}
+        for source, form, count in [
+            ("*Save as* in *Feel*", "*Speichern unter* in *Fühlen*", 0),
+            ("*Save as* in *Feel*", "Im Bereich *Fühlen*: *Speichern unter*", 0),
+            ("**Mind** $a*b*c$", "**Achtung** $a*b*c$", 0),
+            ("*Save as*", "*Sichern*", 1),
+            ("*Save as*", "Speichern unter", 1),
+            ("*Save as*", "*Speichern unter* in *Fühlen*", 1),
+            ("*Save it*", "*Speichern unter*", 2),
+        ]:
+            known = {**window, text(source, languages.LESSON): [form]}
+            said = list(languages.strange_names(known, known))
+            self.assertEqual(len(said), count, f"{source}: {said}")
+
+    def test_the_german_has_one_word_for_a_thing(self):
+        page = (ROOT / "resources/guide/languages.md").read_text(encoding="utf-8")
+        rows = [row.split("|") for row in page.splitlines() if row.count("|") == 4]
+        never = [word for row in rows for word in re.findall(r"`([^`]+)`", row[3])]
+        self.assertGreater(len(never), 15)
+        known = languages.read(str(ROOT / "resources/languages/underact_de.ts"))
+        for form in (form for forms in known.values() for form in forms or []):
+            self.assertEqual([word for word in never if word in form], [], form)
 
     def test_the_texts_of_lessons_and_scenes_are_found(self):
         found = {t.context for t in languages.texts_of_data()}

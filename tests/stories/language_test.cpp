@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <optional>
 
 #include "app/gui/number_box.h"
 #include "app/gui/page/page_view.h"
@@ -103,6 +104,12 @@ TEST(LanguageStory, InGermanNoTextIsLeftOutAndNoneIsCut) {
     cut << cutWords(story.window());
     story.savePicture(QString("german_") + name);
   }
+  EXPECT_TRUE(story.perform("compare.on", true));
+  story.run(500);
+  story.settle();
+  cut << cutWords(*story.find("compare")) << cutWords(*story.find("compare.views"));
+  story.savePicture("german_compare");
+  story.perform("compare.on", false);
   cut << cutInDialogs(story);
   cut.removeDuplicates();
   EXPECT_EQ(cut.join('\n').toStdString(), "");
@@ -147,6 +154,21 @@ TEST(LanguageStory, LessonsAndScenesAreShownInGerman) {
   EXPECT_EQ(story.host().scene().title.find("Kugel"), std::string::npos) << "what runs and is recorded stays as it is";
 }
 
+TEST(LanguageStory, AFaultIsSaidInGermanAndItsFileStaysEnglish) {
+  for (int kind = 1; kind < kFaultKinds; ++kind) {
+    const Fault fault{static_cast<FaultKind>(kind), 12.0, 3.0};
+    const QString english = faultText(fault);
+    EXPECT_EQ(english.toStdString(), describe(fault));
+    const German german;
+    const QString said = faultText(fault);
+    EXPECT_TRUE(said.contains("Die Kraft ist aus.")) << said.toStdString();
+    EXPECT_NE(happenedText(fault), QString::fromStdString(whatHappened(fault)));
+    EXPECT_NE(toDoText(fault), QString::fromStdString(whatToDo(fault)));
+    EXPECT_EQ(german.missing().join('\n').toStdString(), "");
+    EXPECT_EQ(describe(fault), english.toStdString());
+  }
+}
+
 TEST(LanguageStory, NumbersHaveACommaOnTheScreenAndBothAreUnderstood) {
   EXPECT_EQ(numberText(-1234.56, 1), QString(QChar(0x2212)) + "1234.6");
   const German german;
@@ -173,16 +195,19 @@ TEST(LanguageStory, AFileHasTheSameBytesInEveryLanguage) {
 }
 
 TEST(LanguageStory, EachMenuHasEachLetterOnce) {
-  const German german;
-  Story story("02_sphere");
-  for (QMenu* menu : story.window().menuBar()->findChildren<QMenu*>()) {
-    QSet<QChar> letters;
-    for (const QAction* action : menu->actions()) {
-      const qsizetype at = action->text().indexOf('&');
-      if (at < 0 || menu->objectName() == "menu.recent") continue;
-      const QChar letter = action->text()[at + 1].toLower();
-      EXPECT_FALSE(letters.contains(letter)) << action->text().toStdString();
-      letters.insert(letter);
+  for (const bool is_german : {true, false}) {
+    std::optional<German> german;
+    if (is_german) german.emplace();
+    Story story("02_sphere");
+    for (QMenu* menu : story.window().menuBar()->findChildren<QMenu*>()) {
+      QSet<QChar> letters;
+      for (const QAction* action : menu->actions()) {
+        const qsizetype at = action->text().indexOf('&');
+        if (at < 0 || menu->objectName() == "menu.recent") continue;
+        const QChar letter = action->text()[at + 1].toLower();
+        EXPECT_FALSE(letters.contains(letter)) << action->text().toStdString();
+        letters.insert(letter);
+      }
     }
   }
 }
