@@ -13,6 +13,9 @@ class PanelChooser : public QComboBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
+/// On Linux Qt tells a screen reader what is chosen in place of the name: the description has to say the name too.
+void nameChooser(QComboBox* box, const QString& spoken, const QString& tip);
+
 QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, QWidget* parent);
 
 }  // namespace underact::gui

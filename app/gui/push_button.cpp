@@ -1,6 +1,8 @@
 #include "app/gui/push_button.h"
 
+#include <QAction>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace underact::gui {
 
@@ -11,6 +13,17 @@ QPushButton* pushButton(const QString& name, const QString& text, const QString&
   made->setAccessibleName(spoken.isEmpty() ? QString(text).remove('&') : spoken);
   made->setToolTip(tip);
   made->setAutoDefault(false);
+  return made;
+}
+
+QToolButton* iconButton(const QString& name, QAction* does, const QString& spoken, QWidget* parent) {
+  auto* made = new QToolButton(parent);
+  made->setObjectName(name);
+  made->setAccessibleName(spoken);
+  made->setToolTip(does->toolTip());
+  made->setAutoRaise(true);
+  made->setFocusPolicy(Qt::StrongFocus);
+  QObject::connect(made, &QToolButton::clicked, does, &QAction::trigger);
   return made;
 }
 

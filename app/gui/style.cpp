@@ -1,5 +1,6 @@
 #include "app/gui/style.h"
 
+#include "app/gui/contrast.h"
 #include "app/gui/icons.h"
 
 namespace underact::gui {
@@ -16,8 +17,9 @@ QString styleSheet(const Theme& theme) {
   const QString quiet = between(theme.ink, theme.background, 0.68);  // contrast above 4.5 on both grounds
   const QString line = between(theme.ink, theme.background, 0.16);
   const QString hover = between(theme.ink, theme.background, 0.09);
-  const QString red = alarm(theme).name(), warm = amber(theme).name();
-  // Vermillion, as far towards the ink as a small word needs.
+  const QString red = alarm(theme).name();
+  // Amber and vermillion, as far towards the ink as a small word needs.
+  const QString warm = between(theme.ink, amber(theme), theme.dark ? 0.0 : 0.2);
   const QString limited = between(theme.ink, theme.force_limited, theme.dark ? 0.25 : 0.2);
   const QString red_ground = between(alarm(theme), theme.background, 0.10);
   const QString warm_ground = between(amber(theme), theme.background, 0.14);
@@ -58,9 +60,9 @@ QToolButton[role="choice"] { padding: 3px 8px; border: 1px solid %line; border-r
 QToolButton[role="choice"]:hover { background: %hover; }
 QToolButton[role="choice"]:checked { background: %line; border-color: %blue; }
 QToolButton[role="choice"]:focus { background: %hover; border: 2px solid %blue; padding: 2px 7px; }
-QToolButton[role="fold"] { border: none; font-weight: 600; padding: 4px 0; text-align: left; }
+QToolButton[role="fold"] { border: 1px solid transparent; font-weight: 600; padding: 3px 0; text-align: left; }
 QToolButton[role="fold"]:hover { background: %hover; }
-QToolButton[role="fold"]:focus { background: %line; }
+QToolButton[role="fold"]:focus { border-color: %blue; }
 QListWidget, QTableWidget { background: transparent; }
 QListWidget[role="ticks"] { background: %ground; }
 QTableWidget::item { color: %ink; }
@@ -87,7 +89,7 @@ QListWidget::item:selected:focus { background: %selected; }
       .replace("%ink", ink)
       .replace("%red", red)
       .replace("%warm", warm)
-      .replace("%blue", theme.dark ? theme.constraint.lighter(150).name() : theme.constraint.name())
+      .replace("%blue", focusColour(paletteOf(theme)).name())
       .replace("%green", theme.dark ? theme.target.lighter(130).name() : theme.target.darker(130).name());
 }
 

@@ -43,6 +43,13 @@ Theme Theme::light() {
   theme.background = QColor(0xF7, 0xF7, 0xF5);
   theme.ink = QColor(0x1B, 0x1C, 0x1E);
   theme.quiet = QColor(0xB4, 0xB5, 0xB2);
+  // The same hues, dark enough to stand out from the light ground, and from that of the panels, at 3:1 (WCAG 2.1).
+  theme.target = QColor(0x00, 0x9B, 0x71);
+  theme.orientation = QColor(0x00, 0x92, 0xCC);
+  theme.position = QColor(0xBD, 0x70, 0x9B);
+  theme.force = QColor(0xB6, 0x7E, 0x00);
+  theme.virtual_robot = theme.position;
+  theme.motion = theme.orientation;
   theme.x_axis = QColor(0xB8, 0x4A, 0x44);
   theme.y_axis = QColor(0x4B, 0x85, 0x42);
   theme.z_axis = QColor(0x42, 0x68, 0xB0);
@@ -55,6 +62,7 @@ Theme Theme::dark_theme() {
   theme.background = QColor(0x1E, 0x1F, 0x22);
   theme.ink = QColor(0xF2, 0xF2, 0xEE);
   theme.quiet = QColor(0x5C, 0x5F, 0x66);
+  theme.constraint = QColor(0x00, 0x79, 0xBD);  // 3:1 on the panels' ground, and white words on it still readable
   theme.x_axis = QColor(0xDB, 0x83, 0x7B);
   theme.y_axis = QColor(0x8C, 0xC0, 0x80);
   theme.z_axis = QColor(0x8C, 0xAB, 0xE6);
@@ -102,9 +110,10 @@ QPalette paletteOf(const Theme& theme) {
   palette.setColor(QPalette::BrightText, QColor(Qt::white));
   palette.setColor(QPalette::ToolTipBase, base);
   palette.setColor(QPalette::ToolTipText, text);
-  palette.setColor(QPalette::PlaceholderText, mixed(base, text, 0.55));
+  palette.setColor(QPalette::PlaceholderText, mixed(base, text, 0.65));
   palette.setColor(QPalette::Highlight, theme.constraint);
-  palette.setColor(QPalette::HighlightedText, QColor(Qt::white));
+  const bool is_pale = theme.dark && theme.high_contrast;  // what is chosen, there
+  palette.setColor(QPalette::HighlightedText, is_pale ? theme.background : QColor(Qt::white));
   palette.setColor(QPalette::Disabled, QPalette::Highlight, mixed(window, text, 0.25));
   palette.setColor(QPalette::Link, theme.dark ? QColor(0x56, 0xB4, 0xE9) : theme.constraint);
   palette.setColor(QPalette::LinkVisited, theme.dark ? QColor(0xCC, 0x79, 0xA7) : QColor(0x8A, 0x4A, 0x70));

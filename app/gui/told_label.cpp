@@ -15,6 +15,10 @@ QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWi
   return label;
 }
 
+void putText(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
 QLabel* sectionTitle(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setProperty("role", "section");

@@ -10,6 +10,9 @@ namespace underact::gui {
 /// spoken: what a screen reader calls it; role: of the style sheet, "" for plain words.
 QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent);
 
+/// The text, where it is another one: a label that is told the same draws itself all the same.
+void putText(QLabel* label, const QString& text);
+
 /// What stands above the rows of a part of a panel.
 QLabel* sectionTitle(const QString& text, QWidget* parent);
 

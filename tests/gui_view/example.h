@@ -115,4 +115,15 @@ inline bool isVermillion(const QColor& c) {
   return c.saturation() > 200 && c.hue() > 20 && c.hue() < 32;
 }
 
+inline bool isPurple(const QColor& c) {
+  return c.saturation() > 60 && c.hue() > 312 && c.hue() < 342;
+}
+
+inline scene::Joint turning(const Vec3& axis, const Vec3& point_mm) {
+  scene::Joint joint;
+  joint.axis = axis;
+  joint.point_mm = point_mm;
+  return joint;
+}
+
 }  // namespace underact::gui::test

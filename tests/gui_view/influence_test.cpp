@@ -31,14 +31,15 @@ servo::Snapshot influenced(double share) {
 }
 
 // The very colours: the ring's own blue has the hue of the sky blue, and fades towards it at its edges.
-bool isNear(const QColor& c, int red, int green, int blue) {
-  return std::abs(c.red() - red) + std::abs(c.green() - green) + std::abs(c.blue() - blue) < 40;
+bool isNear(const QColor& c, const QColor& wanted) {
+  return std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) + std::abs(c.blue() - wanted.blue()) <
+         40;
 }
-bool isSky(const QColor& c) {
-  return isNear(c, 0x56, 0xB4, 0xE9);
+bool isOrientation(const QColor& c) {
+  return isNear(c, Theme::light().orientation);
 }
-bool isPurple(const QColor& c) {
-  return isNear(c, 0xCC, 0x79, 0xA7);
+bool isPosition(const QColor& c) {
+  return isNear(c, Theme::light().position);
 }
 
 Layers withoutTheRest() {
@@ -59,13 +60,13 @@ TEST(InfluencePicture, RingsAndTheArcAreWhereTheTickSaysAndTheWayTheTargetWentIs
   const auto near = [&](double angle_deg, double around, bool (*fits)(const QColor&)) {
     return count(picture, shown.view.screenOf(onRing(angle_deg)), around, fits);
   };
-  EXPECT_GT(near(0.0, 11.0, isSky), 20);
-  EXPECT_GT(near(120.0, 11.0, isPurple), 20);
-  EXPECT_GT(near(30.0, 4.0, isSky), 20);    // on the way the target has gone
-  EXPECT_GT(near(90.0, 4.0, isPurple), 5);  // on the rest of it
-  EXPECT_LT(near(90.0, 4.0, isPurple), near(30.0, 4.0, isSky));
-  EXPECT_EQ(near(90.0, 4.0, isSky), 0);
-  EXPECT_EQ(near(-60.0, 6.0, isSky) + near(-60.0, 6.0, isPurple), 0);  // not the other way round
+  EXPECT_GT(near(0.0, 11.0, isOrientation), 20);
+  EXPECT_GT(near(120.0, 11.0, isPosition), 20);
+  EXPECT_GT(near(30.0, 4.0, isOrientation), 20);  // on the way the target has gone
+  EXPECT_GT(near(90.0, 4.0, isPosition), 5);      // on the rest of it
+  EXPECT_LT(near(90.0, 4.0, isPosition), near(30.0, 4.0, isOrientation));
+  EXPECT_EQ(near(90.0, 4.0, isOrientation), 0);
+  EXPECT_EQ(near(-60.0, 6.0, isOrientation) + near(-60.0, 6.0, isPosition), 0);  // not the other way round
   const Vec3 along = Vec3::UnitZ().cross(onRing(60.0)).normalized();
   EXPECT_GT(count(picture, shown.view.screenOf(onRing(60.0) + 0.018 * along), 2.0, test::isGreen), 0);  // the tangent
 }
@@ -78,12 +79,12 @@ TEST(InfluencePicture, TheLayerTakesItAwayAndAnArcWithOneEndHasNoRingAtTheOther)
   arc.p_WPo.setConstant(kNotANumber);
   arc.turn_rad = 0.0;
   shown.view.present(snapshot);
-  EXPECT_EQ(count(shown.view.picture(), shown.view.screenOf(onRing(0.0)), 11.0, isSky), 0);
-  EXPECT_GT(count(shown.view.picture(), shown.view.screenOf(onRing(120.0)), 11.0, isPurple), 20);
+  EXPECT_EQ(count(shown.view.picture(), shown.view.screenOf(onRing(0.0)), 11.0, isOrientation), 0);
+  EXPECT_GT(count(shown.view.picture(), shown.view.screenOf(onRing(120.0)), 11.0, isPosition), 20);
   Layers layers = withoutTheRest();
   layers.influence = false;
   shown.view.setLayers(layers);
-  EXPECT_EQ(count(shown.view.picture(), shown.view.screenOf(onRing(120.0)), 11.0, isPurple), 0);
+  EXPECT_EQ(count(shown.view.picture(), shown.view.screenOf(onRing(120.0)), 11.0, isPosition), 0);
   EXPECT_EQ(shown.view.glErrors(), 0);
 }
 

@@ -9,19 +9,8 @@
 #include "tests/gui_view/example.h"
 
 namespace underact::gui {
-namespace {
-
-scene::Joint turning(const Vec3& axis, const Vec3& point_mm) {
-  scene::Joint joint;
-  joint.axis = axis;
-  joint.point_mm = point_mm;
-  return joint;
-}
-
-}  // namespace
-
 TEST(JointFields, WhatIsTypedIsWhatIsReadInDegreesAndMillimetres) {
-  scene::Joint joint = turning(Vec3::UnitZ(), {1, 2, 3});
+  scene::Joint joint = test::turning(Vec3::UnitZ(), {1, 2, 3});
   for (int column = 1; column < kJointFields; ++column) {
     const auto field = static_cast<JointField>(column);
     if (field == JointField::Rest) continue;
@@ -38,7 +27,7 @@ TEST(JointFields, WhatIsTypedIsWhatIsReadInDegreesAndMillimetres) {
 }
 
 TEST(JointFields, ALimitIsTakenAwayByADashAndAnotherTypeLosesNumbersOfAnotherUnit) {
-  scene::Joint joint = turning(Vec3::UnitZ(), Vec3::Zero());
+  scene::Joint joint = test::turning(Vec3::UnitZ(), Vec3::Zero());
   joint.min = -1.0;
   joint.max = 1.0;
   joint.stiffness = 100.0;

@@ -12,14 +12,12 @@ namespace underact::gui {
 namespace {
 
 using test::count;
+using test::isPurple;
 using test::preset;
 using test::Shown;
 
 const Vec3 kTip(0.020, 0.010, 0.020);
 
-bool isPurple(const QColor& c) {
-  return c.saturation() > 60 && c.hue() > 312 && c.hue() < 342;
-}
 bool isSky(const QColor& c) {
   return c.saturation() > 100 && c.hue() > 195 && c.hue() < 212;
 }

@@ -12,18 +12,10 @@ namespace {
 
 using chain::JointType;
 using test::count;
+using test::isPurple;
 using test::Shown;
+using test::turning;
 
-bool isPurple(const QColor& c) {
-  return c.saturation() > 60 && c.hue() > 312 && c.hue() < 342;
-}
-
-scene::Joint turning(const Vec3& axis, const Vec3& point_mm) {
-  scene::Joint joint;
-  joint.axis = axis;
-  joint.point_mm = point_mm;
-  return joint;
-}
 scene::Joint sliding(const Vec3& axis) {
   scene::Joint joint;
   joint.type = JointType::Prismatic;

@@ -18,7 +18,7 @@ using test::snapshotAt;
 
 const scene::Shape kSphere = scene::Sphere{Vec3::Zero(), 30.0};
 const Vec3 kNoForce = Vec3::Zero();
-const Vec3 kTip(0.010, 0.012, 0.040);  // in front of the sphere, seen from the front
+const Vec3 kTipInFront(0.010, 0.012, 0.040);  // in front of the sphere, seen from the front
 
 QPointF alongScreen(const QPointF& from, const QPointF& to, double share) {
   return from + share * (to - from);
@@ -56,27 +56,27 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SceneView, ForceArrowIsOrangeAndALimitMakesItVermillionWithABar) {
   Shown shown(sceneOf(kSphere));
-  const Vec3 target = kTip + Vec3(0.001, 0, 0);
-  shown.view.present(snapshotAt(kTip, target, {0.44, 0, 0}));  // half of what the arm holds: 30 mm
-  const QPointF tip = shown.view.screenOf(kTip), half = shown.view.screenOf(kTip + Vec3(0.015, 0, 0));
+  const Vec3 target = kTipInFront + Vec3(0.001, 0, 0);
+  shown.view.present(snapshotAt(kTipInFront, target, {0.44, 0, 0}));  // half of what the arm holds: 30 mm
+  const QPointF tip = shown.view.screenOf(kTipInFront), half = shown.view.screenOf(kTipInFront + Vec3(0.015, 0, 0));
   EXPECT_GT(count(shown.view.picture(), half, 2.0, test::isOrange), 0);
 
-  shown.view.present(snapshotAt(kTip, target, {20.0, 0, 0}));  // cut to 0.88 N: 60 mm
+  shown.view.present(snapshotAt(kTipInFront, target, {20.0, 0, 0}));  // cut to 0.88 N: 60 mm
   const QImage cut = shown.view.picture();
-  const QPointF end = shown.view.screenOf(kTip + Vec3(0.060, 0, 0));
+  const QPointF end = shown.view.screenOf(kTipInFront + Vec3(0.060, 0, 0));
   EXPECT_GT(count(cut, alongScreen(tip, end, 0.5), 2.0, test::isVermillion), 0);
   EXPECT_EQ(count(cut, alongScreen(tip, end, 0.5), 6.0, test::isOrange), 0);
   for (const double side : {-0.005, 0.005}) {  // the bar stands out on both sides, where the head has ended
-    const QPointF bar = shown.view.screenOf(kTip + Vec3(0.060, side, 0));
+    const QPointF bar = shown.view.screenOf(kTipInFront + Vec3(0.060, side, 0));
     EXPECT_GT(count(cut, bar, 1.5, test::isVermillion), 0) << side;
   }
 }
 
 TEST(SceneView, AFaultShowsARingAndNoArrow) {
   Shown shown(sceneOf(kSphere));
-  servo::Snapshot snapshot = snapshotAt(kTip, kTip, {0.8, 0, 0});
+  servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, {0.8, 0, 0});
   shown.view.present(snapshot);
-  const QPointF tip = shown.view.screenOf(kTip), on_arrow = shown.view.screenOf(kTip + Vec3(0.035, 0, 0));
+  const QPointF tip = shown.view.screenOf(kTipInFront), on_arrow = shown.view.screenOf(kTipInFront + Vec3(0.035, 0, 0));
   ASSERT_GT(count(shown.view.picture(), on_arrow, 2.0, test::isOrange), 0);
   snapshot.report.fault = {FaultKind::NoSample, 20, 20};
   snapshot.mode = servo::Mode::Faulted;
@@ -90,10 +90,10 @@ TEST(SceneView, AFaultShowsARingAndNoArrow) {
 
 TEST(SceneView, TargetIsAGreenMarkerAtTheEndOfALine) {
   Shown shown(sceneOf(kSphere));
-  const Vec3 target = kTip + Vec3(0.030, 0, 0);
-  shown.view.present(snapshotAt(kTip, target, kNoForce));
+  const Vec3 target = kTipInFront + Vec3(0.030, 0, 0);
+  shown.view.present(snapshotAt(kTipInFront, target, kNoForce));
   EXPECT_GT(count(shown.view.picture(), shown.view.screenOf(target), 2.0, test::isGreen), 0);
-  EXPECT_GT(count(shown.view.picture(), shown.view.screenOf(kTip + Vec3(0.015, 0, 0)), 2.0, test::isGreen), 0);
+  EXPECT_GT(count(shown.view.picture(), shown.view.screenOf(kTipInFront + Vec3(0.015, 0, 0)), 2.0, test::isGreen), 0);
   Layers layers;
   layers.target = false;
   shown.view.setLayers(layers);
@@ -102,16 +102,16 @@ TEST(SceneView, TargetIsAGreenMarkerAtTheEndOfALine) {
 
 TEST(SceneView, ADragOnTheTipMovesTheHandAsFarAsThePointer) {
   Shown shown(sceneOf(kSphere));
-  shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed), released(&shown.view, &SceneView::handReleased);
   sim::HandWish wish;
   QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
-  const QPointF tip = shown.view.screenOf(kTip);
-  const double pixels_per_mm = shown.view.screenOf(kTip + Vec3(0.001, 0, 0)).x() - tip.x();
+  const QPointF tip = shown.view.screenOf(kTipInFront);
+  const double pixels_per_mm = shown.view.screenOf(kTipInFront + Vec3(0.001, 0, 0)).x() - tip.x();
   shown.drag(tip + QPointF(3, 4), tip + QPointF(43, 24));
   EXPECT_EQ(grabbed.count(), 1);
   EXPECT_EQ(released.count(), 1);
-  const Vec3 way_mm = 1e3 * (wish.p_WT - kTip);
+  const Vec3 way_mm = 1e3 * (wish.p_WT - kTipInFront);
   EXPECT_NEAR(way_mm.x(), 40.0 / pixels_per_mm, 0.01);
   EXPECT_NEAR(way_mm.y(), -20.0 / pixels_per_mm, 0.01);
   EXPECT_NEAR(way_mm.z(), 0.0, 1e-9);
@@ -120,11 +120,11 @@ TEST(SceneView, ADragOnTheTipMovesTheHandAsFarAsThePointer) {
 
 TEST(SceneView, TheNextDragGoesOnFromTheWishAndNotFromTheTip) {
   Shown shown(sceneOf(kSphere));
-  shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   std::vector<Vec3> wishes;
   QObject::connect(&shown.view, &SceneView::handMoved,
                    [&](const sim::HandWish& moved) { wishes.push_back(moved.p_WT); });
-  const QPointF tip = shown.view.screenOf(kTip);
+  const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.drag(tip, tip + QPointF(60, 0));  // the tip is held where it is: contact
   const Vec3 first = wishes.back();
   shown.drag(tip, tip + QPointF(0, 10));
@@ -138,10 +138,10 @@ TEST(SceneView, TheNextDragGoesOnFromTheWishAndNotFromTheTip) {
 
 TEST(SceneView, TheWishStaysWithinReach) {
   Shown shown(sceneOf(kSphere));
-  shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   sim::HandWish wish;
   QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
-  const QPointF tip = shown.view.screenOf(kTip);
+  const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.drag(tip, tip + QPointF(4000, 0));
   EXPECT_NEAR(wish.p_WT.norm(), 0.15, 1e-9);
 }
@@ -149,12 +149,12 @@ TEST(SceneView, TheWishStaysWithinReach) {
 TEST(SceneView, OrbitAndPanMoveThePictureAndNotTheHand) {
   for (const Qt::KeyboardModifiers modifiers : {Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::ShiftModifier)}) {
     Shown shown(sceneOf(kSphere));
-    shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+    shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
     QSignalSpy moved(&shown.view, &SceneView::handMoved), grabbed(&shown.view, &SceneView::handGrabbed);
-    const QPointF tip = shown.view.screenOf(kTip), from = modifiers == Qt::NoModifier ? QPointF(60, 500) : tip;
+    const QPointF tip = shown.view.screenOf(kTipInFront), from = modifiers == Qt::NoModifier ? QPointF(60, 500) : tip;
     shown.drag(from, from + QPointF(50, 10), Qt::LeftButton, modifiers);
     EXPECT_EQ(moved.count() + grabbed.count(), 0);
-    EXPECT_GT(std::abs(shown.view.screenOf(kTip).x() - tip.x()), 3.0);
+    EXPECT_GT(std::abs(shown.view.screenOf(kTipInFront).x() - tip.x()), 3.0);
   }
 }
 
@@ -171,22 +171,22 @@ TEST(SceneView, TheWheelZoomsTowardsThePointer) {
 
 TEST(SceneView, TheWheelMovesAHeldHandInDepth) {
   Shown shown(sceneOf(kSphere));
-  shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   sim::HandWish wish;
   QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
-  const QPointF tip = shown.view.screenOf(kTip);
+  const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.send(QEvent::MouseButtonPress, tip, Qt::LeftButton, Qt::LeftButton);
   shown.wheel(tip, 2, Qt::LeftButton);
-  EXPECT_TRUE(wish.p_WT.isApprox(kTip - Vec3(0, 0, 0.010), 1e-9)) << wish.p_WT.transpose();
-  EXPECT_NEAR(shown.view.screenOf(kTip).x(), tip.x(), 1e-9);
+  EXPECT_TRUE(wish.p_WT.isApprox(kTipInFront - Vec3(0, 0, 0.010), 1e-9)) << wish.p_WT.transpose();
+  EXPECT_NEAR(shown.view.screenOf(kTipInFront).x(), tip.x(), 1e-9);
 }
 
 TEST(SceneView, ArrowKeysMoveTheHandTwoMillimetresAlongTheAxesOfW) {
   for (const Camera camera : {Camera::Front, Camera::Isometric}) {
     Shown shown(sceneOf(kSphere), camera);
-    shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+    shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
     shown.look(camera);
-    Vec3 wished = kTip;
+    Vec3 wished = kTipInFront;
     bool turns = false;
     QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) {
       wished = moved.p_WT;
@@ -212,29 +212,29 @@ TEST(SceneView, ArrowKeysMoveTheHandTwoMillimetresAlongTheAxesOfW) {
 
 TEST(SceneView, CtrlDragTurnsTheStylusFromWhereItIs) {
   Shown shown(sceneOf(kSphere));
-  const servo::Snapshot snapshot = snapshotAt(kTip, kTip, kNoForce);
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
   shown.view.present(snapshot);
   sim::HandWish wish;
   QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
   QObject::connect(&shown.view, &SceneView::handGrabbed,
                    [&] {  // as the window does it: it knows the place, not the turn
                      sim::HandWish known;
-                     known.p_WT = kTip;
+                     known.p_WT = kTipInFront;
                      shown.view.setHandWish(known);
                    });
-  const QPointF tip = shown.view.screenOf(kTip);
+  const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.drag(tip, tip + QPointF(20, 0), Qt::LeftButton, Qt::ControlModifier);
   const Mat3 R_WT = arm::tipPose(test::preset().geometry, snapshot.report.sample.q_rad).linear();
   const Mat3 expected = Eigen::AngleAxisd(10.0 * kRadPerDegree, Vec3::UnitY()) * R_WT;
   EXPECT_TRUE(wish.turns);
   EXPECT_TRUE(wish.R_WT.isApprox(expected, 1e-9));
-  EXPECT_TRUE(wish.p_WT.isApprox(kTip, 1e-12));
+  EXPECT_TRUE(wish.p_WT.isApprox(kTipInFront, 1e-12));
 }
 
 TEST(SceneView, ThePointerShowsWhatItCanGrab) {
   Shown shown(sceneOf(kSphere));
-  shown.view.present(snapshotAt(kTip, kTip, kNoForce));
-  const QPointF tip = shown.view.screenOf(kTip);
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
+  const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.send(QEvent::MouseMove, tip + QPointF(5, 5), Qt::NoButton, Qt::NoButton);
   EXPECT_EQ(shown.view.cursor().shape(), Qt::OpenHandCursor);
   shown.send(QEvent::MouseButtonPress, tip, Qt::LeftButton, Qt::LeftButton);
@@ -261,7 +261,7 @@ TEST(SceneView, BackgroundIsFlatAndExact) {
 
 TEST(SceneView, EverythingFitsFromEverySide) {
   Shown shown(sceneOf(kSphere));
-  shown.view.present(snapshotAt(kTip, kTip, kNoForce));
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   for (const Camera camera : {Camera::Front, Camera::Back, Camera::Left, Camera::Right, Camera::Top, Camera::Bottom,
                               Camera::Isometric, Camera::Fit}) {
     shown.look(camera);
@@ -280,7 +280,7 @@ TEST(SceneView, EverythingFitsFromEverySide) {
 TEST(SceneView, AFirstPoseThatComesDuringALookIsFittedToo) {
   Shown shown(sceneOf(kSphere));
   shown.view.look(Camera::Right);
-  const servo::Snapshot snapshot = snapshotAt(kTip, kTip, kNoForce);
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
   shown.view.present(snapshot);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.view.moving(); }));
   const arm::Skeleton skeleton = arm::skeleton(test::preset().geometry, snapshot.report.sample.q_rad);
@@ -293,7 +293,7 @@ TEST(SceneView, DrawsAPictureWithoutBeingShown) {
   SceneView view;
   view.resize(500, 400);
   view.setScene(sceneOf(kSphere));
-  view.present(snapshotAt(kTip, kTip, kNoForce));
+  view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   const QImage picture = view.picture();
   EXPECT_EQ(picture.size(), QSize(500, 400) * picture.devicePixelRatio());
   EXPECT_GT(count(picture, view.screenOf(Vec3(0, 0.030, 0)), 2.0, test::isBlue), 0);
@@ -310,7 +310,7 @@ TEST(SceneView, LivesOnInAnotherWindow) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
     view->look(Camera::Front);
     ASSERT_TRUE(QTest::qWaitFor([view] { return !view->moving(); }));
-    view->present(snapshotAt(kTip, kTip, {0.1, 0, 0}));
+    view->present(snapshotAt(kTipInFront, kTipInFront, {0.1, 0, 0}));
     const QImage picture = view->picture();
     EXPECT_GT(count(picture, view->screenOf(Vec3(-0.015, -0.015, 0)), 2.0, test::isBlue), 0);
     EXPECT_EQ(view->glErrors(), 0);
@@ -335,7 +335,7 @@ TEST(SceneView, AnotherSceneLeavesNothingOfTheOldOne) {
 
 TEST(SceneView, WhatLooksTheSameIsNotDrawnAgain) {
   Shown shown(sceneOf(kSphere));
-  const servo::Snapshot snapshot = snapshotAt(kTip, kTip, {0.1, 0, 0});
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, {0.1, 0, 0});
   shown.view.present(snapshot);
   QTest::qWait(100);
   const qint64 before = shown.view.framesDrawn();
@@ -344,7 +344,7 @@ TEST(SceneView, WhatLooksTheSameIsNotDrawnAgain) {
     QTest::qWait(10);
   }
   EXPECT_EQ(shown.view.framesDrawn(), before);
-  shown.view.present(snapshotAt(kTip + Vec3(0.001, 0, 0), kTip, {0.1, 0, 0}));
+  shown.view.present(snapshotAt(kTipInFront + Vec3(0.001, 0, 0), kTipInFront, {0.1, 0, 0}));
   EXPECT_TRUE(QTest::qWaitFor([&] { return shown.view.framesDrawn() > before; }));
 }
 
@@ -352,14 +352,14 @@ TEST(SceneView, TheHintIsShownAndAJointThatIsNoNumberLeavesTheStylusWhereItWas) 
   Shown shown(sceneOf(kSphere));
   shown.view.setHint(QStringLiteral("Drag the stylus with the mouse."));
   EXPECT_GT(count(shown.view.picture(), {400, 30}, 14.0, [](const QColor& c) { return c.lightness() < 90; }), 20);
-  servo::Snapshot snapshot = snapshotAt(kTip, kTip, kNoForce);
+  servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
   shown.view.present(snapshot);
   snapshot.report.sample.q_rad[1] = kNotANumber;
   snapshot.report.held[0].p_WP = Vec3::Constant(kNotANumber);
   shown.view.present(snapshot);
-  EXPECT_GT(
-      count(shown.view.picture(), shown.view.screenOf(kTip), 3.0, [](const QColor& c) { return c.lightness() < 60; }),
-      4);
+  EXPECT_GT(count(shown.view.picture(), shown.view.screenOf(kTipInFront), 3.0,
+                  [](const QColor& c) { return c.lightness() < 60; }),
+            4);
 }
 
 }  // namespace

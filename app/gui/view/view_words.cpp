@@ -7,13 +7,14 @@
 #include <array>
 #include <cmath>
 
+#include "app/gui/contrast.h"
 #include "app/gui/larger_font.h"
 #include "app/gui/number_box.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr double kMargin = 16.0;  // from the view's edges; spacing by a 4-pixel grid
+constexpr double kWordsMargin = 16.0;  // from the view's edges; spacing by a 4-pixel grid
 constexpr double kTriad = 76.0;
 
 QString newtons(double force_N) {
@@ -51,19 +52,24 @@ void ViewWords::paint(QPainter& painter, const WordsState& state, const std::vec
 
 void ViewWords::paintLabels(QPainter& painter, const WordsState& state, const std::vector<Label>& labels) {
   const QFont plain = larger(state.font, 0.85);
-  QFont strong = larger(state.font, 0.95);
+  QFont strong = larger(state.font, 0.95), large = larger(state.font, 1.5);
   strong.setBold(true);
-  const QFontMetricsF plain_size(plain), strong_size(strong);
+  large.setBold(true);
   for (const Label& label : labels) {
     const OnScreen place = project(state.camera, state.size, label.p_mm);
     if (place.depth_mm <= 0.0) continue;
-    const QFontMetricsF& metrics = label.strong ? strong_size : plain_size;
+    const QFont& font = label.large ? large : label.strong ? strong : plain;
+    const QFontMetricsF metrics(font);
     const double width = metrics.horizontalAdvance(label.text);
-    painter.setFont(label.strong ? strong : plain);
-    painter.setPen(label.colour);
-    painter.drawText(QPointF(std::round(place.pixel.x() - 0.5 * width),
-                             std::round(place.pixel.y() + 0.5 * (metrics.ascent() - metrics.descent()))),
-                     label.text);
+    const double down = label.large ? metrics.height() : 0.0;
+    const QPointF left(std::round(place.pixel.x() - 0.5 * width),
+                       std::round(place.pixel.y() + 0.5 * (metrics.ascent() - metrics.descent()) + down));
+    if (label.large)
+      painter.fillRect(QRectF(left.x() - 4.0, left.y() - metrics.ascent(), width + 8.0, metrics.height()),
+                       state.theme.background);
+    painter.setFont(font);
+    painter.setPen(readable(label.colour, state.theme));
+    painter.drawText(left, label.text);
   }
 }
 
@@ -80,14 +86,14 @@ void ViewWords::paintLegend(QPainter& painter, const WordsState& state) {
   strong.setBold(true);
   const QFont plain = larger(state.font, 0.85);
   const double line = std::ceil(QFontMetricsF(strong).height());
-  double base = std::round(state.size.height() - kTriad - kMargin - line);
+  double base = std::round(state.size.height() - kTriad - kWordsMargin - line);
   for (const Row& row : rows) {
     painter.setFont(strong);
-    painter.setPen(row.colour);
-    painter.drawText(QPointF(kMargin, base), row.letter);
+    painter.setPen(readable(row.colour, state.theme));
+    painter.drawText(QPointF(kWordsMargin, base), row.letter);
     painter.setFont(plain);
     painter.setPen(mixed(state.theme.quiet, state.theme.ink, 0.6));
-    painter.drawText(QPointF(kMargin + 16.0, base), row.text);
+    painter.drawText(QPointF(kWordsMargin + 16.0, base), row.text);
     base += line;
   }
 }
@@ -130,8 +136,8 @@ void ViewWords::paintGauge(QPainter& painter, const WordsState& state) {
       p.drawRect(
           QRectF(area.width() - 3.0 * large, metrics.height() + 2.0, 3.0 * large, 6.0 * large + 8.0));  // cut here
   });
-  const QPointF corner(std::round(state.size.width() - width - kMargin),
-                       std::round(state.size.height() - size.height() - kMargin));
+  const QPointF corner(std::round(state.size.width() - width - kWordsMargin),
+                       std::round(state.size.height() - size.height() - kWordsMargin));
   painter.fillRect(QRectF(corner, size).adjusted(-4, -2, 4, 2), state.theme.background);  // over the box's ticks
   painter.drawImage(corner, image);
 }
@@ -141,7 +147,7 @@ void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
   const QString text = fault ? state.fault : state.hint;
   if (text.isEmpty()) return;
   const QFontMetricsF metrics(state.font);
-  const double widest = std::max(120.0, state.size.width() - 4.0 * kMargin);
+  const double widest = std::max(120.0, state.size.width() - 4.0 * kWordsMargin);
   const QRectF wanted =
       metrics.boundingRect(QRectF(0, 0, widest - 32.0, 1e4), Qt::AlignCenter | Qt::TextWordWrap, text);
   const QSizeF size(std::ceil(wanted.width()) + 32.0, std::ceil(wanted.height()) + 16.0);
@@ -155,7 +161,7 @@ void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
     p.setPen(fault ? signal : state.theme.ink);
     p.drawText(QRectF(QPointF(16, 8), area - QSizeF(32, 16)), Qt::AlignCenter | Qt::TextWordWrap, text);
   });
-  painter.drawImage(QPointF(std::round(0.5 * (state.size.width() - size.width())), kMargin), image);
+  painter.drawImage(QPointF(std::round(0.5 * (state.size.width() - size.width())), kWordsMargin), image);
 }
 
 void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
@@ -172,13 +178,15 @@ void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
     p.setFont(font);
     for (const int axis : order) {
       const QPointF way(right_W[axis], -up_W[axis]);
-      p.setPen(QPen(colours[static_cast<std::size_t>(axis)], 2.0, Qt::SolidLine, Qt::RoundCap));
+      const QColor& colour = colours[static_cast<std::size_t>(axis)];
+      p.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
       p.drawLine(middle, middle + 24.0 * way);
+      p.setPen(readable(colour, state.theme));
       const QPointF end = middle + 31.0 * way;
       p.drawText(QRectF(end - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter, QString(QLatin1Char("xyz"[axis])));
     }
   });
-  painter.drawImage(QPointF(kMargin - 8.0, std::round(state.size.height() - kTriad - kMargin + 8.0)), image);
+  painter.drawImage(QPointF(kWordsMargin - 8.0, std::round(state.size.height() - kTriad - kWordsMargin + 8.0)), image);
 }
 
 }  // namespace underact::gui
