@@ -59,16 +59,18 @@ std::size_t atLetter(const std::string& text, std::size_t at) {
 
 std::string excerptOf(const std::string& text, const std::vector<std::string>& words) {
   const std::string lower = lowered(text);
+  std::size_t at = 0, size = kAround;  // a section that is found by its title alone: how it begins
   for (const std::string& word : words) {
-    const std::size_t at = placeOf(word, lower);
-    if (at == std::string::npos) continue;
-    const std::size_t from = atLetter(text, at > kAround ? at - kAround : 0);
-    const std::size_t end = atLetter(text, std::min(at + word.size() + kAround, text.size()));
-    std::string part = text.substr(from, end - from);
-    std::replace(part.begin(), part.end(), '\n', ' ');
-    return (from > 0 ? "…" : "") + part + (end < text.size() ? "…" : "");
+    const std::size_t place = placeOf(word, lower);
+    if (place == std::string::npos) continue;
+    at = place, size = word.size();
+    break;
   }
-  return {};
+  const std::size_t from = atLetter(text, at > kAround ? at - kAround : 0);
+  const std::size_t end = atLetter(text, std::min(at + size + kAround, text.size()));
+  std::string part = text.substr(from, end - from);
+  std::replace(part.begin(), part.end(), '\n', ' ');
+  return (from > 0 ? "…" : "") + part + (end < text.size() ? "…" : "");
 }
 
 }  // namespace

@@ -112,8 +112,8 @@ std::string sitePage(const Guide& guide, const Entry& entry) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escaped(made.title) +
          " – Underact</title>\n<link rel=\"stylesheet\" href=\"style.css\">\n"
-         "<link rel=\"stylesheet\" href=\"site.css\">\n</head>\n<body>\n" +
-         contents(guide, entry.name) + "<main>\n" + made.html +
+         "<link rel=\"stylesheet\" href=\"site.css\">\n</head>\n<body class=\"" +
+         entry.name + "\">\n" + contents(guide, entry.name) + "<main>\n" + made.html +
          "</main>\n<script src=\"search_index.js\"></script>\n<script src=\"search.js\"></script>\n</body>\n</html>\n";
 }
 

@@ -152,6 +152,7 @@ TEST(SearchOfPages, TitlesComeBeforeTextAndWholeWordsBeforeBeginnings) {
   EXPECT_EQ(hits[2].title, "Arms");
   EXPECT_EQ(hits[1].anchor, "buzzing");
   EXPECT_NE(hits[1].excerpt.find("Stiff walls buzz"), std::string::npos);
+  EXPECT_EQ(search.find("spheres").front().excerpt.rfind("The sphere has a centre", 0), 0u) << "found by its title";
 }
 
 TEST(SearchOfPages, EachWordMustBeThereInAnyCase) {
@@ -248,6 +249,8 @@ TEST(StaticPages, AreTheSameBytesEachTimeAndHaveLightAndDark) {
     EXPECT_EQ(text, textOf(fs::path(two.path()) / name)) << name;
   }
   EXPECT_NE(textOf(fs::path(one.path()) / "style.css").find("prefers-color-scheme: dark"), std::string::npos);
+  EXPECT_NE(textOf(fs::path(one.path()) / "experiments.html").find("<body class=\"experiments\">"), std::string::npos)
+      << "site.css prints a worksheet a sheet";
 }
 
 TEST(StaticPages, WhatCannotBeWrittenIsSaid) {

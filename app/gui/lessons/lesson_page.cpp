@@ -17,6 +17,7 @@
 #include "app/gui/lessons/lesson_words.h"
 #include "app/gui/page/page_view.h"
 #include "app/gui/panel_scroll.h"
+#include "app/gui/tab_order.h"
 #include "app/gui/told_label.h"
 
 namespace underact::gui {
@@ -102,27 +103,9 @@ void LessonPage::showStep() {
     row->show();
     rows_.push_back(row);
   }
-  orderTabs();
+  orderTabs({this});  // what was made last would else come last
   showText();
   present();
-}
-
-/// From the text through the checks to the buttons: what was made last would else come last.
-void LessonPage::orderTabs() {
-  QWidget* last = text_;
-  for (CheckRow* const row : rows_) {
-    for (QWidget* const widget : row->findChildren<QWidget*>()) {
-      if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;
-      setTabOrder(last, widget);
-      last = widget;
-    }
-  }
-  for (const char* const name : kButtons) {
-    auto* const button = findChild<QToolButton*>(QString("panel.%1").arg(name));
-    if (button == nullptr) continue;
-    setTabOrder(last, button);
-    last = button;
-  }
 }
 
 void LessonPage::showText() {

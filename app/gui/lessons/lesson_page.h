@@ -36,7 +36,6 @@ class LessonPage : public QWidget {
  private:
   QWidget* makeChecks();
   void addButtons(QVBoxLayout* column, Actions& actions);
-  void orderTabs();
   void showText();
   void showHead();
   QString asksForStart() const;

@@ -11,10 +11,6 @@
 namespace underact::gui {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
-
 QString row(const QString& head, const QString& cell) {
   return QString("<tr><th>%1</th><td>%2</td></tr>\n").arg(head.toHtmlEscaped(), cell.toHtmlEscaped());
 }

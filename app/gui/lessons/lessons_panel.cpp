@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/file_question.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lesson_list.h"
 #include "app/gui/lessons/lesson_page.h"
@@ -192,13 +193,8 @@ void LessonsPanel::chooseReport() {
 }
 
 void LessonsPanel::chooseLesson() {
-  auto* const dialog =
-      new QFileDialog(this, tr("Open a lesson"), lessonFolder(), tr("Lessons (*.json);;All files (*)"));
-  dialog->setObjectName("dialog.open_lesson");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &LessonsPanel::start);
-  dialog->open();
+  askForFile(this, "dialog.open_lesson", tr("Open a lesson"), lessonFolder(), tr("Lessons (*.json);;All files (*)"),
+             [this](const QString& path) { start(path); });
 }
 
 }  // namespace underact::gui

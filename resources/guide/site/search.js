@@ -14,14 +14,16 @@ var guideSearch = (function () {
   }
 
   function excerptOf(text, words) {
-    var lower = text.toLowerCase();
+    var lower = text.toLowerCase(), at = 0, size = 60;  // found by its title alone: how it begins
     for (var i = 0; i < words.length; ++i) {
-      var at = (" " + lower).search(new RegExp("[^0-9a-z_\u0080-\uffff]" + words[i]));
-      if (at < 0) continue;
-      var from = Math.max(0, at - 60), end = Math.min(text.length, at + words[i].length + 60);
-      return (from > 0 ? "…" : "") + text.substring(from, end) + (end < text.length ? "…" : "");
+      var place = (" " + lower).search(new RegExp("[^0-9a-z_\u0080-\uffff]" + words[i]));
+      if (place < 0) continue;
+      at = place;
+      size = words[i].length;
+      break;
     }
-    return "";
+    var from = Math.max(0, at - 60), end = Math.min(text.length, at + size + 60);
+    return (from > 0 ? "…" : "") + text.substring(from, end) + (end < text.length ? "…" : "");
   }
 
   // index: rows of [page, its title, anchor, the section's title, its text].
