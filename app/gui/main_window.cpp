@@ -10,15 +10,19 @@
 #include <QMimeData>
 #include <QStatusBar>
 #include <QStatusTipEvent>
+#include <QTabBar>
 #include <QUrl>
 #include <utility>
 
 #include "app/gui/actions.h"
+#include "app/gui/compare/compare_tool.h"
 #include "app/gui/data_words.h"
 #include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
+#include "app/gui/ghost/ghost_hand.h"
+#include "app/gui/ghost/ghost_strip.h"
 #include "app/gui/hand.h"
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/icons.h"
@@ -42,6 +46,7 @@
 #include "app/gui/visitor/visitor_mode.h"
 #include "app/gui/welcome/tour.h"
 #include "app/gui/welcome/welcome.h"
+#include "app/gui/words.h"
 #include "core/arm/preset.h"
 #include "device/simulated_arm.h"
 
@@ -57,9 +62,11 @@ void MainWindow::frame() {
   const servo::Snapshot& snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
     player_->add(record);
+    ghost_->add(record);
     faults_->add(record);
     live_->add(record);
     identify_->add(record);
+    compare_->add(record);
     registration_->add(record);
     for (Panel* panel : panels_) panel->add(record);
   });
@@ -75,19 +82,26 @@ void MainWindow::showFrame(const servo::Snapshot& snapshot) {
   if (snapshot.ticks > 0) view_->present(snapshot);  // before the first tick nobody knows where the stylus is
   hand_->present(snapshot);
   status_->present(snapshot);
+  compare_->present(snapshot);
   section_->present();
   replay_bar_->present(snapshot);
+  ghost_->draw();
+  ghost_strip_->present();
   status_->setLive(live_->where(), live_->details());
   for (Panel* panel : panels_) panel->present(snapshot);
   presentMode(snapshot);
   welcome_->present(snapshot, parts_.host.rateHz(), !visitors_->isOn());
-  if (visitors_->isOn()) tour_->leave();
+  if (visitors_->isOn()) {
+    tour_->leave();
+    compare_->setOn(false);
+    ghost_->close();
+  }
   tour_->follow();
 }
 
 void MainWindow::presentMode(const servo::Snapshot& snapshot) {
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
-  const QString sentence = faulted ? QString::fromStdString(describe(snapshot.report.fault)) : QString();
+  const QString sentence = faulted ? faultText(snapshot.report.fault) : QString();
   if (fault_ != sentence) {  // the view shows it; a screen reader says it at once, wherever it is
     fault_ = sentence;
     status_->setFault(sentence);
@@ -140,6 +154,18 @@ void MainWindow::connectPlayer() {
   });
 }
 
+void MainWindow::connectGhost() {
+  connect(ghost_, &GhostHand::opened, this, [this] {
+    const LoadedGhost& ghost = ghost_->ghost();
+    if (ghost.damage.empty()) return;
+    tellOfSession(tr("“%1” is damaged. What could be read is followed.").arg(QString::fromStdString(ghost.name)),
+                  ghost.damage);
+  });
+  connect(ghost_, &GhostHand::failed, this, [this](const QString& path, const Problems& problems) {
+    tellOfSession(tr("“%1” cannot be followed. Everything stays as it is.").arg(QFileInfo(path).fileName()), problems);
+  });
+}
+
 void MainWindow::connectRate() {
   connect(rate_, &ServoRate::changed, this, [this](int, int rate_hz) {
     faults_->setRate(rate_hz);
@@ -182,8 +208,8 @@ void MainWindow::openSession(const QString& path) {
 }
 
 void MainWindow::updateTitle() {
-  setWindowTitle(document_->isOpen() ? tr("%1[*] – Underact").arg(sceneText(document_->scene().title))
-                                     : tr("Underact"));
+  const QString title = document_->isMirrored() ? tr("%1 (mirrored)[*] – Underact") : tr("%1[*] – Underact");
+  setWindowTitle(document_->isOpen() ? title.arg(sceneText(document_->scene().title)) : tr("Underact"));
   setWindowModified(document_->modified());
   setWindowFilePath({});
 }
@@ -193,7 +219,9 @@ void MainWindow::setTheme(const Theme& theme) {
   actions_->setIcons([&theme](const QString& name) { return icon(name, theme); });
   setWindowIcon(icon("underact", theme));
   view_->setTheme(theme);
+  compare_->setTheme(theme);
   replay_bar_->setTheme(theme);
+  ghost_strip_->setTheme(theme);
   faults_->setTheme(theme);
   identify_->setTheme(theme);
   registration_->setTheme(theme);
@@ -206,6 +234,13 @@ bool MainWindow::event(QEvent* event) {
   if (event->type() == QEvent::StatusTip && status_ != nullptr) {
     status_->setTip(static_cast<QStatusTipEvent*>(event)->tip());  // beside what is always true, not over it
     return true;
+  }
+  if (event->type() == QEvent::ChildPolished) {  // Qt makes a bar of tabs where panels share a place
+    auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+    if (bar != nullptr) {
+      bar->setAccessibleName(tr("Panels in this place"));
+      bar->setElideMode(Qt::ElideNone);  // many are scrolled: "S…" says nothing
+    }
   }
   if (event->type() == QEvent::WindowStateChange || event->type() == QEvent::Hide) {
     pacer_->setSeen(isVisible() && !isMinimized());

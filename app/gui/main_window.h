@@ -20,10 +20,13 @@ namespace underact::gui {
 class Actions;
 class ArmChoice;
 class ArmInUse;
+class CompareTool;
 class CurveFiles;
 class Document;
 class FaultWatch;
 class FramePacer;
+class GhostHand;
+class GhostStrip;
 class GuideTool;
 class Hand;
 class MovingHands;
@@ -69,6 +72,7 @@ class MainWindow : public QMainWindow {
   SceneView& view() { return *view_; }
   VisitorMode& visitors() { return *visitors_; }
   Player& player() { return *player_; }
+  GhostHand& ghost() { return *ghost_; }
   /// One frame: shows the newest snapshot and fetches every tick since the last frame. The pacer calls it.
   void frame();
 
@@ -93,6 +97,7 @@ class MainWindow : public QMainWindow {
   void orderTabs();
   void connectDocument();
   void connectPlayer();
+  void connectGhost();
   void connectRate();
   void connectArms();
   void tellOfSession(const QString& what, const Problems& problems);
@@ -117,12 +122,15 @@ class MainWindow : public QMainWindow {
   CurveFiles* curve_files_;
   SceneView* view_;
   Player* player_;
+  GhostHand* ghost_;
   ServoRate* rate_;
   ArmChoice* arms_;
   SecondArm* second_;
   RegistrationTool* registration_;
+  CompareTool* compare_ = nullptr;
   SectionStrip* section_ = nullptr;
   ReplayBar* replay_bar_ = nullptr;
+  GhostStrip* ghost_strip_ = nullptr;
   Hand* hand_ = nullptr;
   MovingHands* hands_ = nullptr;
   StatusLine* status_ = nullptr;

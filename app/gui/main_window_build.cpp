@@ -9,18 +9,23 @@
 #include <QVBoxLayout>
 
 #include "app/gui/actions.h"
+#include "app/gui/compare/compare_tool.h"
 #include "app/gui/curve/curve_files.h"
 #include "app/gui/devices/arm_choice.h"
 #include "app/gui/document.h"
 #include "app/gui/fault_watch.h"
 #include "app/gui/frame_pacer.h"
 #include "app/gui/gallery/gallery_actions.h"
+#include "app/gui/ghost/ghost_actions.h"
+#include "app/gui/ghost/ghost_hand.h"
+#include "app/gui/ghost/ghost_strip.h"
 #include "app/gui/guide/guide_tool.h"
 #include "app/gui/hand.h"
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/help_dialog.h"
 #include "app/gui/identify/identify_tool.h"
 #include "app/gui/language_actions.h"
+#include "app/gui/left_hand.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/main_window.h"
@@ -43,6 +48,7 @@
 #include "app/gui/status_line.h"
 #include "app/gui/stop_key.h"
 #include "app/gui/stylus_key.h"
+#include "app/gui/tab_order.h"
 #include "app/gui/view/section_strip.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/visitor/visitor_mode.h"
@@ -66,6 +72,7 @@ MainWindow::MainWindow(const WindowParts& parts)
       curve_files_(new CurveFiles(*document_, *files_, *loads_, this)),
       view_(new SceneView(this)),
       player_(new Player(parts.host, *document_, parts.replay, this)),
+      ghost_(new GhostHand(*document_, *player_, *loads_, *view_, this)),
       rate_(new ServoRate(parts.host, this)),
       arms_(new ArmChoice(parts.host, *document_, parts.chosen, parts.arm, this)),
       second_(new SecondArm(parts.host, *arms_, *view_, this)),
@@ -88,6 +95,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   addActions();
   addHelpActions();
   addReplayActions(*actions_, *player_, *files_, this);
+  addGhostActions(*actions_, *ghost_, *document_, *files_, this);
   addGalleryActions(*actions_, this);
   addViewActions(*actions_, *view_, parts_.theme);
   addLanguageActions(*actions_, this);
@@ -99,6 +107,7 @@ MainWindow::MainWindow(const WindowParts& parts)
   orderTabs();
   connectDocument();
   connectPlayer();
+  connectGhost();
   connectRate();
   connectArms();
   updateTitle();
@@ -142,6 +151,7 @@ void MainWindow::addActions() {
   actions_->addCommand("scene.settle", [this](const QVariantList&) { return files_->settleEdits(); });
   addMeshActions(*actions_, *mesh_files_);
   addCurveActions(*actions_, *curve_files_);
+  addLeftHandAction(*actions_, *document_);
   actions_
       ->add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
              tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
@@ -211,14 +221,18 @@ void MainWindow::buildView() {
   view_->setMinimumSize(320, 240);
   auto* middle = new QWidget(this);
   replay_bar_ = new ReplayBar(*player_, *actions_, middle);
+  compare_ = new CompareTool({parts_.host, *document_, *files_, *view_, *actions_}, middle);
+  ghost_strip_ = new GhostStrip(*ghost_, *document_, *actions_, middle);
   section_ = new SectionStrip(*view_, *actions_, middle);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(view_, 1);
+  column->addWidget(compare_->views(), 1);
+  column->addWidget(compare_->strip());
   column->addWidget(section_);
   column->addWidget(loads_);
   column->addWidget(replay_bar_);
+  column->addWidget(ghost_strip_);
   setCentralWidget(middle);
   hand_ = new Hand(view_, parts_.arm, this);
   hands_ = new MovingHands(parts_.host, *hand_, parts_.hands, *actions_, this);
@@ -294,19 +308,12 @@ void MainWindow::buildDocks() {
 
 // From left to right and top to bottom: tool bar, scenes, view, then the panels in their order.
 void MainWindow::orderTabs() {
-  QList<QWidget*> groups{findChild<QToolBar*>(), panels_["scenes"], view_, section_, loads_, replay_bar_};
+  QList<QWidget*> groups{
+      findChild<QToolBar*>(), panels_["scenes"], view_, compare_->strip(), section_, loads_, replay_bar_, ghost_strip_};
   for (const PanelRow& row : panels()) {
     if (panels_[row.key] != groups[1]) groups << panels_[row.key];
   }
-  QWidget* last = nullptr;
-  for (QWidget* group : groups) {
-    for (QWidget* widget : QList<QWidget*>{group} + group->findChildren<QWidget*>()) {
-      if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->focusProxy() != nullptr) continue;
-      if (widget->window() != this) continue;  // the list that a chooser opens
-      if (last != nullptr) setTabOrder(last, widget);
-      last = widget;
-    }
-  }
+  gui::orderTabs(groups);
 }
 
 void MainWindow::arrangeDocks() {
@@ -338,6 +345,7 @@ void MainWindow::restore() {
   static_cast<PlotsPanel*>(panels_["plots"])->setAxis(settings_.plot_axis);
   actions_->perform("plots.energy", settings_.energy_plot);
   actions_->perform("session.hold_to_run", settings_.hold_to_run);
+  actions_->perform("scene.left_handed", settings_.left_handed);
 }
 
 void MainWindow::remember() {
@@ -351,6 +359,7 @@ void MainWindow::remember() {
   settings_.plot_axis = static_cast<PlotsPanel*>(panels_["plots"])->axis();
   settings_.energy_plot = static_cast<PlotsPanel*>(panels_["plots"])->showsEnergy();
   settings_.hold_to_run = parts_.host.holdToRun();
+  settings_.left_handed = document_->isLeftHanded();
   settings_.servo_rate_hz = rate_->chosen().value_or(settings_.servo_rate_hz);
   settings_.guide_page = guide_->place();
   settings_.guide_zoom = guide_->zoom();

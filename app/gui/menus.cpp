@@ -1,7 +1,6 @@
 #include "app/gui/menus.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
@@ -12,13 +11,10 @@
 #include "app/gui/actions.h"
 #include "app/gui/panels.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
 
 // names: of actions; "-": a separator.
 void fill(QMenu* menu, const Actions& actions, const QStringList& names) {
@@ -92,22 +88,26 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   bar->setAccessibleName(tr("Menu"));
   QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
   fill(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
-  QMenu* recent_menu = named(file->addMenu(tr("Open &recent")), "menu.recent");
+  QMenu* recent_menu = named(file->addMenu(tr("Open rece&nt")), "menu.recent");
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,
                    [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
   fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "-", "app.quit"});
-  fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions, {"edit.undo", "edit.redo", "-", "gains.reset"});
+  fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions,
+       {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
   fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
        {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
         "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open", "arm.open",
         "arm.vendor", "-", "calibration.left", "calibration.right"});
   fill(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
-       {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.show",
-        "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
-  fill(named(bar->addMenu(tr("&Replay")), "menu.replay"), actions,
+       {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.follow",
+        "sessions.show", "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
+  QMenu* replay = named(bar->addMenu(tr("&Replay")), "menu.replay");
+  fill(replay, actions,
        {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
-        "replay.loop_out", "-", "replay.what_if", "-", "replay.close"});
+        "replay.loop_out", "-", "replay.what_if", "-", "replay.close", "-", "ghost.open"});
+  fill(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
+       {"ghost.play", "ghost.restart", "ghost.close"});
   fill(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
        {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
@@ -119,7 +119,9 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
        {"view.theme.system", "view.theme.light", "view.theme.dark"});
   fill(named(view->addMenu(tr("Lan&guage")), "menu.language"), actions,
        {"language.system", "language.en", "language.de"});
-  fill(view, actions, {"-", "view.projector", "visitor.start", "visitor.demonstrator"});
+  fill(view, actions,
+       {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
+        "visitor.demonstrator"});
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
   for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));
   fill(layout, actions, {"-", "layout.reset"});

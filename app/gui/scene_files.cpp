@@ -11,6 +11,7 @@
 
 #include "app/gui/curve/curve_files.h"
 #include "app/gui/document.h"
+#include "app/gui/file_question.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_dialog.h"
@@ -18,6 +19,7 @@
 #include "app/gui/view/drawn_mesh.h"
 #include "app/gui/words.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/mirror.h"
 #include "core/scene/read.h"
 
 namespace underact::gui {
@@ -77,10 +79,10 @@ void SceneFiles::loadAndPut(scene::Description scene) {
   const QString path = QString::fromStdString(loaded->scene.file);
   loads_.begin(
       tr("Loading the files of %1").arg(QFileInfo(path).fileName()),
-      [loaded](const mesh::Watch& watch) {
+      [loaded, is_mirrored = document_.opensMirrored()](const mesh::Watch& watch) {
         loaded->problems = scene::loadMeshes(loaded->scene, watch);
         if (!loaded->problems.empty()) return;
-        loaded->curves = madeCurves(loaded->scene, watch);
+        loaded->curves = madeCurves(is_mirrored ? scene::mirrored(loaded->scene) : loaded->scene, watch);
         makeDrawnMeshes(loaded->scene, watch);
       },
       [this, loaded, path] {
@@ -106,19 +108,14 @@ bool SceneFiles::put(scene::Description scene) {
   return true;
 }
 
-bool SceneFiles::openNew(scene::Description scene) {
+bool SceneFiles::openLoaded(scene::Description scene) {
   return settleEdits() && put(std::move(scene));
 }
 
 void SceneFiles::chooseAndOpen() {
-  auto* dialog = new QFileDialog(
-      window_, tr("Open a scene"),
-      QFileInfo(document_.path().isEmpty() ? sceneFolder() + "/." : document_.path()).absolutePath(), filterText());
-  dialog->setObjectName("dialog.open");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { open(path); });
-  dialog->open();
+  askForFile(window_, "dialog.open", tr("Open a scene"),
+             QFileInfo(document_.path().isEmpty() ? sceneFolder() + "/." : document_.path()).absolutePath(),
+             filterText(), [this](const QString& path) { open(path); });
 }
 
 bool SceneFiles::saveAs(const QString& path) {

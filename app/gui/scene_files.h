@@ -23,8 +23,8 @@ class SceneFiles : public QObject {
   /// Asks about edits first. A scene with meshes opens when they are loaded, in another thread; the one before it stays
   /// until then. false: there are problems (they are shown), or the user thought better of it.
   bool open(const QString& path);
-  /// A scene that no file holds; the same questions.
-  bool openNew(scene::Description scene);
+  /// A scene with its meshes, of a file or of none; the same questions.
+  bool openLoaded(scene::Description scene);
   void chooseAndOpen();
   bool saveAs(const QString& path);
   void chooseAndSave();

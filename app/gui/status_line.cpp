@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/gui/servo/limit_names.h"
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -27,10 +28,6 @@ QString modeText(const servo::Snapshot& snapshot) {
       return QObject::tr("Fault");
   }
   return {};
-}
-
-void setText(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
 }
 
 }  // namespace
@@ -98,7 +95,7 @@ void StatusLine::present(const servo::Snapshot& snapshot) {
   const double sent_N = snapshot.report.force.f_T_W().norm();
   const bool let_go = snapshot.report.cuts.frozen && snapshot.mode == servo::Mode::Running;
   const QString limit = snapshot.report.level > 0.0 || let_go ? mostLimiting(snapshot.report.cuts) : QString();
-  setText(force_, tr("force %1 / %2 N%3")
+  putText(force_, tr("force %1 / %2 N%3")
                       .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
                            limit.isEmpty() ? QString() : tr(" limited: %1").arg(limit)));
   if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) {
@@ -108,7 +105,7 @@ void StatusLine::present(const servo::Snapshot& snapshot) {
 }
 
 void StatusLine::presentMode(const servo::Snapshot& snapshot) {
-  setText(mode_, modeText(snapshot));
+  putText(mode_, modeText(snapshot));
   const char* role = snapshot.waits_for_button               ? "amber-text"
                      : snapshot.mode == servo::Mode::Running ? "running"
                      : snapshot.mode == servo::Mode::Faulted ? "alarm-text"
@@ -122,7 +119,7 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
 /// It changes when the servo is begun anew.
 void StatusLine::presentScheduling() {
   const servo::Scheduling scheduling = host_.scheduling();
-  setText(scheduling_, schedulingText(scheduling));
+  putText(scheduling_, schedulingText(scheduling));
   QStringList lines{QString::fromStdString(scheduling.hint), phrasesOf(scheduling.also)};
   lines.removeAll(QString());
   scheduling_->setToolTip(lines.join("\n"));
@@ -136,9 +133,9 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
   ticks_at_measure_ = snapshot.ticks;
   const bool by_hand = host_.scheduling().name == "manual";
   const bool as_asked = by_hand || std::abs(measured_hz - host_.rateHz()) <= kRateIsTrue * host_.rateHz();
-  setText(rate_, as_asked ? tr("%1 Hz").arg(host_.rateHz())
+  putText(rate_, as_asked ? tr("%1 Hz").arg(host_.rateHz())
                           : tr("%1 Hz of %2").arg(numberText(measured_hz, 0)).arg(host_.rateHz()));
-  setText(late_, tr("late p99 %1 µs").arg(numberText(host_.timing().lateLately().p99_us, 0)));
+  putText(late_, tr("late p99 %1 µs").arg(numberText(host_.timing().lateLately().p99_us, 0)));
 }
 
 void StatusLine::setFault(const QString& sentence) {
@@ -160,7 +157,7 @@ void StatusLine::setRecording(const QString& words, const QString& tip, bool nee
 }
 
 void StatusLine::setLive(const QString& where, const QString& details) {
-  setText(live_, where);
+  putText(live_, where);
   if (live_->toolTip() != details) live_->setToolTip(details);
   live_->setVisible(!where.isEmpty());
 }

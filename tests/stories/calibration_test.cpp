@@ -28,8 +28,9 @@ using calibration::Beam;
 using State = CalibrationSession::State;
 
 /// A window with the panel open on the two beams, the servo running.
-struct Lab : Story {
-  explicit Lab(const Beginning& beginning = {}, const QString& scene = "23_two_beams") : Story(scene, beginning) {
+struct CalibrationLab : Story {
+  explicit CalibrationLab(const Beginning& beginning = {}, const QString& scene = "23_two_beams")
+      : Story(scene, beginning) {
     EXPECT_TRUE(perform("dock.calibration", true));
     perform("session.start");
     run(500);
@@ -86,7 +87,7 @@ QJsonObject commandLine(const QStringList& more) {
 }  // namespace
 
 TEST(CalibrationStory, AnotherSceneIsToldToHaveNoBeamsAndAButtonOpensThem) {
-  Lab story({}, "02_sphere");
+  CalibrationLab story({}, "02_sphere");
   EXPECT_TRUE(story.button("open")->isVisible());
   EXPECT_FALSE(story.perform("calibration.begin"));
   story.click(story.button("open"));
@@ -97,7 +98,7 @@ TEST(CalibrationStory, AnotherSceneIsToldToHaveNoBeamsAndAButtonOpensThem) {
 }
 
 TEST(CalibrationStory, TheSimulatedHandFindsWhatTheCommandLineFinds) {
-  Lab story;
+  CalibrationLab story;
   story.find<QDoubleSpinBox>("panel.calibration.weber")->setValue(20.0);
   const std::uint64_t revision = story.host().revision();
   story.measure(7);
@@ -121,7 +122,7 @@ TEST(CalibrationStory, TheSimulatedHandFindsWhatTheCommandLineFinds) {
 }
 
 TEST(CalibrationStory, TheWindowLivesWhileTheSimulatedHandPressesAndCancelEndsIt) {
-  Lab story;
+  CalibrationLab story;
   story.choose(true, 1);
   story.click(story.button("begin"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return story.session().run().answers.size() >= 3; }, 60000));
@@ -136,7 +137,7 @@ TEST(CalibrationStory, TheWindowLivesWhileTheSimulatedHandPressesAndCancelEndsIt
 }
 
 TEST(CalibrationStory, APersonAnswersOnceBothBeamsWerePressed) {
-  Lab story;
+  CalibrationLab story;
   story.choose(false, 3);
   story.click(story.button("begin"));
   ASSERT_EQ(story.session().state(), State::Running);
@@ -159,7 +160,7 @@ TEST(CalibrationStory, APersonAnswersOnceBothBeamsWerePressed) {
 }
 
 TEST(CalibrationStory, ABeamThatIsStillHeldFromTheTrialBeforeHasToBeLetGo) {
-  Lab story;
+  CalibrationLab story;
   story.choose(false, 3);
   ASSERT_TRUE(story.perform("calibration.begin"));
   story.pressBoth();
@@ -173,7 +174,7 @@ TEST(CalibrationStory, ABeamThatIsStillHeldFromTheTrialBeforeHasToBeLetGo) {
 }
 
 TEST(CalibrationStory, NothingIsPressedWhileTheServoIsStopped) {
-  Lab story;
+  CalibrationLab story;
   story.choose(false, 3);
   story.perform("session.stop");
   story.run(1000);
@@ -184,7 +185,7 @@ TEST(CalibrationStory, NothingIsPressedWhileTheServoIsStopped) {
 }
 
 TEST(CalibrationStory, APersonsWholeRunEndsWithTheScenesOwnStiffness) {
-  Lab story;
+  CalibrationLab story;
   const scene::Description own = story.host().scene();
   story.choose(false, 3);
   story.button("feedback")->setChecked(true);
@@ -208,7 +209,7 @@ TEST(CalibrationStory, APersonsWholeRunEndsWithTheScenesOwnStiffness) {
 }
 
 TEST(CalibrationStory, TheArrowKeysAnswerWhereThePanelHasTheFocus) {
-  Lab story;
+  CalibrationLab story;
   story.choose(false, 3);
   story.click(story.button("begin"));
   story.key(Qt::Key_Left);  // too early
@@ -230,7 +231,7 @@ TEST(CalibrationStory, TheArrowKeysAnswerWhereThePanelHasTheFocus) {
 }
 
 TEST(CalibrationStory, CancelBringsTheScenesStiffnessBackAndLeavesUndoAlone) {
-  Lab story;
+  CalibrationLab story;
   ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.4));
   const scene::Description own = story.host().scene();
   const int steps = story.window().document().undoStack().index();
@@ -250,7 +251,7 @@ TEST(CalibrationStory, CancelBringsTheScenesStiffnessBackAndLeavesUndoAlone) {
 }
 
 TEST(CalibrationStory, AnEditOrAnUndoCancelsAndKnowsNothingOfTheTrial) {
-  Lab story;
+  CalibrationLab story;
   const scene::Description own = story.host().scene();
   story.choose(false, 3);
   ASSERT_TRUE(story.perform("calibration.begin"));
@@ -265,7 +266,7 @@ TEST(CalibrationStory, AnEditOrAnUndoCancelsAndKnowsNothingOfTheTrial) {
 }
 
 TEST(CalibrationStory, AnotherSceneOrClosingTheWindowCancels) {
-  Lab story;
+  CalibrationLab story;
   const scene::Description own = story.host().scene();
   story.choose(false, 3);
   ASSERT_TRUE(story.perform("calibration.begin"));
@@ -287,7 +288,7 @@ TEST(CalibrationStory, AnotherSceneOrClosingTheWindowCancels) {
 }
 
 TEST(CalibrationStory, SaveWritesEveryTrialAndSaysSo) {
-  Lab story;
+  CalibrationLab story;
   EXPECT_FALSE(story.perform("calibration.save", temporaryFile("early.csv")));  // there is no result yet
   story.measure(3);
   const QString path = temporaryFile("jnd.csv");
@@ -307,7 +308,7 @@ TEST(CalibrationStory, SaveWritesEveryTrialAndSaysSo) {
 
 TEST(CalibrationStory, WhatWasChosenIsRememberedAndAResetClosesThePanel) {
   {
-    Lab story;
+    CalibrationLab story;
     story.choose(true, 42);
     story.find<QDoubleSpinBox>("panel.calibration.weber")->setValue(30.0);
     ASSERT_TRUE(story.perform("calibration.begin"));
@@ -322,7 +323,7 @@ TEST(CalibrationStory, WhatWasChosenIsRememberedAndAResetClosesThePanel) {
 }
 
 TEST(CalibrationStory, ThePictureOfTheResult) {
-  Lab story;
+  CalibrationLab story;
   story.perform("view.theme.light");
   story.measure(3);
   auto* chart = story.find<StaircaseChart>("panel.calibration.chart");
@@ -344,7 +345,7 @@ TEST(CalibrationStory, NoTextIsCutAtTheUsualSizeNorAtTwiceIt) {
     font.setPointSizeF(share * usual.pointSizeF());
     QApplication::setFont(font);
     {
-      Lab story({.size = share > 1.5 ? QSize(1920, 1080) : QSize(1280, 800)});
+      CalibrationLab story({.size = share > 1.5 ? QSize(1920, 1080) : QSize(1280, 800)});
       story.perform(share > 1.5 ? "view.theme.dark" : "view.theme.light");
       const auto look = [&](const char* what) {
         story.settle();

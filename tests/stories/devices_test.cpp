@@ -23,11 +23,9 @@ namespace {
 
 using underact::test::hd::Control;
 
-constexpr int kLong_ms = 20'000;
-
 /// The window with a servo of its own clock, and the stand-in for the vendor's library with its arm plugged in.
-struct Desk {
-  explicit Desk(const QString& scene = "02_sphere", bool first_start = true)
+struct DevicesDesk {
+  explicit DevicesDesk(const QString& scene = "02_sphere", bool first_start = true)
       : library(underact::test::standIn()),
         story(scene, {.first_start = first_start, .servo = {.watchdog_s = 2.0, .max_late = 1'000'000}}) {
     EXPECT_NE(library, nullptr);
@@ -36,7 +34,7 @@ struct Desk {
     library->placeTip(0.0, 0.0, 0.045);  // 5 mm in the sphere
     story.perform("dock.devices", true);
   }
-  ~Desk() {
+  ~DevicesDesk() {
     story.perform("devices.simulated");
     library->reset();
   }
@@ -68,7 +66,7 @@ struct Desk {
 }  // namespace
 
 TEST(DevicesStory, ThePanelSaysWhatIsThereAndWhatIsMissing) {
-  Desk desk;
+  DevicesDesk desk;
   ASSERT_TRUE(desk.hasFound());
   EXPECT_EQ(desk.label("panel.devices.in_use"), "In use: Simulated arm.");
   desk.select("Simulated arm – in use");
@@ -83,7 +81,7 @@ TEST(DevicesStory, ThePanelSaysWhatIsThereAndWhatIsMissing) {
 }
 
 TEST(DevicesStory, OneButtonShowsTheCommandThatMends) {
-  Desk desk;
+  DevicesDesk desk;
   ASSERT_TRUE(desk.hasFound());
   desk.select("Touch, Omni");
   desk.story.click(desk.story.find("panel.devices.fix"));
@@ -99,7 +97,7 @@ TEST(DevicesStory, OneButtonShowsTheCommandThatMends) {
 }
 
 TEST(DevicesStory, AnArmIsOpenedAndPushesOnlyOnTheUsersWord) {
-  Desk desk;
+  DevicesDesk desk;
   desk.story.perform("session.start");
   ASSERT_TRUE(desk.use("openhaptics"));
   EXPECT_TRUE(desk.label("status.device").contains("(untested)")) << desk.label("status.device").toStdString();
@@ -117,7 +115,7 @@ TEST(DevicesStory, AnArmIsOpenedAndPushesOnlyOnTheUsersWord) {
 }
 
 TEST(DevicesStory, AnUnpluggedArmIsSaidAndComesBackOnTheUsersWord) {
-  Desk desk;
+  DevicesDesk desk;
   ASSERT_TRUE(desk.use("openhaptics"));
   desk.story.perform("session.start");
   ASSERT_TRUE(desk.comes([&] { return desk.force_N() > 0.1; }));
@@ -139,7 +137,7 @@ TEST(DevicesStory, AnUnpluggedArmIsSaidAndComesBackOnTheUsersWord) {
 }
 
 TEST(DevicesStory, AnArmThatIsNotThereLeavesTheSimulatedOneAndSaysWhy) {
-  Desk desk;
+  DevicesDesk desk;
   desk.library->plug(false);
   auto* other = desk.story.find<QLineEdit>("panel.devices.other");
   other->setText("openhaptics");
@@ -152,7 +150,7 @@ TEST(DevicesStory, AnArmThatIsNotThereLeavesTheSimulatedOneAndSaysWhy) {
 }
 
 TEST(DevicesStory, OpeningTakesItsTimeBehindTheWindowAndCanBeCancelled) {
-  Desk desk;
+  DevicesDesk desk;
   desk.library->delay("hdInitDevice", 1, 1500);
   ASSERT_TRUE(desk.story.perform("devices.use", QString("openhaptics")));
   EXPECT_EQ(desk.label("panel.devices.opening"), QString::fromUtf8("Opening openhaptics…"));
@@ -169,7 +167,7 @@ TEST(DevicesStory, OpeningTakesItsTimeBehindTheWindowAndCanBeCancelled) {
 }
 
 TEST(DevicesStory, NoArmIsExchangedInTheMidstOfARecording) {
-  Desk desk;
+  DevicesDesk desk;
   ASSERT_TRUE(desk.story.perform("session.record"));
   ASSERT_TRUE(desk.comes([&] { return desk.story.host().records(); }));
   EXPECT_FALSE(desk.story.perform("devices.use", QString("openhaptics")));
@@ -180,20 +178,20 @@ TEST(DevicesStory, NoArmIsExchangedInTheMidstOfARecording) {
 
 TEST(DevicesStory, TheArmIsRememberedAndAHandIsNotOfferedForIt) {
   {
-    Desk desk;
+    DevicesDesk desk;
     EXPECT_TRUE(desk.story.perform("joint.set", 1, 0.0));
     ASSERT_TRUE(desk.use("openhaptics"));
     EXPECT_FALSE(desk.story.perform("joint.set", 1, 10.0));  // a real arm is moved by a hand
     desk.story.window().close();
     EXPECT_EQ(QSettings().value("arm/device").toString(), "openhaptics");
   }
-  Desk desk;
+  DevicesDesk desk;
   desk.story.window().close();
   EXPECT_EQ(QSettings().value("arm/device").toString(), "simulated");
 }
 
 TEST(DevicesStory, ASceneForAnotherArmOpensTheArmAnew) {
-  Desk desk;
+  DevicesDesk desk;
   ASSERT_TRUE(desk.use("openhaptics"));
   const auto opened = desk.library->calls("hdInitDevice");
   scene::Description scene = desk.story.window().document().scene();
@@ -205,7 +203,7 @@ TEST(DevicesStory, ASceneForAnotherArmOpensTheArmAnew) {
 }
 
 TEST(DevicesStory, EverythingHasANameAndIsReachedByTheKeyboard) {
-  Desk desk;
+  DevicesDesk desk;
   ASSERT_TRUE(desk.hasFound());
   desk.select("Touch, Omni");
   for (const char* name : {"use", "fix", "look", "open", "list", "other"}) {

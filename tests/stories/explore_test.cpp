@@ -10,8 +10,8 @@
 namespace underact::gui::test {
 namespace {
 
-struct Desk {
-  explicit Desk(const char* panel) : story("02_sphere") {
+struct ExploreDesk {
+  explicit ExploreDesk(const char* panel) : story("02_sphere") {
     story.perform(QString("dock.%1").arg(panel), true);
     story.perform("session.start");
     story.run(200);
@@ -26,7 +26,7 @@ struct Desk {
 };
 
 /// How far the table's tip is from the arm's, mm.
-double away_mm(Desk& desk) {
+double away_mm(ExploreDesk& desk) {
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const double way = desk.number("panel.dh.tip", 1, axis).replace(QChar(0x2212), '-').toDouble();
@@ -38,7 +38,7 @@ double away_mm(Desk& desk) {
 }  // namespace
 
 TEST(ExploreStory, TheArmsOwnTableCoversTheArmWhereverTheHandGoes) {
-  Desk desk("dh");
+  ExploreDesk desk("dh");
   EXPECT_EQ(desk.story.view().framesInDrawings(), 6U);
   desk.story.dragHandTo({0.02, 0.03, 0.06});
   desk.story.run(800);
@@ -56,7 +56,7 @@ TEST(ExploreStory, TheArmsOwnTableCoversTheArmWhereverTheHandGoes) {
 }
 
 TEST(ExploreStory, AnImpossibleTableIsRefusedWithItsRowAndAnOddOneIsSaid) {
-  Desk desk("dh");
+  ExploreDesk desk("dh");
   EXPECT_FALSE(desk.story.perform("dh.set", 3, QString("a"), QString("4000")));
   EXPECT_TRUE(desk.said("panel.dh.told").contains("row 3"));
   EXPECT_TRUE(desk.said("panel.dh.told").contains("1000 mm"));
@@ -71,7 +71,7 @@ TEST(ExploreStory, AnImpossibleTableIsRefusedWithItsRowAndAnOddOneIsSaid) {
 }
 
 TEST(ExploreStory, RowsComeAndGoAndJointsStayWhereTheyWereWhenTheyNoLongerFollow) {
-  Desk desk("dh");
+  ExploreDesk desk("dh");
   ASSERT_TRUE(desk.story.perform("dh.start", QString("scara")));
   EXPECT_EQ(desk.rows("panel.dh.table"), 4);
   desk.press("panel.dh.add");
@@ -92,7 +92,7 @@ TEST(ExploreStory, RowsComeAndGoAndJointsStayWhereTheyWereWhenTheyNoLongerFollow
 }
 
 TEST(ExploreStory, BothOrdersStandSideBySideAndTheOtherAxesAreTheOtherOrder) {
-  Desk desk("transform");
+  ExploreDesk desk("transform");
   EXPECT_EQ(desk.story.view().framesInDrawings(), 2U);
   const auto matrix = [&](const char* table) {
     QStringList numbers;
@@ -114,7 +114,7 @@ TEST(ExploreStory, BothOrdersStandSideBySideAndTheOtherAxesAreTheOtherOrder) {
 }
 
 TEST(ExploreStory, StepsThatCommuteAreSaidToAndTooFarIsRefused) {
-  Desk desk("transform");
+  ExploreDesk desk("transform");
   ASSERT_TRUE(desk.story.perform("transform.set", 1, QString("Dx"), QString("30")));
   ASSERT_TRUE(desk.story.perform("transform.set", 2, QString("Dy"), QString("-20")));
   ASSERT_TRUE(desk.story.perform("transform.set", 3, QString("Dz"), QString("10")));
@@ -128,7 +128,7 @@ TEST(ExploreStory, StepsThatCommuteAreSaidToAndTooFarIsRefused) {
 }
 
 TEST(ExploreStory, APanelThatIsNotSeenDrawsNothing) {
-  Desk desk("dh");
+  ExploreDesk desk("dh");
   EXPECT_GT(desk.story.view().framesInDrawings(), 0U);
   desk.story.perform("dock.scenes", false);
   desk.story.perform("dock.scenes", true);  // before it now, in the same place

@@ -14,7 +14,6 @@ namespace underact::gui::test {
 
 using namespace device::hands;
 
-inline constexpr int kLong_ms = 20'000;
 inline constexpr const char* kPad = "030000005e0400008e02000010010000";
 
 /// A game controller that does what a story says.

@@ -15,7 +15,7 @@ namespace {
 using State = IdentifyRun::State;
 
 /// Half a second of the line, with the servo at work.
-QString sessionFile() {
+QString lineSession() {
   QString path = temporaryFile("line.h5");
   SimulatedHost simulated = makeSimulatedHost({.clock = servo::Clock::Manual});
   EXPECT_TRUE(simulated.host->load(scene::readSceneFile(shippedScene("03_line").toStdString()).value()).empty());
@@ -135,7 +135,7 @@ TEST(IdentifyInterruptedStory, ToCancelAnEvaluationIsNotToWaitForIt) {
 }
 
 TEST(IdentifyInterruptedStory, ARecordingEndsItAndTheServoIsAsItWasBeforeTheWizard) {
-  const QString session = sessionFile();
+  const QString session = lineSession();
   for (const bool servo_runs : {false, true}) {
     IdentifyDesk desk({}, servo_runs);
     const scene::Description before = desk.host().scene();

@@ -37,14 +37,14 @@ tick::Held heldOf(Story& story) {
 /// So long that the target, which goes round at 2 m/s, has arrived.
 constexpr int kArrived = 100;
 
-double wrapped(double angle_rad) {
+double wrappedTurn(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * kPi);
 }
 
 void expectThetaAt(Story& story, double t) {
   const target::Angles angles = heldOf(story).angles;
-  const double turn_rad = wrapped(angles.beta_rad - angles.alpha_rad);
-  EXPECT_NEAR(wrapped(angles.theta_rad - angles.alpha_rad - t * turn_rad), 0.0, 1e-12) << t;
+  const double turn_rad = wrappedTurn(angles.beta_rad - angles.alpha_rad);
+  EXPECT_NEAR(wrappedTurn(angles.theta_rad - angles.alpha_rad - t * turn_rad), 0.0, 1e-12) << t;
   EXPECT_GT(std::abs(turn_rad), 0.5);  // or nothing would be shown by it
 }
 
@@ -134,7 +134,7 @@ TEST(InfluenceStory, TheOtherEndOfTheStylusPointsTheOtherWayAndTheBlendIsTyped) 
   story.key(Qt::Key_Down);
   EXPECT_EQ(influenceOf(story)->stylus_axis, scene::StylusAxis::MinusZ);
   story.run(1);
-  EXPECT_NEAR(std::abs(wrapped(heldOf(story).angles.alpha_rad - alpha_rad)), kPi, 0.01);
+  EXPECT_NEAR(std::abs(wrappedTurn(heldOf(story).angles.alpha_rad - alpha_rad)), kPi, 0.01);
   story.type(story.find("panel.influence.blend.number"), "12.5");
   EXPECT_DOUBLE_EQ(influenceOf(story)->blend_deg, 12.5);
 }

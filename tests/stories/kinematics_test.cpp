@@ -254,6 +254,7 @@ TEST(KinematicsStory, TheGhostIsHalfwayThereOnTheWay) {
 
 TEST(KinematicsStory, ABarTurnsAmberNearItsSingularity) {
   Lesson story;
+  story.perform("view.theme.light");
   auto* bar = story.find("panel.kinematics.singularity.elbow");
   const auto colour = [&] {
     const QWidget* track = story.find("panel.kinematics.singularity.elbow.bar");

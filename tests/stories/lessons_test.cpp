@@ -206,7 +206,7 @@ TEST(LessonsStory, AReportSaysWhatWasDoneAndNamesNobodyUnasked) {
   };
   const QString first = report();
   EXPECT_TRUE(first.contains("<h1>Eight inverse solutions</h1>"));
-  EXPECT_TRUE(first.contains("1 of 5 steps"));
+  EXPECT_TRUE(first.contains("1 of 6 steps"));
   EXPECT_TRUE(first.contains("✓ Solved: 8")) << first.toStdString();
   EXPECT_TRUE(first.contains("Underact "));
   EXPECT_FALSE(first.contains("<th>Name</th>"));

@@ -8,6 +8,8 @@
 #include <clocale>
 
 #include "app/gui/application.h"
+#include "app/gui/focus_style.h"
+#include "app/gui/spoken.h"
 
 // The same preparations as the program's own main, but with settings of nobody: no story reads or writes the user's.
 int main(int argc, char** argv) {
@@ -34,7 +36,8 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Underact");
   QApplication::setApplicationName("underact-stories");
   underact::gui::Application application(argc, argv);
-  QApplication::setStyle("Fusion");
+  QApplication::setStyle(new underact::gui::FocusStyle);
+  underact::gui::speakOwnWidgets();
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());
   return RUN_ALL_TESTS();

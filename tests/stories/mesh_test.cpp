@@ -27,7 +27,7 @@ QString ballFile() {
   return kPath;
 }
 
-QString sceneText(const QString& mesh) {
+QString meshSceneText(const QString& mesh) {
   return QString(R"({"underact_scene": 1, "title": "Ball", "constraints": [
     {"type": "mesh", "file": "%1", "side": "outside"}]})")
       .arg(mesh);
@@ -167,7 +167,7 @@ TEST(MeshStory, ABigOneLoadsWhileTheServoRunsIsCancelledAndIsDrawnCoarser) {
 
 TEST(MeshStory, ASceneWithAMeshIsSavedElsewhereAndOpenedAgain) {
   const QString name = QFileInfo(ballFile()).fileName();
-  const QString first = temporaryFile("with_ball.json", sceneText(name).toUtf8());
+  const QString first = temporaryFile("with_ball.json", meshSceneText(name).toUtf8());
   Story story("02_sphere");
   ASSERT_TRUE(story.perform("scene.open", first));
   EXPECT_EQ(story.host().scene().title, "Sphere");  // until its mesh is there
@@ -188,7 +188,7 @@ TEST(MeshStory, ASceneWithAMeshIsSavedElsewhereAndOpenedAgain) {
 
 TEST(MeshStory, ASceneWhoseMeshIsGoneSaysSoAndTheOldOneStays) {
   Story story("02_sphere");
-  story.perform("scene.open", temporaryFile("gone.json", sceneText("gone.stl").toUtf8()));
+  story.perform("scene.open", temporaryFile("gone.json", meshSceneText("gone.stl").toUtf8()));
   ASSERT_TRUE(waitForMeshes(story));
   auto* table = story.find<QTableWidget>("dialog.problems.table");
   ASSERT_TRUE(table->isVisible());

@@ -18,7 +18,7 @@ QString boxFile() {
   static const QString kPath = temporaryFile("box.stl", boxStl({30, 20, 15}, false));
   return kPath;
 }
-QString ballFile() {
+QString seenBallFile() {
   static const QString kPath = temporaryFile("seen_ball.stl", ballStl(30.0, Vec3::Zero(), 48, 24));
   return kPath;
 }
@@ -32,7 +32,7 @@ QImage viewOf(Story& story) {
 
 TEST(MeshViewStory, TrianglesAndCutAreShownOnDemand) {
   Story story("");
-  openMesh(story, ballFile());
+  openMesh(story, seenBallFile());
   handTo(story, {0.0, 0.0, 0.032});
   const QImage plain = viewOf(story);
   ASSERT_TRUE(story.perform("layer.wires", true));
@@ -52,7 +52,7 @@ TEST(MeshViewStory, TrianglesAndCutAreShownOnDemand) {
 
 TEST(MeshViewStory, TheCutFollowsTheStylusUntilItIsHeld) {
   Story story("");
-  openMesh(story, ballFile());
+  openMesh(story, seenBallFile());
   handTo(story, {0.0, 0.0, 0.032});
   Layers layers = story.view().layers();
   layers.arm = layers.target = layers.force = false;
@@ -80,7 +80,7 @@ TEST(MeshViewStory, TheCutFollowsTheStylusUntilItIsHeld) {
 TEST(MeshViewStory, CutAxisPlaceAndTrianglesAreRemembered) {
   {
     Story story("");
-    openMesh(story, ballFile());
+    openMesh(story, seenBallFile());
     story.perform("layer.wires", true);
     story.perform("section.x", true);
     story.perform("layer.section", true);
@@ -98,7 +98,7 @@ TEST(MeshViewStory, CutAxisPlaceAndTrianglesAreRemembered) {
 
 TEST(MeshViewStory, TheCutIsFilledAndGoesWhereTheSliderIs) {
   Story story("");
-  openMesh(story, ballFile());
+  openMesh(story, seenBallFile());
   EXPECT_FALSE(story.find("section")->isVisible());
   handTo(story, {0.0, 0.0, 0.010});
   story.bringToFront(&story.window());  // the mesh dialog had the keyboard
@@ -153,7 +153,7 @@ TEST(MeshViewStory, NothingOfTheStripIsCutInASmallWindowNorAtTwiceTheText) {
     QApplication::setFont(font);
     {
       Story story("", {.size = share > 1.0 ? QSize(1920, 1080) : QSize(1024, 700)});
-      openMesh(story, ballFile());
+      openMesh(story, seenBallFile());
       ASSERT_TRUE(story.perform("layer.section", true));
       story.savePicture(QString("mesh_cut_text_%1").arg(share));
       EXPECT_EQ(story.find<QDoubleSpinBox>("section.number")->value(), 50.0);  // the tip, above the workspace
@@ -173,7 +173,7 @@ TEST(MeshViewStory, NothingOfTheStripIsCutInASmallWindowNorAtTwiceTheText) {
 
 TEST(MeshViewStory, TheFaceOfACutLooksAsItDidInLightAndDark) {
   Story story("");
-  openMesh(story, ballFile());
+  openMesh(story, seenBallFile());
   handTo(story, {0.0, 0.0, 0.010});
   story.perform("session.start");
   handTo(story, {0.005, 0.0, 0.012});
@@ -206,7 +206,7 @@ TEST(MeshViewStory, ABoxLooksAsItDidInLightAndDark) {
 
 TEST(MeshViewStory, ALargeWindowShowsItToo) {
   Story story("", {.size = {1920, 1080}});
-  openMesh(story, ballFile());
+  openMesh(story, seenBallFile());
   story.perform("view.theme.dark");
   handTo(story, {0.0, 0.010, 0.045});
   story.perform("session.start");
@@ -250,7 +250,7 @@ TEST(SurfaceStory, APointHasNoSurfaceAndOnlyAMeshIsSought) {
   Story story("01_point");
   EXPECT_FALSE(story.find("panel.surface")->isVisibleTo(story.find("panel.feel")));
   EXPECT_FALSE(story.perform("search.set", "local"));
-  drop(story, ballFile());
+  drop(story, seenBallFile());
   ASSERT_TRUE(waitForMeshes(story));
   story.find<QComboBox>("dialog.mesh.side")->setCurrentIndex(2);
   story.find<QPushButton>("dialog.mesh.new")->click();
@@ -268,7 +268,7 @@ TEST(SurfaceStory, ABallOfFacesIsSmoothedAndPutBack) {
   Story story("04_plane");
   EXPECT_FALSE(story.find("panel.surface.smooth")->isVisibleTo(story.find("panel.feel")));
   EXPECT_FALSE(story.perform("smooth.set", 10.0));  // no mesh
-  openMesh(story, ballFile());
+  openMesh(story, seenBallFile());
   auto* slider = story.find<QSlider>("panel.surface.smooth.slider");
   ASSERT_TRUE(slider->isVisibleTo(story.find("panel.feel")));
   story.bringToFront(slider->window());

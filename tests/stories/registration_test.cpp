@@ -18,8 +18,6 @@ namespace {
 using Which = RegistrationTool::Which;
 using registration::Registration;
 
-constexpr int kLong_ms = 20'000;
-
 /// As if the arm of that key had been registered there.
 void keepRegistration(const std::string& arm, const Pose& X_DW, const std::string& folder) {
   Registration registration{arm, "2026-11-22", "underact 0.1.0", {}, {}};

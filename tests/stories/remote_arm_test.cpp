@@ -17,14 +17,14 @@ using device::remote::Share;
 using underact::test::ArmDouble;
 
 /// The window with a servo of its own clock, and an arm that another program of the same person shares.
-struct Desk {
-  Desk() : story("02_sphere", {.servo = {.watchdog_s = 2.0, .max_late = 1'000'000}}) {
+struct RemoteDesk {
+  RemoteDesk() : story("02_sphere", {.servo = {.watchdog_s = 2.0, .max_late = 1'000'000}}) {
     qputenv("UNDERACT_KEYS", keys.path().toUtf8());
     arm.placeTip({0.0, 0.0, 0.045});  // 5 mm in the sphere
     share();
     story.perform("dock.devices", true);
   }
-  ~Desk() {
+  ~RemoteDesk() {
     story.perform("devices.simulated");
     qunsetenv("UNDERACT_KEYS");
   }
@@ -59,7 +59,7 @@ struct Desk {
 }  // namespace
 
 TEST(RemoteArmStory, AnArmOverTheNetworkIsOpenedByItsAddressAndPushesOnTheUsersWord) {
-  Desk desk;
+  RemoteDesk desk;
   ASSERT_TRUE(desk.open()) << desk.label("panel.devices.told").toStdString();
   desk.story.run(300);
   EXPECT_EQ(desk.arm.force_N(), Vec3::Zero());
@@ -73,7 +73,7 @@ TEST(RemoteArmStory, AnArmOverTheNetworkIsOpenedByItsAddressAndPushesOnTheUsersW
 }
 
 TEST(RemoteArmStory, WhereTheOtherProgramEndsThatIsSaidAndTheArmComesBackOnTheUsersWord) {
-  Desk desk;
+  RemoteDesk desk;
   ASSERT_TRUE(desk.open()) << desk.label("panel.devices.told").toStdString();
   desk.story.perform("session.start");
   ASSERT_TRUE(desk.pushes());
@@ -90,7 +90,7 @@ TEST(RemoteArmStory, WhereTheOtherProgramEndsThatIsSaidAndTheArmComesBackOnTheUs
 }
 
 TEST(RemoteArmStory, AnArmThatNobodySharesIsNotOpenedAndTheSimulatedOneStays) {
-  Desk desk;
+  RemoteDesk desk;
   desk.shared.reset();
   desk.story.find<QLineEdit>("panel.devices.other")->setText("remote:" + QString::fromStdString(desk.listen.text()));
   desk.story.click(desk.story.find("panel.devices.open"));

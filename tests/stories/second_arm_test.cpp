@@ -14,11 +14,9 @@
 namespace underact::gui::test {
 namespace {
 
-constexpr int kLong_ms = 20'000;
-
 /// The window with the sphere, and a second arm with a scene of its own; time by count.
-struct Desk {
-  explicit Desk(const QString& scene = "06_cylinder", const Beginning& beginning = {})
+struct SecondDesk {
+  explicit SecondDesk(const QString& scene = "06_cylinder", const Beginning& beginning = {})
       : story("02_sphere", beginning), second(*story.window().findChild<SecondArm*>()) {
     story.perform("second.scene", shippedScene(scene));
     EXPECT_TRUE(story.perform("second.on", true));
@@ -44,7 +42,7 @@ struct Desk {
 }  // namespace
 
 TEST(SecondArmStory, ItHasASceneOfItsOwnAndStandsBesideTheFirst) {
-  Desk desk;
+  SecondDesk desk;
   EXPECT_EQ(desk.second.host().scene().constraints.size(), 1U);
   EXPECT_NE(desk.second.host().scene().title, desk.story.host().scene().title);
   EXPECT_TRUE(desk.story.view().showsSecond());
@@ -59,7 +57,7 @@ TEST(SecondArmStory, ItHasASceneOfItsOwnAndStandsBesideTheFirst) {
 }
 
 TEST(SecondArmStory, BothStartAndBothStop) {
-  Desk desk;
+  SecondDesk desk;
   ASSERT_TRUE(desk.story.perform("session.start"));
   desk.story.arm().wish({Vec3(0.0, 0.0, 0.045), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(3000);
@@ -76,7 +74,7 @@ TEST(SecondArmStory, BothStartAndBothStop) {
 }
 
 TEST(SecondArmStory, ItsHandIsTheFirstOneInAMirror) {
-  Desk desk;
+  SecondDesk desk;
   desk.story.arm().wish({Vec3(0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(3000);
   const Vec3 first = desk.story.snapshot().report.p_WT, other = desk.second.host().snapshot().report.p_WT;
@@ -90,7 +88,7 @@ TEST(SecondArmStory, ItsHandIsTheFirstOneInAMirror) {
 }
 
 TEST(SecondArmStory, AWrongSceneIsSaidAndTheOneBeforeStays) {
-  Desk desk;
+  SecondDesk desk;
   const std::string before = desk.second.host().scene().title;
   desk.story.perform("dock.second", true);
   desk.story.perform("second.scene", temporaryFile("wrong.json", "{ not a scene"));
@@ -99,7 +97,7 @@ TEST(SecondArmStory, AWrongSceneIsSaidAndTheOneBeforeStays) {
 }
 
 TEST(SecondArmStory, AMeshIsLoadedForItBehindTheWindow) {
-  Desk desk("26_bumpy_sphere");
+  SecondDesk desk("26_bumpy_sphere");
   EXPECT_TRUE(std::holds_alternative<scene::Mesh>(desk.second.host().scene().constraints.front().shape));
   desk.run(100);
   EXPECT_TRUE(desk.story.view().showsSecond());
@@ -111,7 +109,7 @@ TEST(SecondArmStory, TheFirstArmsDeviceIsNotOpenedTwiceAndAFaultOfTheSecondIsSai
   library->reset();
   library->plug(true);
   library->placeTip(0.0, 0.0, 0.045);
-  Desk desk("02_sphere", {.servo = {.watchdog_s = 2.0, .max_late = 1'000'000}});
+  SecondDesk desk("02_sphere", {.servo = {.watchdog_s = 2.0, .max_late = 1'000'000}});
   desk.story.perform("dock.second", true);
   const auto comes = [](const std::function<bool()>& what) { return QTest::qWaitFor(what, kLong_ms); };
   ASSERT_TRUE(desk.story.perform("second.use", QString("openhaptics")));
@@ -135,14 +133,14 @@ TEST(SecondArmStory, TheFirstArmsDeviceIsNotOpenedTwiceAndAFaultOfTheSecondIsSai
 }
 
 TEST(SecondArmStory, ItsRateFollowsTheFirst) {
-  Desk desk;
+  SecondDesk desk;
   desk.run(33);
   ASSERT_TRUE(desk.story.perform("servo.rate", 2000));
   EXPECT_EQ(desk.second.host().rateHz(), 2000);
 }
 
 TEST(SecondArmStory, ThePanelIsReachedByTheKeyboardAndSpeaks) {
-  Desk desk;
+  SecondDesk desk;
   desk.story.perform("dock.second", true);
   for (const char* name : {"on", "arm", "scene", "file", "side", "mirror"}) {
     auto* widget = desk.story.find(QString("panel.second.%1").arg(name));

@@ -8,8 +8,6 @@
 
 namespace underact::gui::test {
 
-inline constexpr int kLong_ms = 20000;  // that a slow machine may take
-
 /// A window with the Sessions panel open, whose recordings go into a folder of the story's own.
 struct Desk {
   /// settings: what the user has set besides ("recording/subject").

@@ -19,17 +19,19 @@ namespace {
 
 // Rows and columns of the table, from 1.
 enum Row { kFinal = 1, kRise, kSettling, kPeak, kOvershoot, kOmega, kZeta, kError };
-enum Column { kModel = 1, kMeasured, kFitted };
+enum StepColumn { kModel = 1, kMeasured, kFitted };
 
 struct StepLab : Story {
   explicit StepLab(const QString& scene = "01_point", const Beginning& beginning = {}) : Story(scene, beginning) {
     EXPECT_TRUE(perform("dock.step", true));
     settle();
   }
-  QString cell(Row row, Column column) {
+  QString cell(Row row, StepColumn column) {
     return find<QLabel>(QString("panel.step.table.%1.%2").arg(row).arg(column))->text();
   }
-  double number(Row row, Column column) { return QString(cell(row, column)).replace(QChar(0x2212), '-').toDouble(); }
+  double number(Row row, StepColumn column) {
+    return QString(cell(row, column)).replace(QChar(0x2212), '-').toDouble();
+  }
   QString text(const char* name) { return find<QLabel>(QString("panel.step.") + name)->text(); }
   const scene::Control& control() { return controlOf(window().document().scene(), 0); }
   void set(const QString& quantity, double value) { EXPECT_TRUE(perform("step.set", quantity, value)); }

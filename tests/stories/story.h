@@ -14,6 +14,8 @@
 
 namespace underact::gui::test {
 
+inline constexpr int kLong_ms = 20'000;  // that a slow machine may take
+
 /// What a story starts with.
 struct Beginning {
   QSize size{1280, 800};

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTimer>
@@ -56,7 +57,8 @@ CheckDialog::CheckDialog(int rate_hz, const servo::SchedulingWanted& wanted, QWi
   setObjectName("dialog.check");
   setWindowTitle(tr("Servo check"));
   setModal(false);
-  resize(560, 360);
+  const QSize wished(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
+  resize(wished.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
   message_->setObjectName("dialog.check.message");
   message_->setAccessibleName(tr("Result"));
   message_->setWordWrap(true);

@@ -1,7 +1,6 @@
 #include "app/gui/curve/curve_files.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPointer>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/file_constraint.h"
+#include "app/gui/file_question.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_box.h"
 #include "app/gui/scene_files.h"
@@ -74,12 +74,8 @@ CurveFiles::CurveFiles(Document& document, SceneFiles& scenes, LoadStrip& loads,
     : QObject(window), document_(document), scenes_(scenes), loads_(loads), window_(window) {}
 
 void CurveFiles::chooseAndAdd() {
-  auto* dialog = new QFileDialog(window_, tr("Add a curve"), {}, filterText());
-  dialog->setObjectName("dialog.add_curve");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &CurveFiles::add);
-  dialog->open();
+  askForFile(window_, "dialog.add_curve", tr("Add a curve"), {}, filterText(),
+             [this](const QString& path) { add(path); });
 }
 
 void CurveFiles::add(const QString& path) {
@@ -101,7 +97,7 @@ void CurveFiles::ask(const QString& path, const Points& points) {
   auto* dialog = new CurveDialog(path, points, document_.isOpen(), window_);
   connect(dialog, &CurveDialog::addAsked, this, [this, dialog, path, points] {
     make(path, points, dialog, [this, path](CurveDialog& asked, const scene::Constraint& constraint) {
-      const scene::Description with = scene::withAdded(document_.scene(), constraint);
+      const scene::Description with = scene::withAdded(document_.scene(), document_.throughMirror(constraint));
       const Problems problems =
           document_.edit(with, tr("curve %1").arg(QFileInfo(path).fileName()), document_.newGesture());
       asked.setRefusal(sentencesOf(problems));
@@ -110,7 +106,7 @@ void CurveFiles::ask(const QString& path, const Points& points) {
   });
   connect(dialog, &CurveDialog::newSceneAsked, this, [this, dialog, path, points] {
     make(path, points, dialog, [this, path](CurveDialog&, const scene::Constraint& constraint) {
-      return scenes_.openNew(sceneOfFile(path, tr("The curve %1.").arg(QFileInfo(path).fileName()), constraint));
+      return scenes_.openLoaded(sceneOfFile(path, tr("The curve %1.").arg(QFileInfo(path).fileName()), constraint));
     });
   });
   dialog->show();
@@ -124,7 +120,9 @@ void CurveFiles::make(const QString& path, const Points& points, CurveDialog* di
   const auto made = std::make_shared<std::optional<Result<target::CurvePath>>>();
   loads_.begin(
       tr("Adding %1").arg(QFileInfo(path).fileName()),
-      [made, curve = std::get<scene::Curve>(constraint.shape)](const Watch&) { *made = scene::makeCurvePath(curve); },
+      [made, shown = document_.throughMirror(constraint)](const Watch&) {
+        *made = scene::makeCurvePath(std::get<scene::Curve>(shown.shape));
+      },
       [made, constraint, use, asked = QPointer<CurveDialog>(dialog)] {
         if (asked == nullptr) return;  // closed meanwhile: it is not wanted any more
         if (!**made) {

@@ -161,7 +161,7 @@ void GalleryDialog::showFigure(int) {
   const bool empty = !row->key.isEmpty() && row->problem.isEmpty() && row->left_out.isEmpty();
   picture_->setPicture(row->picture, empty ? tr("There is no picture.") : row->problem + row->left_out);
   picture_->setAccessibleName(row->key.isEmpty() ? tr("Picture") : title_->text());
-  picture_->setAccessibleDescription(row->caption);
+  picture_->setAccessibleDescription(row->caption.isEmpty() ? tr("There is no picture.") : row->caption);
   scene_->setEnabled(!row->scene.isEmpty());
   session_->setVisible(ways_.open_session != nullptr);
   session_->setEnabled(!row->session.isEmpty());

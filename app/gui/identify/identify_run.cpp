@@ -102,7 +102,7 @@ QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
   if (snapshot.mode == servo::Mode::Running || waits) return {};
   if (snapshot.mode == servo::Mode::Faulted)
     return tr("%1 Force is off. When that is mended, press “Repeat this part”.")
-        .arg(QString::fromStdString(whatHappened(snapshot.report.fault)));
+        .arg(happenedText(snapshot.report.fault));
   return tr("The servo was stopped.");
 }
 

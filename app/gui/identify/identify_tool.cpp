@@ -12,7 +12,7 @@ namespace underact::gui {
 
 IdentifyTool::IdentifyTool(const IdentifyParts& parts, Actions& actions, QWidget* window)
     : QObject(window), parts_(parts), actions_(actions), window_(window), run_(parts, this) {
-  actions_.add({"identify.open", tr("&Measure the arm…"), QKeySequence("Ctrl+Alt+M"),
+  actions_.add({"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
                 tr("Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.")},
                [this](const QVariantList&) {
                  open();

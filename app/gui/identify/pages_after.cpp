@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/chooser.h"
 #include "app/gui/identify/arm_in_use.h"
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
@@ -53,7 +54,7 @@ FoundPage::FoundPage(IdentifyRun& run, QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   which_->setObjectName("identify.which");
-  which_->setAccessibleName(tr("Swings that are shown"));
+  nameChooser(which_, tr("Swings that are shown"), {});
   auto* column = new QVBoxLayout(this);
   column->addWidget(what_);
   column->addWidget(table_, 3);

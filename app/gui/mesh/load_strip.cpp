@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookEvery_ms = 50;
+constexpr int kLookForLoad_ms = 50;
 constexpr int kSteps = 1000;  // of the bar
 
 }  // namespace
@@ -58,7 +58,7 @@ LoadStrip::LoadStrip(QWidget* parent)
   row->addWidget(bar_, 1);
   row->addWidget(cancel_);
   hide();
-  looks_.setInterval(kLookEvery_ms);
+  looks_.setInterval(kLookForLoad_ms);
   connect(&looks_, &QTimer::timeout, this, &LoadStrip::look);
   connect(cancel_, &QPushButton::clicked, this, &LoadStrip::cancel);
 }

@@ -1,14 +1,15 @@
 #include "app/gui/mesh/mesh_files.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
+#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/file_constraint.h"
+#include "app/gui/file_question.h"
 #include "app/gui/mesh/load_strip.h"
 #include "app/gui/problems_box.h"
 #include "app/gui/scene_files.h"
@@ -62,13 +63,9 @@ void MeshFiles::add(const QString& path) {
 }
 
 void MeshFiles::chooseAndAdd() {
-  auto* dialog = new QFileDialog(window_, tr("Add a mesh"), {},
-                                 tr("Meshes (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;All files (*)"));
-  dialog->setObjectName("dialog.add_mesh");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &MeshFiles::add);
-  dialog->open();
+  askForFile(window_, "dialog.add_mesh", tr("Add a mesh"), {},
+             tr("Meshes (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;All files (*)"),
+             [this](const QString& path) { add(path); });
 }
 
 bool MeshFiles::showReport(std::optional<std::size_t> index) {
@@ -76,7 +73,7 @@ bool MeshFiles::showReport(std::optional<std::size_t> index) {
   for (std::size_t one = index.value_or(0); one < scene.constraints.size(); ++one) {
     const auto* const mesh = std::get_if<scene::Mesh>(&scene.constraints[one].shape);
     if (mesh != nullptr) {
-      load(QString::fromStdString(scene::pathOf(mesh->file, scene)), mesh->scale_mm_per_unit);
+      load(QString::fromStdString(scene::pathOf(mesh->file, scene)), std::abs(mesh->scale_mm_per_unit));
       return true;
     }
     if (index) return false;
@@ -105,7 +102,8 @@ void MeshFiles::load(const QString& path, std::optional<double> mm_per_unit) {
 void MeshFiles::ask(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit) {
   auto* dialog = new MeshDialog(path, loaded, mm_per_unit, document_.isOpen(), window_);
   connect(dialog, &MeshDialog::addAsked, this, [this, dialog, path, loaded] {
-    const scene::Description with = scene::withAdded(document_.scene(), constraintOf(path, loaded, dialog->wish()));
+    const scene::Constraint added = document_.throughMirror(constraintOf(path, loaded, dialog->wish()));
+    const scene::Description with = scene::withAdded(document_.scene(), added);
     const Problems problems =
         document_.edit(with, tr("mesh %1").arg(QFileInfo(path).fileName()), document_.newGesture());
     dialog->setRefusal(sentencesOf(problems));
@@ -113,7 +111,7 @@ void MeshFiles::ask(const QString& path, const mesh_file::Loaded& loaded, std::o
   });
   connect(dialog, &MeshDialog::newSceneAsked, this, [this, dialog, path, loaded] {
     const QString about = tr("The mesh %1.").arg(QFileInfo(path).fileName());
-    if (scenes_.openNew(sceneOfFile(path, about, constraintOf(path, loaded, dialog->wish())))) dialog->close();
+    if (scenes_.openLoaded(sceneOfFile(path, about, constraintOf(path, loaded, dialog->wish())))) dialog->close();
   });
   dialog->show();
   dialog->raise();

@@ -3,17 +3,12 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
-namespace {
-
-void setText(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent), stretch_(new QLabel(this)) {
   setObjectName("panel.replay.comparison");
@@ -56,15 +51,15 @@ QLabel* ComparisonTable::cell(const char* name, const QString& spoken) {
 }
 
 void ComparisonTable::fill(const std::array<QLabel*, 3>& cells, const record::TickFigures& figures) {
-  setText(cells[0], numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
-  setText(cells[1], numberText(figures.peakForce_N(), 3));
-  setText(cells[2], numberText(figures.meanForce_N(), 3));
+  putText(cells[0], numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
+  putText(cells[1], numberText(figures.peakForce_N(), 3));
+  putText(cells[2], numberText(figures.meanForce_N(), 3));
 }
 
 void ComparisonTable::present(const Comparison& comparison, int rate_hz) {
   fill(recorded_, comparison.recorded());
   fill(now_, comparison.now());
-  setText(stretch_, tr("over %1 s").arg(numberText(static_cast<double>(comparison.ticks()) / rate_hz, 1)));
+  putText(stretch_, tr("over %1 s").arg(numberText(static_cast<double>(comparison.ticks()) / rate_hz, 1)));
 }
 
 }  // namespace underact::gui

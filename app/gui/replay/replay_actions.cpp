@@ -1,30 +1,20 @@
 #include "app/gui/replay/replay_actions.h"
 
 #include <QAction>
-#include <QCoreApplication>
-#include <QFileDialog>
 #include <functional>
 
 #include "app/gui/actions.h"
+#include "app/gui/file_question.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/scene_files.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
-
 void chooseSession(Actions& actions, QWidget* window) {
-  auto* dialog =
-      new QFileDialog(window, tr("Replay a session"), {}, tr("Recorded sessions (*.h5 *.hdf5);;All files (*)"));
-  dialog->setObjectName("dialog.session");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  QObject::connect(dialog, &QFileDialog::fileSelected, &actions,
-                   [&actions](const QString& path) { actions.perform("replay.open", path); });
-  dialog->open();
+  askForFile(window, "dialog.session", tr("Replay a session"), {}, tr("Recorded sessions (*.h5 *.hdf5);;All files (*)"),
+             [&actions](const QString& path) { actions.perform("replay.open", path); });
 }
 
 void addPlaying(Actions& actions, Player& player) {

@@ -16,10 +16,13 @@
 #include <limits>
 
 #include "app/gui/actions.h"
+#include "app/gui/chooser.h"
 #include "app/gui/icons.h"
+#include "app/gui/push_button.h"
 #include "app/gui/replay/comparison_table.h"
 #include "app/gui/replay/player.h"
 #include "app/gui/replay/scrub_slider.h"
+#include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -32,10 +35,6 @@ constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 QString timeText(double time_s) {
   const auto minutes = static_cast<qint64>(time_s / 60.0);
   return QString("%1:%2").arg(minutes).arg(time_s - 60.0 * static_cast<double>(minutes), 6, 'f', 3, QLatin1Char('0'));
-}
-
-void setText(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
 }
 
 }  // namespace
@@ -88,15 +87,7 @@ void ReplayBar::buildLoading(QVBoxLayout* column) {
 }
 
 QToolButton* ReplayBar::button(const char* action, const QString& spoken) {
-  auto* made = new QToolButton(replay_);
-  QAction* does = actions_.find(QString("replay.") + action);
-  made->setObjectName(QString("panel.replay.") + action);
-  made->setAccessibleName(spoken);
-  made->setToolTip(does->toolTip());
-  made->setAutoRaise(true);
-  made->setFocusPolicy(Qt::StrongFocus);
-  connect(made, &QToolButton::clicked, does, &QAction::trigger);
-  return made;
+  return iconButton(QString("panel.replay.") + action, actions_.find(QString("replay.") + action), spoken, replay_);
 }
 
 QCheckBox* ReplayBar::box(const char* action, const QString& words) {
@@ -135,8 +126,8 @@ void ReplayBar::buildChoices(QVBoxLayout* column) {
   row->setSpacing(12);
   speed_ = new QComboBox(replay_);
   speed_->setObjectName("panel.replay.speed");
-  speed_->setAccessibleName(tr("Speed"));
-  speed_->setToolTip(tr("How fast the hand moves, times the recorded speed. At 1 the samples are the recorded ones."));
+  nameChooser(speed_, tr("Speed"),
+              tr("How fast the hand moves, times the recorded speed. At 1 the samples are the recorded ones."));
   for (const double speed : kSpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
   speed_->setCurrentIndex(3);
   speed_->setFocusPolicy(Qt::StrongFocus);
@@ -192,13 +183,13 @@ void ReplayBar::presentPlace() {
     scrub_->setValue(static_cast<int>(row));
   }
   scrub_->setLoop(player_.loops() ? std::optional(std::pair(player_.loopIn(), player_.loopOut())) : std::nullopt);
-  setText(time_, timeText(player_.secondsAt(row)) + " / " + timeText(player_.secondsAt(player_.lastRow())));
+  putText(time_, timeText(player_.secondsAt(row)) + " / " + timeText(player_.secondsAt(player_.lastRow())));
   const device::RecordedRow& recorded = player_.recorded().rows[static_cast<std::size_t>(row)];
   const QString text =
       tr("%1: recorded here %2 N, error %3 mm")
           .arg(QString::fromStdString(player_.recorded().name), numberText(static_cast<double>(recorded.force_N), 2),
                numberText(1e3 * static_cast<double>(recorded.error_m), 1));
-  setText(here_, here_->fontMetrics().elidedText(text, Qt::ElideRight, here_->width()));
+  putText(here_, here_->fontMetrics().elidedText(text, Qt::ElideRight, here_->width()));
 }
 
 void ReplayBar::presentSpeed() {

@@ -15,8 +15,8 @@ namespace underact::gui {
 namespace {
 
 constexpr double kLeastError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
-constexpr double kRoom = 1.05;
-constexpr double kAskedShown = 2.5;          // times the greatest force sent: what was asked may be anything
+constexpr double kSessionRoom = 1.05;
+constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: what was asked may be anything
 constexpr double kMostFrequency_hz = 250.0;  // a hand ends at some 20 Hz, a buzz of a stiff scene below this
 constexpr double kLeast_dB = -20.0, kStep_dB = 20.0;
 constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB over a thousandth
@@ -32,7 +32,7 @@ double greatestOf(std::span<const PlotPoint> points, float PlotPoint::*value) {
 }
 
 double endOf(double greatest, double least) {
-  return roundUp(std::max(kRoom * greatest, least));
+  return roundUp(std::max(kSessionRoom * greatest, least));
 }
 
 /// Both ends of the cursor, the last two points of each chart's last curve.
@@ -128,7 +128,7 @@ struct SessionPlot::Impl {
     against(force, 1, [](const SessionRow& row) { return row.plot.sent_N; });
     error.setRange(0.0, end_s(), 0.0, endOf(greatestOf(error.points(0), &PlotPoint::y), kLeastError_mm));
     const double sent_N = std::max(greatestOf(force.points(1), &PlotPoint::y), kLeastForce_N);
-    const double asked_N = std::min(greatestOf(force.points(0), &PlotPoint::y), kAskedShown * sent_N);
+    const double asked_N = std::min(greatestOf(force.points(0), &PlotPoint::y), kSessionAskedShown * sent_N);
     force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kLeastForce_N));
   }
 
@@ -242,6 +242,7 @@ struct SessionPlot::Impl {
 SessionPlot::SessionPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName("panel.session.plot");
   setAccessibleName(tr("Plots of the whole session"));
+  setAccessibleDescription(tr("Force and error, displacement, angles, energy or spectrum, as chosen above."));
   setMinimumSize(240, 96);
   hold(impl_->all());
   surface().setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kSides = 20;                // of the disc
+constexpr int kDiscSides = 20;            // of the disc
 constexpr std::size_t kMostFaces = 1500;  // of one patch: a finer mesh gets a smaller one
 
 /// What of a polygon is within reach of p along the unit direction.
@@ -32,8 +32,8 @@ std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& p, const Vec
 std::vector<Vec3> prismAround(const Vec3& normal) {
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<Vec3> directions{normal, -normal};
-  for (int side = 0; side < kSides; ++side) {
-    const double angle_rad = 2.0 * kPi * side / kSides;
+  for (int side = 0; side < kDiscSides; ++side) {
+    const double angle_rad = 2.0 * kPi * side / kDiscSides;
     directions.emplace_back(std::cos(angle_rad) * u + std::sin(angle_rad) * v);
   }
   return directions;
@@ -64,7 +64,7 @@ void ContactPatch::add(const target::MeshPlace& place, const Vec3& p_WP) {
   const mesh::Hit hit = mesh::nearestPoint(surface, mesh::Search::Hybrid, target::toMesh(place, p_WP), from_nowhere);
   const Vec3 normal_M = mesh::outwardAt(surface, hit);
   if (hit.face < 0 || normal_M.isZero()) return;
-  const double reach = kMetrePerMillimetre * kRadius_mm / place.scale_m;
+  const double reach = kMetrePerMillimetre * kRadius_mm / std::abs(place.scale_m);
   const std::vector<Vec3> directions = prismAround(normal_M);
   std::vector<std::int32_t> faces{hit.face};  // that hang together with it, as far as they are within reach
   std::set<std::int32_t> seen{hit.face};

@@ -11,7 +11,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kRim_mm = 20.0;  // of the sheet about the marks
-constexpr double kRing_mm = 4.0, kCross_mm = 6.0, kLabelAway_mm = 10.0;
+constexpr double kDeskRing_mm = 4.0, kCross_mm = 6.0, kLabelAway_mm = 10.0;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void DeskPicture::build() {
       const Vec3 p_DM_mm = kMillimetrePerMetre * desk_->marks_D[at], p_mm = X_WD_mm * p_DM_mm;
       least_mm = least_mm.cwiseMin(p_DM_mm);
       most_mm = most_mm.cwiseMax(p_DM_mm);
-      lines_.circle(p_mm, right, back, kRing_mm, ink);
+      lines_.circle(p_mm, right, back, kDeskRing_mm, ink);
       for (const Vec3& way : {right, back}) lines_.segment(p_mm - kCross_mm * way, p_mm + kCross_mm * way, ink);
       labels_.push_back({QString::number(at + 1), p_mm + kLabelAway_mm * (right + back).normalized(), ink, true});
     }
@@ -62,8 +62,7 @@ void DeskPicture::build() {
                                {least_mm.x(), most_mm.z()}})
       corners_mm_.push_back(X_WD_mm * Vec3(x, least_mm.y(), z));
     lines_.chain(corners_mm_, theme_.quiet, true);
-    labels_.push_back(
-        {QCoreApplication::translate("SceneView", "desk"), corners_mm_[3] + 6.0 * up, theme_.quiet, false});
+    labels_.push_back({QCoreApplication::translate("SceneView", "desk"), corners_mm_[3] + 6.0 * up, ink, false});
   }
   lines_.done();
 }

@@ -8,11 +8,11 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkQuadricClustering.h>
+#include <vtkReverseSense.h>
 
+#include <QtGlobal>
 #include <map>
 #include <mutex>
-
-#include "core/base/translate.h"
 
 namespace underact::gui {
 namespace {
@@ -142,6 +142,15 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;
+}
+
+vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body) {
+  const vtkNew<vtkReverseSense> turned;
+  turned->SetInputData(body);
+  turned->ReverseCellsOn();
+  turned->ReverseNormalsOff();
+  turned->Update();
+  return turned->GetOutput();
 }
 
 void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch) {

@@ -28,6 +28,10 @@ struct DrawnMesh {
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
                                            const mesh::Watch& watch = {}, std::size_t most = kMostDrawn);
 
+/// A body whose faces' corners go round the other way; for one that a placement mirrors, so that its outside is its
+/// front. Normals stay: those are mirrored right. Some milliseconds.
+vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body);
+
 /// Of all meshes of a scene that are loaded, so that the view finds them made.
 void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch);
 

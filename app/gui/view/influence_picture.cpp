@@ -11,11 +11,11 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRing_px = 8.0, kLetter_px = 18.0;  // its radius; how far outwards its letter stands
-constexpr std::size_t kRingParts = 24;               // parts shorter than a pixel come out pale
-constexpr double kTangent_mm = 22.0;                 // to each side
-constexpr double kPart_rad = 0.05;                   // of an arc's chain
-constexpr std::size_t kMostParts = 80;               // half a turn and kTie_rad
+constexpr double kInfluenceRing_px = 8.0, kLetter_px = 18.0;  // its radius; how far outwards its letter stands
+constexpr std::size_t kRingParts = 24;                        // parts shorter than a pixel come out pale
+constexpr double kTangent_mm = 22.0;                          // to each side
+constexpr double kPart_rad = 0.05;                            // of an arc's chain
+constexpr std::size_t kMostParts = 80;                        // half a turn and kTie_rad
 
 /// Points of the arc between two shares of its turn, mm.
 std::vector<Vec3> pointsOf(const target::Arc& arc, double from, double to) {
@@ -80,8 +80,8 @@ void InfluencePicture::addRing(const Drawn& drawn, const Vec3& p_W, const QColor
   std::array<Vec3, kRingParts> ring_mm;
   for (std::size_t part = 0; part < ring_mm.size(); ++part) {
     const double angle_rad = 2.0 * kPi * static_cast<double>(part) / kRingParts;
-    ring_mm[part] =
-        p_mm + kRing_px * pixel_mm * (std::cos(angle_rad) * camera.right_W() + std::sin(angle_rad) * camera.up_W());
+    ring_mm[part] = p_mm + kInfluenceRing_px * pixel_mm *
+                               (std::cos(angle_rad) * camera.right_W() + std::sin(angle_rad) * camera.up_W());
   }
   rings_.chain(ring_mm, colour, true);
   const Vec3 outwards = (p_W - drawn.arc.p_WC).normalized();

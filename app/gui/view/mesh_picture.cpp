@@ -1,6 +1,6 @@
 #include "app/gui/view/mesh_picture.h"
 
-#include <vtkMapper.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
@@ -66,6 +66,11 @@ void MeshPicture::placeAll(const scene::Description& scene) {
   for (Shown& shown : meshes_) {
     const auto& mesh = std::get<scene::Mesh>(scene.constraints[shown.constraint].shape);
     shown.place = placeOf(mesh);
+    if (const bool mirrors = shown.place.scale_m < 0.0; mirrors != shown.is_turned) {
+      shown.is_turned = mirrors;
+      vtkPolyDataMapper::SafeDownCast(shown.body->GetMapper())
+          ->SetInputData(mirrors ? turnedOver(shown.drawn->body) : shown.drawn->body);
+    }
     shown.X.block<3, 3>(0, 0) = mesh.scale_mm_per_unit * shown.place.R_WM;
     shown.X.block<3, 1>(0, 3) = mesh.X_WM.topRightCorner<3, 1>();
     for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) place(*actor, shown.X);

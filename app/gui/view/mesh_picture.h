@@ -52,6 +52,7 @@ class MeshPicture {
     std::size_t constraint = 0;                       // its index
     std::shared_ptr<const DrawnMesh> drawn;
     vtkSmartPointer<vtkActor> body, edges, wires;
+    bool is_turned = false;  // the body is that of a mirror image
   };
   Shown makeShown(const std::shared_ptr<const mesh::Surface>& surface) const;
   void colour(const Shown& shown) const;

@@ -37,7 +37,7 @@ void PathPicture::setPath(std::vector<PathPoint> path) {
 void PathPicture::build() {
   lines_.clear();
   parts_ = 0;
-  const QColor nothing = mixed(theme_.background, theme_.ink, 0.4);
+  const QColor nothing = mixed(theme_.background, theme_.ink, 0.5);
   for (std::size_t index = 1; shown_ && index < path_.size(); ++index) {
     const PathPoint &from = path_[index - 1], &to = path_[index];
     if (!from.p_mm.allFinite() || !to.p_mm.allFinite() || from.p_mm == to.p_mm) continue;

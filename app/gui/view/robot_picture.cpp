@@ -14,10 +14,10 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kJoint_mm = 4.2, kLeastJoint_mm = 2.6;  // its radius: that of a small robot is smaller
+constexpr double kRobotJoint_mm = 4.2, kLeastJoint_mm = 2.6;  // its radius: that of a small robot is smaller
 constexpr double kOfReach = 0.07;
 constexpr double kCrossing = 0.72;  // a joint that crosses another is so much smaller
-constexpr double kZ_mm = 16.0, kFrame_mm = 14.0, kHead_mm = 3.0;
+constexpr double kZ_mm = 16.0, kFrame_mm = 14.0, kAxisHead_mm = 3.0;
 constexpr double kMomentRadius_mm = 17.0;
 constexpr double kLeastMoment_N_mm = 2.0;
 constexpr int kTurns = 2, kSpringParts = 40, kArcParts = 48;
@@ -36,8 +36,8 @@ void addArrow(Lines& lines, const Vec3& from_mm, const Vec3& to_mm, const Vec3& 
   const Vec3 way = (to_mm - from_mm).normalized();
   const Vec3 side = acrossTowards(way, way.cross(back_W));
   lines.segment(from_mm, to_mm, colour);
-  lines.segment(to_mm, to_mm - kHead_mm * way + 0.6 * kHead_mm * side, colour);
-  lines.segment(to_mm, to_mm - kHead_mm * way - 0.6 * kHead_mm * side, colour);
+  lines.segment(to_mm, to_mm - kAxisHead_mm * way + 0.6 * kAxisHead_mm * side, colour);
+  lines.segment(to_mm, to_mm - kAxisHead_mm * way - 0.6 * kAxisHead_mm * side, colour);
 }
 
 /// From rim to rim: hollow joints are not crossed out.
@@ -113,7 +113,7 @@ void RobotPicture::update(const OrbitCamera& camera) {
 void RobotPicture::add(const Robot& robot, const OrbitCamera& camera) {
   const RobotFigure figure = figureOf(robot.manipulator, robot.theta);
   const double size_mm =
-      std::clamp(kOfReach * kMillimetrePerMetre * robot.manipulator.reach_m, kLeastJoint_mm, kJoint_mm);
+      std::clamp(kOfReach * kMillimetrePerMetre * robot.manipulator.reach_m, kLeastJoint_mm, kRobotJoint_mm);
   const Vec3 tip_mm = millimetresOf(figure.X_WV.translation());
   addBase(millimetresOf(figure.joints.front().from_W), size_mm, camera.right_W());
   Vec3 last_mm = millimetresOf(figure.joints.front().from_W);

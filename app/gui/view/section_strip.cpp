@@ -68,7 +68,7 @@ void SectionStrip::build() {
 }
 
 void SectionStrip::addActions() {
-  actions_.add({"section.move", tr("&Move the cut with the keys"), QKeySequence("Alt+M"),
+  actions_.add({"section.move", tr("Move the cut with the ke&ys"), QKeySequence("Alt+M"),
                 tr("Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.")},
                [this](const QVariantList&) {
                  actions_.perform("layer.section", true);
