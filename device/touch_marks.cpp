@@ -13,7 +13,7 @@ namespace {
 
 using registration::Touching;
 
-constexpr auto kPause = std::chrono::milliseconds(20);  // between two looks
+constexpr auto kBetweenLooks = std::chrono::milliseconds(20);  // between two looks
 
 std::string asked(const Touching& touching) {
   return "Rest the tip in mark " + std::to_string(touching.due() + 1) + " of " +
@@ -47,7 +47,7 @@ Result<std::vector<registration::Touch>> touchMarks(std::unique_ptr<servo::Devic
                            (trouble.empty() ? "Begin again, with a hand at the arm." : trouble),
                        {}}};
     }
-    std::this_thread::sleep_for(kPause);
+    std::this_thread::sleep_for(kBetweenLooks);
     host.drain([&](const servo::TickRecord& record) {
       if ((record.input & servo::kHadSample) == 0) return;
       const Vec3 p_WT = arm::tipPosition(preset.geometry, record.q_rad);

@@ -12,7 +12,7 @@
 namespace underact::device {
 namespace {
 
-constexpr auto kPause = std::chrono::milliseconds(20);  // between two looks
+constexpr auto kBetweenTicks = std::chrono::milliseconds(20);  // between two looks
 
 class Watch {
  public:
@@ -80,7 +80,7 @@ Trial tryOut(std::unique_ptr<servo::DevicePort> arm, const arm::Preset& preset, 
   Watch watch(preset);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (std::chrono::steady_clock::now() < end && goes_on()) {
-    std::this_thread::sleep_for(kPause);
+    std::this_thread::sleep_for(kBetweenTicks);
     host.drain([&](const servo::TickRecord& record) { watch.add(record, trial); });
   }
   trial.lateness = host.timing().lateness();

@@ -13,7 +13,7 @@
 namespace underact::cli {
 namespace {
 
-constexpr double kLongest_s = 600.0;
+constexpr double kLongestSearch_s = 600.0;
 
 struct SearchOptions {
   std::string scene, hand = "sweep";
@@ -94,7 +94,7 @@ void addLabSearch(CLI::App& lab, const Streams& streams, Exit& exit) {
   command->add_option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a file with a path")
       ->capture_default_str();
   command->add_option("--seconds", options->seconds, "How long the hand moves")
-      ->check(CLI::Range(0.001, kLongest_s))
+      ->check(CLI::Range(0.001, kLongestSearch_s))
       ->capture_default_str();
   command->add_option("--rate", options->rate_hz, "Ticks a second")
       ->check(CLI::Range(1, 100000))

@@ -72,7 +72,7 @@ Exit oneCell(const StabilityOptions& options, const Streams& streams) {
 }
 
 /// The tables of a run, each in a file or on stdout.
-struct Tables {
+struct StabilityTables {
   Table limits{{"map", "variant", "rate_hz", "delay_ticks", "mass_kg", "damping_N_s_per_m", "hand_stiffness_N_per_m",
                 "friction_N", "encoder_steps", "kd_N_s_per_m", "simulated_N_per_m", "exact_N_per_m", "passive_N_per_m",
                 "colgate_schenkel_N_per_m", "gil_hulin_N_per_m"}};
@@ -83,7 +83,7 @@ struct Tables {
 };
 
 void addLimits(const std::string& map, const std::string& variant, const SampledWall& wall,
-               const stability::Limits& limits, Tables& tables) {
+               const stability::Limits& limits, StabilityTables& tables) {
   const Table::Field exact = limits.exact_N_per_m ? Table::Field(*limits.exact_N_per_m) : Table::Field();
   tables.limits.add({map, variant, std::int64_t{1'000'000'000} / wall.period_ns, std::int64_t{wall.delay_ticks},
                      wall.mass_kg, wall.damping_N_s_per_m, wall.hand_stiffness_N_per_m, wall.friction_N,
@@ -92,21 +92,21 @@ void addLimits(const std::string& map, const std::string& variant, const Sampled
 }
 
 void addLabel(const std::string& map, const std::string& variant, const SampledWall& wall,
-              const stability::Limits& limits, double K, Tables& tables) {
+              const stability::Limits& limits, double K, StabilityTables& tables) {
   const stability::Label label = stability::labelOf(wall, limits, K);
   tables.labels.add({map, variant, wall.kd_N_s_per_m, K, std::string(name(label.trial.behaviour)),
                      kMillimetrePerMetre * label.trial.amplitude_m, label.is_passive});
 }
 
 /// The steps of the work: what is left is known from the beginning.
-using Step = std::function<Problems(Tables&)>;
+using Step = std::function<Problems(StabilityTables&)>;
 
 void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>& steps) {
   for (const stability::Variant& variant : map.variants) {
     for (const double kd : stability::mapDampings_N_s_per_m()) {
       SampledWall wall = variant.wall;
       wall.kd_N_s_per_m = kd;
-      steps.push_back([key = std::string(map.key), name = variant.name, wall, labels](Tables& tables) {
+      steps.push_back([key = std::string(map.key), name = variant.name, wall, labels](StabilityTables& tables) {
         const stability::Limits limits = stability::limitsOf(wall);
         addLimits(key, name, wall, limits, tables);
         if (!labels) return Problems{};
@@ -125,7 +125,7 @@ Problems from(const std::string& file, Problems problems) {
 
 /// nominal: the trial at the nominal stiffness, which is one of the cells.
 Problems addSceneLabels(const std::string& file, const stability::SceneWall& wall,
-                        const Result<stability::SceneTrial>& nominal, Tables& tables) {
+                        const Result<stability::SceneTrial>& nominal, StabilityTables& tables) {
   for (const double K : stability::sceneStiffnesses_N_per_m()) {
     const Result<stability::SceneTrial> trial =
         K == stability::kNominal_N_per_m ? nominal : stability::tryScene(wall, K);
@@ -137,7 +137,7 @@ Problems addSceneLabels(const std::string& file, const stability::SceneWall& wal
   return {};
 }
 
-Problems addScene(const std::string& file, const stability::SceneWall& wall, bool labels, Tables& tables) {
+Problems addScene(const std::string& file, const stability::SceneWall& wall, bool labels, StabilityTables& tables) {
   const Result<double> limit = stability::simulatedLimit(wall);
   if (!limit) return from(file, limit.problems());
   const Result<stability::SceneTrial> nominal = stability::tryScene(wall, stability::kNominal_N_per_m);
@@ -170,7 +170,7 @@ void addSceneSteps(const std::string& file, scene::Description scene, bool label
     for (const double kd : stability::sceneDampings_N_s_per_m()) {
       wall.rate_hz = rate_hz;
       wall.kd_N_s_per_m = kd;
-      steps.push_back([file, wall, labels](Tables& tables) { return addScene(file, wall, labels, tables); });
+      steps.push_back([file, wall, labels](StabilityTables& tables) { return addScene(file, wall, labels, tables); });
     }
   }
 }
@@ -201,11 +201,6 @@ Result<std::vector<Step>> stepsOf(const StabilityOptions& options, const Streams
   return steps;
 }
 
-Exit fail(const Problems& problems, const Streams& streams) {
-  print(problems, streams.err);
-  return exitOf(problems);
-}
-
 void show(const Table& table, bool json, std::ostream& out) {
   if (!table.isEmpty()) json ? table.printJson(out) : table.printCsv(out);
 }
@@ -215,7 +210,7 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
   if (!steps) return fail(steps.problems(), streams);
   const Interrupt interrupt;
   Progress progress(streams);
-  Tables tables;
+  StabilityTables tables;
   for (std::size_t done = 0; done < steps.value().size(); ++done) {
     if (interrupt.came()) {
       streams.err << "Stopped before the end; nothing is told, since a part would look like the whole.\n";

@@ -13,7 +13,7 @@
 namespace underact::cli {
 namespace {
 
-constexpr double kLongest_s = 100.0;  // of the arm: a tick is a row of the table, and the fit looks at each
+constexpr double kLongestStep_s = 100.0;  // of the arm: a tick is a row of the table, and the fit looks at each
 
 struct StepOptions {
   std::vector<double> num{1.0}, den;
@@ -45,7 +45,7 @@ Exit stepFunction(const StepOptions& options, const Streams& streams) {
   if (options.json)
     streams.out << metricsObject(metrics).text() << '\n';
   else
-    printTable(transfer.value(), metrics, streams.out);
+    printStep(transfer.value(), metrics, streams.out);
   const std::string note = noteOn(transfer.value());
   if (!note.empty()) streams.err << note << '\n';
   return writeTable(options.csv, csvOf(transfer.value(), options.seconds), streams);
@@ -84,7 +84,7 @@ lab::StepSetup setupOf(const StepOptions& options, const sim::ArmModel& model) {
 }
 
 Exit stepArm(const StepOptions& options, const Streams& streams) {
-  if (options.seconds > kLongest_s) {
+  if (options.seconds > kLongestStep_s) {
     streams.err << "--seconds: of the simulated arm at most 100 s are measured.\n";
     return Exit::Usage;
   }
@@ -107,7 +107,7 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
   if (options.json)
     streams.out << stepObject(step.value()).text() << '\n';
   else
-    printTable(step.value(), streams.out);
+    printStep(step.value(), streams.out);
   for (const std::string& note : notesOn(step.value())) streams.err << note << '\n';
   const Exit written = writeTable(options.csv, csvOf(step.value()), streams);
   return step.value().fault.empty() ? written : Exit::Fault;

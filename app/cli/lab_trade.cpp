@@ -14,7 +14,7 @@
 namespace underact::cli {
 namespace {
 
-constexpr double kLongest_s = 600.0;
+constexpr double kLongestTrade_s = 600.0;
 
 struct TradeOptions {
   std::vector<std::string> scenes, hands, choices;
@@ -25,7 +25,7 @@ struct TradeOptions {
   std::string out;  // folder; empty: one table on stdout
 };
 
-struct Tables {
+struct TradeTables {
   Table choices{{"choice", "option", "runs", "p50_ns", "p99_ns", "us_per_s", "error", "worst", "unit", "bound",
                  "default", "recommended", "question", "timed", "error_is", "reason"}};
   Table rows{
@@ -38,7 +38,7 @@ const trade::Choice& choiceOf(const std::string& key) {
   return *std::find_if(all.begin(), all.end(), [&](const trade::Choice& choice) { return key == choice.key; });
 }
 
-void addRows(const std::vector<trade::Row>& rows, Tables& tables) {
+void addRows(const std::vector<trade::Row>& rows, TradeTables& tables) {
   for (const trade::Row& row : rows) {
     const trade::Figures& figures = row.figures;
     tables.rows.add({row.scene, row.hand, row.choice, row.option, figures.cost.p50_ns, figures.cost.p99_ns,
@@ -62,7 +62,7 @@ std::string settingsText(const scene::Description& scene, const trade::Settings&
   return text.empty() ? "as it is" : text;
 }
 
-void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& points, Tables& tables) {
+void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& points, TradeTables& tables) {
   const trade::Settings own = trade::settingsOf(scene.scene, trade::Settings{}.rate_hz);
   for (const trade::Point& point : points) {
     tables.fronts.add({scene.name, point.cost_us_per_s, point.error_mm, point.error_N, point.on_front, point.is_own,
@@ -107,8 +107,8 @@ struct Asked {
         fronts(!options.out.empty() || options.table == "fronts") {}
 };
 
-Tables measure(const trade::Plan& plan, const Asked& asked, const Interrupt& interrupt, const Streams& streams) {
-  Tables tables;
+TradeTables measure(const trade::Plan& plan, const Asked& asked, const Interrupt& interrupt, const Streams& streams) {
+  TradeTables tables;
   const auto scenes = static_cast<double>(plan.scenes.size());
   Work work((asked.rows ? scenes : 0.0) + (asked.fronts ? scenes : 0.0), interrupt, streams);
   if (asked.rows) addRows(trade::measureRows(plan, work.part(scenes)), tables);
@@ -123,7 +123,7 @@ Tables measure(const trade::Plan& plan, const Asked& asked, const Interrupt& int
 }
 
 /// Why there is nothing to tell; empty: there is.
-std::string whatIsMissing(const Tables& tables, const Asked& asked) {
+std::string whatIsMissing(const TradeTables& tables, const Asked& asked) {
   if (asked.rows && tables.rows.isEmpty())
     return "Nothing could be measured: the scenes have none of these choices, the hands never touch what they are "
            "about, or every run ended in a fault.\n";
@@ -139,7 +139,7 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
   if (!plan) return exit;
   const Interrupt interrupt;
   const Asked asked(options);
-  const Tables tables = measure(*plan, asked, interrupt, streams);
+  const TradeTables tables = measure(*plan, asked, interrupt, streams);
   const std::string sentence =
       interrupt.came() ? "Stopped before the end; nothing is told, since a part would look like the whole.\n"
                        : whatIsMissing(tables, asked);
@@ -176,7 +176,7 @@ void addLabTrade(CLI::App& lab, const Streams& streams, Exit& exit) {
       ->delimiter(',')
       ->check(CLI::IsMember(keys));
   command->add_option("--seconds", options->seconds, "Of each run")
-      ->check(CLI::Range(0.1, kLongest_s))
+      ->check(CLI::Range(0.1, kLongestTrade_s))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Of the hands")->capture_default_str();
   command

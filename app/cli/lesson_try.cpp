@@ -36,11 +36,6 @@ std::string lessonFile(const std::string& lesson) {
   return lesson;
 }
 
-Exit fail(const Problems& problems, const Streams& streams) {
-  print(problems, streams.err);
-  return exitOf(problems);
-}
-
 /// "kp_N_per_mm=0.8"; false: it has no such form.
 bool readSettings(const std::vector<std::string>& texts, std::vector<device::LessonSetting>& into) {
   for (const std::string& text : texts) {

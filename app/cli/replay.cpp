@@ -73,11 +73,6 @@ class Comparison {
   double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
 };
 
-Exit fail(const Problems& problems, const Streams& streams) {
-  print(problems, streams.err);
-  return exitOf(problems);
-}
-
 Exit verify(record::Session& session, const Streams& streams) {
   const Interrupt interrupt;
   Progress progress(streams);

@@ -31,4 +31,13 @@ Exit exitOf(const Problems& problems) {
   return unread ? Exit::File : Exit::BadInput;
 }
 
+Exit fail(const Problems& problems, Exit exit, const Streams& streams) {
+  print(problems, streams.err);
+  return exit;
+}
+
+Exit fail(const Problems& problems, const Streams& streams) {
+  return fail(problems, exitOf(problems), streams);
+}
+
 }  // namespace underact::cli

@@ -24,4 +24,8 @@ void print(const Problems& problems, std::ostream& stream);
 /// File where something could not be read at all; else BadInput.
 Exit exitOf(const Problems& problems);
 
+/// Tells them and ends with `exit`, or as exitOf() says.
+Exit fail(const Problems& problems, Exit exit, const Streams& streams);
+Exit fail(const Problems& problems, const Streams& streams);
+
 }  // namespace underact::cli

@@ -20,7 +20,7 @@
 namespace underact::cli {
 namespace {
 
-constexpr int kLongest_s = 86'400;
+constexpr int kLongestCheck_s = 86'400;
 
 struct Options {
   servo::CheckOptions check;
@@ -166,7 +166,7 @@ void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<Options>();
   command->add_option("--seconds", options->check.seconds, "How long in all; half of it is the bare loop's")
       ->capture_default_str()
-      ->check(CLI::Range(1, kLongest_s));
+      ->check(CLI::Range(1, kLongestCheck_s));
   command->add_option("--rate", options->check.rate_hz, "Ticks a second")
       ->capture_default_str()
       ->check(CLI::Range(100, 10000));

@@ -34,11 +34,6 @@ struct ShareArmOptions {
   bool force = false, no_passivity = false, new_key = false, show_key = false;
 };
 
-Exit fail(const Problems& problems, Exit exit, const Streams& streams) {
-  print(problems, streams.err);
-  return exit;
-}
-
 std::string nameOfThisComputer() {
   std::array<char, 256> name{};
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this-computer";

@@ -125,13 +125,13 @@ JsonObject stepObject(const lab::ArmStep& step) {
   return object;
 }
 
-void printTable(const lab::TransferFunction& transfer, const lab::StepMetrics& metrics, std::ostream& out) {
+void printStep(const lab::TransferFunction& transfer, const lab::StepMetrics& metrics, std::ostream& out) {
   row(out, "final value") << shown(metrics.final_value, "", "none") << '\n';
   printTimes(metrics, percent(metrics.overshoot_fraction), out);
   printPoles(transfer, out);
 }
 
-void printTable(const lab::ArmStep& step, std::ostream& out) {
+void printStep(const lab::ArmStep& step, std::ostream& out) {
   const lab::StepMetrics model = lab::metricsOf(step.analytic);
   const lab::NaturalMotion motion = lab::naturalMotion(step.model, step.law);
   const auto line = [&out](const char* what, const std::string& measured, const std::string& fit,

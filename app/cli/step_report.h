@@ -15,8 +15,8 @@ namespace underact::cli {
 JsonObject metricsObject(const lab::StepMetrics& metrics);
 JsonObject stepObject(const lab::ArmStep& step);
 
-void printTable(const lab::TransferFunction& transfer, const lab::StepMetrics& metrics, std::ostream& out);
-void printTable(const lab::ArmStep& step, std::ostream& out);
+void printStep(const lab::TransferFunction& transfer, const lab::StepMetrics& metrics, std::ostream& out);
+void printStep(const lab::ArmStep& step, std::ostream& out);
 
 /// Why numbers are missing or mean something else than usual, a sentence; empty: all is as usual.
 std::string noteOn(const lab::TransferFunction& transfer);

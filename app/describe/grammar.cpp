@@ -32,7 +32,7 @@ std::string wordOf(const std::string& type) {
   return inside < end ? type : type.substr(0, end);
 }
 
-Option describe(const CLI::Option& option) {
+Option describeOption(const CLI::Option& option) {
   Option made;
   for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
@@ -56,7 +56,7 @@ Option describe(const CLI::Option& option) {
 
 Command describe(const CLI::App& program) {
   Command made{program.get_name(), program.get_description(), program.get_footer(), {}, {}};
-  for (const CLI::Option* option : program.get_options()) made.options.push_back(describe(*option));
+  for (const CLI::Option* option : program.get_options()) made.options.push_back(describeOption(*option));
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     made.commands.push_back(describe(*command));
   return made;

@@ -52,7 +52,7 @@ bool FeelPanel::hasScene() const {
 }
 
 void FeelPanel::addActions() {
-  parts_.actions.add({"gains.reset", tr("&Reset to scene"), QKeySequence("Ctrl+R"),
+  parts_.actions.add({"gains.reset", tr("Reset to &scene"), QKeySequence("Ctrl+R"),
                       tr("Puts gains, influence and friction back to those of the scene's file."), "reset"},
                      [this](const QVariantList&) { return resetToScene(); });
   parts_.actions.addCommand("gains.set", [this](const QVariantList& values) {

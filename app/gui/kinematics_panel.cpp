@@ -82,7 +82,7 @@ void KinematicsPanel::buildSwitches(QVBoxLayout* column) {
     QAction* action = parts_.actions.find(kLayers[index]);
     auto* box = new QCheckBox(action->text(), this);
     box->setObjectName(QString("panel.kinematics.%1").arg(kLayers[index]));
-    box->setAccessibleName(action->text().remove('&'));
+    box->setAccessibleName(tr("%1, in the view").arg(action->text().remove('&')));
     box->setToolTip(action->toolTip());
     box->setChecked(action->isChecked());
     connect(box, &QCheckBox::toggled, this, [this, index](bool on) { parts_.actions.perform(kLayers[index], on); });

@@ -2,21 +2,13 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QCoreApplication>
 
 #include "app/gui/actions.h"
 #include "app/gui/language.h"
 #include "app/gui/problems_box.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
-
-}  // namespace
-
 void addLanguageActions(Actions& actions, QWidget* window) {
   struct Row {
     QString key, text, shortcut, tip;

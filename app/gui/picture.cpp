@@ -14,8 +14,8 @@ namespace underact::gui {
 namespace {
 
 constexpr QSize kSize(1280, 960);
-constexpr int kFiner = 4;    // a small picture is drawn so much larger first: smooth edges on any machine
-constexpr int kMargin = 16;  // around what is drawn, then
+constexpr int kFiner = 4;           // a small picture is drawn so much larger first: smooth edges on any machine
+constexpr int kPictureMargin = 16;  // around what is drawn, then
 
 Result<QImage> pictureOf(const std::string& scene_file, QSize size, const Theme& theme, bool with_words) {
   Result<scene::Description> scene = scene::readSceneFile(scene_file);
@@ -45,7 +45,7 @@ QImage cropped(const QImage& image) {
       if (image.pixel(x, y) != ground) drawn |= QRect(x, y, 1, 1);
     }
   }
-  const QSize room = drawn.size() + QSize(2 * kMargin, 2 * kMargin);
+  const QSize room = drawn.size() + QSize(2 * kPictureMargin, 2 * kPictureMargin);
   QRect part(QPoint(), kSmallPicture.scaled(room, Qt::KeepAspectRatioByExpanding).boundedTo(image.size()));
   part.moveCenter(drawn.center());
   part.moveLeft(qBound(0, part.left(), image.width() - part.width()));

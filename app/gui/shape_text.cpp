@@ -4,13 +4,14 @@
 #include <QFileInfo>
 #include <QObject>
 #include <cctype>
+#include <cmath>
 
 #include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
 
-using Lines = std::vector<ShapeLine>;
+using ShapeLines = std::vector<ShapeLine>;
 
 /// The names of the types, for translators alone.
 [[maybe_unused]] constexpr const char* kShapeNames[] = {
@@ -18,31 +19,31 @@ using Lines = std::vector<ShapeLine>;
     QT_TRANSLATE_NOOP("shape", "Plane"), QT_TRANSLATE_NOOP("shape", "Circle"), QT_TRANSLATE_NOOP("shape", "Cylinder"),
     QT_TRANSLATE_NOOP("shape", "Box"),   QT_TRANSLATE_NOOP("shape", "Mesh"),   QT_TRANSLATE_NOOP("shape", "Curve")};
 
-Lines linesOf(const scene::Point& point) {
+ShapeLines linesOf(const scene::Point& point) {
   return {{QObject::tr("Position"), placeText(point.position_mm)}};
 }
-Lines linesOf(const scene::Sphere& sphere) {
+ShapeLines linesOf(const scene::Sphere& sphere) {
   return {{QObject::tr("Centre"), placeText(sphere.center_mm)}, {QObject::tr("Radius"), millimetres(sphere.radius_mm)}};
 }
-Lines linesOf(const scene::Line& line) {
+ShapeLines linesOf(const scene::Line& line) {
   return {{QObject::tr("Through"), placeText(line.point_mm)},
           {QObject::tr("Direction"), directionText(line.direction)}};
 }
-Lines linesOf(const scene::Plane& plane) {
+ShapeLines linesOf(const scene::Plane& plane) {
   return {{QObject::tr("Through"), placeText(plane.point_mm)}, {QObject::tr("Normal"), directionText(plane.normal)}};
 }
-Lines linesOf(const scene::Circle& circle) {
+ShapeLines linesOf(const scene::Circle& circle) {
   return {{QObject::tr("Centre"), placeText(circle.center_mm)},
           {QObject::tr("Radius"), millimetres(circle.radius_mm)},
           {QObject::tr("Normal"), directionText(circle.normal)}};
 }
-Lines linesOf(const scene::Cylinder& cylinder) {
+ShapeLines linesOf(const scene::Cylinder& cylinder) {
   return {{QObject::tr("Through"), placeText(cylinder.point_mm)},
           {QObject::tr("Radius"), millimetres(cylinder.radius_mm)},
           {QObject::tr("Axis"), directionText(cylinder.axis)}};
 }
-Lines linesOf(const scene::Box& box) {
-  Lines lines{{QObject::tr("Centre"), placeText(box.center_mm)}, {QObject::tr("Size"), placeText(box.size_mm)}};
+ShapeLines linesOf(const scene::Box& box) {
+  ShapeLines lines{{QObject::tr("Centre"), placeText(box.center_mm)}, {QObject::tr("Size"), placeText(box.size_mm)}};
   if (!box.R_WB.isIdentity()) lines.push_back({QObject::tr("Its x axis"), directionText(box.R_WB.col(0))});
   return lines;
 }
@@ -74,10 +75,10 @@ QString orientationText(manipulator::Orientation orientation) {
   }
   return {};
 }
-Lines linesOf(const scene::VirtualManipulator& robot) {
-  Lines lines{{QObject::tr("Joints"), jointLetters(robot)},
-              {QObject::tr("Tip at home"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
-              {QObject::tr("Drawn to"), orientationText(robot.orientation)}};
+ShapeLines linesOf(const scene::VirtualManipulator& robot) {
+  ShapeLines lines{{QObject::tr("Joints"), jointLetters(robot)},
+                   {QObject::tr("Tip at home"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
+                   {QObject::tr("Drawn to"), orientationText(robot.orientation)}};
   if (robot.orientation != manipulator::Orientation::None) {
     lines.push_back({QObject::tr("Kθ"), QObject::tr("%1 N mm/rad").arg(numberText(robot.ko_N_mm_per_rad, 1))});
   }
@@ -102,19 +103,19 @@ QString searchText(mesh::Search search) {
   }
   return {};
 }
-Lines linesOf(const scene::Mesh& mesh) {
-  Lines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(mesh.file)).fileName()}};
+ShapeLines linesOf(const scene::Mesh& mesh) {
+  ShapeLines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(mesh.file)).fileName()}};
   if (mesh.surface != nullptr) {
     const Vec3 size = (mesh.surface->high_M - mesh.surface->low_M).cast<double>();
-    lines.push_back({QObject::tr("Size"), placeText(mesh.scale_mm_per_unit * size)});
+    lines.push_back({QObject::tr("Size"), placeText(std::abs(mesh.scale_mm_per_unit) * size)});
     lines.push_back({QObject::tr("Triangles"), QString::number(mesh.surface->triangles.faces.size())});
   }
   lines.push_back({QObject::tr("Placed at"), placeText(mesh.X_WM.topRightCorner<3, 1>())});
   return lines;
 }
 
-Lines linesOf(const scene::Curve& curve) {
-  Lines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(curve.file)).fileName()}};
+ShapeLines linesOf(const scene::Curve& curve) {
+  ShapeLines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(curve.file)).fileName()}};
   if (curve.points != nullptr) lines.push_back({QObject::tr("Points"), QString::number(curve.points->size())});
   lines.push_back({QObject::tr("Joined"),
                    curve.kind == curve::Kind::Spline ? QObject::tr("smoothly") : QObject::tr("by straight lines")});
@@ -145,8 +146,8 @@ QString shapeName(const scene::Shape& shape) {
 }
 
 std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {
-  Lines lines{{shapeName(constraint.shape), sideText(constraint.side)}};
-  const Lines geometry = std::visit([](const auto& shape) { return linesOf(shape); }, constraint.shape);
+  ShapeLines lines{{shapeName(constraint.shape), sideText(constraint.side)}};
+  const ShapeLines geometry = std::visit([](const auto& shape) { return linesOf(shape); }, constraint.shape);
   lines.insert(lines.end(), geometry.begin(), geometry.end());
   if (const auto* mesh = std::get_if<scene::Mesh>(&constraint.shape); mesh && constraint.side == target::Side::Both)
     lines.push_back({QObject::tr("Held to"), searchText(mesh->search)});

@@ -2,18 +2,14 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QCoreApplication>
 
 #include "app/gui/actions.h"
 #include "app/gui/theme.h"
 #include "app/gui/view/scene_view.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
 
 void addCameras(Actions& actions, SceneView& view) {
   struct Row {
@@ -84,7 +80,7 @@ void addLayers(Actions& actions, SceneView& view) {
        QT_TR_NOOP(
            "The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z."),
        &Layers::link_frames},
-      {"layer.ghosts", QT_TR_NOOP("&Inverse solutions"), "Alt+7",
+      {"layer.ghosts", QT_TR_NOOP("Inver&se solutions"), "Alt+7",
        QT_TR_NOOP("All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits."),
        &Layers::ghosts},
       {"layer.motion_ellipsoid", QT_TR_NOOP("&Motion ellipsoid (v)"), "Alt+8",
@@ -93,12 +89,12 @@ void addLayers(Actions& actions, SceneView& view) {
       {"layer.force_ellipsoid", QT_TR_NOOP("F&orce ellipsoid (f)"), "Alt+9",
        QT_TR_NOOP("The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow."),
        &Layers::force_ellipsoid},
-      {"layer.wires", QT_TR_NOOP("&Mesh: triangles"), "Alt+T",
+      {"layer.wires", QT_TR_NOOP("Mes&h: triangles"), "Alt+T",
        QT_TR_NOOP("The edges of all triangles of a mesh, as it is drawn."), &Layers::wires},
       {"layer.section", QT_TR_NOOP("Mesh: &cut open"), "Alt+C",
        QT_TR_NOOP("Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole."),
        &Layers::section},
-      {"layer.section_follows", QT_TR_NOOP("Cut &follows the stylus"), "Alt+K",
+      {"layer.section_follows", QT_TR_NOOP("C&ut follows the stylus"), "Alt+K",
        QT_TR_NOOP("The cut goes through the stylus's tip; off, it stays where it is."), &Layers::section_follows,
        QT_TR_NOOP("Follow")}};
   for (const Row& row : rows) {

@@ -13,7 +13,7 @@ using mesh_file::PlyEncoding;
 using mesh_file::PlyHeader;
 using mesh_file::PlyProperty;
 
-constexpr std::uint64_t kMostCornersOfAFace = 5000;
+constexpr std::uint64_t kMostCornersOfAPlyFace = 5000;
 
 bool isCoordinate(const PlyProperty& property) {
   return property.name == "x" || property.name == "y" || property.name == "z";
@@ -57,7 +57,7 @@ class TextBody {
   bool list(const PlyProperty& /*property*/, bool kept, std::string& to) {
     std::uint64_t count = 0;
     if (!mesh_file::readInteger(words_.word(), count)) return false;
-    if (kept && count > kMostCornersOfAFace) return false;
+    if (kept && count > kMostCornersOfAPlyFace) return false;
     if (kept) to += std::to_string(count) + ' ';
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::string_view word = words_.word();
@@ -86,7 +86,7 @@ class BinaryBody {
     for (std::uint64_t byte = 0; byte < width; ++byte) {
       count = count << 8U | static_cast<unsigned char>(body_[is_big_ ? byte : width - 1 - byte]);
     }
-    if (kept && count > kMostCornersOfAFace) return false;
+    if (kept && count > kMostCornersOfAPlyFace) return false;
     return take(width, kept, to) && take(count * static_cast<std::uint64_t>(property.bytes), kept, to);
   }
   static void endRow(std::string& /*to*/) {}

@@ -12,7 +12,7 @@ namespace underact::page {
 namespace {
 
 constexpr std::size_t kLargest = std::size_t{1} << 20;
-constexpr int kDeepest = 60;  // what reads the HTML may go into itself for each level
+constexpr int kDeepestPage = 60;  // what reads the HTML may go into itself for each level
 
 std::string textOf(const MD_ATTRIBUTE& attribute) {
   return {attribute.text, attribute.size};
@@ -115,7 +115,7 @@ void Writer::closeHeading(unsigned level) {
 }
 
 int Writer::enter(MD_BLOCKTYPE type, void* detail) {
-  if (++depth_ > kDeepest) {
+  if (++depth_ > kDeepestPage) {
     refuse("This page is nested more than 60 deep.");
     return 1;
   }
@@ -230,7 +230,7 @@ int Writer::leave(MD_BLOCKTYPE type, void* detail) {
 }
 
 int Writer::enter(MD_SPANTYPE type, void* detail) {
-  if (++depth_ > kDeepest) {
+  if (++depth_ > kDeepestPage) {
     refuse("This page is nested more than 60 deep.");
     return 1;
   }

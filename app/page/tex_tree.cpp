@@ -11,7 +11,7 @@ namespace underact::page {
 namespace {
 
 constexpr std::size_t kLongest = 4000;  // bytes: a formula, and not a page without its closing dollar
-constexpr int kDeepest = 24;
+constexpr int kDeepestFormula = 24;
 constexpr std::array<std::string_view, 6> kGrids{"matrix", "bmatrix", "pmatrix", "vmatrix", "cases", "aligned"};
 
 bool isLetter(char c) {
@@ -106,7 +106,7 @@ class TexParser {
   }
 
   TexNode readAtom() {
-    if (++depth_ > kDeepest) stop("A formula is nested more than 24 deep.");
+    if (++depth_ > kDeepestFormula) stop("A formula is nested more than 24 deep.");
     TexNode atom = stopped_ ? TexNode() : readOne();
     depth_--;
     return atom;

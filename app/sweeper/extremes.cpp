@@ -6,7 +6,7 @@
 #include "core/json/text.h"
 
 namespace underact::sweep {
-namespace {
+namespace extremes_kind {
 
 constexpr std::int64_t kMostSeeds = 10'000'000, kMostCases = 100'000'000;
 
@@ -61,7 +61,7 @@ Result<Cells> make(Options& options) {
   return cells;
 }
 
-}  // namespace
+}  // namespace extremes_kind
 
 Kind extremesKind() {
   return {"extremes",
@@ -69,7 +69,7 @@ Kind extremesKind() {
           {{"only", "Rows of `lab extremes`; all", {"all"}, true},
            {"seeds", "Cells for each row, each with a seed of its own", {"8"}},
            {"count", "Cases of a cheap row in a cell; a dear one makes a share of them", {"20000"}}},
-          make};
+          extremes_kind::make};
 }
 
 }  // namespace underact::sweep

@@ -23,7 +23,7 @@
 #include "device/simulated_arm.h"
 
 namespace underact::sweep {
-namespace {
+namespace hands_kind {
 
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
 constexpr double kLongest_s = 1e5;
@@ -235,7 +235,7 @@ Result<Cells> make(Options& options) {
   return cells;
 }
 
-}  // namespace
+}  // namespace hands_kind
 
 Kind handsKind() {
   return {"hands",
@@ -249,7 +249,7 @@ Kind handsKind() {
            {"damping_N_s_per_m", "Of the hand, likewise", {"2:8"}},
            {"stiffness_N_per_m", "Of the hand, likewise", {"150:600"}},
            {"arm-model", "What the simulated arm is made of", {std::string(sim::kDefaultArmModel)}}},
-          make};
+          hands_kind::make};
 }
 
 }  // namespace underact::sweep

@@ -29,7 +29,7 @@ int threadsOf(const Request& request, const Team* team) {
 }
 
 /// Why a sweep ended early: File where a file is at fault, else what was put in.
-Exit fail(const Problems& problems, const cli::Streams& streams) {
+Exit failAtWork(const Problems& problems, const cli::Streams& streams) {
   cli::print(problems, streams.err);
   return problems.front().place.file.empty() ? Exit::BadInput : Exit::File;
 }
@@ -75,7 +75,7 @@ Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   std::size_t measured = 0;
   while (measured < wanted && now - begin < kEnough) {
     const Result<std::string> row = rowOf(sweep, measured * sweep.cells.count / wanted);
-    if (!row) return fail(row.problems(), streams);
+    if (!row) return failAtWork(row.problems(), streams);
     ++measured;
     now = Clock::now();
   }
@@ -116,7 +116,7 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
   Result<Journal> opened = is_there ? Journal::open(sweep, request.out) : is_there.problems();
   if (!opened || is_there.value()) {
     if (team != nullptr) dismiss(*team);
-    if (!opened) return fail(opened.problems(), streams);
+    if (!opened) return failAtWork(opened.problems(), streams);
     opened.value().remove();  // of a program that was killed when the result was written already
     tellDone(sweep, 0, request, streams);
     return Exit::Well;
@@ -131,7 +131,7 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
     tellDone(sweep, sweep.cells.count - before, request, streams);
     return Exit::Well;
   }
-  const Exit exit = outcome.problems.empty() ? Exit::File : fail(outcome.problems, streams);
+  const Exit exit = outcome.problems.empty() ? Exit::File : failAtWork(outcome.problems, streams);
   streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and kept in "
               << journal.path() << ". The same command goes on from there.\n";
   return exit;

@@ -10,7 +10,7 @@
 #include "core/stability/maps.h"
 
 namespace underact::sweep {
-namespace {
+namespace stability_kind {
 
 constexpr std::int64_t kMostDraws = 10'000'000;
 constexpr const char* kDrawn = "drawn";
@@ -128,7 +128,7 @@ Result<Cells> make(Options& options) {
   return cells;
 }
 
-}  // namespace
+}  // namespace stability_kind
 
 Kind stabilityKind() {
   return {
@@ -143,7 +143,7 @@ Kind stabilityKind() {
        {"friction_N", "Coulomb's, of the arm", {"0"}},
        {"kd_N_s_per_m", "Damping of the wall", {"0"}},
        {"delay_ticks", "Whole periods between a sample and its force", {"0"}}},
-      make};
+      stability_kind::make};
 }
 
 }  // namespace underact::sweep

@@ -18,7 +18,7 @@ double half(double angle_rad) noexcept UNDERACT_REAL_TIME {  // a half turn on, 
   return angle_rad > 0.0 ? angle_rad - kPi : angle_rad + kPi;
 }
 
-double wrapped(double angle_rad) noexcept UNDERACT_REAL_TIME {  // of an angle within a turn and a half
+double wrappedOnce(double angle_rad) noexcept UNDERACT_REAL_TIME {  // of an angle within a turn and a half
   if (angle_rad > kPi) return angle_rad - 2.0 * kPi;
   return angle_rad <= -kPi ? angle_rad + 2.0 * kPi : angle_rad;
 }
@@ -95,13 +95,13 @@ Solutions solveAll(const Geometry& geometry, const JointLimits& limits, const Po
     addWrists(at, R_BT, {shoulder, elbow, 1}, one_shoulder, solutions);
   };
   add({q1_rad, q2_up_rad, q3_rad, turret, up.shin}, 1, 1);
-  if (!one_elbow) add({q1_rad, q2_down_rad, wrapped(kPi - q3_rad), turret, down.shin}, 1, -1);
+  if (!one_elbow) add({q1_rad, q2_down_rad, wrappedOnce(kPi - q3_rad), turret, down.shin}, 1, -1);
   if (!one_shoulder) {
     // q2' = pi - q2 of the other elbow; then q2' + q3' = 2 pi - (q2 + q3), whose cosine stays and whose sine turns.
     const auto opposite = [](const SinCos& of) { return SinCos{-of.sin, of.cos}; };
-    add({half(q1_rad), wrapped(kPi - q2_down_rad), q3_rad, away, opposite(down.shin)}, -1, 1);
+    add({half(q1_rad), wrappedOnce(kPi - q2_down_rad), q3_rad, away, opposite(down.shin)}, -1, 1);
     if (!one_elbow) {
-      add({half(q1_rad), wrapped(kPi - q2_up_rad), wrapped(kPi - q3_rad), away, opposite(up.shin)}, -1, -1);
+      add({half(q1_rad), wrappedOnce(kPi - q2_up_rad), wrappedOnce(kPi - q3_rad), away, opposite(up.shin)}, -1, -1);
     }
   }
   for (std::size_t index = 0; index < solutions.count; ++index) {

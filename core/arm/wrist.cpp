@@ -5,7 +5,7 @@
 namespace underact::arm {
 
 // Under this no direction is left in the sine of q5, and joint 4 is 0 at an error of as many rad.
-constexpr double kNoDirection = 1e-12;
+constexpr double kNoBend = 1e-12;
 
 Mat3 forearmRotation(const SinCos& turret, const SinCos& shin) noexcept {
   Mat3 R_B3;
@@ -20,7 +20,7 @@ Wrist wristOf(const Mat3& R_36) noexcept {
   const double bend_sin = std::sqrt(b(0, 2) * b(0, 2) + b(1, 2) * b(1, 2));
   // Joint 6 follows from joint 4, not from the last row as in eq. 3.20: near a singularity both would carry an error of
   // their own, and only their sum (or difference) is well known.
-  const bool says = bend_sin > kNoDirection;
+  const bool says = bend_sin > kNoBend;
   const SinCos four = says ? SinCos{b(1, 2) / bend_sin, b(0, 2) / bend_sin} : SinCos{};
   const auto [q5_rad, q6_rad] = atan2OfTwo(bend_sin, b(2, 2), four.cos * b(1, 0) - four.sin * b(0, 0),
                                            four.cos * b(1, 1) - four.sin * b(0, 1));  // erratum 3.18

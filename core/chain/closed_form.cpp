@@ -23,7 +23,7 @@ struct Branches {
   double answer(int branch) const noexcept UNDERACT_REAL_TIME { return middle_rad + branch * half_rad; }
 };
 
-double wrapped(double angle_rad) noexcept UNDERACT_REAL_TIME {  // of a sum of two in (-pi, pi]
+double wrappedOnce(double angle_rad) noexcept UNDERACT_REAL_TIME {  // of a sum of two in (-pi, pi]
   if (angle_rad > kPi) angle_rad -= 2.0 * kPi;
   if (angle_rad <= -kPi) angle_rad += 2.0 * kPi;
   return angle_rad;
@@ -98,7 +98,7 @@ void addWrists(const SphericalWristArm& arm, const WristTask& task, const Soluti
     one = so_far;
     one.wrist = 1 - 2 * i;
     one.exact = one.exact && five.exact;
-    one.q[4] = wrapped(five.answer(one.wrist));
+    one.q[4] = wrappedOnce(five.answer(one.wrist));
     const Vec3 axis_6_W = turned(arm.axis_W[5], arm.axis_W[4], bend);
     const bool straight = five.merged && arm.axis_W[3].cross(axis_6_W).squaredNorm() <= kOutside * kOutside;
     const Turn four = straight ? Turn{} : turnAbout(arm.axis_W[3], axis_6_W, task.axis_6_W);
@@ -120,7 +120,7 @@ void addElbows(const SphericalWristArm& arm, const Vec3& p_C_W, const WristTask&
     Solution one = so_far;
     one.elbow = 1 - 2 * i;
     one.exact = one.exact && three.exact;
-    one.q[2] = wrapped(three.answer(one.elbow));
+    one.q[2] = wrappedOnce(three.answer(one.elbow));
     const Vec3 bent_W = arm.upper_W + turned(arm.fore_W, arm.axis_W[2], i == 0 ? bend_of_first : bend_of_second);
     one.q[1] = distance_m > kMerged * arm.reach_m ? angleAbout(axis_2_W, bent_W, p_C_W) : 0.0;
     const SinCos back = reversed(sinCos(one.q[1] + arm.sense * one.q[2]));
@@ -152,7 +152,7 @@ Solutions solveAll(const SphericalWristArm& arm, const Pose& X_WT) noexcept {
     Solution so_far;
     so_far.shoulder = 1 - 2 * i;
     so_far.exact = one.exact;
-    so_far.q[0] = wrapped(one.answer(so_far.shoulder));
+    so_far.q[0] = wrappedOnce(one.answer(so_far.shoulder));
     const SinCos back = reversed(sinCos(so_far.q[0]));
     const WristTask from_link_1{turned(task.axis_6_W, axis_1_W, back), turned(task.across_W, axis_1_W, back)};
     addElbows(arm, turned(p_J1C_W, axis_1_W, back) - arm.offset_W, from_link_1, so_far, found);

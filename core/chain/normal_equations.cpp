@@ -60,7 +60,7 @@ System overRows(const Columns& free, const Residual& e, std::size_t rows, double
 }  // namespace
 
 bool dampedStep(const Jacobian& J, const Residual& e, std::size_t rows, double damping, std::uint32_t held,
-                Step& dq) noexcept {
+                JointStep& dq) noexcept {
   const Columns free = freeColumns(J, held);
   const bool few = free.count <= rows;
   System s = few ? overJoints(free, e, rows, damping) : overRows(free, e, rows, damping);

@@ -6,12 +6,12 @@
 namespace underact::chain {
 
 using Residual = Eigen::Matrix<double, 6, 1>;
-using Step = Eigen::Matrix<double, static_cast<int>(kMaxJoints), 1>;
+using JointStep = Eigen::Matrix<double, static_cast<int>(kMaxJoints), 1>;
 
 /// The damped least squares step: dq that makes |e - J dq|^2 + damping |dq|^2 least; columns whose bit is set in held
 /// stay out of it. rows: 6, or 3 for the place alone. False where rounding leaves no positive pivot: damp more.
 /// Solves n x n where joints are few, J J^T where they outnumber the rows. Cost: some hundred multiplications.
 bool dampedStep(const Jacobian& J, const Residual& e, std::size_t rows, double damping, std::uint32_t held,
-                Step& dq) noexcept UNDERACT_REAL_TIME;
+                JointStep& dq) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::chain

@@ -64,7 +64,7 @@ class Search {
   /// From `at` to a solution, a dead end, or the end of the steps.
   void descend(Place& at, int& steps) const noexcept UNDERACT_REAL_TIME {
     double damping = kFirstDamping;
-    Step dq;
+    JointStep dq;
     Place next;
     for (int i = 0; i < options_.max_steps && !reached(at); ++i, ++steps) {
       const double scale = length_m_ * length_m_;
@@ -128,7 +128,7 @@ class Search {
   }
 
   /// next.q: the step, cut at the limits. Gives what the linear model promises of it.
-  double stepTo(const Place& at, const Step& dq, Place& next) const noexcept UNDERACT_REAL_TIME {
+  double stepTo(const Place& at, const JointStep& dq, Place& next) const noexcept UNDERACT_REAL_TIME {
     Residual left = at.e;
     for (std::size_t i = 0; i < joints_; ++i) {
       const Eigen::Index column = static_cast<Eigen::Index>(i);

@@ -30,7 +30,7 @@ Quintic slopeOf(const Cubic& r) noexcept UNDERACT_REAL_TIME {
 }
 
 /// No point of the part is nearer, squared: the least coefficient of the squared distance.
-double leastOf(const Cubic& r, const Quintic& slope) noexcept UNDERACT_REAL_TIME {
+double leastOfPiece(const Cubic& r, const Quintic& slope) noexcept UNDERACT_REAL_TIME {
   double sum = r[0].squaredNorm(), least = sum;
   for (const double g : slope) {
     sum += g;
@@ -97,7 +97,7 @@ void seekOnCubic(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found&
     if (!visit(found)) return;
     const Part part = parts[--count];
     const Quintic g = slopeOf(part.r);
-    const double least = leastOf(part.r, g);
+    const double least = leastOfPiece(part.r, g);
     if (least > found.limit) continue;
     const bool ends_nearer = part.r[3].squaredNorm() < part.r[0].squaredNorm();
     const auto offerFrom = [&](double v) noexcept UNDERACT_REAL_TIME {

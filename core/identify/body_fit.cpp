@@ -15,8 +15,7 @@ namespace {
 constexpr int kMostRounds = 60;
 // Where a body sticks is a kink of the sum of squares, with hollows of its own: several beginnings, the best one wins.
 constexpr double kStarts[] = {1.0, 0.8, 1.2};
-constexpr double kWorst = 0.1;  // of the motion's own root mean square, that a fit may leave
-constexpr double kLeastMass_kg = 1e-4;
+constexpr double kWorst = 0.1;      // of the motion's own root mean square, that a fit may leave
 constexpr double kSettled = 1e-10;  // of the sum of squares, by which a round may still lower it
 constexpr double kNothing = 1e-12;  // added to what may be singular: a velocity that friction stops at once
 constexpr double kLook_s = 0.01;    // from which the first velocity is guessed

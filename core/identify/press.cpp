@@ -6,10 +6,10 @@
 namespace underact::identify {
 namespace {
 
-constexpr double kLook_s = 0.1;        // over which a direction is told ...
+constexpr double kLookBack_s = 0.1;    // over which a direction is told ...
 constexpr double kMoved_m = 0.1e-3;    // ... two encoder steps
 constexpr double kTouched_m = 0.1e-3;  // from which on it counts as pressed
-constexpr std::size_t kLeastRows = 50;
+constexpr std::size_t kLeastRowsEachWay = 50;
 
 /// Least squares of force over way.
 class Line {
@@ -32,7 +32,7 @@ class Line {
 }  // namespace
 
 Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double period_s) {
-  const auto look = static_cast<std::size_t>(std::lround(kLook_s / period_s));
+  const auto look = static_cast<std::size_t>(std::lround(kLookBack_s / period_s));
   const auto wayAt = [&](std::size_t row) { return (rows[row].p_WT - rows[row].p_WP).dot(along_W); };
   Line down, up;
   Press press;
@@ -48,7 +48,7 @@ Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double per
     const double moved_m = wayAt(row + look) - wayAt(row - look);
     if (std::abs(moved_m) > kMoved_m) (moved_m > 0.0 ? down : up).add(x_m, f_N);
   }
-  if (down.count() < kLeastRows || up.count() < kLeastRows)
+  if (down.count() < kLeastRowsEachWay || up.count() < kLeastRowsEachWay)
     return Problems{
         {"The stylus was not pressed down and let back slowly. Press some 3 mm in about two seconds, and "
          "come back as slowly."}};

@@ -9,21 +9,20 @@
 namespace underact::identify {
 namespace {
 
-constexpr double kLook_s = 0.005;       // over which a direction is told
-constexpr double kMoved_m = 0.11e-3;    // two encoder steps
+constexpr double kLookAhead_s = 0.005;  // over which a direction is told
+constexpr double kTurned_m = 0.11e-3;   // two encoder steps
 constexpr double kFade_s = 0.16;        // 8 time constants of the servo's way from one target to the next: 1 mN is left
 constexpr std::size_t kLeastTicks = 3;  // of a block: each begins a third of it later
 constexpr std::size_t kLeastBlocks = 8, kLeastSprings = 6;
-constexpr double kLeastMass_kg = 1e-4;
 constexpr double kSure = 0.025;  // two deviations within 5 %: a stiffness less sure than that says nothing
 
 /// The direction of the motion in all of [from, to]; 0: it is not one, or not clear.
 double directionOf(const Window& window, std::size_t from, std::size_t to) {
-  const auto look = static_cast<std::size_t>(std::lround(kLook_s / window.period_s));
+  const auto look = static_cast<std::size_t>(std::lround(kLookAhead_s / window.period_s));
   double direction = 0.0;
   for (std::size_t index = from; index + look <= to; ++index) {
     const double way_m = window.way_m[index + look] - window.way_m[index];
-    if (std::abs(way_m) < kMoved_m || way_m * direction < 0.0) return 0.0;
+    if (std::abs(way_m) < kTurned_m || way_m * direction < 0.0) return 0.0;
     direction = way_m;
   }
   return direction > 0.0 ? 1.0 : direction < 0.0 ? -1.0 : 0.0;

@@ -8,6 +8,8 @@
 
 namespace underact::identify {
 
+inline constexpr double kLeastMass_kg = 1e-4;  // of a body that is fitted
+
 /// A block of motion in one direction, weighted by a bump phi(t) that ends smoothly at both ends: the integrals of m
 /// x'' = f + bias - b x' - F sign(x') times phi, in parts, so that no sample is derived twice.
 struct Block {

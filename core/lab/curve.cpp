@@ -7,7 +7,6 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kBand = 0.02, kFrom = 0.1, kTo = 0.9;
 constexpr double kNone = 1e-9;  // overshoot that is the rounding of a mean
 constexpr std::size_t kFewest = 10;
 constexpr std::size_t kLastShare = 5;  // the last fifth
@@ -29,9 +28,9 @@ std::optional<double> firstAt(const std::vector<double>& z, double level) {
 /// From when on z stays within the band about 1, in samples; none: it is still outside in the last fifth.
 std::optional<double> settledAt(const std::vector<double>& z) {
   for (std::size_t index = z.size(); index-- > 0;) {
-    if (std::abs(z[index] - 1.0) < kBand) continue;
+    if (std::abs(z[index] - 1.0) < kSettlingBand) continue;
     if (index + 1 + z.size() / kLastShare > z.size()) return {};
-    return between(z, index, 1.0 + std::copysign(kBand, z[index] - 1.0));
+    return between(z, index, 1.0 + std::copysign(kSettlingBand, z[index] - 1.0));
   }
   return 0.0;
 }
@@ -49,7 +48,7 @@ StepMetrics metricsOf(const Curve& curve) {
   if (final_value == 0.0) return metrics;
   std::vector<double> z;
   for (const double value : curve.value) z.push_back((value - start) / final_value);
-  const std::optional<double> low = firstAt(z, kFrom), high = firstAt(z, kTo), settled = settledAt(z);
+  const std::optional<double> low = firstAt(z, kRiseFrom), high = firstAt(z, kRiseTo), settled = settledAt(z);
   if (low && high) metrics.rise_10_90_s = curve.period_s * (*high - *low);
   if (settled) metrics.settling_2pct_s = curve.period_s * *settled;
   std::size_t peak = 0;

@@ -11,7 +11,7 @@
 namespace underact::lab {
 namespace {
 
-constexpr std::size_t kFewest = 10;
+constexpr std::size_t kFewestToFit = 10;
 constexpr std::size_t kCoarse = 600;  // samples that the grid looks at
 constexpr int kFrequencies = 80, kDampings = 24;
 constexpr int kSteps = 100;
@@ -109,7 +109,7 @@ double secondOrderAt(double omega_n_rad_per_s, double zeta, double t_s) noexcept
 
 std::optional<SecondOrderFit> fitSecondOrder(const Curve& curve) {
   const std::vector<double>& value = curve.value;
-  if (value.size() < kFewest) return {};
+  if (value.size() < kFewestToFit) return {};
   const auto [least, most] = std::minmax_element(value.begin(), value.end());
   if (*least == *most) return {};
   const double length_s = curve.period_s * static_cast<double>(value.size() - 1);

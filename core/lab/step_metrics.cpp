@@ -14,7 +14,6 @@ namespace {
 using Complex = std::complex<double>;
 using Vector = UnitStep::Vector;
 
-constexpr double kBand = 0.02, kFrom = 0.1, kTo = 0.9;
 constexpr double kGone = 1e-14;      // a share of the final value; a mode below it is not looked for
 constexpr double kTold = 1e-9;       // a share of what is looked for; a mode below it makes no other peak or passing
 constexpr double kLargest = 1e18;    // of a mode's share; of equal poles it would be infinite, and they cancel
@@ -146,8 +145,8 @@ class Search {
 void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
   const double z_first = search.z(0.0), seen_s = search.seenAll();
   std::optional<double> low_s, high_s;
-  if (z_first >= kFrom - 1.0) low_s = 0.0;
-  if (z_first >= kTo - 1.0) high_s = 0.0;
+  if (z_first >= kRiseFrom - 1.0) low_s = 0.0;
+  if (z_first >= kRiseTo - 1.0) high_s = 0.0;
   double most = kGone, t_s = 0.0;
   if (z_first > most) {
     most = z_first;
@@ -156,10 +155,10 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
   for (int block = 0; block < kMostBlocks; ++block) {
     const double step_s = search.stepAt(t_s, std::max(kGone, high_s ? kTold * most : 0.0));
     if (step_s == 0.0 || t_s > seen_s || (high_s && search.mostFrom(t_s) <= most)) break;
-    const double wanted = std::min(most, !low_s ? kFrom - 1.0 : !high_s ? kTo - 1.0 : most);
+    const double wanted = std::min(most, !low_s ? kRiseFrom - 1.0 : !high_s ? kRiseTo - 1.0 : most);
     for (const Piece& piece : search.block(t_s, step_s, [wanted](double z) { return z > wanted; })) {
-      if (!low_s && piece.z_to >= kFrom - 1.0) low_s = search.passing(piece, kFrom - 1.0);
-      if (!high_s && piece.z_to >= kTo - 1.0) high_s = search.passing(piece, kTo - 1.0);
+      if (!low_s && piece.z_to >= kRiseFrom - 1.0) low_s = search.passing(piece, kRiseFrom - 1.0);
+      if (!high_s && piece.z_to >= kRiseTo - 1.0) high_s = search.passing(piece, kRiseTo - 1.0);
       if (piece.z_to > most + 1e-12 * std::abs(most)) {
         most = piece.z_to;
         metrics.peak_time_s = piece.to_s;
@@ -174,29 +173,29 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
 /// Settling, backwards from when it is certain.
 void findSettling(const Search& search, StepMetrics& metrics) {
   double within_s = 0.0;
-  if (search.mostFrom(0.0) >= kBand) {
+  if (search.mostFrom(0.0) >= kSettlingBand) {
     double low_s = 0.0, high_s = search.stepAt(0.0, kGone);
-    while (search.mostFrom(high_s) >= kBand) {
-      if (search.mostForEver() >= kBand || !std::isfinite(high_s)) return;  // never
+    while (search.mostFrom(high_s) >= kSettlingBand) {
+      if (search.mostForEver() >= kSettlingBand || !std::isfinite(high_s)) return;  // never
       low_s = high_s;
       high_s *= 2.0;
     }
     while (high_s - low_s > 1e-6 * high_s) {
       const double middle_s = 0.5 * (low_s + high_s);
-      (search.mostFrom(middle_s) >= kBand ? low_s : high_s) = middle_s;
+      (search.mostFrom(middle_s) >= kSettlingBand ? low_s : high_s) = middle_s;
     }
     within_s = high_s;
   }
   for (int block = 0; block < kMostBlocks && within_s > 0.0; ++block) {
-    double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s, kTold * kBand));
+    double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s, kTold * kSettlingBand));
     // A faster mode may have been alive at the block's beginning: then a shorter one.
-    while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s, kTold * kBand))
+    while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s, kTold * kSettlingBand))
       begin_s = 0.5 * (begin_s + within_s);
     const std::vector<Piece> pieces =
-        search.block(begin_s, (within_s - begin_s) / kBlock, [](double z) { return std::abs(z) > kBand; });
+        search.block(begin_s, (within_s - begin_s) / kBlock, [](double z) { return std::abs(z) > kSettlingBand; });
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
-      if (std::abs(piece->z_from) < kBand) continue;
-      metrics.settling_2pct_s = search.passing(*piece, std::copysign(kBand, piece->z_from));
+      if (std::abs(piece->z_from) < kSettlingBand) continue;
+      metrics.settling_2pct_s = search.passing(*piece, std::copysign(kSettlingBand, piece->z_from));
       return;
     }
     within_s = begin_s;

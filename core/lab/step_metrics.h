@@ -5,6 +5,8 @@
 
 namespace underact::lab {
 
+inline constexpr double kSettlingBand = 0.02, kRiseFrom = 0.1, kRiseTo = 0.9;  // shares of the final value
+
 /// What a step response is like. Rise: from 10 % of the final value, first passed, to 90 %, first passed. Settling:
 /// from then on within 2 % of the final value. Peak: the time of the greatest value, where one is above the final
 /// value; the overshoot is what it is above, a share of the final value. Source: Beckman 2007, section B.4.

@@ -11,9 +11,9 @@
 namespace underact::manipulator {
 namespace {
 
-constexpr int kSteps = 200;          // of one descent
-constexpr double kSamePlace = 1e-6;  // of the reach
-constexpr double kSettled = 1e-7;    // of the joints: a descent that still moves more has found no minimum
+constexpr int kSteps = 200;            // of one descent
+constexpr double kSameMinimum = 1e-6;  // of the reach
+constexpr double kSettled = 1e-7;      // of the joints: a descent that still moves more has found no minimum
 constexpr double kSameEnergy = 1e-9;
 constexpr double kNothing = 1e-26;  // of the energy at a reach's distance: there is nothing below
 
@@ -104,7 +104,7 @@ Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
   exact.options.tolerance = 0.0;
   evaluate(exact, X_WT, allowed(m, least.theta), best.at);
   best.steps += descend(exact, X_WT, kSteps, best.at).steps;
-  best.second_J = secondOf(minima, least, kSamePlace * m.reach_m);
+  best.second_J = secondOf(minima, least, kSameMinimum * m.reach_m);
   best.is_unique = least.energy_J < kInfinity && best.second_J > kSameEnergy * (least.energy_J + 1e-6 * scale_J);
   return best;
 }

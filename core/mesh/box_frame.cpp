@@ -8,7 +8,7 @@ namespace underact::mesh {
 namespace {
 
 /// By more than what a float leaves of a coordinate of a point that is as far off as the box is large.
-constexpr double kWider = 4e-6;
+constexpr double kFrameWider = 4e-6;
 
 /// Rows: the principal axes of the corners, the one of least spread last. The identity where they have none.
 Mat3 principalAxes(const std::vector<Eigen::Vector3f>& corners, const Vec3& mean) {
@@ -56,7 +56,7 @@ void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std:
       low = low.cwiseMin(p_N);
       high = high.cwiseMax(p_N);
     }
-    const double wider = kWider * std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+    const double wider = kFrameWider * std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       const bool is_empty = !(low[a] <= high[a]);

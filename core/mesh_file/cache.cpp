@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using FileClock = fs::file_time_type::clock;
 
-constexpr std::array<char, 8> kMagic{'\x89', 'U', 'A', 'M', 'C', '1', '\r', '\n'};
+constexpr std::array<char, 8> kCacheMagic{'\x89', 'U', 'A', 'M', 'C', '1', '\r', '\n'};
 constexpr const char* kExtension = ".mesh";
 constexpr const char* kAside = ".part";
 constexpr auto kAsideLives = std::chrono::hours(1);  // what a program left that was killed while it wrote
 
-struct Head {
-  std::array<char, 8> magic = kMagic;
+struct CacheHead {
+  std::array<char, 8> magic = kCacheMagic;
   std::uint64_t bytes = 0;
   std::array<char, 32> digest{};  // of the key and what follows
 };
@@ -101,10 +101,10 @@ std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const m
   std::error_code error;
   const std::uint64_t size = fs::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  Head head;
+  CacheHead head;
   if (error || !file.read(reinterpret_cast<char*>(&head), sizeof head)) return {};
   // The length is believed where the file has it.
-  if (head.magic != kMagic || size != sizeof head + head.bytes) return {};
+  if (head.magic != kCacheMagic || size != sizeof head + head.bytes) return {};
   std::vector<std::byte> bytes(head.bytes);
   for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
     if (watch.isCancelled()) return {};
@@ -122,7 +122,7 @@ std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const m
 bool Cache::put(const std::string& key, std::span<const std::span<const std::byte>> parts,
                 const mesh::Watch& watch) const {
   if (folder_.empty() || !isName(key)) return false;
-  Head head;
+  CacheHead head;
   Digest digest;
   digest.add(std::as_bytes(std::span(key)));
   for (const std::span<const std::byte> part : parts) {

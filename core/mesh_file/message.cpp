@@ -11,17 +11,17 @@
 namespace underact::mesh_file {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'\x89', 'M', 'E', 'S', 'H', '1', '\r', '\n'};  // the first is no progress
+constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '1', '\r', '\n'};  // the first is no progress
 constexpr std::uint64_t kLongestProblem = 500;
 constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 27;  // as a surface takes them
 
-struct Head {
-  std::array<char, 8> magic = kMagic;
+struct MessageHead {
+  std::array<char, 8> magic = kMessageMagic;
   std::uint64_t problem_bytes = 0, corners = 0, faces = 0;
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0;
   std::int64_t polygons = 0, normals = 0, normals_against = 0, peak_bytes = 0;
 };
-static_assert(std::is_trivially_copyable_v<Head>);
+static_assert(std::is_trivially_copyable_v<MessageHead>);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(mesh::Face) == 12);
 
 bool isPlain(char c) {
@@ -52,7 +52,7 @@ bool writeMessage(const Message& message, const std::function<bool(std::span<con
   const Raw& raw = message.raw;
   std::string problem = message.problem.substr(0, kLongestProblem);
   for (char& c : problem) c = isPlain(c) ? c : '?';
-  Head head;
+  MessageHead head;
   head.problem_bytes = problem.size();
   head.corners = raw.triangles.p_MV.size();
   head.faces = raw.triangles.faces.size();
@@ -68,10 +68,10 @@ bool writeMessage(const Message& message, const std::function<bool(std::span<con
 }
 
 std::optional<Message> readMessage(std::span<const std::byte> bytes) {
-  Head head;
+  MessageHead head;
   if (bytes.size() < sizeof head) return {};
   std::memcpy(&head, bytes.data(), sizeof head);
-  if (head.magic != kMagic || head.problem_bytes > kLongestProblem || head.faces > kMostFaces ||
+  if (head.magic != kMessageMagic || head.problem_bytes > kLongestProblem || head.faces > kMostFaces ||
       head.corners > 3 * kMostFaces) {
     return {};
   }

@@ -9,10 +9,6 @@
 namespace underact::safety {
 namespace {
 
-bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
 bool isMissing(const Fault& fault) noexcept UNDERACT_REAL_TIME {
   return fault.kind == FaultKind::NoSample || fault.kind == FaultKind::StaleSample;
 }

@@ -12,11 +12,11 @@ namespace {
 constexpr double kVelocityFilter_s = 5e-3;
 constexpr double kWarm = 0.9;  // heat from which on the force is cut
 
-bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
+}  // namespace
+
+bool isFinite(const Vec3& v) noexcept {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
-
-}  // namespace
 
 double sizeOf(const Vec3& f_T_W) noexcept {
   const double largest = largestOf(f_T_W);

@@ -5,6 +5,8 @@ namespace underact::safety {
 
 // What each limit makes of a force of at most max_force_N. All keep it finite, and none makes it larger.
 
+bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME;
+
 /// The size of any force without overflow, N.
 double sizeOf(const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
 

@@ -11,7 +11,6 @@ namespace underact::scene {
 namespace {
 
 constexpr double kVersion = 1.0;
-const std::vector<std::string> kLaterKeys{"damping"};
 
 void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);

@@ -10,7 +10,6 @@ namespace underact::scene {
 namespace {
 
 // In the contract, but not in this version.
-const std::vector<std::string> kLaterKeys{"damping"};
 
 template <std::size_t... kIndex>
 std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
@@ -27,12 +26,12 @@ std::optional<Shape> shapeOf(const std::string& type, std::index_sequence<kIndex
   return shape;
 }
 
-constexpr auto kEach = std::make_index_sequence<std::variant_size_v<Shape>>{};
+constexpr auto kEachShape = std::make_index_sequence<std::variant_size_v<Shape>>{};
 
 std::optional<Shape> shapeOfType(const json::Value& value, const std::string& path, Findings& findings) {
-  const std::vector<std::string> types = typesOf(kEach);
+  const std::vector<std::string> types = typesOf(kEachShape);
   if (!isKind(value, json::Kind::String, path, listed(types), findings)) return std::nullopt;
-  std::optional<Shape> shape = shapeOf(value.text, kEach);
+  std::optional<Shape> shape = shapeOf(value.text, kEachShape);
   if (shape) return shape;
   const std::string nearest = nearestWord(value.text, types);
   findings.add(value, path,

@@ -3,8 +3,6 @@
 namespace underact::scene {
 namespace {
 
-const std::vector<std::string> kLaterKeys{"damping"};
-
 /// A number for all axes, or one for each.
 void readGain(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
   if (value.kind == json::Kind::Number) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "core/json/object_reader.h"
 #include "core/scene/description.h"
@@ -15,6 +16,9 @@ using json::nearestWord;
 using json::notYet;
 using json::ObjectReader;
 using json::shown;
+
+/// Of a scene, a constraint or a control: of the format, but not of this version.
+inline const std::vector<std::string> kLaterKeys{"damping"};
 
 /// Where "velocity" stands in the wrong object.
 inline constexpr const char* kBelongsToControl =

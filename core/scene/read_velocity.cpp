@@ -8,7 +8,7 @@
 namespace underact::scene {
 namespace {
 
-constexpr auto kEach = std::make_index_sequence<std::variant_size_v<Velocity>>{};
+constexpr auto kEachFilter = std::make_index_sequence<std::variant_size_v<Velocity>>{};
 
 /// Calls attempt(a filter as it usually is) for each filter there is.
 template <class Attempt, std::size_t... kIndex>
@@ -24,7 +24,7 @@ std::optional<Velocity> filterOf(const json::Value& value, const std::string& pa
         known.emplace_back(filterName(usual));
         if (value.kind == json::Kind::String && value.text == known.back()) filter = usual;
       },
-      kEach);
+      kEachFilter);
   if (!filter && isKind(value, json::Kind::String, path, listed(known), findings)) {
     findings.add(value, path, "This must be " + listed(known) + "; here it is " + shown(value.text) + ".");
   }
@@ -38,7 +38,7 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
       [&](auto usual) {
         eachSetting(usual, [&](const auto& setting, double) { users[setting.key].emplace_back(filterName(usual)); });
       },
-      kEach);
+      kEachFilter);
   std::visit([&](auto used) { eachSetting(used, [&](const auto& setting, double) { users.erase(setting.key); }); },
              chosen);
   for (const auto& [key, filters] : users) {

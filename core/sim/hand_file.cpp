@@ -15,7 +15,7 @@ using json::Findings;
 using json::ObjectReader;
 using json::Value;
 
-constexpr double kFurthest_mm = 1e6;
+constexpr double kFurthestHand_mm = 1e6;
 constexpr double kRotationError = 1e-6;  // as in a scene
 
 bool isRotation(const Mat3& R) {
@@ -61,7 +61,7 @@ void readTime(const Value& value, const std::string& path, double before_s, doub
 void readPlace(const Value& value, const std::string& path, Vec3& p_WT, Findings& findings) {
   Vec3 p_mm = Vec3::Zero();
   readNumber(value, path, p_mm, findings);
-  if (p_mm.cwiseAbs().maxCoeff() > kFurthest_mm) {
+  if (p_mm.cwiseAbs().maxCoeff() > kFurthestHand_mm) {
     findings.add(value, path, "Each coordinate must lie within 1e6 mm (1 km).");
   }
   p_WT = kMetrePerMillimetre * p_mm;

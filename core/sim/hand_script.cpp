@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/random.h"
 #include "core/base/trig.h"
 #include "core/base/units.h"
 
@@ -59,14 +60,6 @@ HandWish onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERAC
   HandWish wish{from.p_WT + profile.share * way_W, (profile.rate / leg_s) * way_W, from.R_WT, from.turns && to.turns};
   if (wish.turns) wish.R_WT = turned(from.R_WT, to.R_WT, profile.share);
   return wish;
-}
-
-/// SplitMix64 (Steele, Lea, Flood 2014), the number after state; in [0, 1).
-double nextShare(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
-  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
 }
 
 /// Three sinusoids an axis, where a hand's tremor lies (8 to 12 Hz). All their periods fit in 2 s, so time is taken

@@ -11,8 +11,6 @@
 namespace underact::sweep {
 namespace {
 
-constexpr std::chrono::microseconds kLookAtLetters{1000};
-
 /// A rank that runs what it is handed.
 class Follower {
  public:

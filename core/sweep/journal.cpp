@@ -18,8 +18,8 @@
 namespace underact::sweep {
 namespace {
 
-constexpr std::size_t kChecksum = 16;                    // digits of a line: one in 2^64 damaged ones is not seen
-constexpr std::size_t kLargest = std::size_t{8} << 30U;  // beyond any result that a table program opens
+constexpr std::size_t kChecksum = 16;  // digits of a line: one in 2^64 damaged ones is not seen
+constexpr std::size_t kLargestJournal = std::size_t{8} << 30U;  // beyond any result that a table program opens
 constexpr std::string_view kFirst = "underact-sweep-journal 1 ";
 
 /// The sweep's fingerprint is in every line's checksum, so that no line of another sweep counts.
@@ -38,10 +38,6 @@ std::optional<std::string> textIn(const std::string& fingerprint, std::string_vi
 std::string firstLine(const Sweep& sweep) {
   return std::string(kFirst) + sweep.fingerprint + " kind " + sweep.kind + ", seed " + std::to_string(sweep.seed) +
          ", version " + kVersion + "\n";
-}
-
-Problems problemAt(const std::string& path, const std::string& sentence) {
-  return {{sentence, {path, 0, 0, {}}}};
 }
 
 Problems systemProblem(const std::string& path, const std::string& what, int error) {
@@ -101,7 +97,7 @@ Result<Journal> Journal::open(const Sweep& sweep, const std::string& result) {
 }
 
 Problems Journal::read(const Sweep& sweep) {
-  const Result<std::string> file = json::readTextFile(path_, "a journal", kLargest);
+  const Result<std::string> file = json::readTextFile(path_, "a journal", kLargestJournal);
   if (!file) return file.problems();
   const std::string& text = file.value();
   const std::string first = firstLine(sweep);

@@ -11,7 +11,6 @@
 namespace underact::sweep {
 namespace {
 
-constexpr std::chrono::microseconds kLookAtLetters{1000};
 constexpr std::chrono::microseconds kLookAround{200'000};
 
 /// One sweep on its way, as the leader sees it.

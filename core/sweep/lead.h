@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstddef>
 #include <functional>
 
@@ -8,6 +9,8 @@
 #include "core/sweep/team.h"
 
 namespace underact::sweep {
+
+inline constexpr std::chrono::microseconds kLookAtLetters{1000};  // how often, leader and others
 
 /// What whoever started the sweep is asked and told, by the thread that called; about every 0.2 s, and with each cell.
 struct Watcher {

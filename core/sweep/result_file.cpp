@@ -17,12 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargest = std::size_t{8} << 30U;
+constexpr std::size_t kLargestResult = std::size_t{8} << 30U;
 const std::string kGoOn = "Move it away, and give the same command again: the cells are kept.";
-
-Problems problemAt(const std::string& path, const std::string& sentence) {
-  return {{sentence, {path, 0, 0, {}}}};
-}
 
 /// So that the new name of a file outlives a power cut. What a file system cannot do is left.
 void keepNames(const fs::path& folder) {
@@ -49,7 +45,8 @@ Problems removeTorn(const std::string& beside, std::string_view text) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(beside, ignored))) return {};
   const bool is_plain = fs::is_regular_file(fs::symlink_status(beside, ignored));
-  const Result<std::string> found = is_plain ? json::readTextFile(beside, "a part of a result", kLargest) : Problems{};
+  const Result<std::string> found =
+      is_plain ? json::readTextFile(beside, "a part of a result", kLargestResult) : Problems{};
   if (!found || !text.starts_with(found.value()))
     return problemAt(
         beside, "The result is to be written here first, but something else is here, and is not overwritten. " + kGoOn);
@@ -74,7 +71,7 @@ Result<bool> isThere(const Sweep& sweep, const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(path, ignored))) return false;
   if (!fs::is_regular_file(path, ignored)) return problemAt(path, "This is no plain file; choose another --out.");
-  const Result<std::string> text = json::readTextFile(path, "a result", kLargest);
+  const Result<std::string> text = json::readTextFile(path, "a result", kLargestResult);
   if (!text) return text.problems();
   if (text.value().starts_with(sweep.header)) {
     const auto lines = std::count(text.value().begin(), text.value().end(), '\n');

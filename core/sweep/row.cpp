@@ -7,7 +7,7 @@
 namespace underact::sweep {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   std::string field = "\"";
   for (const char letter : text) field += letter == '"' ? std::string("\"\"") : std::string(1, letter);
   return field + "\"";
@@ -32,7 +32,7 @@ void Row::add(std::string_view text) {
   }
   const bool plain =
       line.find_first_of(",\"") == std::string::npos && (line.empty() || (line.front() != ' ' && line.back() != ' '));
-  addRaw(plain ? line : quoted(line));
+  addRaw(plain ? line : inQuotes(line));
 }
 
 }  // namespace underact::sweep

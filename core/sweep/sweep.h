@@ -26,4 +26,9 @@ std::uint64_t seedOf(std::uint64_t sweep_seed, std::size_t cell);
 /// Runs a cell. The line of the result, without its end. Any thread. Problems: those of the cell; an exception in it.
 Result<std::string> rowOf(const Sweep& sweep, std::size_t cell);
 
+/// Of a file as a whole.
+inline Problems problemAt(const std::string& path, const std::string& sentence) {
+  return {{sentence, {path, 0, 0, {}}}};
+}
+
 }  // namespace underact::sweep

@@ -15,7 +15,7 @@ constexpr int kRounds = 7;
 constexpr int kRate_hz = 1000;
 
 /// A quantity: how the scene or its program is changed so that it is computed. false: it cannot be.
-struct Row {
+struct Need {
   const char* key;
   const char* what;
   bool (*require)(scene::Description& scene);
@@ -24,7 +24,7 @@ struct Row {
 };
 
 template <class Change>
-bool eachControl(scene::Description& scene, const Change& change) {
+bool anyControl(scene::Description& scene, const Change& change) {
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     scene::Control control = controlOf(scene, index);
     change(control);
@@ -34,7 +34,7 @@ bool eachControl(scene::Description& scene, const Change& change) {
 }
 
 bool giveLaw(scene::Description& scene, scene::LawType law) {
-  return eachControl(scene, [law](scene::Control& control) {
+  return anyControl(scene, [law](scene::Control& control) {
     control.law = std::max(control.law, law);
     control.gains.kd_N_s_per_mm.setConstant(1e-6);
     if (control.law == scene::LawType::PID) control.gains.ki_N_per_mm_s.setConstant(1e-6);
@@ -65,7 +65,7 @@ bool nothing(scene::Description&) {
   return true;
 }
 
-const std::array<Row, 7> kRows{{
+const std::array<Need, 7> kNeeds{{
     {"orientation", "how the stylus is turned", nothing, [](tick::Needs& needs) { needs.orientation = true; },
      [](const tick::TickProgram& program) { return program.needs.orientation; }},
     {"motor_torques", "what the motors bear: the Jacobian, their heat, the joints' stops", nothing,
@@ -79,7 +79,7 @@ const std::array<Row, 7> kRows{{
      [](const tick::TickProgram& program) { return program.needs.integral; }},
     {"energy", "what each constraint was given, and a damper for what it owes",
      [](scene::Description& scene) {
-       return eachControl(scene, [](scene::Control& control) { control.passivity = control::Passivity::Control; });
+       return anyControl(scene, [](scene::Control& control) { control.passivity = control::Passivity::Control; });
      },
      nullptr, [](const tick::TickProgram& program) { return program.needs.energy; }},
     {"friction", "where the target holds on to the shape", giveFriction, nullptr,
@@ -93,7 +93,7 @@ const std::array<Row, 7> kRows{{
 
 /// Place, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
 scene::Description bareOf(scene::Description scene) {
-  eachControl(scene, [](scene::Control& control) {
+  anyControl(scene, [](scene::Control& control) {
     control.law = scene::LawType::P;
     control.gains.kd_N_s_per_mm.setZero();
     control.gains.ki_N_per_mm_s.setZero();
@@ -118,11 +118,11 @@ template <class Wanted>
 std::optional<tick::TickProgram> programWith(const scene::Description& bare, const Wanted& wanted) {
   scene::Description scene = bare;
   bool can = false;
-  for (const Row& row : kRows) can = (wanted(row) && row.require(scene)) || can;
+  for (const Need& row : kNeeds) can = (wanted(row) && row.require(scene)) || can;
   const Result<tick::TickProgram> compiled = bareProgram(scene);
   if (!can || !compiled) return std::nullopt;
   tick::TickProgram program = compiled.value();
-  for (const Row& row : kRows) {
+  for (const Need& row : kNeeds) {
     if (wanted(row) && row.switchOn != nullptr) row.switchOn(program.needs);
   }
   return program;
@@ -162,18 +162,18 @@ Result<Model> modelOf(const Bench& bench) {
   const scene::Description bare_scene = bareOf(bench.scene);
   const Result<tick::TickProgram> bare = bareProgram(bare_scene);
   if (!bare) return bare.problems();
-  const auto everything = programWith(bare_scene, [](const Row&) { return true; });
-  std::array<std::optional<tick::TickProgram>, kRows.size()> each;
+  const auto everything = programWith(bare_scene, [](const Need&) { return true; });
+  std::array<std::optional<tick::TickProgram>, kNeeds.size()> each;
   std::vector<const tick::TickProgram*> programs{&bare.value(), &own.value(), everything ? &*everything : &own.value()};
-  for (std::size_t row = 0; row < kRows.size(); ++row) {
-    each[row] = programWith(bare_scene, [row](const Row& one) { return &one == &kRows[row]; });
+  for (std::size_t row = 0; row < kNeeds.size(); ++row) {
+    each[row] = programWith(bare_scene, [row](const Need& one) { return &one == &kNeeds[row]; });
     if (each[row]) programs.push_back(&*each[row]);
   }
   const std::vector<double> times_ns = inTurn_ns(programs, wayOf(bench, timesOf(bench, kRate_hz), false));
   Model model{times_ns[0], times_ns[1], times_ns[2], {}};
   std::size_t next = 3;
-  for (std::size_t row = 0; row < kRows.size(); ++row) {
-    Quantity quantity{kRows[row].key, kRows[row].what, kRows[row].is_required(own.value()), std::nullopt};
+  for (std::size_t row = 0; row < kNeeds.size(); ++row) {
+    Quantity quantity{kNeeds[row].key, kNeeds[row].what, kNeeds[row].is_required(own.value()), std::nullopt};
     if (each[row]) quantity.adds_ns = times_ns[next++] - model.bare_ns;
     model.quantities.push_back(quantity);
   }

@@ -8,7 +8,7 @@ namespace underact::trade {
 namespace {
 
 /// The scene's own way is run as the scene has it: "auto" is more than the closed form that it is like.
-std::vector<Entry> entriesOf(const Choice& choice, const Settings& base) {
+std::vector<Entry> entriesWithOwn(const Choice& choice, const Settings& base) {
   std::vector<Entry> entries;
   bool has_own = false;
   for (const Option& option : choice.options) {
@@ -62,14 +62,14 @@ std::vector<Standing> measureStandings(const scene::Description& scene, const st
   for (const Choice& choice : choices()) {
     if (!choice.applies(scene)) continue;
     asked.push_back(&choice);
-    cells += entriesOf(choice, base).size() * hands.size();
+    cells += entriesWithOwn(choice, base).size() * hands.size();
   }
   const auto tell = [&] { return goes_on(static_cast<double>(done++) / static_cast<double>(cells)); };
   std::vector<Standing> standings;
   for (const Choice* choice : asked) {
     std::vector<Row> rows;
     Standing standing{choice, base, {}};
-    const std::vector<Entry> entries = entriesOf(*choice, base);
+    const std::vector<Entry> entries = entriesWithOwn(*choice, base);
     for (const NamedHand& hand : hands) {
       const auto add = [&](const Entry& entry, const Figures& figures) {
         rows.push_back({scene.title, hand.name, choice->key, entry.name, figures});

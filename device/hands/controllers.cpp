@@ -28,7 +28,7 @@ std::string textOf(const char* text) {
 }
 
 /// Null where it was unplugged this moment: then there are no axes.
-void describe(int joystick, Seen& seen) {
+void describeAny(int joystick, Seen& seen) {
   GLFWgamepadstate pad{};
   if (::glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
     seen.kind = Kind::Controller;
@@ -78,7 +78,7 @@ std::vector<Seen> Controllers::look() {
     Seen seen;
     seen.id = textOf(::glfwGetJoystickGUID(joystick));
     if (isSpaceMouseGuid(seen.id)) continue;
-    describe(joystick, seen);
+    describeAny(joystick, seen);
     if (seen.id.empty() || seen.readings.axes + seen.readings.buttons == 0) continue;  // it went this moment
     all.push_back(std::move(seen));
   }

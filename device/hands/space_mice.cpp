@@ -15,7 +15,7 @@ namespace {
 constexpr int kRead_ms = 10, kIdle_ms = 50;
 constexpr int kMostAtOnce = 64;  // reports: as many as the kernel keeps
 
-Seen describe(const HidNode& node, const SpaceMouseModel& model) {
+Seen describeNode(const HidNode& node, const SpaceMouseModel& model) {
   Seen seen;
   // Two of one model are told apart by their serial number, where they have one.
   seen.id = "3d-" + std::string(model.name) + (node.serial.empty() ? "" : "-" + node.serial);
@@ -128,7 +128,7 @@ bool SpaceMice::read(Mouse& mouse, int time_ms) {
 void SpaceMice::publish() {
   std::vector<Seen> seen;
   for (const Mouse& mouse : mice_) {
-    seen.push_back(describe(mouse.node, *mouse.model));
+    seen.push_back(describeNode(mouse.node, *mouse.model));
     seen.back().readings = mouse.readings;
     seen.back().missing = mouse.missing;
   }

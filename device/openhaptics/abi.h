@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 // The binary interface of OpenHaptics' HD library, 3.0 to 3.4, declared from published facts: the vendor's headers may
@@ -20,6 +21,8 @@ using Callback = std::uint32_t (*)(void*);
 inline constexpr std::uint32_t kCallbackDone = 0, kCallbackContinue = 1;
 using Scheduled = unsigned long;  // a callback that was scheduled; 8 bytes on 64-bit Linux, 4 on Windows
 inline constexpr std::uint16_t kMaxPriority = 65535;
+
+inline constexpr std::size_t kRoom = 16;  // more values than any parameter has, whatever the model
 
 /// What can be asked for: state, facts about the arm, limits, and force.
 enum Parameter : std::uint32_t {

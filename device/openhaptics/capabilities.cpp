@@ -11,9 +11,6 @@
 namespace underact::device::openhaptics {
 namespace {
 
-constexpr double kMetrePerMillimetre = 1e-3;
-constexpr std::size_t kRoom = 16;  // more values than any parameter has, whatever the model
-
 /// Asks the driver for parameters; what it does not know is empty.
 class Asker {
  public:

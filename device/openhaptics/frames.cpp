@@ -10,14 +10,13 @@
 
 #include "core/arm/conventions.h"
 #include "core/arm/forward.h"
+#include "core/base/units.h"
 #include "core/safety/gate.h"
 #include "core/servo/clock.h"
 
 namespace underact::device::openhaptics {
 namespace {
 
-constexpr double kMetrePerMillimetre = 1e-3;
-constexpr std::size_t kRoom = 16;               // more values than any parameter has, whatever the model
 constexpr std::int64_t kLooksApart = 64;        // frames between two looks at calibration and inkwell
 constexpr std::int64_t kQuiet_ns = 20'000'000;  // zero force after a force error
 constexpr int kFarewells = 5;

@@ -9,8 +9,6 @@
 namespace underact::device::remote {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
-
 Problems problem(std::string sentence) {
   return {{std::move(sentence), {}}};
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 
 #include "device/remote/address.h"
@@ -7,6 +8,8 @@
 #include "device/remote/wire.h"
 
 namespace underact::device::remote {
+
+inline constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 /// Where an arm is shared, and the keys to it.
 struct Reach {

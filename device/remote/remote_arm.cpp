@@ -13,7 +13,6 @@ constexpr int kConnect_ms = 3000;
 constexpr int kBusyAsks = 15, kBusyPause_ms = 100;  // one who has just ended is counted for a moment
 constexpr std::int64_t kLost_ns = 1'000'000'000;    // silence, after which the line is no line
 constexpr int kSilentReads = 20;                    // in a row without a sample; after more, the gate gives up
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 }  // namespace
 

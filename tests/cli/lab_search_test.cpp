@@ -1,15 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "tests/cli/scene.h"
 #include "tests/cli/session.h"
 
 namespace underact::test {
 namespace {
 
 using cli::Exit;
-
-std::string scene(const std::string& name) {
-  return std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
-}
 
 TEST(LabSearch, TellsTimeAndErrorOfEachSearchOfAMesh) {
   const Outcome outcome =

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/cli/scene.h"
 #include "tests/cli/session.h"
 #include "tests/support/scratch_folder.h"
 
@@ -10,10 +11,6 @@ namespace underact::test {
 namespace {
 
 using cli::Exit;
-
-std::string scene(const std::string& name) {
-  return std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
-}
 
 TEST(LabStability, OneWallHasBothLimitsOfTheTable) {
   const Outcome outcome = runCli({"lab", "stability", "--mass_kg", "0.045", "--damping_N_s_per_m", "0.1",

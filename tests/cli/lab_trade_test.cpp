@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "tests/cli/scene.h"
 #include "tests/cli/session.h"
 #include "tests/support/scratch_folder.h"
 
@@ -12,10 +13,6 @@ namespace underact::test {
 namespace {
 
 using cli::Exit;
-
-std::string scene(const std::string& name) {
-  return std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
-}
 
 TEST(LabTrade, TellsEachOptionsCostAndErrorAndMarksTheDefault) {
   const Outcome outcome = runCli({"lab", "trade", "--scenes", scene("12_line_pid"), "--hands", "tremor,stab",

@@ -33,8 +33,8 @@ class CountingArm final : public servo::DevicePort {
   int& alive_;
 };
 
-struct Rig {
-  Rig() {
+struct ChosenRig {
+  ChosenRig() {
     auto one = std::make_unique<CountingArm>("first", alive);
     first = one.get();
     chosen = std::make_unique<ChosenArm>(std::move(one));
@@ -58,7 +58,7 @@ struct Rig {
 }  // namespace
 
 TEST(ChosenArm, HandsTheFirstArmThroughToTheBit) {
-  Rig rig;
+  ChosenRig rig;
   rig.first->epoch_ = 0;
   for (int read = 1; read <= 3; ++read) {
     EXPECT_EQ(rig.read().time_ns, read * 250'000);
@@ -69,7 +69,7 @@ TEST(ChosenArm, HandsTheFirstArmThroughToTheBit) {
 }
 
 TEST(ChosenArm, TakesTheOtherOneWithReopenAndClosesItWithTheNext) {
-  Rig rig;
+  ChosenRig rig;
   rig.read();
   rig.choose();
   EXPECT_EQ(rig.chosen->info().title, "first");
@@ -86,7 +86,7 @@ TEST(ChosenArm, TakesTheOtherOneWithReopenAndClosesItWithTheNext) {
 }
 
 TEST(ChosenArm, ItsClockNeverRunsBackAndEachExchangeBeginsAnew) {
-  Rig rig;
+  ChosenRig rig;
   for (int read = 0; read < 1000; ++read) rig.read();
   std::int64_t last_ns = rig.read().time_ns;
   std::uint32_t epoch = 0;
@@ -105,7 +105,7 @@ TEST(ChosenArm, ItsClockNeverRunsBackAndEachExchangeBeginsAnew) {
 }
 
 TEST(ChosenArm, PassesOnWhereTheArmItselfBeginsAnewAndWhatItDoesNotSay) {
-  Rig rig;
+  ChosenRig rig;
   CountingArm* const other = rig.choose();
   ASSERT_TRUE(rig.chosen->reopen().empty());
   EXPECT_EQ(rig.read().epoch, 1U);

@@ -51,8 +51,8 @@ std::shared_ptr<Recorded> recordingOf(std::int64_t rows, int rate_hz = 1000) {
   return recorded;
 }
 
-struct Rig {
-  explicit Rig(int rate_hz = 1000) : arm(std::make_unique<StillArm>(seen), rate_hz) {}
+struct ReplayRig {
+  explicit ReplayRig(int rate_hz = 1000) : arm(std::make_unique<StillArm>(seen), rate_hz) {}
   arm::Sample read() {
     arm::Sample sample;
     EXPECT_TRUE(arm.read(sample));
@@ -76,7 +76,7 @@ safety::GatedForce pushing() {
 }
 
 TEST(ReplayedArm, TakesTheRatesOfTheArmBehindItButNotDuringAReplay) {
-  Rig still;
+  ReplayRig still;
   EXPECT_NE(still.arm.fixedRate(), "") << "that arm has one alone";
   SimulatedArm::Options options;
   options.arm = *arm::findPreset(arm::kDefaultArm);
@@ -102,7 +102,7 @@ TEST(ReplayedArm, TakesTheRatesOfTheArmBehindItButNotDuringAReplay) {
 }
 
 TEST(ReplayedArm, HandsEverythingThroughWhileNothingIsReplayed) {
-  Rig rig;
+  ReplayRig rig;
   const arm::Sample sample = rig.read(3);
   EXPECT_EQ(sample.time_ns, 3'000'077);
   EXPECT_EQ(sample.q_rad, (arm::JointAngles{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
@@ -122,7 +122,7 @@ TEST(ReplayedArm, HandsEverythingThroughWhileNothingIsReplayed) {
 }
 
 TEST(ReplayedArm, AtSpeedOneTheSamplesAreTheRecordedOnesToTheBitRowByRow) {
-  Rig rig;
+  ReplayRig rig;
   const auto recorded = recordingOf(500);
   rig.read(5);
   rig.arm.replay(recorded);
@@ -145,7 +145,7 @@ TEST(ReplayedArm, AtSpeedOneTheSamplesAreTheRecordedOnesToTheBitRowByRow) {
 }
 
 TEST(ReplayedArm, ForcesGoNowhereAndItSaysWhatItIs) {
-  Rig rig;
+  ReplayRig rig;
   rig.read();
   rig.arm.write(pushing());
   rig.arm.replay(recordingOf(10));
@@ -163,7 +163,7 @@ TEST(ReplayedArm, ForcesGoNowhereAndItSaysWhatItIs) {
 }
 
 TEST(ReplayedArm, TheClockNeverRunsBackAndEachJumpIsAnEpoch) {
-  Rig rig;
+  ReplayRig rig;
   std::int64_t last_ns = rig.read(50).time_ns;
   std::uint32_t epoch = 0;
   const auto after = [&](std::uint32_t jumps, const char* what) {
@@ -201,7 +201,7 @@ TEST(ReplayedArm, TheClockNeverRunsBackAndEachJumpIsAnEpoch) {
 }
 
 TEST(ReplayedArm, WhatIsSaidBetweenTwoReadsIsAllHeeded) {
-  Rig rig;
+  ReplayRig rig;
   rig.arm.replay(recordingOf(400));
   rig.arm.setSpeed(2.0);
   rig.arm.seek(100);
@@ -223,7 +223,7 @@ TEST(ReplayedArm, WhatIsSaidBetweenTwoReadsIsAllHeeded) {
 }
 
 TEST(ReplayedArm, OtherSpeedsLieOnTheLineBetweenRowsAndTurnTheShortWay) {
-  Rig rig;
+  ReplayRig rig;
   rig.arm.replay(recordingOf(100));
   rig.read();
   rig.arm.setSpeed(0.25);
@@ -246,13 +246,13 @@ TEST(ReplayedArm, OtherSpeedsLieOnTheLineBetweenRowsAndTurnTheShortWay) {
 }
 
 TEST(ReplayedArm, AnotherRateIsPlayedByTime) {
-  Rig rig(1000);
+  ReplayRig rig(1000);
   const auto recorded = recordingOf(4001, 4000);
   rig.arm.replay(recorded);
   rig.read();
   rig.arm.play();
   EXPECT_EQ(rig.read(250).q_rad, recorded->rows[1000].q_rad);
-  Rig faster(4000);
+  ReplayRig faster(4000);
   faster.arm.replay(recordingOf(1001));
   faster.read();
   faster.arm.play();
@@ -260,7 +260,7 @@ TEST(ReplayedArm, AnotherRateIsPlayedByTime) {
 }
 
 TEST(ReplayedArm, WhereNothingLeadsItJumpsInsteadOfTurningThere) {
-  Rig rig;
+  ReplayRig rig;
   const auto recorded = recordingOf(100);
   recorded->rows[5].begins_anew = true;
   rig.arm.replay(recorded);
@@ -277,7 +277,7 @@ TEST(ReplayedArm, WhereNothingLeadsItJumpsInsteadOfTurningThere) {
 }
 
 TEST(ReplayedArm, EachSampleSaysWhereItCameFrom) {
-  Rig rig;
+  ReplayRig rig;
   rig.read(3);
   rig.arm.replay(recordingOf(100));
   const std::int64_t first_ns = rig.read().time_ns;

@@ -5,15 +5,12 @@
 #include <set>
 
 #include "device/openhaptics/errors.h"
+#include "tests/openhaptics/contains.h"
 
 namespace underact::device::openhaptics {
 namespace {
 
 int nothing = 0;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

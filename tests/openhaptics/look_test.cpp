@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tests/openhaptics/contains.h"
 #include "tests/support/scratch_folder.h"
 
 namespace underact::device::openhaptics {
@@ -64,10 +65,6 @@ class AsNobody {
   static constexpr uid_t kNobody = 65534;
   bool changed_ = false;
 };
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

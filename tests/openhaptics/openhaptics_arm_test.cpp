@@ -6,6 +6,7 @@
 #include "core/servo/host.h"
 #include "device/openhaptics/scheduler.h"
 #include "tests/openhaptics/arm_fixture.h"
+#include "tests/openhaptics/contains.h"
 
 namespace underact::device::openhaptics {
 namespace {
@@ -18,10 +19,6 @@ std::string lineOf(const std::vector<std::string>& lines, const std::string& beg
     if (line.rfind(beginning, 0) == 0) return line.substr(beginning.size());
   }
   return "(no such line)";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

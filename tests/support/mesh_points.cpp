@@ -8,7 +8,7 @@
 namespace underact::test {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
+constexpr double kWholeTurn_rad = 6.283185307179586;
 
 Eigen::AlignedBox3d boxOf(const mesh::Triangles& triangles) {
   Eigen::AlignedBox3d box;
@@ -54,8 +54,8 @@ std::vector<Vec3> stroke(const mesh::Triangles& triangles, double mm, std::size_
   for (std::size_t i = 0; i < steps; ++i) {
     const double way_mm = kStep_mm * static_cast<double>(i);
     walker.go(kStep_mm * mm);
-    walker.turn(kStep_mm * 0.05 * std::sin(kTurn * way_mm / 70.0));
-    rough.push_back(walker.p_M() + mm * (1.5 + 3.5 * std::sin(kTurn * way_mm / 37.0)) * walker.normal_M());
+    walker.turn(kStep_mm * 0.05 * std::sin(kWholeTurn_rad * way_mm / 70.0));
+    rough.push_back(walker.p_M() + mm * (1.5 + 3.5 * std::sin(kWholeTurn_rad * way_mm / 37.0)) * walker.normal_M());
   }
   return smoothed(rough, kSmoothSteps);
 }
@@ -129,7 +129,7 @@ std::vector<Vec3> handPath(const mesh::Triangles& triangles, double mm, int mill
   double gone = 0.0;
   for (int ms = 0; ms < milliseconds + 6 * kSmooth_ms; ++ms) {
     path.push_back(traveller.after(gone));
-    gone += mm * (0.3 + 0.2 * std::sin(kTurn * ms / 1700.0));  // 0.1 to 0.5 m/s is as many mm/ms
+    gone += mm * (0.3 + 0.2 * std::sin(kWholeTurn_rad * ms / 1700.0));  // 0.1 to 0.5 m/s is as many mm/ms
   }
   return smoothed(path, kSmooth_ms);
 }

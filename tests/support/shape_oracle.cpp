@@ -6,7 +6,7 @@
 namespace underact::test {
 namespace {
 
-constexpr double kTurn = 3.14159265358979323846;
+constexpr double kMostTurn_rad = 3.14159265358979323846;
 constexpr double kFar_m = 2.0;  // how far lines, planes and cylinders are searched
 
 struct Axes {
@@ -35,7 +35,7 @@ ShapeOracle sphere(Random& random) {
   made.patches = {{[=](double a, double b) -> Vec3 {
                      return c + r * Vec3(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
                    },
-                   kTurn, kTurn / 2}};
+                   kMostTurn_rad, kMostTurn_rad / 2}};
   made.off = [=](const Vec3& q) { return (q - c).norm() - r; };
   return made;
 }
@@ -45,8 +45,8 @@ ShapeOracle circle(Random& random) {
   const double r = random.between(0.01, 0.1);
   const Axes axes = around(random, n);
   ShapeOracle made{"circle", shape::makeCircle(c, 3.0 * n, r, {}).value(), {}, Vec3::Ones(), {}, {}, false, r};
-  made.patches = {
-      {[=](double a, double) -> Vec3 { return c + r * (std::cos(a) * axes.u + std::sin(a) * axes.v); }, kTurn, 0.0}};
+  made.patches = {{[=](double a, double) -> Vec3 { return c + r * (std::cos(a) * axes.u + std::sin(a) * axes.v); },
+                   kMostTurn_rad, 0.0}};
   made.off = [=](const Vec3& q) { return std::hypot((q - c).dot(n), distanceFromAxis(q, c, n) - r); };
   return made;
 }
@@ -57,8 +57,8 @@ ShapeOracle cylinder(Random& random) {
   const Axes axes = around(random, n);
   ShapeOracle made{"cylinder", shape::makeCylinder(c, 0.2 * n, r, {}).value(), {}, Vec3::Ones(), {}, {}, true, r};
   made.patches = {
-      {[=](double a, double b) -> Vec3 { return c + r * (std::cos(a) * axes.u + std::sin(a) * axes.v) + b * n; }, kTurn,
-       kFar_m, false, true}};
+      {[=](double a, double b) -> Vec3 { return c + r * (std::cos(a) * axes.u + std::sin(a) * axes.v) + b * n; },
+       kMostTurn_rad, kFar_m, false, true}};
   made.off = [=](const Vec3& q) { return distanceFromAxis(q, c, n) - r; };
   return made;
 }

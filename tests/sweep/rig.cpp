@@ -159,4 +159,8 @@ const std::string& field(const std::vector<std::vector<std::string>>& table, std
   return table.at(row).at(static_cast<std::size_t>(found - table.at(0).begin()));
 }
 
+double number(const std::vector<std::vector<std::string>>& table, std::size_t row, const std::string& column) {
+  return std::stod(field(table, row, column));
+}
+
 }  // namespace underact::test

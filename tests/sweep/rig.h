@@ -68,4 +68,6 @@ std::vector<std::vector<std::string>> table(const std::string& result);
 const std::string& field(const std::vector<std::vector<std::string>>& table, std::size_t row,
                          const std::string& column);
 
+double number(const std::vector<std::vector<std::string>>& table, std::size_t row, const std::string& column);
+
 }  // namespace underact::test

@@ -10,10 +10,6 @@ namespace {
 
 using Table = std::vector<std::vector<std::string>>;
 
-double number(const Table& rows, std::size_t row, const std::string& column) {
-  return std::stod(field(rows, row, column));
-}
-
 TEST(SweepOfWalls, HasTheCellsOfAMapAsTheLabHasThem) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");

@@ -66,10 +66,10 @@ QWidget* CalibrationPanel::makeNoBeamsPage() {
 
 void CalibrationPanel::addActions() {
   const QString tip = tr("Says that the %1 beam is stiffer; possible once both were pressed.");
-  parts_.actions.add({"calibration.left", tr("&Left beam is stiffer"), QKeySequence("Alt+Left"), tip.arg(tr("left"))},
+  parts_.actions.add({"calibration.left", tr("Left &beam is stiffer"), QKeySequence("Alt+Left"), tip.arg(tr("left"))},
                      [this](const QVariantList&) { return session_->answer(Beam::Left); });
   parts_.actions.add(
-      {"calibration.right", tr("&Right beam is stiffer"), QKeySequence("Alt+Right"), tip.arg(tr("right"))},
+      {"calibration.right", tr("R&ight beam is stiffer"), QKeySequence("Alt+Right"), tip.arg(tr("right"))},
       [this](const QVariantList&) { return session_->answer(Beam::Right); });
   parts_.actions.addCommand("calibration.begin", [this](const QVariantList&) { return begin(); });
   parts_.actions.addCommand("calibration.cancel", [this](const QVariantList&) { return session_->cancel(); });

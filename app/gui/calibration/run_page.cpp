@@ -25,9 +25,10 @@ QIcon beamIcon(std::size_t side, const Theme& theme, const QSize& size, double r
   picture.fill(Qt::transparent);
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
+  const QColor grey = mixed(theme.background, theme.ink, 0.6);
   painter.scale(size.width() / 40.0, size.height() / 24.0);
   for (std::size_t beam = 0; beam < 2; ++beam) {
-    painter.setPen(QPen(beam == side ? theme.virtual_robot : theme.quiet, 1.5));
+    painter.setPen(QPen(beam == side ? theme.virtual_robot : grey, 1.5));
     painter.setBrush(beam == side ? QBrush(theme.virtual_robot) : QBrush(Qt::NoBrush));
     painter.drawRoundedRect(QRectF(beam == 0 ? 5.0 : 27.0, 3.0, 8.0, 18.0), 2.0, 2.0);
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr double kTicks[] = {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0};
 constexpr double kDot = 3.0;
 
-QString percent(double share) {
+QString percentLabel(double share) {
   return QObject::tr("%1 %").arg(100.0 * share);
 }
 
@@ -39,7 +39,7 @@ void StaircaseChart::present(const calibration::Measurement& run) {
   most_ *= 1.3;
   const auto threshold = thresholdOf(run.staircase);
   setAccessibleDescription(
-      threshold ? tr("%1 trials; the threshold is %2").arg(run.answers.size()).arg(percent(threshold->difference))
+      threshold ? tr("%1 trials; the threshold is %2").arg(run.answers.size()).arg(percentLabel(threshold->difference))
                 : tr("%1 trials; no threshold").arg(run.answers.size()));
   update();
 }
@@ -50,7 +50,7 @@ void StaircaseChart::setTheme(const Theme& theme) {
 }
 
 QRectF StaircaseChart::plot() const {
-  const double left = fontMetrics().horizontalAdvance(percent(0.005)) + 8.0;
+  const double left = fontMetrics().horizontalAdvance(percentLabel(0.005)) + 8.0;
   const double line = fontMetrics().lineSpacing();
   return {left, line + 4.0, width() - left - 8.0, height() - 3.0 * line - 12.0};
 }
@@ -85,7 +85,7 @@ void StaircaseChart::drawAxes(QPainter& painter) const {
     if (tick < least_ || tick > most_) continue;
     painter.setPen(words);
     painter.drawText(QRectF(0.0, yOf(tick) - 0.5 * line, plot().left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter,
-                     percent(tick));
+                     percentLabel(tick));
     painter.setPen(QPen(mixed(palette().color(QPalette::Window), theme_.quiet, 0.6), 1.0));
     painter.drawLine(QPointF(plot().left(), yOf(tick)), QPointF(plot().right(), yOf(tick)));
   }
@@ -110,7 +110,7 @@ void StaircaseChart::drawTrials(QPainter& painter) const {
     index == 0 ? way.moveTo(at) : way.lineTo(at);
   }
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(mixed(palette().color(QPalette::Window), theme_.ink, 0.35), 1.0));
+  painter.setPen(QPen(mixed(palette().color(QPalette::Window), theme_.ink, 0.5), 1.0));
   painter.drawPath(way);
   for (std::size_t index = 0; index < run_.answers.size(); ++index) {
     const calibration::Answered& one = run_.answers[index];

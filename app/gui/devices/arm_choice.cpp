@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookEvery_ms = 30;
+constexpr int kLookForTrial_ms = 30;
 constexpr const char* kSimulated = "simulated";
 
 }  // namespace
@@ -19,7 +19,7 @@ constexpr const char* kSimulated = "simulated";
 ArmChoice::ArmChoice(servo::Host& host, Document& document, device::ChosenArm* chosen, device::SimulatedArm* simulated,
                      QObject* parent)
     : QObject(parent), host_(host), document_(document), chosen_(chosen), simulated_(simulated) {
-  looks_.setInterval(kLookEvery_ms);
+  looks_.setInterval(kLookForTrial_ms);
   connect(&looks_, &QTimer::timeout, this, &ArmChoice::look);
   connect(&document_, &Document::opened, this, &ArmChoice::sceneOpened);
 }

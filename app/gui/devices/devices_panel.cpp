@@ -21,7 +21,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookEvery_ms = 2000;  // while somebody looks
+constexpr int kLookForArms_ms = 2000;  // while somebody looks
 constexpr int kEntry = Qt::UserRole;
 
 QString stateOf(const ArmEntry& entry, bool is_in_use) {
@@ -49,7 +49,7 @@ DevicesPanel::DevicesPanel(const PanelParts& parts, QWidget* parent)
   column->addWidget(buildRegistration());
   column->addStretch(1);
   fillWithScroll(this, content);
-  looks_.setInterval(kLookEvery_ms);
+  looks_.setInterval(kLookForArms_ms);
   connect(&looks_, &QTimer::timeout, this, [this] {
     if (isSeen()) search_->look();
   });

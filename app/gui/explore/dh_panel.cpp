@@ -25,7 +25,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr const char* kOwner = "dh";
+constexpr const char* kDhOwner = "dh";
 constexpr std::int64_t kBetween_ns = 100'000'000;  // of the servo's time: numbers that change faster are not read
 
 }  // namespace
@@ -208,7 +208,7 @@ void DhPanel::showNumbers() {
 
 void DhPanel::draw() {
   drawn_ = isSeen();
-  parts_.view.draw(kOwner, drawn_ ? drawingOf(tables_.now(), joints(follows_->isChecked())) : Drawing{});
+  parts_.view.draw(kDhOwner, drawn_ ? drawingOf(tables_.now(), joints(follows_->isChecked())) : Drawing{});
 }
 
 void DhPanel::present(const servo::Snapshot& snapshot) {
@@ -225,7 +225,7 @@ void DhPanel::present(const servo::Snapshot& snapshot) {
 }
 
 void DhPanel::hideEvent(QHideEvent* event) {
-  parts_.view.draw(kOwner, {});
+  parts_.view.draw(kDhOwner, {});
   drawn_ = false;
   shown_ns_ = -1;
   Panel::hideEvent(event);

@@ -28,7 +28,7 @@ using chain::Axes;
 using chain::Step;
 using chain::StepKind;
 
-constexpr const char* kOwner = "transform";
+constexpr const char* kTransformOwner = "transform";
 constexpr std::size_t kMostSteps = 6;
 constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the picture is as wide
 constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not seen on the screen
@@ -242,7 +242,7 @@ void TransformPanel::draw() {
     }
   }
   drawn_ = !drawing.isEmpty();
-  parts_.view.draw(kOwner, drawing);
+  parts_.view.draw(kTransformOwner, drawing);
 }
 
 void TransformPanel::present(const servo::Snapshot&) {
@@ -250,7 +250,7 @@ void TransformPanel::present(const servo::Snapshot&) {
 }
 
 void TransformPanel::hideEvent(QHideEvent* event) {
-  parts_.view.draw(kOwner, {});
+  parts_.view.draw(kTransformOwner, {});
   drawn_ = false;
   Panel::hideEvent(event);
 }

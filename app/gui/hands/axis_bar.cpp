@@ -40,7 +40,7 @@ void AxisBar::paintEvent(QPaintEvent*) {
   const double middle = track.center().x(), half = 0.5 * track.width();
   painter.setBrush(mixed(ground, theme_.quiet, 0.3));
   painter.drawRoundedRect(track, 3, 3);
-  painter.setBrush(mixed(ground, theme_.quiet, 0.8));
+  painter.setBrush(mixed(ground, theme_.ink, 0.5));
   painter.drawRect(QRectF(middle - half * dead_zone_, track.top(), 2.0 * half * dead_zone_, track.height()));
   painter.setBrush(theme_.constraint);
   const double end = middle + half * share_;

@@ -1,9 +1,9 @@
 #include "app/gui/hands/hand_words.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 
+#include "app/gui/words.h"
 #include "device/hands/map_file.h"
 
 namespace underact::gui {
@@ -11,10 +11,6 @@ namespace underact::gui {
 using namespace device::hands;
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
 
 bool setNumber(const QVariant& value, double least, double most, double& into) {
   bool is_number = false;

@@ -24,7 +24,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kProgressSteps = 1000;
-constexpr int kLookEvery_ms = 50;
+constexpr int kLookForRun_ms = 50;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void LabPanel::build() {
   column->addWidget(choices_ = new ChoiceList(content));
   column->addStretch(1);
   fillWithScroll(this, content);
-  looks_.setInterval(kLookEvery_ms);
+  looks_.setInterval(kLookForRun_ms);
 }
 
 void LabPanel::buildMeasuring(QVBoxLayout* column) {

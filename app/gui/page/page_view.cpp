@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kMargin = 16, kRounding = 2;
+constexpr int kPageMargin = 16, kRounding = 2;
 constexpr qsizetype kShort = 3;  // letters of a word
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
@@ -61,7 +61,7 @@ QUrl askedFor(const QUrl& link) {
 PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
-  document()->setDocumentMargin(kMargin);
+  document()->setDocumentMargin(kPageMargin);
   // A table may come out a pixel too wide by rounding; that is nothing to scroll for.
   connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
     setHorizontalScrollBarPolicy(most > kRounding ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
@@ -144,7 +144,7 @@ QVariant PageView::loadResource(int type, const QUrl& name) {
   const QString path = QDir(folder_).filePath(name.path());
   QSize size = QImageReader(path).size();  // of its first bytes
   if (!size.isValid()) return {};
-  const int room = qRound(std::max(1, width_ - 2 * kMargin) * devicePixelRatioF());
+  const int room = qRound(std::max(1, width_ - 2 * kPageMargin) * devicePixelRatioF());
   if (size.width() > room) size = {room, std::max(1, size.height() * room / size.width())};
   QImage place(size, QImage::Format_ARGB32_Premultiplied);
   place.fill(Qt::transparent);

@@ -25,7 +25,7 @@ constexpr double kLabelRoom_px = 56.0;                                        //
 constexpr double kLineRoom_px = 26.0;                                         // between two words on the y axis
 constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  // of the legend
 
-QString numberText(double value, int decimals) {
+QString tickText(double value, int decimals) {
   if (std::abs(value) < 1e-9) value = 0.0;
   return localNumber(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
@@ -199,14 +199,14 @@ void Chart::paintWords(QPainter& painter) const {
   const double title_width = metrics.horizontalAdvance(x_title_);
   const double free_until = axes_.right() - title_width - kGap;
   for (const double tick : x_ticks_) {
-    const QString text = numberText(tick, decimals(x_ticks_));
+    const QString text = tickText(tick, decimals(x_ticks_));
     const double width = metrics.horizontalAdvance(text);
     const double x = axes_.left() + (tick - x_from_) / (x_to_ - x_from_) * axes_.width() - 0.5 * width;
     if (x + width < free_until) painter.drawText(QPointF(std::round(x), base), text);
   }
   painter.drawText(QPointF(std::round(axes_.right() - title_width), base), x_title_);
   for (const double tick : y_ticks_) {
-    const QString text = numberText(tick, decimals(y_ticks_));
+    const QString text = tickText(tick, decimals(y_ticks_));
     const double y = axes_.bottom() - (tick - y_from_) / (y_to_ - y_from_) * axes_.height();
     painter.drawText(QPointF(std::round(axes_.left() - 0.75 * kGap - metrics.horizontalAdvance(text)),
                              std::round(y + 0.5 * (metrics.ascent() - metrics.descent()))),

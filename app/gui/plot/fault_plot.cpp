@@ -11,15 +11,15 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastForce_N = 0.2, kLeastLateness_us = 100.0;
-constexpr double kAskedShown = 3.0;  // times the greatest force sent: what was asked may be anything
-constexpr double kRoom = 1.05;
+constexpr double kFaultLeastForce_N = 0.2, kLeastLateness_us = 100.0;
+constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: what was asked may be anything
+constexpr double kFaultRoom = 1.05;
 
 float onScreen(double value) {
   return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
-double greatestOf(std::span<const PlotPoint> points) {
+double greatestY(std::span<const PlotPoint> points) {
   float greatest = 0.0F;
   for (const PlotPoint& point : points) {
     if (std::isfinite(point.y)) greatest = std::max(greatest, point.y);
@@ -59,11 +59,11 @@ void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_h
     my.force.points(1)[index] = {time_s, onScreen(tick.f_sent_T_W.norm())};
     my.lateness.points(0)[index] = {time_s, onScreen(1e-3 * static_cast<double>(tick.lateness_ns))};
   }
-  const double sent_N = std::max(greatestOf(my.force.points(1)), kLeastForce_N);
-  const double asked_N = std::min(greatestOf(my.force.points(0)), kAskedShown * sent_N);
-  const double late_us = std::max(greatestOf(my.lateness.points(0)), kLeastLateness_us);
-  my.force.setRange(-1.0, 0.0, 0.0, roundUp(kRoom * std::max(sent_N, asked_N)));
-  my.lateness.setRange(-1.0, 0.0, 0.0, roundUp(kRoom * late_us));
+  const double sent_N = std::max(greatestY(my.force.points(1)), kFaultLeastForce_N);
+  const double asked_N = std::min(greatestY(my.force.points(0)), kFaultAskedShown * sent_N);
+  const double late_us = std::max(greatestY(my.lateness.points(0)), kLeastLateness_us);
+  my.force.setRange(-1.0, 0.0, 0.0, roundUp(kFaultRoom * std::max(sent_N, asked_N)));
+  my.lateness.setRange(-1.0, 0.0, 0.0, roundUp(kFaultRoom * late_us));
   my.force.pointsChanged();
   my.lateness.pointsChanged();
   draw();

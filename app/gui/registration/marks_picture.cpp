@@ -24,6 +24,7 @@ MarksPicture::MarksPicture(const QString& object_name, QWidget* parent) : QWidge
   setObjectName(object_name);
   setAccessibleName(tr("The marks on the desk, from above"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  present({}, {});
 }
 
 void MarksPicture::present(std::vector<ShownMark> marks, std::optional<std::size_t> due) {
@@ -55,13 +56,14 @@ void MarksPicture::paintEvent(QPaintEvent*) {
                                 (height() - 2.0 * kRoom_px) / std::max(span.y(), 1.0));
   const QPointF middle = 0.5 * (least + most), center(0.5 * width(), 0.5 * height());
   const auto place = [&](const Vec3& p_D) { return center + scale * (flat_mm(p_D) - middle); };
-  painter.setPen(mixed(theme_.quiet, theme_.ink, 0.4));
+  const QColor grey = mixed(theme_.background, theme_.ink, 0.5);
+  painter.setPen(mixed(theme_.quiet, theme_.ink, 0.55));
   painter.drawText(rect().adjusted(4, 2, -4, -2), Qt::AlignTop | Qt::AlignHCenter, tr("away from you"));
   for (std::size_t at = 0; at < marks_.size(); ++at) {
     const ShownMark& mark = marks_[at];
     const QPointF here = place(mark.p_D);
     const bool is_due = due_ == at;
-    const QColor colour = is_due ? theme_.constraint : mark.touched ? theme_.target : theme_.quiet;
+    const QColor colour = is_due ? theme_.constraint : mark.touched ? theme_.target : grey;
     painter.setPen(QPen(colour, is_due ? 3.0 : 1.5));
     painter.setBrush(mark.touched ? QBrush(mixed(theme_.background, theme_.target, 0.35)) : QBrush(Qt::NoBrush));
     painter.drawEllipse(here, kRing_px, kRing_px);

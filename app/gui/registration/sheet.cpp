@@ -1,11 +1,11 @@
 #include "app/gui/registration/sheet.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <cmath>
 
+#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/registration/sheet.h"
 
@@ -17,10 +17,6 @@ constexpr double kWords_mm = 34.0;  // at the top and at the bottom
 constexpr double kFlat_m = 1e-5;
 constexpr int kDotsPerInch = 1200;
 constexpr double kMillimetresPerInch = 25.4;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("underact::gui", text);
-}
 
 QRectF boundsOf(const std::vector<Vec3>& marks_D) {
   QRectF bounds;

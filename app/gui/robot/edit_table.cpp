@@ -30,6 +30,7 @@ class Typing : public QStyledItemDelegate {
     } else {
       auto* box = new QComboBox(parent);
       box->addItems(choices);
+      box->setAccessibleDescription(spoken);  // what Qt tells as its name is what is chosen
       // A choice is meant at once: nobody presses Enter after it.
       connect(box, &QComboBox::activated, this, [this, box] {
         auto* self = const_cast<Typing*>(this);

@@ -14,7 +14,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookEvery_ms = 50;
+constexpr int kLookForJob_ms = 50;
 constexpr int kSteps = 1000;  // of the bar
 
 QString sentenceOf(const CsvFile& done, const QString& out) {
@@ -47,7 +47,7 @@ JobStrip::JobStrip(QWidget* parent)
   grid->setColumnStretch(0, 1);
   for (QWidget* widget : {static_cast<QWidget*>(told_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
     widget->hide();
-  looks_.setInterval(kLookEvery_ms);
+  looks_.setInterval(kLookForJob_ms);
   connect(&looks_, &QTimer::timeout, this, &JobStrip::look);
   connect(cancel_, &QPushButton::clicked, this, &JobStrip::cancel);
 }

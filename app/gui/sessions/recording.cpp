@@ -10,7 +10,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookEvery_ms = 250;
+constexpr int kLookForRoom_ms = 250;
 constexpr qint64 kMegabyte = 1'000'000;
 constexpr const char* kFolder = "recording/folder";
 constexpr const char* kTags = "recording/tags";
@@ -30,7 +30,7 @@ Recording::Recording(servo::Host& host, QObject* parent) : QObject(parent), host
   words_.subject = stored.value(kSubject).toString().toStdString();
   if (stored.contains(kKeepFree))
     options_.reserve_bytes = std::max<qint64>(0, stored.value(kKeepFree).toLongLong()) * kMegabyte;
-  looks_.setInterval(kLookEvery_ms);
+  looks_.setInterval(kLookForRoom_ms);
   connect(&looks_, &QTimer::timeout, this, &Recording::look);
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMostMarkers = 5;
 const QString kBetween = QString(" %1 ").arg(QChar(0x00B7));
 
-QString textOf(const std::string& text) {
+QString shownText(const std::string& text) {
   return QString::fromStdString(text);
 }
 
@@ -32,7 +32,7 @@ QString markersOf(const SessionEntry& entry) {
     }
     const auto rate_hz = static_cast<double>(entry.info.header.rate_hz);
     const QString when = clockText(static_cast<double>(marker.tick - entry.first_tick) / rate_hz);
-    marks << (marker.label.empty() ? when : QString("%1 %2").arg(when, textOf(marker.label)));
+    marks << (marker.label.empty() ? when : QString("%1 %2").arg(when, shownText(marker.label)));
   }
   return marks.join(", ");
 }
@@ -50,7 +50,7 @@ QString lossesOf(const SessionEntry& entry) {
   if (entry.info.dropped > 0) losses << QObject::tr("%1 ticks are missing.").arg(entry.info.dropped);
   if (entry.faults > 0)
     losses << (entry.faults == 1 ? QObject::tr("1 fault.") : QObject::tr("%1 faults.").arg(entry.faults));
-  for (const Problem& problem : entry.info.damage) losses << textOf(problem.sentence);
+  for (const Problem& problem : entry.info.damage) losses << shownText(problem.sentence);
   return losses.join(' ');
 }
 
@@ -65,7 +65,7 @@ QString linesOf(const SessionEntry& entry) {
   const record::SessionHeader& header = entry.info.header;
   for (const std::string& one :
        {header.words.subject, header.words.name.empty() ? std::string() : header.scene_title, header.words.tags}) {
-    if (!one.empty()) facts << textOf(one);
+    if (!one.empty()) facts << shownText(one);
   }
   return titleOf(entry) + '\n' + facts.join(kBetween);
 }
@@ -83,12 +83,13 @@ QString detailsOf(const SessionEntry& entry) {
   lines << QStringList{dateOf(entry, "d MMM yyyy hh:mm:ss"), spanText(entry.info.duration_s),
                        QObject::tr("%1 ticks").arg(entry.info.ticks), size}
                .join(kBetween);
-  lines << QObject::tr("Scene %1").arg(header.scene_title.empty() ? QObject::tr("none") : textOf(header.scene_title)) +
-               kBetween + textOf(header.device) + kBetween + QObject::tr("%1 Hz").arg(header.rate_hz);
-  if (!header.words.subject.empty()) lines << QObject::tr("Subject %1").arg(textOf(header.words.subject));
-  if (!header.words.tags.empty()) lines << QObject::tr("Tags %1").arg(textOf(header.words.tags));
+  lines
+      << QObject::tr("Scene %1").arg(header.scene_title.empty() ? QObject::tr("none") : shownText(header.scene_title)) +
+             kBetween + shownText(header.device) + kBetween + QObject::tr("%1 Hz").arg(header.rate_hz);
+  if (!header.words.subject.empty()) lines << QObject::tr("Subject %1").arg(shownText(header.words.subject));
+  if (!header.words.tags.empty()) lines << QObject::tr("Tags %1").arg(shownText(header.words.tags));
   if (!entry.markers.empty()) lines << QObject::tr("Markers %1").arg(markersOf(entry));
-  if (!header.words.notes.empty()) lines << textOf(header.words.notes);
+  if (!header.words.notes.empty()) lines << shownText(header.words.notes);
   return lines.join('\n');
 }
 

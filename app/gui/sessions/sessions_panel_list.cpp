@@ -50,6 +50,9 @@ void SessionsPanel::addListActions() {
         chooseFile(tr("Save the plots"), "pdf", "sessions.plots");
         return true;
       });
+  add("sessions.follow", tr("Fo&llow"), "Ctrl+Shift+G",
+      tr("Lets the chosen session's stylus go its way beside yours, as a ghost to follow."),
+      [this](const QVariantList&) { return parts_.actions.perform("ghost.open", list_->chosen()->path); });
   add("sessions.show", tr("&Show in folder"), "Ctrl+Alt+O", tr("Opens the folder that holds the chosen session."),
       [this](const QVariantList&) {
         return QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(list_->chosen()->path).absolutePath()));
@@ -62,7 +65,7 @@ void SessionsPanel::addListActions() {
       [this](const QVariantList&) { return recoverChosen(); });
   add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del", tr("Moves the chosen session to the bin."),
       [this](const QVariantList& asked) { return deleteChosen(asked.value(0).toBool()); });
-  add("sessions.folder", tr("Choose &folder…"), "Ctrl+Alt+C", tr("Where recordings go, and which are listed."),
+  add("sessions.folder", tr("C&hoose folder…"), "Ctrl+Alt+C", tr("Where recordings go, and which are listed."),
       [this](const QVariantList& path) {
         if (!path.isEmpty()) return setFolder(path.first().toString());
         chooseFolder();
@@ -73,8 +76,8 @@ void SessionsPanel::addListActions() {
 QWidget* SessionsPanel::buildButtons() {
   menu_ = new QMenu(tr("More"), this);
   menu_->setObjectName("panel.sessions.menu");
-  for (const char* name :
-       {"sessions.export", "sessions.plots", "sessions.show", "sessions.edit", "sessions.recover", "sessions.delete"})
+  for (const char* name : {"sessions.follow", "sessions.export", "sessions.plots", "sessions.show", "sessions.edit",
+                           "sessions.recover", "sessions.delete"})
     menu_->addAction(parts_.actions.find(name));
   menu_->addSeparator();
   menu_->addAction(parts_.actions.find("sessions.folder"));
@@ -108,6 +111,7 @@ void SessionsPanel::presentChosen() {
   const auto allow = [this](const char* name, bool allowed) { parts_.actions.find(name)->setEnabled(allowed); };
   allow("sessions.export", readable && !job_->isBusy());
   allow("sessions.plots", readable && !job_->isBusy());
+  allow("sessions.follow", readable);
   allow("sessions.show", any);
   allow("sessions.edit", closed);
   allow("sessions.recover", readable && !closed);

@@ -15,10 +15,11 @@ namespace underact::gui {
 namespace {
 
 constexpr std::size_t kPoints = 600;
-constexpr double kRoom = 1.08;
+constexpr double kStepRoom = 1.08;
 constexpr double kMarkWide = 0.025, kMarkHigh = 0.07;  // half a cross, shares of the s-plane's chart
 // Curves of the chart against time.
-constexpr std::size_t kMarks = 0, kFirst = 1, kMeasured = kFirst + StepPlot::kMostResponses, kFit = kMeasured + 1;
+constexpr std::size_t kMarks = 0, kFirst = 1, kMeasuredCurve = kFirst + StepPlot::kMostResponses,
+                      kFit = kMeasuredCurve + 1;
 // Curves of the s-plane.
 constexpr std::size_t kAxes = 0, kPoles = 1, kZeros = 2;
 
@@ -54,9 +55,9 @@ class Strokes {
 std::vector<Chart::Curve> timeCurves() {
   std::vector<Chart::Curve> curves(kFit + 1);
   curves[kMarks] = {StepPlot::tr("2 % band, peak, settling"), 1.0F, true};
-  for (std::size_t curve = kFirst; curve < kMeasured; ++curve) curves[curve] = {QString(), 1.5F};
+  for (std::size_t curve = kFirst; curve < kMeasuredCurve; ++curve) curves[curve] = {QString(), 1.5F};
   curves[kFirst].width = 2.0F;
-  curves[kMeasured] = {StepPlot::tr("measured"), 1.5F};
+  curves[kMeasuredCurve] = {StepPlot::tr("measured"), 1.5F};
   curves[kFit] = {StepPlot::tr("its fit"), 1.5F, true};
   return curves;
 }
@@ -83,7 +84,7 @@ struct StepPlot::Impl {
       const lab::UnitStep step(there ? shown.responses[one].transfer : lab::TransferFunction{{1.0}, {1.0, 1.0}});
       fill(kFirst + one, there, [&](double t_s) { return step.at(t_s); });
     }
-    fill(kMeasured, shown.measured.has_value(), [&](double t_s) {
+    fill(kMeasuredCurve, shown.measured.has_value(), [&](double t_s) {
       const auto index = static_cast<std::size_t>(std::lround(t_s / shown.measured->period_s));
       const std::vector<double>& value = shown.measured->value;
       return index < value.size() ? value[index] : std::numeric_limits<double>::quiet_NaN();
@@ -92,9 +93,9 @@ struct StepPlot::Impl {
       return shown.fit->gain * lab::secondOrderAt(shown.fit->omega_n_rad_per_s, shown.fit->zeta, t_s);
     });
     if (most <= least) most = least + 1.0;
-    drawMarks(shown, kRoom * most);
-    const double low = least < -1e-3 * most ? kRoom * least : 0.0;
-    time.setRange(0.0, shown.seconds, low, kRoom * most);
+    drawMarks(shown, kStepRoom * most);
+    const double low = least < -1e-3 * most ? kStepRoom * least : 0.0;
+    time.setRange(0.0, shown.seconds, low, kStepRoom * most);
     time.pointsChanged();
   }
 
@@ -194,7 +195,7 @@ void StepPlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
   setBackground(theme);
   my.time.setColours(theme,
-                     {mixed(theme.background, theme.ink, 0.45), theme.constraint, theme.force_limited, theme.target,
+                     {mixed(theme.background, theme.ink, 0.5), theme.constraint, theme.force_limited, theme.target,
                       theme.position, theme.force, theme.orientation, theme.ink, theme.force_limited});
   my.plane.setColours(theme, {mixed(theme.background, theme.ink, 0.6), theme.constraint, theme.target});
   draw();

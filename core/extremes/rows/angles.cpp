@@ -11,7 +11,7 @@
 
 // The stylus's angle about a joint's axis: in the energy, and in the thesis's own force law.
 namespace underact::extremes {
-namespace {
+namespace angles_rows {
 
 using chain::Joint;
 using chain::JointType;
@@ -170,10 +170,10 @@ constexpr std::array<Row, 2> kRows{{
      2, judgeThesis},
 }};
 
-}  // namespace
+}  // namespace angles_rows
 
 std::span<const Row> angleRows() {
-  return kRows;
+  return angles_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -10,7 +10,7 @@
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
-namespace {
+namespace arm_rows {
 
 /// Of the turns: each angle is known to an ulp of itself, and joints 2 and 3 are added before their sine is taken.
 Real turnScale(const arm::JointAngles& q_rad) {
@@ -132,10 +132,10 @@ constexpr std::array<Row, 4> kRows{{
      "ulp of |torque| times gain^3 / (smallest gain^2 + damping^2)^2", 16, 25, judgeForce},
 }};
 
-}  // namespace
+}  // namespace arm_rows
 
 std::span<const Row> armRows() {
-  return kRows;
+  return arm_rows::kRows;
 }
 
 }  // namespace underact::extremes

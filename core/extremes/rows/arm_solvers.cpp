@@ -11,7 +11,7 @@
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
-namespace {
+namespace arm_solvers_rows {
 
 // Of 1 cm to 100 m: what counts as in line or on axis 1 is said in m.
 constexpr int kArmSize = 7;
@@ -182,10 +182,10 @@ constexpr std::array<Row, 3> kRows{{
      "ulp of the same; 2e-6 m beside that within 1e-6 m of axis 1, where joint 1 stays", 32, 80, judgeFollower},
 }};
 
-}  // namespace
+}  // namespace arm_solvers_rows
 
 std::span<const Row> armSolverRows() {
-  return kRows;
+  return arm_solvers_rows::kRows;
 }
 
 }  // namespace underact::extremes

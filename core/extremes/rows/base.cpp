@@ -7,7 +7,7 @@
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
-namespace {
+namespace base_rows {
 
 /// In ulp of the value itself, that of the denormals' place below them.
 double ownUlps(double got, const Real& right) {
@@ -102,10 +102,10 @@ constexpr std::array<Row, 4> kRows{{
      "ulp of |a| |x| + |b|: the residual, whatever the condition", 64, 1, judgeSystem},
 }};
 
-}  // namespace
+}  // namespace base_rows
 
 std::span<const Row> baseRows() {
-  return kRows;
+  return base_rows::kRows;
 }
 
 }  // namespace underact::extremes

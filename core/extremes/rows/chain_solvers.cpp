@@ -9,7 +9,7 @@
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
-namespace {
+namespace chain_solvers_rows {
 
 /// Of the shipped arms, as chains, scaled.
 chain::Chain drawShippedArm(Input& input) {
@@ -105,10 +105,10 @@ constexpr std::array<Row, 2> kRows{{
      "ulp as of chain_forward", 128, 6, judgeNumeric},
 }};
 
-}  // namespace
+}  // namespace chain_solvers_rows
 
 std::span<const Row> chainSolverRows() {
-  return kRows;
+  return chain_solvers_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -8,7 +8,7 @@
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
-namespace {
+namespace chains_rows {
 
 /// What rounding of the angles does at the tip: the lengths of all links, times the sum of the angles (1 rad at least).
 struct Scales {
@@ -87,10 +87,10 @@ constexpr std::array<Row, 3> kRows{{
      "ulp of its lengths times its angles (1 rad at least); of its angles for the turn", 8, 1, judgeDhRow},
 }};
 
-}  // namespace
+}  // namespace chains_rows
 
 std::span<const Row> chainRows() {
-  return kRows;
+  return chains_rows::kRows;
 }
 
 }  // namespace underact::extremes

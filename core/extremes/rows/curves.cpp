@@ -7,7 +7,7 @@
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
-namespace {
+namespace curves_rows {
 
 struct Drawn {
   std::shared_ptr<const curve::Curve> curve;
@@ -193,10 +193,10 @@ constexpr std::array<Row, 4> kRows{{
      "ulp of the largest coordinate, and 1e-13 of the distance (farther than those pieces)", 512, 15, judgeLocalSpline},
 }};
 
-}  // namespace
+}  // namespace curves_rows
 
 std::span<const Row> curveRows() {
-  return kRows;
+  return curves_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -10,7 +10,7 @@
 #include "core/target/friction.h"
 
 namespace underact::extremes {
-namespace {
+namespace drifts_rows {
 
 // Hours of simulated time. What N additions may lose is N half ulp of the largest sum; what was promised is that, so
 // each row's unit is N half ulp and its promise a few. A hundred digits are not needed here: 113 bits lose 2^-89 of it.
@@ -199,10 +199,10 @@ constexpr std::array<Row, 6> kRows{{
      "half ulp of the motion for each tick", 1, kOnce, judgeGrip},
 }};
 
-}  // namespace
+}  // namespace drifts_rows
 
 std::span<const Row> driftRows() {
-  return kRows;
+  return drifts_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -6,7 +6,7 @@
 #include "core/extremes/rows/sequences.h"
 
 namespace underact::extremes {
-namespace {
+namespace filters_rows {
 
 using control::Velocity;
 using control::VelocityState;
@@ -186,10 +186,10 @@ constexpr std::array<Row, 4> kRows{{
      "ulp of the largest sample over the shortest tick, and of the fastest difference", 64, 25, judgeKalman},
 }};
 
-}  // namespace
+}  // namespace filters_rows
 
 std::span<const Row> filterRows() {
-  return kRows;
+  return filters_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -8,7 +8,7 @@
 #include "core/safety/stages.h"
 
 namespace underact::extremes {
-namespace {
+namespace gates_rows {
 
 using safety::Limits;
 
@@ -127,10 +127,10 @@ constexpr std::array<Row, 4> kRows{{
      "ulp of the greatest force beyond it; finite always; after Start the bits of a new gate", 4, 2, judgeAny},
 }};
 
-}  // namespace
+}  // namespace gates_rows
 
 std::span<const Row> gateRows() {
-  return kRows;
+  return gates_rows::kRows;
 }
 
 }  // namespace underact::extremes

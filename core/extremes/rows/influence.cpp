@@ -8,7 +8,7 @@
 #include "core/target/friction.h"
 
 namespace underact::extremes {
-namespace {
+namespace influence_rows {
 
 using target::Influence;
 using target::Influenced;
@@ -163,10 +163,10 @@ constexpr std::array<Row, 4> kRows{{
      "ulp of the target's largest coordinate and the way that is left", 16, 1, judgeGrip},
 }};
 
-}  // namespace
+}  // namespace influence_rows
 
 std::span<const Row> influenceRows() {
-  return kRows;
+  return influence_rows::kRows;
 }
 
 }  // namespace underact::extremes

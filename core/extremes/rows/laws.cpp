@@ -8,7 +8,7 @@
 #include "core/extremes/rows/sequences.h"
 
 namespace underact::extremes {
-namespace {
+namespace laws_rows {
 
 using control::LawState;
 using control::Moment;
@@ -197,10 +197,10 @@ constexpr std::array<Row, 4> kRows{{
      64, 4, judgePassivity},
 }};
 
-}  // namespace
+}  // namespace laws_rows
 
 std::span<const Row> lawRows() {
-  return kRows;
+  return laws_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -9,7 +9,7 @@
 #include "core/manipulator/descend.h"
 
 namespace underact::extremes {
-namespace {
+namespace manipulators_rows {
 
 using manipulator::Energy;
 using manipulator::Manipulator;
@@ -183,10 +183,10 @@ constexpr std::array<Row, 3> kRows{{
      judgeDescent},
 }};
 
-}  // namespace
+}  // namespace manipulators_rows
 
 std::span<const Row> manipulatorRows() {
-  return kRows;
+  return manipulators_rows::kRows;
 }
 
 }  // namespace underact::extremes

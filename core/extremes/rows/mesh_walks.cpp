@@ -12,7 +12,7 @@
 
 // What goes along a mesh from where it was: local searches, and the proxies of walls.
 namespace underact::extremes {
-namespace {
+namespace mesh_walks_rows {
 
 using mesh::Part;
 using mesh::Surface;
@@ -315,10 +315,10 @@ constexpr std::array<Row, 2> kRows{{
      kPromise_ulp, 80, judgeWall},
 }};
 
-}  // namespace
+}  // namespace mesh_walks_rows
 
 std::span<const Row> meshWalkRows() {
-  return kRows;
+  return mesh_walks_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -7,7 +7,7 @@
 #include "core/mesh/search.h"
 
 namespace underact::extremes {
-namespace {
+namespace meshes_rows {
 
 /// A coordinate as a file of floats holds it.
 double asFloat(double number) {
@@ -119,10 +119,10 @@ constexpr std::array<Row, 2> kRows{{
      judgeMesh},
 }};
 
-}  // namespace
+}  // namespace meshes_rows
 
 std::span<const Row> meshRows() {
-  return kRows;
+  return meshes_rows::kRows;
 }
 
 }  // namespace underact::extremes

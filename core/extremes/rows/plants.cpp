@@ -7,7 +7,7 @@
 #include "core/sim/plant.h"
 
 namespace underact::extremes {
-namespace {
+namespace plants_rows {
 
 using sim::Plant;
 using sim::PlantState;
@@ -103,10 +103,10 @@ constexpr std::array<Row, 2> kRows{{
      "ulp of all impulses: what is left of the momentum equation", 64, 2, judgeSubstep},
 }};
 
-}  // namespace
+}  // namespace plants_rows
 
 std::span<const Row> plantRows() {
-  return kRows;
+  return plants_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -7,7 +7,7 @@
 #include "core/shape/shape.h"
 
 namespace underact::extremes {
-namespace {
+namespace shapes_rows {
 
 using shape::Nearest;
 using shape::Status;
@@ -177,10 +177,10 @@ constexpr std::array<Row, 7> kRows{{
     {"shape_box", Kind::Shape, "Box: nearest point, height", kOfLargest, 64, 12, judgeBox},
 }};
 
-}  // namespace
+}  // namespace shapes_rows
 
 std::span<const Row> shapeRows() {
-  return kRows;
+  return shapes_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -8,7 +8,7 @@
 #include "core/scene/read.h"
 
 namespace underact::extremes {
-namespace {
+namespace ticks_rows {
 
 /// One scene for each kind of memory that a tick has. Those that ship are asked in the tests.
 constexpr std::array<const char*, 9> kConstraints{
@@ -63,10 +63,10 @@ constexpr std::array<Row, 1> kRows{{
      judge},
 }};
 
-}  // namespace
+}  // namespace ticks_rows
 
 std::span<const Row> tickRows() {
-  return kRows;
+  return ticks_rows::kRows;
 }
 
 }  // namespace underact::extremes

@@ -6,7 +6,7 @@
 #include "core/shape/shape.h"
 
 namespace underact::extremes {
-namespace {
+namespace weighted_shapes_rows {
 
 using shape::Nearest;
 using shape::Status;
@@ -157,10 +157,10 @@ constexpr std::array<Row, 4> kRows{{
      judgeParallelepiped},
 }};
 
-}  // namespace
+}  // namespace weighted_shapes_rows
 
 std::span<const Row> weightedShapeRows() {
-  return kRows;
+  return weighted_shapes_rows::kRows;
 }
 
 }  // namespace underact::extremes

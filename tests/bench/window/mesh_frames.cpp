@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kPhase_ms = 5'000;
+constexpr int kMeshPhase_ms = 5'000;
 constexpr std::size_t kWhole = std::numeric_limits<std::size_t>::max();
 
 struct Row {
@@ -63,13 +63,13 @@ void measure(SimulatedHost& simulated, MainWindow& window, const char* what) {
   });
   timer.start(8);
   QEventLoop loop;  // quit() of the program would close the window
-  QTimer::singleShot(kPhase_ms, &loop, &QEventLoop::quit);
+  QTimer::singleShot(kMeshPhase_ms, &loop, &QEventLoop::quit);
   loop.exec();
   QObject::disconnect(counting);
   std::sort(frames_ms.begin(), frames_ms.end());
   std::printf("  %-10s %5.1f frames/s, a frame p50 %6.1f  p99 %6.1f  max %6.1f ms\n", what,
-              1e3 * static_cast<double>(frames_ms.size()) / kPhase_ms, share(frames_ms, 0.5), share(frames_ms, 0.99),
-              share(frames_ms, 1.0));
+              1e3 * static_cast<double>(frames_ms.size()) / kMeshPhase_ms, share(frames_ms, 0.5),
+              share(frames_ms, 0.99), share(frames_ms, 1.0));
   std::fflush(stdout);
 }
 

@@ -7,14 +7,11 @@
 #include "core/arm/forward.h"
 #include "core/arm/jacobian.h"
 #include "tests/core/arm/golden.h"
+#include "tests/core/arm/thesis.h"
 #include "tests/support/property.h"
 
 namespace underact::arm {
 namespace {
-
-const Preset& thesis() {
-  return *findPreset("omni-thesis");
-}
 
 double apart(const JointAngles& a_rad, const JointAngles& b_rad) {  // modulo a turn
   double furthest_rad = 0.0;

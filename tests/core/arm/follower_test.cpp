@@ -4,14 +4,11 @@
 
 #include "core/arm/forward.h"
 #include "core/base/units.h"
+#include "tests/core/arm/thesis.h"
 #include "tests/support/property.h"
 
 namespace underact::arm {
 namespace {
-
-const Preset& thesis() {
-  return *findPreset("omni-thesis");
-}
 
 double largest(const JointAngles& a_rad, const JointAngles& b_rad) {
   double largest_rad = 0.0;

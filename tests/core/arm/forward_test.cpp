@@ -2,6 +2,7 @@
 
 #include "core/arm/conventions.h"
 #include "tests/core/arm/golden.h"
+#include "tests/core/arm/thesis.h"
 #include "tests/support/property.h"
 
 namespace underact::arm {
@@ -13,9 +14,6 @@ constexpr double kGolden_m = 1e-13;
 // Entries of a rotation: products of up to five factors, each within 1 ulp.
 constexpr double kRotation = 2e-15;
 
-const Preset& thesis() {
-  return *findPreset("omni-thesis");
-}
 const Preset& touch() {
   return *findPreset("touch-measured");
 }

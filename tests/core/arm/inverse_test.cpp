@@ -5,6 +5,7 @@
 
 #include "core/arm/forward.h"
 #include "tests/core/arm/golden.h"
+#include "tests/core/arm/thesis.h"
 #include "tests/support/property.h"
 
 namespace underact::arm {
@@ -15,10 +16,6 @@ constexpr double kGolden_rad = 1e-8;
 // A tip found again. At full stretch the elbow's angle is a square root of the rounding, 1e-8 rad, but the tip moves
 // with its square; what stays is the rounding of coordinates of 0.3 m through a dozen operations.
 constexpr double kTip_m = 2e-15;
-
-const Preset& thesis() {
-  return *findPreset("omni-thesis");
-}
 
 /// The closed form divides by these: sine of joint 5, cosine of joint 3, and the distance from axis 1 in arm's lengths.
 double conditionOf(const JointAngles& q_rad, const Vec3& p_WT) {

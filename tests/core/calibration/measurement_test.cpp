@@ -12,8 +12,8 @@ Beam other(Beam beam) {
   return beam == Beam::Left ? Beam::Right : Beam::Left;
 }
 
-/// Answers as told, one letter each: r right, w wrong.
-Measurement told(const char* answers, std::uint64_t seed = 3) {
+/// Answers as measured, one letter each: r right, w wrong.
+Measurement measured(const char* answers, std::uint64_t seed = 3) {
   Measurement run = beginMeasurement(0.03, seed);
   for (const char* answer = answers; *answer != '\0'; ++answer) {
     run = answered(std::move(run), *answer == 'r' ? run.trial.stiffer : other(run.trial.stiffer));
@@ -24,7 +24,7 @@ Measurement told(const char* answers, std::uint64_t seed = 3) {
 }  // namespace
 
 TEST(Measurement, KeepsEveryTrialAndMarksWhereTheWayTurned) {
-  const Measurement run = told("rrrrwrr");
+  const Measurement run = measured("rrrrwrr");
   ASSERT_EQ(run.answers.size(), 7u);
   std::string turns, rights;
   for (const Answered& one : run.answers) {
@@ -40,7 +40,7 @@ TEST(Measurement, KeepsEveryTrialAndMarksWhereTheWayTurned) {
 TEST(Measurement, TheSameSeedDrawsTheSameSidesAndAnotherOneOthers) {
   const auto sides = [](std::uint64_t seed) {
     std::string all;
-    for (const Answered& one : told("rrrrrrrrrrrrrrrrrrrr", seed).answers) all += name(one.trial.stiffer);
+    for (const Answered& one : measured("rrrrrrrrrrrrrrrrrrrr", seed).answers) all += name(one.trial.stiffer);
     return all;
   };
   EXPECT_EQ(sides(3), sides(3));
@@ -56,7 +56,7 @@ TEST(Measurement, TheScatterIsThatOfOnePress) {
 }
 
 TEST(Measurement, WritesALineATrialUnderALineThatSumsItUp) {
-  const Measurement run = told("rrwrrwrrwrrwrrwrr");
+  const Measurement run = measured("rrwrrwrrwrrwrrwrr");
   ASSERT_TRUE(isDone(run));
   std::istringstream csv(csvOf(run, "a person", 3));
   std::string line;
@@ -75,7 +75,7 @@ TEST(Measurement, WritesALineATrialUnderALineThatSumsItUp) {
     EXPECT_EQ(line.back(), one.isRight() ? '1' : '0');
   }
   EXPECT_EQ(rows, run.answers.size());
-  EXPECT_EQ(csvOf(told("rr"), "a person", 3).rfind("# just-noticeable difference none;", 0), 0u);
+  EXPECT_EQ(csvOf(measured("rr"), "a person", 3).rfind("# just-noticeable difference none;", 0), 0u);
 }
 
 }  // namespace underact::calibration

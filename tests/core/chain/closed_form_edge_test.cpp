@@ -35,7 +35,7 @@ double worst(const Chain& chain, const Solutions& found, const Pose& X_WT) {
   return most;
 }
 
-double apart(const Angles& a, const Angles& b) {
+double mostApart(const Angles& a, const Angles& b) {
   double most_rad = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
     most_rad = std::max(most_rad, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
@@ -49,7 +49,7 @@ double setDistance(const Solutions& found, const underact::test::Value& solution
   for (const underact::test::Value& expected : solutions.items) {
     double least_rad = kInfinity;
     for (std::size_t i = 0; i < found.exact; ++i) {
-      least_rad = std::min(least_rad, apart(found.all[i].q, underact::test::anglesOf(*expected.find("q"))));
+      least_rad = std::min(least_rad, mostApart(found.all[i].q, underact::test::anglesOf(*expected.find("q"))));
     }
     most_rad = std::max(most_rad, least_rad);
   }
@@ -214,7 +214,7 @@ TEST(ClosedFormEdge, WristOfLeaningAxesHasAnEdgeOfItsOwn) {  // axis 6 as near t
     int same_arm = 0;
     for (std::size_t i = 0; i < found.exact; ++i) {
       const Angles& other = found.all[i].q;
-      if (apart({other[0], other[1], other[2]}, {q[0], q[1], q[2]}) < 1e-6) ++same_arm;
+      if (mostApart({other[0], other[1], other[2]}, {q[0], q[1], q[2]}) < 1e-6) ++same_arm;
     }
     ASSERT_EQ(same_arm, 1) << "draw " << draw;
     ASSERT_LE(worst(chain, found, X_WT), 1e-12);

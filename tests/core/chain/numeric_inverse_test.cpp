@@ -33,7 +33,7 @@ TEST(DampedStep, IsTheLeastSquaresStep) {  // oracle: Eigen's own, over J stacke
       Eigen::VectorXd wanted = Eigen::VectorXd::Zero(stacked.rows());
       wanted.head(rows) = e.head(rows);
       const Eigen::VectorXd expected = stacked.colPivHouseholderQr().solve(wanted);
-      Step dq;
+      JointStep dq;
       ASSERT_TRUE(dampedStep(J, e, static_cast<std::size_t>(rows), damping, held, dq));
       EXPECT_LE((dq.head(J.cols()) - expected).norm(), 1e-7 * (1 + expected.norm())) << "draw " << draw;
       EXPECT_EQ(dq.tail(static_cast<Eigen::Index>(kMaxJoints) - J.cols()).norm(), 0.0);
@@ -42,10 +42,10 @@ TEST(DampedStep, IsTheLeastSquaresStep) {  // oracle: Eigen's own, over J stacke
 }
 
 TEST(DampedStep, SaysThatItNeedsDamping) {
-  Step dq;
+  JointStep dq;
   EXPECT_FALSE(dampedStep(Jacobian::Zero(6, 2), Residual::Ones(), 6, 0.0, 0, dq));
   EXPECT_TRUE(dampedStep(Jacobian::Zero(6, 2), Residual::Ones(), 6, 1.0, 0, dq));
-  EXPECT_EQ(dq, Step::Zero());
+  EXPECT_EQ(dq, JointStep::Zero());
 }
 
 TEST(NumericInverse, ConvergesInAFewStepsFromNearby) {

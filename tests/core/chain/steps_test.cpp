@@ -7,7 +7,7 @@
 namespace underact::chain {
 namespace {
 
-constexpr double kRounding = 1e-14;
+constexpr double kStepsRounding = 1e-14;
 
 Step drawn(test::property::Random& random) {
   const auto kind = static_cast<StepKind>(static_cast<int>(random.between(0.0, 5.999)));
@@ -31,8 +31,8 @@ TEST(Steps, AboutMovingAxesMultiplyFromTheRightAndAboutFixedOnesFromTheLeft) {
       moving = moving * independent(steps.back());
       fixed = independent(steps.back()) * fixed;
     }
-    EXPECT_LE((composed(steps, Axes::Moving).back().matrix() - moving.matrix()).norm(), kRounding);
-    EXPECT_LE((composed(steps, Axes::Fixed).back().matrix() - fixed.matrix()).norm(), kRounding);
+    EXPECT_LE((composed(steps, Axes::Moving).back().matrix() - moving.matrix()).norm(), kStepsRounding);
+    EXPECT_LE((composed(steps, Axes::Fixed).back().matrix() - fixed.matrix()).norm(), kStepsRounding);
   }
 }
 
@@ -42,14 +42,14 @@ TEST(Steps, InTheOtherOrderAboutTheOtherAxesEndInTheSamePlace) {  // Craig, sect
     std::vector<Step> steps{drawn(random), drawn(random), drawn(random)};
     const Pose X = composed(steps, Axes::Moving).back();
     std::reverse(steps.begin(), steps.end());
-    EXPECT_LE((composed(steps, Axes::Fixed).back().matrix() - X.matrix()).norm(), kRounding);
+    EXPECT_LE((composed(steps, Axes::Fixed).back().matrix() - X.matrix()).norm(), kStepsRounding);
   }
 }
 
 TEST(Steps, AQuarterTurnAboutZAndAShiftAlongXEndByHandWhereTheyShould) {
   const std::array<Step, 2> steps{Step{StepKind::TurnZ, kPi / 2}, Step{StepKind::ShiftX, 0.04}};
-  EXPECT_LE((composed(steps, Axes::Moving).back().translation() - Vec3(0, 0.04, 0)).norm(), kRounding);
-  EXPECT_LE((composed(steps, Axes::Fixed).back().translation() - Vec3(0.04, 0, 0)).norm(), kRounding);
+  EXPECT_LE((composed(steps, Axes::Moving).back().translation() - Vec3(0, 0.04, 0)).norm(), kStepsRounding);
+  EXPECT_LE((composed(steps, Axes::Fixed).back().translation() - Vec3(0.04, 0, 0)).norm(), kStepsRounding);
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 
 #include <cmath>
 
+#include "tests/core/control/tick.h"
 #include "tests/support/property.h"
 
 namespace underact::control {
 namespace {
-
-constexpr double kTick_s = 1e-3;
-const Vec3 kZero = Vec3::Zero();
 
 Moment after(double dt_s) {
   return {dt_s, false, false};

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "tests/core/control/tick.h"
 #include "tests/support/property.h"
 
 namespace underact::control {
 namespace {
 
-constexpr double kTick_s = 1e-3;
 constexpr double kStiffness_N_per_m = 500.0;
 
 /// A spring about the origin that is felt through samples, and a tip that goes where the test says.

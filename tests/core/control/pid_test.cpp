@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "core/control/law.h"
+#include "tests/core/control/tick.h"
 #include "tests/support/property.h"
 
 namespace underact::control {
 namespace {
 
-constexpr double kTick_s = 1e-3;
 constexpr double kMost_N = 0.88;
 
 /// A stylus of 0.145 kg in a hand that only damps, 2 N s/m, drawn to a target by a force of at most kMost_N.

@@ -4,14 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "tests/core/control/tick.h"
 #include "tests/support/property.h"
 
 namespace underact::control {
 namespace {
 
-constexpr double kTick_s = 1e-3;
 constexpr double kStep_m = 55e-6;  // an encoder's, at the tip
-const Vec3 kZero = Vec3::Zero();
 
 std::vector<std::pair<const char*, Velocity>> everyFilter() {
   return {{"low-pass", LowPass{}},

@@ -62,7 +62,7 @@ TEST(StepMetrics, AnUndampedResponseNeverSettlesAndSwingsAboutItsFinalValue) {
 TEST(StepMetrics, FirstOrderAgreesWithItsClosedForm) {
   for (const json::Value& one : golden().find("first_order")->items) {
     const double a = numberAt(one, "a"), final_value = numberAt(one, "final_value");
-    const StepMetrics metrics = metricsOf({{final_value * a}, {1.0, a}});
+    const StepMetrics metrics = metricsOf(TransferFunction{{final_value * a}, {1.0, a}});
     EXPECT_NEAR(*metrics.final_value, final_value, 1e-15 * final_value);
     expectNear(metrics.rise_10_90_s, one.find("rise_10_90"), "rise");
     expectNear(metrics.settling_2pct_s, one.find("settling_2pct"), "settling");
@@ -73,24 +73,24 @@ TEST(StepMetrics, FirstOrderAgreesWithItsClosedForm) {
 
 TEST(StepMetrics, WhatGrowsOrDriftsHasNoNumbers) {
   for (const std::vector<double>& den : {std::vector<double>{1, -1}, {1, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0, 2, 0, 1}}) {
-    const StepMetrics metrics = metricsOf({{1.0}, den});
+    const StepMetrics metrics = metricsOf(TransferFunction{{1.0}, den});
     EXPECT_FALSE(metrics.final_value || metrics.rise_10_90_s || metrics.settling_2pct_s || metrics.peak_time_s ||
                  metrics.overshoot_fraction);
   }
-  const StepMetrics washout = metricsOf({{1.0, 0.0}, {1.0, 1.0}});  // s / (s + 1) ends at 0
+  const StepMetrics washout = metricsOf(TransferFunction{{1.0, 0.0}, {1.0, 1.0}});  // s / (s + 1) ends at 0
   EXPECT_EQ(washout.final_value, 0.0);
   EXPECT_FALSE(washout.rise_10_90_s || washout.settling_2pct_s || washout.overshoot_fraction);
 }
 
 TEST(StepMetrics, WhatGoesThroughAtOnceCounts) {
-  const StepMetrics above = metricsOf({{2.0, 1.0}, {1.0, 1.0}});  // 1 + e^-t
+  const StepMetrics above = metricsOf(TransferFunction{{2.0, 1.0}, {1.0, 1.0}});  // 1 + e^-t
   EXPECT_EQ(above.rise_10_90_s, 0.0);
   EXPECT_EQ(above.peak_time_s, 0.0);
   EXPECT_NEAR(*above.overshoot_fraction, 1.0, 1e-15);
   EXPECT_NEAR(*above.settling_2pct_s, std::log(50.0), 1e-12);
-  const StepMetrics near = metricsOf({{0.99, 1.0}, {1.0, 1.0}});  // 1 - 0.01 e^-t
+  const StepMetrics near = metricsOf(TransferFunction{{0.99, 1.0}, {1.0, 1.0}});  // 1 - 0.01 e^-t
   EXPECT_EQ(near.settling_2pct_s, 0.0);
-  const StepMetrics half = metricsOf({{0.5, 1.0}, {1.0, 1.0}});  // 1 - 0.5 e^-t
+  const StepMetrics half = metricsOf(TransferFunction{{0.5, 1.0}, {1.0, 1.0}});  // 1 - 0.5 e^-t
   EXPECT_NEAR(*half.rise_10_90_s, std::log(5.0), 1e-12);
 }
 
@@ -102,7 +102,7 @@ TEST(StepMetrics, AResponseThatFirstGoesTheWrongWayIsMeasuredFromWhenItComes) {
     for (int n = 0; n < 100; ++n) (y(0.5 * (low_s + high_s)) < level ? low_s : high_s) = 0.5 * (low_s + high_s);
     return low_s;
   };
-  const StepMetrics metrics = metricsOf({{-1.0, 1.0}, {1.0, 2.0, 1.0}});
+  const StepMetrics metrics = metricsOf(TransferFunction{{-1.0, 1.0}, {1.0, 2.0, 1.0}});
   EXPECT_NEAR(*metrics.rise_10_90_s, last(0.9) - last(0.1), 1e-12);
   EXPECT_NEAR(*metrics.settling_2pct_s, last(0.98), 1e-12);
   EXPECT_EQ(metrics.overshoot_fraction, 0.0);
@@ -129,7 +129,7 @@ TEST(StepMetrics, EightEqualPolesAreThoseOfTheGammaDistribution) {
     for (int n = 0; n < 100; ++n) (y(0.5 * (low_s + high_s)) < level ? low_s : high_s) = 0.5 * (low_s + high_s);
     return low_s;
   };
-  const StepMetrics metrics = metricsOf({{1.0}, {1, 8, 28, 56, 70, 56, 28, 8, 1}});
+  const StepMetrics metrics = metricsOf(TransferFunction{{1.0}, {1, 8, 28, 56, 70, 56, 28, 8, 1}});
   EXPECT_NEAR(*metrics.rise_10_90_s, at(0.9) - at(0.1), 1e-9);
   EXPECT_NEAR(*metrics.settling_2pct_s, at(0.98), 1e-9);
   EXPECT_EQ(metrics.overshoot_fraction, 0.0);

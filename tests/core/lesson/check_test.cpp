@@ -96,6 +96,8 @@ TEST(Near, CountsTheWayOfPlacesAndTheLargestOfAngles) {
   const Check turn = checkOf(R"({"measure": "stylus", "near": [0, 0, 2], "within": 10})");
   EXPECT_EQ(said(turn, {}),
             "The stylus' direction is not measured yet; it should be within 10.00° of (0.00, 0.00, 2.00).");
+  const Check count = checkOf(R"({"measure": "solutions_within", "near": 2, "within": 0})");
+  EXPECT_EQ(said(count, {}), "The number of solutions within limits is not measured yet; it should be 2.");
 }
 
 TEST(Visit, RemembersEachPlaceAndNamesThoseThatAreLeft) {

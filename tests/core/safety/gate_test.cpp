@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/core/safety/pushed.h"
 #include "tests/support/constraint_vectors.h"
 #include "tests/support/property.h"
 
@@ -21,19 +22,7 @@ static_assert(noexcept(clampForce(std::declval<const Vec3&>(), 0.0)) && noexcept
 
 constexpr double kUlp = 0x1p-52;
 const Limits kLimits{0.88};
-const Vec3 kZero = Vec3::Zero();
 const Vec3 kSmall{0.1, -0.2, 0.3};
-
-Asked push(const Vec3& f_T_W) {
-  return {f_T_W, true, false, {}};
-}
-
-/// A gate whose ramp is over.
-GateState open() {
-  GateState state;
-  state.level = 1.0;
-  return state;
-}
 
 TEST(GatedForce, IsZeroUntilAGateMakesIt) {
   EXPECT_EQ(GatedForce{}.f_T_W(), kZero);

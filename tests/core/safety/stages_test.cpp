@@ -2,25 +2,13 @@
 
 #include <cmath>
 
+#include "tests/core/safety/pushed.h"
 #include "tests/support/property.h"
 
 namespace underact::safety {
 namespace {
 
-const Vec3 kZero = Vec3::Zero();
 const Limits kHands = limitsForHands(0.88, Vec3(0.15, 0.15, 0.10));
-
-GateState open() {
-  GateState state;
-  state.level = 1.0;
-  return state;
-}
-Asked push(const Vec3& f_T_W) {
-  Asked asked;
-  asked.f_T_W = f_T_W;
-  asked.engage = true;
-  return asked;
-}
 
 /// Joints that move the tip along x, y, z by a lever of 0.15 m each.
 Motion levers() {

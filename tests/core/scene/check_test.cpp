@@ -15,11 +15,11 @@ using test::linesOf;
 using test::problemsIn;
 using test::sceneWith;
 
-std::string problemOf(const std::string& constraint) {
+std::string problemsOf(const std::string& constraint) {
   return joined(problemsIn(sceneWith(constraint)));
 }
 
-std::string problemOf(const Description& scene) {
+std::string problemsOf(const Description& scene) {
   return joined(linesOf(check(scene)));
 }
 
@@ -41,7 +41,7 @@ const std::vector<Shape> kOneOfEach{Point{},
 TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
   const std::string at = "2:57: constraints[0].radius_mm: ";
   const auto radius = [](const std::string& number) {
-    return problemOf(R"({"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": )" + number + "}");
+    return problemsOf(R"({"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": )" + number + "}");
   };
   EXPECT_EQ(radius("1e-12"), "");
   EXPECT_EQ(radius("1e6"), "");
@@ -52,7 +52,7 @@ TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
   EXPECT_EQ(radius("1e-320"), at + "This is too close to 0 mm; the least is 1e-100 mm.\n");
   EXPECT_EQ(radius("1000001"), at + "This must lie within 1e6 mm (1 km); here it is 1000001.\n");
   EXPECT_EQ(radius("1e400"), at + "This is no finite number; a double holds at most about 1.8e308.\n");
-  EXPECT_EQ(problemOf(R"({"type": "box", "center_mm": [1e6, -1e6, -1000000.5], "size_mm": [1, 0, -2]})"),
+  EXPECT_EQ(problemsOf(R"({"type": "box", "center_mm": [1e6, -1e6, -1000000.5], "size_mm": [1, 0, -2]})"),
             "2:42: constraints[0].center_mm[2]: This must lie within 1e6 mm (1 km); here it is -1000000.5.\n"
             "2:70: constraints[0].size_mm[1]: This must be above 0 mm; here it is 0.\n"
             "2:73: constraints[0].size_mm[2]: This must be above 0 mm; here it is -2.\n");
@@ -60,7 +60,7 @@ TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
 
 TEST(SceneRules, ADirectionMayHaveAnyLengthButZero) {
   const auto direction = [](const std::string& list) {
-    return problemOf(R"({"type": "line", "point_mm": [0, 0, 0], "direction": )" + list + "}");
+    return problemsOf(R"({"type": "line", "point_mm": [0, 0, 0], "direction": )" + list + "}");
   };
   EXPECT_EQ(direction("[0, 0, 1e-300]"), "");
   EXPECT_EQ(direction("[1e300, -1e300, 1e300]"), "");
@@ -74,7 +74,7 @@ TEST(SceneRules, ADirectionMayHaveAnyLengthButZero) {
 
 TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
   const auto matrix = [](const std::string& rows) {
-    return problemOf(R"({"type": "box", "center_mm": [0, 0, 0], "size_mm": [1, 1, 1], "R_WB": )" + rows + "}");
+    return problemsOf(R"({"type": "box", "center_mm": [0, 0, 0], "size_mm": [1, 1, 1], "R_WB": )" + rows + "}");
   };
   const std::string no =
       "2:71: constraints[0].R_WB: This is no rotation: its rows must have length 1, be at right "
@@ -104,15 +104,15 @@ TEST(SceneRules, OnlyAShapeWithSidesTakesASide) {
     EXPECT_EQ(check(scene).empty(), sides) << typeName(shape);
     EXPECT_EQ(hasSides(shape), sides) << typeName(shape);
   }
-  EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "side": "both"})"),
+  EXPECT_EQ(problemsOf(R"({"type": "point", "position_mm": [0, 0, 0], "side": "both"})"),
             "2:45: constraints[0].side: A point has no inside and no outside; take \"side\" away.\n");
-  EXPECT_EQ(problemOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 1, 0], "side": "above"})"),
+  EXPECT_EQ(problemsOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 1, 0], "side": "above"})"),
             "2:71: constraints[0].side: This must be \"both\", \"outside\" or \"inside\"; here it is \"above\".\n");
 }
 
 TEST(SceneRules, GainsAreNotNegativeAndNotAbsurd) {
   const auto control = [](const std::string& keys) {
-    return problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "control": {)" + keys + "}}");
+    return problemsOf(R"({"type": "point", "position_mm": [0, 0, 0], "control": {)" + keys + "}}");
   };
   EXPECT_EQ(control(R"("kp_N_per_mm": 0)"), "");
   EXPECT_EQ(control(R"("kp_N_per_mm": [0, 1, 2])"), "");
@@ -150,7 +150,7 @@ TEST(SceneRules, AZeroGainBesideOthersNeedsTheEuclideanMetric) {
     Description scene = sceneOf(shape);
     const bool is_point = std::holds_alternative<Point>(shape);
     scene.control.gains.kp_N_per_mm = Vec3(0.5, 0.0, 0.5);
-    const std::string problem = problemOf(scene);
+    const std::string problem = problemsOf(scene);
     EXPECT_EQ(problem.empty(), is_point) << typeName(shape);
     if (!is_point) {
       EXPECT_EQ(problem,
@@ -161,16 +161,16 @@ TEST(SceneRules, AZeroGainBesideOthersNeedsTheEuclideanMetric) {
     }
     EXPECT_EQ(static_cast<bool>(compile(scene)), is_point);
     scene.control.gains.kp_N_per_mm = Vec3(1.0, 1.0, 1e-13);
-    EXPECT_EQ(problemOf(scene).empty(), is_point) << typeName(shape);
+    EXPECT_EQ(problemsOf(scene).empty(), is_point) << typeName(shape);
     scene.control.anisotropy = Anisotropy::Euclidean;
-    EXPECT_EQ(problemOf(scene), "") << typeName(shape);
+    EXPECT_EQ(problemsOf(scene), "") << typeName(shape);
     EXPECT_TRUE(compile(scene)) << typeName(shape);
     scene.control.anisotropy = Anisotropy::Weighted;
     scene.control.gains.kp_N_per_mm.setZero();
-    EXPECT_EQ(problemOf(scene), "") << typeName(shape);
+    EXPECT_EQ(problemsOf(scene), "") << typeName(shape);
     EXPECT_TRUE(compile(scene)) << typeName(shape);
     scene.control.gains.kp_N_per_mm = Vec3(1.0, 0.5, 1e-6);
-    EXPECT_EQ(problemOf(scene), "") << typeName(shape);
+    EXPECT_EQ(problemsOf(scene), "") << typeName(shape);
     EXPECT_TRUE(compile(scene)) << typeName(shape);
   }
 }
@@ -179,9 +179,9 @@ TEST(SceneRules, ItIsTheControlThatHoldsForTheConstraintThatCounts) {
   Description scene = sceneOf(Sphere{Vec3::Zero(), 1.0});
   scene.control.gains.kp_N_per_mm = Vec3(0.5, 0.0, 0.5);
   scene.constraints[0].control = Control{};
-  EXPECT_EQ(problemOf(scene), "");
+  EXPECT_EQ(problemsOf(scene), "");
   scene.constraints[0].control->gains.kp_N_per_mm = Vec3(0.0, 0.5, 0.5);
-  EXPECT_EQ(problemOf(scene).substr(0, 42), "3:5: constraints[0]: The gain along x is 0");
+  EXPECT_EQ(problemsOf(scene).substr(0, 42), "3:5: constraints[0]: The gain along x is 0");
 }
 
 TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
@@ -191,7 +191,7 @@ TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
   scene.control.gains.kp_N_per_mm.x() = -kInfinity;
   scene.constraints.push_back({"it", Point{}, target::Side::Inside, {}, {}});
   scene.constraints.push_back({"", Box{}, target::Side::Both, {}, {}});
-  EXPECT_EQ(problemOf(scene),
+  EXPECT_EQ(problemsOf(scene),
             R"(0:0: title: The title is empty; a few words tell people what they will feel.
 0:0: arm: The arm "stylus" is not known. There are "omni-thesis", "touch-measured" and "woodenhaptics".
 0:0: control.kp_N_per_mm[0]: This is no finite number; a double holds at most about 1.8e308.
@@ -207,7 +207,7 @@ TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
 0:0: constraints[2].size_mm[2]: This must be above 0 mm; here it is 0.
 )");
   scene.constraints.clear();
-  EXPECT_NE(problemOf(scene).find("constraints: A scene has 1 to 64 constraints; here are 0."), std::string::npos);
+  EXPECT_NE(problemsOf(scene).find("constraints: A scene has 1 to 64 constraints; here are 0."), std::string::npos);
   EXPECT_FALSE(compile(scene));
 }
 

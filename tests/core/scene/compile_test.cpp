@@ -16,7 +16,7 @@ tick::TickProgram programOf(const std::string& keys, const std::string& constrai
   return programOf("{\"underact_scene\": 1, \"title\": \"t\", " + keys + "\"constraints\": [" + constraints + "]}");
 }
 
-const std::string kPoint = R"({"type": "point", "position_mm": [10, -20, 30]})";
+const std::string kPointAside = R"({"type": "point", "position_mm": [10, -20, 30]})";
 const std::string kSphere = R"({"type": "sphere", "center_mm": [10, 20, 30], "radius_mm": 40})";
 
 TEST(CompileScene, MillimetresBecomeMetresByOneMultiplication) {
@@ -28,7 +28,7 @@ TEST(CompileScene, MillimetresBecomeMetresByOneMultiplication) {
 
 TEST(CompileScene, EveryTypeBecomesItsOwnShape) {
   const tick::TickProgram program =
-      programOf("", kPoint + "," + kSphere +
+      programOf("", kPointAside + "," + kSphere +
                         R"(, {"type": "line", "point_mm": [1, 2, 3], "direction": [0, 0, 4]},
                    {"type": "plane", "point_mm": [1, 2, 3], "normal": [0, 4, 0], "side": "outside"},
                    {"type": "circle", "center_mm": [1, 2, 3], "normal": [4, 0, 0], "radius_mm": 5},
@@ -57,23 +57,23 @@ TEST(CompileScene, EveryTypeBecomesItsOwnShape) {
 TEST(CompileScene, GainsBecomeSiAndTheIntegralIsHeldWithinTheArmsContinuousForce) {
   const tick::TickProgram program = programOf(
       R"("control": {"law": "PID", "kp_N_per_mm": [1, 2, 3], "kd_N_s_per_mm": 0.25, "ki_N_per_mm_s": [4, 5, 6]}, )",
-      kPoint);
+      kPointAside);
   const control::PID& law = std::get<control::PID>(program.entries[0].law);
   EXPECT_EQ(law.kp_N_per_m, Vec3(1000, 2000, 3000));
   EXPECT_EQ(law.kd_N_s_per_m, Vec3::Constant(250));
   EXPECT_EQ(law.ki_N_per_m_s, Vec3(4000, 5000, 6000));
   EXPECT_EQ(law.integral_limit_N, 0.88);
   EXPECT_EQ(program.limits.max_force_N, 0.88);
-  const tick::TickProgram usual = programOf("", kPoint);
+  const tick::TickProgram usual = programOf("", kPointAside);
   EXPECT_EQ(std::get<control::P>(usual.entries[0].law).kp_N_per_m, Vec3::Constant(500));
-  const tick::TickProgram damped = programOf(R"("control": {"law": "PD", "kd_N_s_per_mm": 0.002}, )", kPoint);
+  const tick::TickProgram damped = programOf(R"("control": {"law": "PD", "kd_N_s_per_mm": 0.002}, )", kPointAside);
   EXPECT_EQ(std::get<control::PD>(damped.entries[0].law).kd_N_s_per_m, Vec3::Constant(0.002 * 1e3));
   EXPECT_EQ(std::get<control::PD>(damped.entries[0].law).kp_N_per_m, Vec3::Constant(500));
 }
 
 TEST(CompileScene, TheArmIsTheOneThatTheSceneNames) {
-  EXPECT_EQ(programOf("", kPoint).geometry.upper_m, 0.127508);
-  EXPECT_EQ(programOf(R"("arm": "touch-measured", )", kPoint).geometry.upper_m, 0.13335);
+  EXPECT_EQ(programOf("", kPointAside).geometry.upper_m, 0.127508);
+  EXPECT_EQ(programOf(R"("arm": "touch-measured", )", kPointAside).geometry.upper_m, 0.13335);
 }
 
 TEST(CompileScene, OnlyWhatTheSceneNeedsIsNeeded) {
@@ -82,23 +82,25 @@ TEST(CompileScene, OnlyWhatTheSceneNeedsIsNeeded) {
     return std::string(found.rate ? "rate " : "") + (found.integral ? "integral " : "") +
            (found.metric ? "metric " : "") + (found.choice ? "choice " : "");
   };
-  EXPECT_EQ(needs("", kPoint), "");
+  EXPECT_EQ(needs("", kPointAside), "");
   EXPECT_EQ(needs("", kSphere), "");
-  EXPECT_EQ(needs(R"("control": {"law": "PD"}, )", kPoint), "rate ");
-  EXPECT_EQ(needs(R"("control": {"law": "PID"}, )", kPoint), "rate integral ");
+  EXPECT_EQ(needs(R"("control": {"law": "PD"}, )", kPointAside), "rate ");
+  EXPECT_EQ(needs(R"("control": {"law": "PID"}, )", kPointAside), "rate integral ");
   EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3]}, )", kSphere), "metric ");
   EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [2, 2, 2]}, )", kSphere), "");
   EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3], "anisotropy": "euclidean"}, )", kSphere), "");
-  EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3]}, )", kPoint), "");  // a point is nearest in every metric
-  EXPECT_EQ(needs(R"("combine": "nearest", )", kPoint), "");                   // nothing to choose from
-  EXPECT_EQ(needs(R"("combine": "nearest", )", kPoint + "," + kSphere), "choice ");
+  EXPECT_EQ(needs(R"("control": {"kp_N_per_mm": [1, 2, 3]}, )", kPointAside),
+            "");                                                   // a point is nearest in every metric
+  EXPECT_EQ(needs(R"("combine": "nearest", )", kPointAside), "");  // nothing to choose from
+  EXPECT_EQ(needs(R"("combine": "nearest", )", kPointAside + "," + kSphere), "choice ");
   EXPECT_EQ(needs(R"("control": {"law": "PID"}, )", R"({"type": "point", "position_mm": [0, 0, 0], "control": {}})"),
             "");
 }
 
 TEST(CompileScene, AVelocityFilterInMetresAndSeconds) {
   const auto velocityOf = [](const std::string& velocity) {
-    const tick::TickProgram program = programOf(R"("control": {"law": "PD", "velocity": )" + velocity + "}, ", kPoint);
+    const tick::TickProgram program =
+        programOf(R"("control": {"law": "PD", "velocity": )" + velocity + "}, ", kPointAside);
     return std::get<control::PD>(program.entries[0].law).velocity;
   };
   const auto kalman = std::get<control::Kalman>(velocityOf(R"({"filter": "kalman"})"));
@@ -110,13 +112,13 @@ TEST(CompileScene, AVelocityFilterInMetresAndSeconds) {
   EXPECT_EQ(adaptive.window, 8);
   EXPECT_EQ(adaptive.noise, Vec3(Vec3::Constant(0.11e-3)));
   EXPECT_TRUE(std::holds_alternative<control::RawDifference>(velocityOf(R"({"filter": "raw"})")));
-  const tick::TickProgram pid = programOf(R"("control": {"law": "PID", "velocity": {"filter": "raw"}}, )", kPoint);
+  const tick::TickProgram pid = programOf(R"("control": {"law": "PID", "velocity": {"filter": "raw"}}, )", kPointAside);
   EXPECT_TRUE(std::holds_alternative<control::RawDifference>(std::get<control::PID>(pid.entries[0].law).velocity));
 }
 
 TEST(CompileScene, TheNoiseOfAJointIsThatOfTheTipAtItsLever) {
-  const tick::TickProgram program =
-      programOf(R"("control": {"law": "PD", "space": "joint", "velocity": {"filter": "adaptive_window"}}, )", kPoint);
+  const tick::TickProgram program = programOf(
+      R"("control": {"law": "PD", "space": "joint", "velocity": {"filter": "adaptive_window"}}, )", kPointAside);
   const Vec3 noise_rad =
       std::get<control::AdaptiveWindow>(std::get<control::PD>(program.entries[0].law).velocity).noise;
   // Levers of 0.18 m about the base, 0.13 and 0.15 m about shoulder and elbow or so: 0.11 mm is 0.6 to 0.9 mrad.
@@ -125,19 +127,19 @@ TEST(CompileScene, TheNoiseOfAJointIsThatOfTheTipAtItsLever) {
 }
 
 TEST(CompileScene, ALawWithoutMemoryCostsNoState) {
-  const tick::TickState none = makeState(programOf(R"("control": {"passivity": "off"}, )", kPoint));
-  const tick::TickState one = makeState(programOf(R"("control": {"law": "PD", "passivity": "off"}, )", kPoint));
+  const tick::TickState none = makeState(programOf(R"("control": {"passivity": "off"}, )", kPointAside));
+  const tick::TickState one = makeState(programOf(R"("control": {"law": "PD", "passivity": "off"}, )", kPointAside));
   EXPECT_EQ(tick::bytesOf(none), sizeof(tick::TickState));
   EXPECT_EQ(tick::bytesOf(one), sizeof(tick::TickState) + sizeof(control::LawState));
 }
 
 TEST(CompileScene, EnergyIsWatchedUnlessTheSceneSaysOff) {
-  EXPECT_EQ(programOf("", kPoint).entries[0].passivity, control::Passivity::Observe);
-  EXPECT_TRUE(programOf("", kPoint).needs.energy);
-  const tick::TickState watched = makeState(programOf("", kPoint));
+  EXPECT_EQ(programOf("", kPointAside).entries[0].passivity, control::Passivity::Observe);
+  EXPECT_TRUE(programOf("", kPointAside).needs.energy);
+  const tick::TickState watched = makeState(programOf("", kPointAside));
   EXPECT_EQ(tick::bytesOf(watched), sizeof(tick::TickState) + sizeof(control::EnergyState));
-  EXPECT_FALSE(programOf(R"("control": {"passivity": "off"}, )", kPoint).needs.energy);
-  EXPECT_EQ(programOf(R"("control": {"passivity": "control"}, )", kPoint).entries[0].passivity,
+  EXPECT_FALSE(programOf(R"("control": {"passivity": "off"}, )", kPointAside).needs.energy);
+  EXPECT_EQ(programOf(R"("control": {"passivity": "control"}, )", kPointAside).entries[0].passivity,
             control::Passivity::Control);
 }
 
@@ -154,7 +156,7 @@ TEST(CompileScene, UnequalGainsMakeTheirOwnMetricUnlessTheSceneSaysEuclidean) {
 TEST(CompileScene, AConstraintsOwnControlHoldsForItAlone) {
   const tick::TickProgram program =
       programOf(R"("control": {"law": "PD", "kp_N_per_mm": 2, "kd_N_s_per_mm": 1}, )",
-                kPoint + R"(, {"type": "point", "position_mm": [0, 0, 0], "control": {"kp_N_per_mm": 0.1}})");
+                kPointAside + R"(, {"type": "point", "position_mm": [0, 0, 0], "control": {"kp_N_per_mm": 0.1}})");
   EXPECT_TRUE(std::holds_alternative<control::PD>(program.entries[0].law));
   EXPECT_EQ(std::get<control::P>(program.entries[1].law).kp_N_per_m, Vec3::Constant(100));
 }

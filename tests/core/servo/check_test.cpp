@@ -15,7 +15,7 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr SchedulingWanted kPlain{.way = Way::Normal, .lock_memory = false};
+constexpr SchedulingWanted kPlainScheduling{.way = Way::Normal, .lock_memory = false};
 
 tick::TickProgram sphere() {
   scene::Description scene;
@@ -59,12 +59,13 @@ TEST(CheckServo, MeasuresABareLoopAndTheServoInTurnAndLeavesTheArmAtZeroForce) {
   ScriptedPort::Seen seen;
   ScriptedPort port(seen, 100'000);
   double last_share = 0.0;
-  const CheckResult result = checkServo(port, sphere(), {.seconds = 2, .scheduling = kPlain}, [&](double share) {
-    EXPECT_GE(share, last_share);
-    EXPECT_LE(share, 1.0);
-    last_share = share;
-    return true;
-  });
+  const CheckResult result =
+      checkServo(port, sphere(), {.seconds = 2, .scheduling = kPlainScheduling}, [&](double share) {
+        EXPECT_GE(share, last_share);
+        EXPECT_LE(share, 1.0);
+        last_share = share;
+        return true;
+      });
   EXPECT_EQ(last_share, 1.0);
   expectInOrder(result.floor);
   expectInOrder(result.servo);
@@ -84,7 +85,7 @@ TEST(CheckServo, TicksOnlyInItsOwnTurns) {
   ScriptedPort::Seen seen;
   ScriptedPort port(seen);
   std::int64_t first = -1, last = -1;  // writes in the bare loop's turn, which begins
-  checkServo(port, sphere(), {.seconds = 4, .scheduling = kPlain}, [&](double share) {
+  checkServo(port, sphere(), {.seconds = 4, .scheduling = kPlainScheduling}, [&](double share) {
     if (share < 0.25) last = seen.writes;
     if (first < 0) first = last;
     return share < 0.25;
@@ -94,7 +95,7 @@ TEST(CheckServo, TicksOnlyInItsOwnTurns) {
 
 TEST(CheckServo, AnArmThatIsNoSimulationIsNotPushed) {
   RealPort port;
-  const CheckResult result = checkServo(port, sphere(), {.seconds = 1, .scheduling = kPlain}, goOn);
+  const CheckResult result = checkServo(port, sphere(), {.seconds = 1, .scheduling = kPlainScheduling}, goOn);
   EXPECT_GT(result.ticks, 0);
   EXPECT_GT(port.seen.writes, 0);
   EXPECT_EQ(port.most_N, 0.0);
@@ -104,8 +105,8 @@ TEST(CheckServo, EndsWhenItIsToldToWithWhatItHas) {
   ScriptedPort::Seen seen;
   ScriptedPort port(seen);
   int calls = 0;
-  const CheckResult result =
-      checkServo(port, sphere(), {.seconds = 3600, .scheduling = kPlain}, [&](double) { return ++calls < 3; });
+  const CheckResult result = checkServo(port, sphere(), {.seconds = 3600, .scheduling = kPlainScheduling},
+                                        [&](double) { return ++calls < 3; });
   EXPECT_EQ(calls, 3);
   EXPECT_LT(result.seconds, 3600.0);
   EXPECT_GT(result.seconds, 0.0);
@@ -118,14 +119,15 @@ TEST(CheckServo, GoesOnThroughAFault) {
     if (read == 50) sample.q_rad[1] = kNotANumber;
     return true;
   };
-  const CheckResult result = checkServo(port, sphere(), {.seconds = 2, .scheduling = kPlain}, goOn);
+  const CheckResult result = checkServo(port, sphere(), {.seconds = 2, .scheduling = kPlainScheduling}, goOn);
   EXPECT_GT(result.ticks, 50);
 }
 
 TEST(CheckServo, UnderLoadItStillEnds) {
   ScriptedPort::Seen seen;
   ScriptedPort port(seen);
-  const CheckResult result = checkServo(port, sphere(), {.seconds = 1, .load = true, .scheduling = kPlain}, goOn);
+  const CheckResult result =
+      checkServo(port, sphere(), {.seconds = 1, .load = true, .scheduling = kPlainScheduling}, goOn);
   EXPECT_GT(result.ticks, 0);
 }
 

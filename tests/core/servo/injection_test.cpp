@@ -27,8 +27,9 @@ scene::Description ball(double radius_mm = 50.0) {
 }
 
 /// A servo that pushes with 0.5 N, by hand, on an arm that `prepare` spoils.
-struct Rig {
-  explicit Rig(const std::function<void(ScriptedPort&)>& prepare, const HostOptions& options = {1000, Clock::Manual}) {
+struct InjectionRig {
+  explicit InjectionRig(const std::function<void(ScriptedPort&)>& prepare,
+                        const HostOptions& options = {1000, Clock::Manual}) {
     auto port = std::make_unique<ScriptedPort>(seen, 20'000);
     prepare(*port);
     host = std::make_unique<Host>(std::move(port), options);
@@ -44,7 +45,7 @@ struct Rig {
 }  // namespace
 
 TEST(Injection, AFewMissedSamplesAreZeroForceThenASoftStart) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample&) { return read < 700 || read >= 710; };
   });
   rig.host->run(699);
@@ -59,7 +60,7 @@ TEST(Injection, AFewMissedSamplesAreZeroForceThenASoftStart) {
 }
 
 TEST(Injection, AnOldSampleIsZeroForceAndAFaultWhenItStaysOld) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       if (read >= 700) sample.time_ns = 699'000'000;
       return true;
@@ -72,7 +73,7 @@ TEST(Injection, AnOldSampleIsZeroForceAndAFaultWhenItStaysOld) {
 }
 
 TEST(Injection, AFrozenSampleIsLetGoSoftlyAndComesBackWithTheHand) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.frozen_s = 0.5;
     port.tip = [](std::int64_t read) {  // a tremble of 1 um, but for two seconds of none
       const bool frozen = read >= 1000 && read < 3000;
@@ -90,7 +91,7 @@ TEST(Injection, AFrozenSampleIsLetGoSoftlyAndComesBackWithTheHand) {
 }
 
 TEST(Injection, APositionThatJumpsIsAFault) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.tip = [](std::int64_t read) { return Vec3(read == 700 ? 0.03 : 0.0, 0.0, 0.06); };
   });
   rig.host->run(700);
@@ -104,7 +105,7 @@ TEST(Injection, APositionThatJumpsIsAFault) {
 TEST(Injection, ADeviceThatIsGoneIsAFaultAndComesBackWithARestart) {
   std::atomic<bool> is_there{true};
   bool opens = false;
-  Rig rig([&](ScriptedPort& port) {
+  InjectionRig rig([&](ScriptedPort& port) {
     port.spoil = [&](std::int64_t, arm::Sample&) { return is_there.load(); };
     port.opens_again = [&]() -> Problems {
       if (!opens) return {{"The arm is not plugged in.", {}}};
@@ -131,7 +132,7 @@ TEST(Injection, ADeviceThatIsGoneIsAFaultAndComesBackWithARestart) {
 }
 
 TEST(Injection, AStepOfTheArmsClockForwardMakesNoStepOfTheForce) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       if (read >= 700) sample.time_ns += 3'600'000'000'000;
       return true;
@@ -144,7 +145,7 @@ TEST(Injection, AStepOfTheArmsClockForwardMakesNoStepOfTheForce) {
 }
 
 TEST(Injection, AStepOfTheArmsClockBackIsAFault) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       if (read >= 700) sample.time_ns -= 500'000'000;
       return true;
@@ -160,7 +161,7 @@ TEST(Injection, AStepOfTheArmsClockBackIsAFault) {
 
 TEST(Injection, AReadThatHangsIsCutByTheWatchdogAndIsAFaultWhenItComesBack) {
   std::atomic<bool> hangs{false};
-  Rig rig(
+  InjectionRig rig(
       [&](ScriptedPort& port) {
         port.spoil = [&](std::int64_t, arm::Sample&) {
           while (hangs.load()) std::this_thread::sleep_for(1ms);
@@ -183,7 +184,7 @@ TEST(Injection, AReadThatHangsIsCutByTheWatchdogAndIsAFaultWhenItComesBack) {
 
 TEST(Injection, TicksThatAreLateAllTheTimeLetGo) {
   std::atomic<bool> slow{false};
-  Rig rig(
+  InjectionRig rig(
       [&](ScriptedPort& port) {
         port.spoil = [&](std::int64_t, arm::Sample&) {
           if (slow.load()) std::this_thread::sleep_for(3ms);
@@ -201,7 +202,7 @@ TEST(Injection, TicksThatAreLateAllTheTimeLetGo) {
 }
 
 TEST(Injection, HowManyLateTicksAreBorneIsToChoose) {
-  Rig rig(
+  InjectionRig rig(
       [&](ScriptedPort& port) {
         port.spoil = [](std::int64_t, arm::Sample&) {
           std::this_thread::sleep_for(3ms);
@@ -216,7 +217,7 @@ TEST(Injection, HowManyLateTicksAreBorneIsToChoose) {
 }
 
 TEST(Injection, AThousandScenesAreSwappedWhileItPushesAndNoStepIsFelt) {
-  Rig rig([](ScriptedPort&) {}, {1000, Clock::Manual});
+  InjectionRig rig([](ScriptedPort&) {}, {1000, Clock::Manual});
   rig.host->run(400);
   for (int swap = 0; swap < 1000; ++swap) {
     ASSERT_TRUE(rig.host->load(ball(45 + swap % 30)).empty());
@@ -233,7 +234,7 @@ TEST(Injection, AThousandScenesAreSwappedWhileItPushesAndNoStepIsFelt) {
 }
 
 TEST(FaultReport, HoldsTheLastSecondUpToTheTickThatFoundIt) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       if (read == 2500) sample.q_rad[2] = kNotANumber;
       return true;
@@ -254,7 +255,7 @@ TEST(FaultReport, HoldsTheLastSecondUpToTheTickThatFoundIt) {
 }
 
 TEST(FaultReport, AnEarlyFaultHoldsWhatThereIs) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       if (read == 5) sample.q_rad[2] = kNotANumber;
       return true;
@@ -267,7 +268,7 @@ TEST(FaultReport, AnEarlyFaultHoldsWhatThereIs) {
 }
 
 TEST(FaultReport, EachOfThreeWaitsToBeFetchedAndTheServoGoesOnWithoutThem) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       if (read % 100 == 0) sample.q_rad[2] = kNotANumber;
       return true;
@@ -288,7 +289,7 @@ TEST(FaultReport, EachOfThreeWaitsToBeFetchedAndTheServoGoesOnWithoutThem) {
 }
 
 TEST(HoldToRun, PushesOnlyWhileTheButtonIsHeld) {
-  Rig rig([](ScriptedPort& port) {
+  InjectionRig rig([](ScriptedPort& port) {
     port.spoil = [](std::int64_t read, arm::Sample& sample) {
       sample.buttons = read >= 500 && read < 1000 ? 1U : 2U;  // the other button does not count
       return true;

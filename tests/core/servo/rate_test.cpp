@@ -15,7 +15,7 @@ using test::comes;
 using test::ScriptedPort;
 using namespace std::chrono_literals;
 
-scene::Description ball() {
+scene::Description softBall() {
   scene::Description scene;
   scene.title = "Ball";
   scene.control.gains.kp_N_per_mm.setConstant(0.05);
@@ -24,14 +24,14 @@ scene::Description ball() {
 }
 
 /// A servo that pushes with 0.5 N on an arm that takes any rate.
-struct Rig {
-  explicit Rig(const HostOptions& options = {1000, Clock::Manual},
-               const std::function<void(ScriptedPort&)>& prepare = {}) {
+struct RateRig {
+  explicit RateRig(const HostOptions& options = {1000, Clock::Manual},
+                   const std::function<void(ScriptedPort&)>& prepare = {}) {
     auto port = std::make_unique<ScriptedPort>(seen, 100'000);
     port->takes_rates = true;
     if (prepare) prepare(*port);
     host = std::make_unique<Host>(std::move(port), options);
-    EXPECT_TRUE(host->load(ball()).empty());
+    EXPECT_TRUE(host->load(softBall()).empty());
     host->start();
   }
   std::vector<TickRecord> drained() {
@@ -56,7 +56,7 @@ std::function<void(ScriptedPort&)> spoiltBy(std::atomic<bool>& spoilt) {
 }  // namespace
 
 TEST(ServoRate, TheForceIsLetGoAndComesBackSoftlyAndTheTimeOfSamplesGoesOn) {
-  Rig rig;
+  RateRig rig;
   rig.host->run(1000);
   ASSERT_NEAR(rig.seen.last_size_N, 0.5, 1e-9);
   ASSERT_TRUE(rig.host->setRate(4000).empty());
@@ -74,7 +74,7 @@ TEST(ServoRate, TheForceIsLetGoAndComesBackSoftlyAndTheTimeOfSamplesGoesOn) {
 }
 
 TEST(ServoRate, EveryTickIsDrainedOnceInOrderAndEvenly) {
-  Rig rig;
+  RateRig rig;
   std::vector<int> rates{250, 10'000, 500, 8000, 100, 2000, 1000, 4000, 300, 1000};
   std::int64_t tick = 0, time_ns = 0;
   int was_hz = 1000;
@@ -97,7 +97,7 @@ TEST(ServoRate, EveryTickIsDrainedOnceInOrderAndEvenly) {
 }
 
 TEST(ServoRate, RowsHaveRoomForFourSecondsAtTheNewRate) {
-  Rig rig({100, Clock::Manual});
+  RateRig rig({100, Clock::Manual});
   ASSERT_TRUE(rig.host->setRate(10'000).empty());
   rig.drained();
   rig.host->run(40'000);
@@ -107,7 +107,7 @@ TEST(ServoRate, RowsHaveRoomForFourSecondsAtTheNewRate) {
 }
 
 TEST(ServoRate, TimingIsOfThePresentRateAlone) {
-  Rig rig;
+  RateRig rig;
   rig.host->run(500);  // not drained yet: they were of the rate before
   ASSERT_TRUE(rig.host->setRate(2000).empty());
   rig.host->run(300);
@@ -117,7 +117,7 @@ TEST(ServoRate, TimingIsOfThePresentRateAlone) {
 
 TEST(ServoRate, AFaultHoldsTheLastSecondOfTheRateThatItCameAt) {
   std::atomic<bool> spoilt{false};
-  Rig rig({1000, Clock::Manual}, spoiltBy(spoilt));
+  RateRig rig({1000, Clock::Manual}, spoiltBy(spoilt));
   rig.host->run(1500);
   spoilt = true;
   rig.host->run(1);
@@ -147,7 +147,7 @@ TEST(ServoRate, AFaultHoldsTheLastSecondOfTheRateThatItCameAt) {
 
 TEST(ServoRate, AFaultWhileTheForceIsLetGoTakesAStart) {
   std::atomic<bool> spoilt{false};
-  Rig rig({1000, Clock::Manual}, spoiltBy(spoilt));
+  RateRig rig({1000, Clock::Manual}, spoiltBy(spoilt));
   rig.host->run(1500);
   spoilt = true;  // the next sample is the first one of the release
   ASSERT_TRUE(rig.host->setRate(4000).empty());
@@ -162,7 +162,7 @@ TEST(ServoRate, AFaultWhileTheForceIsLetGoTakesAStart) {
 }
 
 TEST(ServoRate, IsRefusedWhileASessionIsRecorded) {
-  Rig rig;
+  RateRig rig;
   rig.host->run(10);
   const auto tap = std::make_shared<Tap>(1'000'000);
   rig.host->record(tap);
@@ -177,16 +177,16 @@ TEST(ServoRate, IsRefusedWhileASessionIsRecorded) {
 }
 
 TEST(ServoRate, IsRefusedByAnArmThatHasOneAloneAndOutsideItsRange) {
-  Rig rig({1000, Clock::Manual}, [](ScriptedPort& port) { port.takes_rates = false; });
+  RateRig rig({1000, Clock::Manual}, [](ScriptedPort& port) { port.takes_rates = false; });
   EXPECT_EQ(rig.host->setRate(2000).size(), 1U);
   EXPECT_TRUE(rig.host->setRate(1000).empty()) << "that it has";
-  Rig other;
+  RateRig other;
   for (const int rate_hz : {0, -1, 99, 10'001}) EXPECT_EQ(other.host->setRate(rate_hz).size(), 1U) << rate_hz;
   EXPECT_EQ(other.host->rateHz(), 1000);
 }
 
 TEST(ServoRate, AServoThatStoodStillStaysSo) {
-  Rig rig;
+  RateRig rig;
   rig.host->stop();
   rig.host->run(200);
   ASSERT_TRUE(rig.host->setRate(500).empty());
@@ -197,7 +197,7 @@ TEST(ServoRate, AServoThatStoodStillStaysSo) {
 
 TEST(ServoRateThread, ChangesTenTimesWhileItRunsUnderAStormOfEdits) {  // the thread sanitizer sees any race
   // A machine that stands still for a while is no race: neither late ticks nor a pause end it.
-  Rig rig({.rate_hz = 1000, .clock = Clock::Thread, .watchdog_s = 0.0, .max_late = 1'000'000});
+  RateRig rig({.rate_hz = 1000, .clock = Clock::Thread, .watchdog_s = 0.0, .max_late = 1'000'000});
   rig.host->begin();
   std::int64_t tick = 0;
   const int rates[] = {250, 4000, 500, 8000, 1000, 10'000, 100, 2000, 400, 1000};

@@ -12,7 +12,7 @@
 namespace underact::sim {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+constexpr std::int64_t kPlantMillisecond_ns = 1'000'000;
 constexpr double kSubstep_s = 50e-6;
 const Vec3 kMiddle(0.0, 0.0, 0.03);
 // Nearer than this no step is taken: half an ulp of 0.033 m in half a substep is a speed that the demo hand's damper
@@ -54,7 +54,7 @@ double stepError(const Plant& plant, std::int64_t step_ns) {
   PlantState state = restAt(plant, kMiddle);
   const HandWish wish = stayAt(kMiddle + Vec3(jump_m, 0.0, 0.0));
   double worst = 0.0;
-  for (std::int64_t time_ns = step_ns; time_ns <= 200 * kMillisecond_ns; time_ns += step_ns) {
+  for (std::int64_t time_ns = step_ns; time_ns <= 200 * kPlantMillisecond_ns; time_ns += step_ns) {
     state = advance(plant, state, Vec3::Zero(), wish, step_ns);
     const double stretch = (wish.p_WT.x() - state.p_WT.x()) / jump_m;
     worst = std::max(worst, std::abs(stretch - stretchAt(plant, 1e-9 * static_cast<double>(time_ns))));
@@ -71,7 +71,7 @@ TEST(Plant, FollowsTheStepResponseOfMassSpringAndDamper) {
 
 TEST(Plant, ByTheMeanVelocityHalvingTheSubstepHalvesTheError) {
   Plant plant = plantOf("ideal");
-  plant.integration = {Integrator::MeanVelocity, kMillisecond_ns};  // a call of advance() is one substep
+  plant.integration = {Integrator::MeanVelocity, kPlantMillisecond_ns};  // a call of advance() is one substep
   const double coarse = stepError(plant, 50'000), middle = stepError(plant, 25'000), fine = stepError(plant, 12'500);
   EXPECT_NEAR(coarse / middle, 2.0, 0.02);  // order 1: 2 + O(omega dt), omega dt = 0.003
   EXPECT_NEAR(middle / fine, 2.0, 0.01);
@@ -79,7 +79,7 @@ TEST(Plant, ByTheMeanVelocityHalvingTheSubstepHalvesTheError) {
 
 TEST(Plant, TheTrapezoidalIntegratorIsOfSecondOrder) {
   Plant plant = plantOf("ideal");
-  plant.integration = {Integrator::Trapezoidal, kMillisecond_ns};  // a call of advance() is one substep
+  plant.integration = {Integrator::Trapezoidal, kPlantMillisecond_ns};  // a call of advance() is one substep
   const double coarse = stepError(plant, 800'000), middle = stepError(plant, 400'000), fine = stepError(plant, 200'000);
   EXPECT_NEAR(coarse / middle, 4.0, 0.05);  // order 2: 4 + O((omega dt)^2), omega dt = 0.05
   EXPECT_NEAR(middle / fine, 4.0, 0.02);
@@ -89,7 +89,7 @@ TEST(Plant, GoesInSubstepsOfTheLengthThatItIsTold) {
   for (const Integrator integrator : {Integrator::MeanVelocity, Integrator::EndVelocity, Integrator::Trapezoidal}) {
     Plant coarse = plantOf("vendor-nominal"), fine = coarse;
     coarse.integration = {integrator, 250'000};
-    fine.integration = {integrator, kMillisecond_ns};
+    fine.integration = {integrator, kPlantMillisecond_ns};
     const PlantState start{kMiddle, Vec3(0.1, 0.0, 0.0), restAt(coarse, kMiddle).q_rad};
     HandWish wish = stayAt(kMiddle);
     wish.v_WT = Vec3(0.0, 0.2, 0.0);
@@ -99,9 +99,9 @@ TEST(Plant, GoesInSubstepsOfTheLengthThatItIsTold) {
       there.p_WT -= part * 0.25e-3 * wish.v_WT;
       parts = advance(fine, parts, Vec3(0.5, 0.0, 0.0), there, 250'000);
     }
-    const PlantState whole = advance(coarse, start, Vec3(0.5, 0.0, 0.0), wish, kMillisecond_ns);
+    const PlantState whole = advance(coarse, start, Vec3(0.5, 0.0, 0.0), wish, kPlantMillisecond_ns);
     EXPECT_LE((whole.p_WT - parts.p_WT).norm(), 1e-16);  // roundings of 0.06 m
-    EXPECT_NE(whole.p_WT, advance(fine, start, Vec3(0.5, 0.0, 0.0), wish, kMillisecond_ns).p_WT);
+    EXPECT_NE(whole.p_WT, advance(fine, start, Vec3(0.5, 0.0, 0.0), wish, kPlantMillisecond_ns).p_WT);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(Plant, ByTheEndVelocityAForceActsHalfASubstepEarly) {
   Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
   plant.integration = {Integrator::EndVelocity, 50'000};
   const PlantState state =
-      advance(plant, restAt(plant, kMiddle), Vec3(0.1, 0.0, 0.0), stayAt(kMiddle), kMillisecond_ns);
+      advance(plant, restAt(plant, kMiddle), Vec3(0.1, 0.0, 0.0), stayAt(kMiddle), kPlantMillisecond_ns);
   const double t_s = 1e-3;  // x = a t (t + dt) / 2 where it should be a t^2 / 2
   EXPECT_NEAR(state.p_WT.x() - kMiddle.x(), 0.5 * t_s * (t_s + kSubstep_s), 1e-16);
 }
@@ -120,7 +120,7 @@ TEST(Plant, ItsOwnDampingSlowsItDownWhateverTheHandWants) {
   PlantState state = restAt(plant, kMiddle);
   state.v_WT = Vec3(0.1, 0.0, 0.0);
   for (int tick = 0; tick < 100; ++tick) {
-    state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kMillisecond_ns);
+    state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kPlantMillisecond_ns);
   }
   const double decay = 2.0 / 0.1 * 0.1;  // b / m times 0.1 s; implicitly, (1 + dt b / m) per substep
   EXPECT_NEAR(state.v_WT.x(), 0.1 * std::exp(-decay), 0.1 * std::exp(-decay) * decay * kSubstep_s * 2.0 / 0.1);
@@ -138,7 +138,7 @@ TEST(Plant, UnderAForceTheHandsSpringGivesWayByHookesLaw) {
   const Plant plant = plantOf("ideal");
   PlantState state = restAt(plant, kMiddle);
   const Vec3 f_T_W(0.6, -0.3, 0.9);
-  for (int tick = 0; tick < 5000; ++tick) state = advance(plant, state, f_T_W, stayAt(kMiddle), kMillisecond_ns);
+  for (int tick = 0; tick < 5000; ++tick) state = advance(plant, state, f_T_W, stayAt(kMiddle), kPlantMillisecond_ns);
   const Vec3 expected_W = kMiddle + f_T_W / plant.hand.stiffness_N_per_m;  // after 5 s, 100 time constants of the decay
   EXPECT_LE((state.p_WT - expected_W).cwiseAbs().maxCoeff(), kStall_m);
 }
@@ -149,7 +149,7 @@ TEST(Plant, SticksBelowItsFrictionToTheLastBit) {
   PlantState state = rest;
   const Vec3 direction = Vec3(1.0, -2.0, 2.0) / 3.0;
   for (int tick = 0; tick < 1000; ++tick) {
-    state = advance(plant, state, 0.2599 * direction, stayAt(kMiddle), kMillisecond_ns);
+    state = advance(plant, state, 0.2599 * direction, stayAt(kMiddle), kPlantMillisecond_ns);
   }
   EXPECT_EQ(state.p_WT, rest.p_WT);
   EXPECT_EQ(state.v_WT, Vec3::Zero());
@@ -159,7 +159,7 @@ TEST(Plant, SlidesAboveItsFrictionByTheRest) {
   const Plant plant = plantOf("vendor-nominal", {0.1, 0.0, 0.0});
   PlantState state = restAt(plant, kMiddle);
   for (int tick = 0; tick < 100; ++tick) {
-    state = advance(plant, state, Vec3(0.27, 0.0, 0.0), stayAt(kMiddle), kMillisecond_ns);
+    state = advance(plant, state, Vec3(0.27, 0.0, 0.0), stayAt(kMiddle), kPlantMillisecond_ns);
   }
   const double speed_m_per_s = (0.27 - 0.26) / 0.145 * 0.1;  // constant force over 0.1 s
   EXPECT_NEAR(state.v_WT.x(), speed_m_per_s, 1e-12);         // 2000 roundings of impulses of 1.35e-5 N s, over 0.145 kg
@@ -173,7 +173,7 @@ TEST(Plant, FrictionBringsItToRestAndNeverBack) {
   const double stops_s = state.v_WT.norm() * 0.145 / 0.26;  // 63.3 ms
   for (double t_s = 0.0; t_s < stops_s + 0.005; t_s += 0.001) {
     const Vec3 v_before = state.v_WT;
-    state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kMillisecond_ns);
+    state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kPlantMillisecond_ns);
     ASSERT_GE(state.v_WT.dot(v_before), 0.0);
     EXPECT_EQ(state.v_WT == Vec3::Zero(), t_s + 0.001 > stops_s) << t_s;
   }
@@ -185,7 +185,7 @@ TEST(Plant, AStretchThatFrictionCanHoldIsHeld) {  // 0.26 N over 300 N/m: 0.867 
   const auto after = [&](double stretch_m) {
     PlantState state = rest;
     for (int tick = 0; tick < 100; ++tick) {
-      state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle + Vec3(0, stretch_m, 0)), kMillisecond_ns);
+      state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle + Vec3(0, stretch_m, 0)), kPlantMillisecond_ns);
     }
     return state.p_WT;
   };
@@ -205,7 +205,7 @@ TEST(Plant, ItsEnergyNeverGrowsByItself) {
         const HandWish wish = stayAt(kMiddle + random.inBox(0.01));
         double energy_J = energyOf(plant, state, wish.p_WT);
         for (int tick = 0; tick < 300; ++tick) {
-          state = advance(plant, state, Vec3::Zero(), wish, kMillisecond_ns);
+          state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
           const double next_J = energyOf(plant, state, wish.p_WT);
           // A stretch is known to the rounding of the place, 3.5e-18 m at 0.03 m (twenty times a tick): its square's
           // energy.
@@ -226,7 +226,7 @@ TEST(Plant, AWishThatMovesEvenlyIsFollowedWithoutLag) {  // the wish is for the 
   wish.v_WT = state.v_WT;
   for (int tick = 1; tick <= 200; ++tick) {
     wish.p_WT = kMiddle + 1e-3 * tick * wish.v_WT;
-    state = advance(plant, state, Vec3::Zero(), wish, kMillisecond_ns);
+    state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
     ASSERT_LE((state.p_WT - wish.p_WT).cwiseAbs().maxCoeff(), kStall_m) << tick;
   }
 }
@@ -238,8 +238,8 @@ TEST(Plant, APeriodIsItsSubsteps) {
   const HandWish wish = stayAt(kMiddle + Vec3(0.01, 0.005, -0.01));
   for (int tick = 0; tick < 100; ++tick) {
     const Vec3 f_T_W(0.3 * std::sin(0.1 * tick), 0.0, 0.5);
-    whole = advance(plant, whole, f_T_W, wish, kMillisecond_ns + 10'000);  // 20 whole substeps and a short one
-    for (std::int64_t part_ns = 0; part_ns < kMillisecond_ns; part_ns += kSubstep_ns)
+    whole = advance(plant, whole, f_T_W, wish, kPlantMillisecond_ns + 10'000);  // 20 whole substeps and a short one
+    for (std::int64_t part_ns = 0; part_ns < kPlantMillisecond_ns; part_ns += kSubstep_ns)
       parts = advance(plant, parts, f_T_W, wish, kSubstep_ns);
     parts = advance(plant, parts, f_T_W, wish, 10'000);
     ASSERT_EQ(whole.p_WT, parts.p_WT);
@@ -253,7 +253,7 @@ TEST(Plant, JointsBringTheTipToWhereItIs) {
   PlantState state = restAt(plant, kMiddle);
   test::Random random(test::Seed{6});
   for (int tick = 0; tick < 1000; ++tick) {
-    state = advance(plant, state, random.inBox(3.3), stayAt(kMiddle), kMillisecond_ns);
+    state = advance(plant, state, random.inBox(3.3), stayAt(kMiddle), kPlantMillisecond_ns);
     ASSERT_LE((arm::tipPosition(plant.arm.geometry, state.q_rad) - state.p_WT).norm(),
               2e-15);  // as inverse_test: kTip_m
   }
@@ -282,7 +282,7 @@ TEST(Plant, ALimitStopsItAndLetsItGoAgain) {
        {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
     PlantState state = restAt(plant, kMiddle);
     for (int tick = 0; tick < 1000; ++tick) {
-      state = advance(plant, state, 2.0 * direction, stayAt(kMiddle), kMillisecond_ns);
+      state = advance(plant, state, 2.0 * direction, stayAt(kMiddle), kPlantMillisecond_ns);
       ASSERT_TRUE(isInside(plant, state));
       ASSERT_LE((arm::tipPosition(plant.arm.geometry, state.q_rad) - state.p_WT).norm(), 2e-15);
     }
@@ -291,7 +291,7 @@ TEST(Plant, ALimitStopsItAndLetsItGoAgain) {
     EXPECT_LT(outwards_m_per_s, 0.05) << direction.transpose();
     const Vec3 at_limit = state.p_WT;
     for (int tick = 0; tick < 100; ++tick) {
-      state = advance(plant, state, -2.0 * direction, stayAt(kMiddle), kMillisecond_ns);
+      state = advance(plant, state, -2.0 * direction, stayAt(kMiddle), kPlantMillisecond_ns);
     }
     // Free: 2 N, 0.1 kg, 0.1 s: 0.1 m. From the corner of +y it slides down along the stop of joint 2: 11 mm.
     EXPECT_LT((state.p_WT - at_limit).dot(direction), -0.01) << direction.transpose();
@@ -307,7 +307,7 @@ TEST(Plant, AtAStopTheTipSlidesAndDoesNotLeap) {
     for (const Vec3& p_WH : test::pointsInBox(0.3, 200, test::Seed{20261121})) {  // most are out of reach
       for (int tick = 0; tick < 100; ++tick) {
         const PlantState before = state;
-        state = advance(plant, state, Vec3::Zero(), stayAt(p_WH), kMillisecond_ns);
+        state = advance(plant, state, Vec3::Zero(), stayAt(p_WH), kPlantMillisecond_ns);
         // Freely it would get no further than this; at a stop it goes to the place that is nearest to there, and the
         // one it came from is one of those there are: at most twice as far.
         const double pull_m_per_s2 = plant.hand.stiffness_N_per_m * (p_WH - before.p_WT).norm() / mass_kg;
@@ -333,15 +333,15 @@ TEST(Plant, TheWristTurnsWhenTheHandTurns) {
   turned_rad[4] -= 0.2;
   turned_rad[5] += 0.4;
   wish.R_WT = arm::tipPose(plant.arm.geometry, turned_rad).linear();
-  state = advance(plant, state, Vec3::Zero(), wish, kMillisecond_ns);
+  state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
   EXPECT_EQ(state.q_rad[5], -kPi / 2);  // not meant: it stays
   wish.turns = true;
-  state = advance(plant, state, Vec3::Zero(), wish, kMillisecond_ns);
+  state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
   // sin q5 = 0.98: a few roundings of angles below 2 pi.
   for (std::size_t joint = 3; joint < 6; ++joint) EXPECT_NEAR(state.q_rad[joint], turned_rad[joint], 2e-15);
   wish.R_WT = -wish.R_WT;
   wish.R_WT.col(0) = -wish.R_WT.col(0);  // right-handed again, far from where the gimbal can go
-  state = advance(plant, state, Vec3::Zero(), wish, kMillisecond_ns);
+  state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
   EXPECT_TRUE(isInside(plant, state));
 }
 
@@ -350,21 +350,21 @@ TEST(Plant, WhatIsNoNumberIsNoForceAndAWishToStay) {
   PlantState moving = restAt(plant, kMiddle);
   moving.v_WT = Vec3(0.1, 0.0, -0.1);
   const HandWish stay = stayAt(kMiddle);
-  const PlantState expected = advance(plant, moving, Vec3::Zero(), stay, kMillisecond_ns);
+  const PlantState expected = advance(plant, moving, Vec3::Zero(), stay, kPlantMillisecond_ns);
   for (const double strange : {kNotANumber, kInfinity, -kInfinity}) {
-    const PlantState pushed = advance(plant, moving, Vec3(0.0, strange, 0.0), stay, kMillisecond_ns);
+    const PlantState pushed = advance(plant, moving, Vec3(0.0, strange, 0.0), stay, kPlantMillisecond_ns);
     EXPECT_EQ(pushed.p_WT, expected.p_WT);
     EXPECT_EQ(pushed.v_WT, expected.v_WT);
     HandWish wish = stayAt(Vec3(strange, 0.0, 0.0));
     wish.v_WT = Vec3(1.0, 0.0, 0.0);
-    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), wish, kMillisecond_ns).p_WT, expected.p_WT);
+    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), wish, kPlantMillisecond_ns).p_WT, expected.p_WT);
     wish = stayAt(kMiddle);
     wish.v_WT.x() = strange;
-    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), wish, kMillisecond_ns).p_WT, expected.p_WT);
+    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), wish, kPlantMillisecond_ns).p_WT, expected.p_WT);
     HandWish turn = stay;
     turn.turns = true;
     turn.R_WT(1, 2) = strange;
-    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), turn, kMillisecond_ns).q_rad, expected.q_rad);
+    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), turn, kPlantMillisecond_ns).q_rad, expected.q_rad);
   }
 }
 
@@ -373,18 +373,18 @@ TEST(Plant, HoweverLargeTheForceItStaysFinite) {
   for (const double force_N : {1e10, 1e150, 1e300, 1.7e308}) {
     PlantState state = restAt(plant, kMiddle);
     for (int tick = 0; tick < 10; ++tick) {
-      state = advance(plant, state, Vec3(force_N, -force_N, force_N), stayAt(kMiddle), kMillisecond_ns);
+      state = advance(plant, state, Vec3(force_N, -force_N, force_N), stayAt(kMiddle), kPlantMillisecond_ns);
       ASSERT_TRUE(state.p_WT.allFinite() && state.v_WT.allFinite()) << force_N;
       ASSERT_TRUE(isInside(plant, state)) << force_N;
     }
   }
   PlantState pulled = restAt(plant, kMiddle);
-  pulled =
-      advance(plant, pulled, Vec3::Zero(), stayAt(Vec3(1.7e308, 0.0, 0.0)), kMillisecond_ns);  // its spring overflows
+  pulled = advance(plant, pulled, Vec3::Zero(), stayAt(Vec3(1.7e308, 0.0, 0.0)),
+                   kPlantMillisecond_ns);  // its spring overflows
   EXPECT_EQ(pulled.p_WT, kMiddle);
   EXPECT_EQ(pulled.v_WT, Vec3::Zero());
   const Plant weightless = plantOf("ideal", {0.0, 0.0, 0.0});  // nothing there that a force could move
-  EXPECT_EQ(advance(weightless, restAt(weightless, kMiddle), Vec3(1, 2, 3), stayAt(kMiddle), kMillisecond_ns).p_WT,
+  EXPECT_EQ(advance(weightless, restAt(weightless, kMiddle), Vec3(1, 2, 3), stayAt(kMiddle), kPlantMillisecond_ns).p_WT,
             kMiddle);
 }
 

@@ -15,12 +15,12 @@ using test::Random;
 using test::ShapeOracle;
 
 const shape::Shape kSphere = shape::makeSphere({0.01, 0.02, 0.03}, 0.05, {}).value();
-const Vec3 kEqual = Vec3::Constant(500.0);
+const Vec3 kEqualGains = Vec3::Constant(500.0);
 
 TEST(Target, AWallIsFreeOnItsSideAndHoldsOnTheOther) {
   const Vec3 outside = {0.01, 0.02, 0.09}, inside = {0.01, 0.02, 0.07}, on = {0.01, 0.02, 0.08};
   for (const auto& [side, free, held] : {std::tuple{Side::Outside, outside, inside}, {Side::Inside, inside, outside}}) {
-    const Constraint wall = makeConstraint(kSphere, side, kEqual);
+    const Constraint wall = makeConstraint(kSphere, side, kEqualGains);
     EXPECT_EQ(nearestTarget(wall, free).status, Status::Free);
     EXPECT_EQ(nearestTarget(wall, free).p_WP, free);
     EXPECT_EQ(nearestTarget(wall, free).distance_m, 0.0);
@@ -28,23 +28,23 @@ TEST(Target, AWallIsFreeOnItsSideAndHoldsOnTheOther) {
     EXPECT_NEAR(nearestTarget(wall, held).distance_m, 0.01, 1e-16);
     EXPECT_LE((nearestTarget(wall, held).p_WP - on).norm(), 1e-16);
   }
-  const Constraint both = makeConstraint(kSphere, Side::Both, kEqual);
+  const Constraint both = makeConstraint(kSphere, Side::Both, kEqualGains);
   EXPECT_EQ(nearestTarget(both, outside).status, Status::Unique);
   EXPECT_EQ(nearestTarget(both, inside).status, Status::Unique);
 }
 
 TEST(Target, ExactlyOnAWallIsFree) {
   const shape::Shape floor = shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value();
-  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Outside, kEqual), {0.1, 0, 0.2}).status, Status::Free);
-  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Inside, kEqual), {0.1, 0, 0.2}).status, Status::Free);
-  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Both, kEqual), {0.1, 0, 0.2}).status, Status::Unique);
+  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Outside, kEqualGains), {0.1, 0, 0.2}).status, Status::Free);
+  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Inside, kEqualGains), {0.1, 0, 0.2}).status, Status::Free);
+  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Both, kEqualGains), {0.1, 0, 0.2}).status, Status::Unique);
 }
 
 TEST(Target, TheMiddleOfAWallIsFreeFromInsideAndDegenerateFromOutside) {
   const Vec3 middle(0.01, 0.02, 0.03);
-  EXPECT_EQ(nearestTarget(makeConstraint(kSphere, Side::Inside, kEqual), middle).status, Status::Free);
+  EXPECT_EQ(nearestTarget(makeConstraint(kSphere, Side::Inside, kEqualGains), middle).status, Status::Free);
   for (const Side side : {Side::Both, Side::Outside}) {
-    const Target target = nearestTarget(makeConstraint(kSphere, side, kEqual), middle);
+    const Target target = nearestTarget(makeConstraint(kSphere, side, kEqualGains), middle);
     EXPECT_EQ(target.status, Status::Degenerate);
     EXPECT_EQ(target.p_WP, middle);
     EXPECT_NEAR(target.distance_m, 0.05, 1e-17);

@@ -10,8 +10,8 @@ using control::P;
 using control::Passivity;
 using test::Hand;
 
-const shape::Shape kPoint = shape::makePoint({0.01, 0.02, 0.03}, {}).value();
-const shape::Shape kFloor = shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value();
+const shape::Shape kEnergyPoint = shape::makePoint({0.01, 0.02, 0.03}, {}).value();
+const shape::Shape kEnergyFloor = shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value();
 const Vec3 kThere{0.01, 0.02, 0.03};
 constexpr double kStiffness_N_per_m = 100.0;
 
@@ -27,9 +27,9 @@ double energyOf(const Hand& hand, std::size_t index = 0) {
 }
 
 TEST(Energy, IsLookedAtWhereTheSceneAsksAndCostsNothingElsewhere) {
-  EXPECT_FALSE(Hand({test::hold(kPoint, P{})}, Combine::Sum).program().needs.energy);
-  EXPECT_TRUE(Hand({test::hold(kPoint, P{})}, Combine::Sum).state().energies.empty());
-  Hand hand({watched(kPoint), watched(kFloor, 100.0, Passivity::Off)}, Combine::Sum);
+  EXPECT_FALSE(Hand({test::hold(kEnergyPoint, P{})}, Combine::Sum).program().needs.energy);
+  EXPECT_TRUE(Hand({test::hold(kEnergyPoint, P{})}, Combine::Sum).state().energies.empty());
+  Hand hand({watched(kEnergyPoint), watched(kEnergyFloor, 100.0, Passivity::Off)}, Combine::Sum);
   EXPECT_EQ(hand.state().energies.size(), 2U);
   hand.settle(kThere + Vec3(0.004, 0, 0));
   EXPECT_GT(energyOf(hand), 0.0);
@@ -37,7 +37,7 @@ TEST(Energy, IsLookedAtWhereTheSceneAsksAndCostsNothingElsewhere) {
 }
 
 TEST(Energy, WhatTheRampPutIntoASpringComesOutAgainWithTheRamp) {
-  Hand hand({watched(kPoint)}, Combine::Sum);
+  Hand hand({watched(kEnergyPoint)}, Combine::Sum);
   hand.settle(kThere + Vec3(0.004, 0, 0));
   EXPECT_NEAR(energyOf(hand), 0.5 * kStiffness_N_per_m * 16e-6, 1e-12);
   hand.input.engage = false;
@@ -47,7 +47,7 @@ TEST(Energy, WhatTheRampPutIntoASpringComesOutAgainWithTheRamp) {
 }
 
 TEST(Energy, OfAPushIsTheSpringsAndComesBackButForTheLeakOfItsSampling) {
-  Hand hand({watched(kPoint)}, Combine::Sum);
+  Hand hand({watched(kEnergyPoint)}, Combine::Sum);
   hand.settle(kThere);
   const double step_m = 1e-5;
   for (int n = 1; n <= 400; ++n) hand.at(kThere + Vec3(step_m * n, 0, 0));
@@ -58,7 +58,7 @@ TEST(Energy, OfAPushIsTheSpringsAndComesBackButForTheLeakOfItsSampling) {
 }
 
 TEST(Energy, OfAClampedSpringStaysThatOfWhatTheGateLetThrough) {
-  Hand hand({watched(kPoint, 2000.0)}, Combine::Sum);  // 0.88 N at 0.44 mm
+  Hand hand({watched(kEnergyPoint, 2000.0)}, Combine::Sum);  // 0.88 N at 0.44 mm
   hand.settle(kThere);
   for (int n = 1; n <= 4000; ++n) hand.at(kThere + Vec3(1e-6 * n, 0, 0));
   const double held_J = 0.5 * 0.88 * 0.44e-3 + 0.88 * 3.56e-3;
@@ -69,7 +69,7 @@ TEST(Energy, OfAClampedSpringStaysThatOfWhatTheGateLetThrough) {
 
 TEST(Energy, SeveralShareTheForceAsTheyAskedForIt) {
   // Both pull the same way; together they are clamped from 0.44 mm on.
-  Hand hand({watched(kPoint, 500.0), watched(kPoint, 1500.0)}, Combine::Sum);
+  Hand hand({watched(kEnergyPoint, 500.0), watched(kEnergyPoint, 1500.0)}, Combine::Sum);
   hand.settle(kThere);
   for (int n = 1; n <= 400; ++n) hand.at(kThere + Vec3(1e-6 * n, 0, 0));
   EXPECT_NEAR(energyOf(hand, 0), 0.5 * 500.0 * 0.16e-6, 0.01 * 0.5 * 500.0 * 0.16e-6);
@@ -89,7 +89,8 @@ TEST(Energy, ANearestOneThatTakesOverIsCreditedWithWhatItHolds) {
 
 TEST(Energy, AnEditOfTheGainIsCredited) {
   const auto program = [](double stiffness_N_per_m) {
-    return makeProgram(test::thesisGeometry(), {watched(kPoint, stiffness_N_per_m)}, Combine::Sum, test::kTestLimits);
+    return makeProgram(test::thesisGeometry(), {watched(kEnergyPoint, stiffness_N_per_m)}, Combine::Sum,
+                       test::kTestLimits);
   };
   const Vec3 there = kThere + Vec3(0.004, 0, 0);
   Hand hand(program(50.0)), edited(program(100.0));
@@ -101,7 +102,7 @@ TEST(Energy, AnEditOfTheGainIsCredited) {
 }
 
 TEST(Energy, WhileTheServoIsIdleTheAccountIsEmpty) {
-  Hand hand({watched(kPoint)}, Combine::Sum);
+  Hand hand({watched(kEnergyPoint)}, Combine::Sum);
   hand.settle(kThere + Vec3(0.004, 0, 0));
   hand.input.engage = false;
   hand.settle(kThere);
@@ -111,7 +112,7 @@ TEST(Energy, WhileTheServoIsIdleTheAccountIsEmpty) {
 
 TEST(Energy, TheControllersForceIsAPartOfTheConstraintsAndNeverTurnsItRound) {
   for (const target::Side side : {target::Side::Both, target::Side::Outside}) {
-    Hand hand({watched(kFloor, 50'000.0, Passivity::Control, side)}, Combine::Sum);
+    Hand hand({watched(kEnergyFloor, 50'000.0, Passivity::Control, side)}, Combine::Sum);
     hand.settle({0.01, 0.001, 0.03});
     bool acted = false;
     for (int tick = 0; tick < 3000; ++tick) {

@@ -16,8 +16,8 @@ using control::PD;
 using test::Hand;
 
 const Vec3 kK(15.0, 16.0, 11.0);  // N m/rad
-const shape::Shape kPoint = shape::makePoint({0.01, 0.02, 0.03}, {}).value();
-const shape::Shape kFloor = shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value();
+const shape::Shape kJointPoint = shape::makePoint({0.01, 0.02, 0.03}, {}).value();
+const shape::Shape kJointFloor = shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value();
 
 Entry joint(const shape::Shape& shape, const control::Law& law, target::Side side = target::Side::Both) {
   return {target::makeConstraint(shape, side, Vec3::Ones()), law, Space::Joint};
@@ -37,7 +37,7 @@ TEST(JointSpace, TheForceIsThatOfTheTorques) {  // oracle: J_p^-T by a general s
   test::Random random(test::Seed{20070451});
   for (int i = 0; i < test::sweep(2'000, 100'000); ++i) {
     const Vec3 p_WT(random.between(-0.08, 0.08), random.between(-0.06, 0.06), random.between(-0.035, 0.035));
-    Hand hand(programOf(joint(kPoint, P{kK})));
+    Hand hand(programOf(joint(kJointPoint, P{kK})));
     const TickReport& report = hand.at(p_WT);
     const arm::JointAngles q_rad = arm::reach(test::thesisGeometry(), p_WT).q_rad,
                            wanted_rad = arm::reach(test::thesisGeometry(), {0.01, 0.02, 0.03}).q_rad;
@@ -61,7 +61,7 @@ TEST(JointSpace, ItIsNotTheCartesianSpringButOneThatLeansAsideAwayFromItsMiddle)
   double least_deg = 90.0;
   for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 1, 1)}) {
     const Vec3 e_W = -1e-6 * way.normalized();
-    Hand hand(programOf(joint(kPoint, P{kK})));
+    Hand hand(programOf(joint(kJointPoint, P{kK})));
     const Vec3 f_T_W = hand.at(target - e_W).f_T_W;
     EXPECT_LE((f_T_W - stiffness * e_W).norm(), 1e-4 * f_T_W.norm()) << way.transpose();  // 1 um of 0.1 m, curved
     const double cosine = f_T_W.normalized().dot(e_W.normalized());
@@ -72,7 +72,7 @@ TEST(JointSpace, ItIsNotTheCartesianSpringButOneThatLeansAsideAwayFromItsMiddle)
 
 TEST(JointSpace, AWallNeverPullsAndAnUntouchedOneIsFree) {
   test::Random random(test::Seed{20070452});
-  Hand hand(programOf(joint(kFloor, PD{kK, Vec3::Constant(0.3)}, target::Side::Outside)));
+  Hand hand(programOf(joint(kJointFloor, PD{kK, Vec3::Constant(0.3)}, target::Side::Outside)));
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p_WT(random.between(-0.05, 0.05), random.between(-0.03, 0.03), random.between(-0.03, 0.03));
     const TickReport& report = hand.at(p_WT);
@@ -102,7 +102,7 @@ TEST(JointSpace, HoldsEveryShapeWithEveryLawAndStaysFinite) {
 }
 
 TEST(JointSpace, OnSingularPosesTheForceIsDampedAndFinite) {
-  Hand hand(programOf(joint(kPoint, P{kK})));
+  Hand hand(programOf(joint(kJointPoint, P{kK})));
   for (const arm::JointAngles& q_rad :
        {arm::JointAngles{0, 0.5, kPi / 2, 0, 1, 0}, arm::JointAngles{0, 0.5, -kPi / 2, 0, 1, 0},
         arm::JointAngles{0.3, kPi / 2, kPi / 2, 0, 1, 0}}) {  // stretched, folded, on axis 1
@@ -133,16 +133,16 @@ TEST(JointSpace, ATargetBeyondAJointsLimitIsAskedForAtTheLimit) {
 
 TEST(JointSpace, OnlyAProgramThatWorksOnJointsPaysForThem) {
   const TickProgram cartesian =
-      makeProgram(test::thesisGeometry(), {test::hold(kPoint, P{kK})}, Combine::Sum, test::kTestLimits);
+      makeProgram(test::thesisGeometry(), {test::hold(kJointPoint, P{kK})}, Combine::Sum, test::kTestLimits);
   EXPECT_FALSE(cartesian.needs.joints);
   EXPECT_TRUE(makeState(cartesian).followers.empty());
-  const TickProgram joints = programOf(joint(kPoint, P{kK}));
+  const TickProgram joints = programOf(joint(kJointPoint, P{kK}));
   EXPECT_TRUE(joints.needs.joints);
   EXPECT_GT(bytesOf(makeState(joints)), bytesOf(makeState(cartesian)));
 }
 
 TEST(JointSpace, AGainChangeKeepsTheBranch) {
-  Hand hand(programOf(joint(kPoint, P{kK})));
+  Hand hand(programOf(joint(kJointPoint, P{kK})));
   hand.at({0.0, 0.0, 0.0});
   TickState next = makeState(hand.program());
   carryOver(hand.state(), next);

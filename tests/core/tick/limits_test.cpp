@@ -11,12 +11,12 @@ namespace {
 using test::Hand;
 using test::hold;
 
-const control::P kWeak{Vec3::Constant(10.0)};
+const control::P kWeakWall{Vec3::Constant(10.0)};
 
 /// A plane through p_W that pulls with 10 N/m, under the limits of a hand on the thesis's arm.
 TickProgram pulledTo(const Vec3& p_W, const Vec3& normal_W) {
   const arm::Preset& preset = *arm::findPreset(arm::kDefaultArm);
-  return makeProgram(preset.geometry, {hold(shape::makePlane(p_W, normal_W, {}).value(), kWeak)}, Combine::Sum,
+  return makeProgram(preset.geometry, {hold(shape::makePlane(p_W, normal_W, {}).value(), kWeakWall)}, Combine::Sum,
                      safety::limitsForHands(0.88, Vec3(0.155, 0.112, 0.131)), preset.limits);
 }
 
@@ -24,7 +24,7 @@ TickProgram pulledTo(const Vec3& p_W, const Vec3& normal_W) {
 
 TEST(TickLimits, TheTipIsTheSameToTheBitWithAndWithoutTheMotorsInView) {
   Hand with(pulledTo(Vec3::Zero(), Vec3::UnitY())),
-      without({hold(shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value(), kWeak)}, Combine::Sum);
+      without({hold(shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value(), kWeakWall)}, Combine::Sum);
   for (int tick = 0; tick < 1000; ++tick) {
     const arm::JointAngles q_rad = test::scriptedAngles(tick);
     ASSERT_EQ(with.feed(q_rad).p_WT, without.feed(q_rad).p_WT) << tick;
@@ -84,7 +84,7 @@ TEST(TickLimits, AFaultFromOutsideIsTheTicksFault) {
 }
 
 TEST(TickLimits, AChangeOfGainsFadesInFromAnyForceAndLeavesNothingBehind) {
-  Hand weak({hold(shape::makePoint({0, 0, 0}, {}).value(), kWeak)}, Combine::Sum);
+  Hand weak({hold(shape::makePoint({0, 0, 0}, {}).value(), kWeakWall)}, Combine::Sum);
   Hand strong({hold(shape::makePoint({0, 0, 0}, {}).value(), control::P{Vec3::Constant(15.0)})}, Combine::Sum);
   const Vec3 p_WT(0.0, 0.0, 0.04);
   weak.settle(p_WT);

@@ -14,7 +14,7 @@ using test::comes;
 using test::SharedArm;
 
 /// What only the gate can make: a force within 5 N, fully ramped.
-safety::GatedForce gated(const Vec3& f_T_W) {
+safety::GatedForce gatedForRemote(const Vec3& f_T_W) {
   safety::GateState state;
   state.level = 1.0;
   return safety::gate({5.0}, state, {f_T_W, true, false, {}}, 0.001).force;
@@ -31,7 +31,7 @@ struct Client {
   }
   bool tick(const Vec3& f_T_W = kPush_N) {
     const bool has = arm->read(sample);
-    arm->write(gated(f_T_W));
+    arm->write(gatedForRemote(f_T_W));
     return has;
   }
   /// Ticks, as often as a servo, until the arm is pushed so.

@@ -25,7 +25,7 @@ const arm::Geometry& geometryOf(const char* preset) {
 }
 
 /// What only the gate can make: a force within 5 N, fully ramped.
-safety::GatedForce gated(const Vec3& f_T_W) {
+safety::GatedForce gatedForWooden(const Vec3& f_T_W) {
   safety::GateState state;
   state.level = 1.0;
   safety::Asked asked;
@@ -35,8 +35,8 @@ safety::GatedForce gated(const Vec3& f_T_W) {
 }
 
 /// An arm and, at the other end of its line, the board.
-struct Rig {
-  explicit Rig(const WoodenFirmware::Built& built = kBuiltV1, const char* preset = "woodenhaptics")
+struct WoodenRig {
+  explicit WoodenRig(const WoodenFirmware::Built& built = kBuiltV1, const char* preset = "woodenhaptics")
       : firmware(built), bus(firmware), geometry(geometryOf(preset)) {}
   Problems open(const std::string& address = "") {
     arm.reset();
@@ -52,7 +52,7 @@ struct Rig {
   /// A tick that writes f_T_W. false: there was no sample.
   bool tick(const Vec3& f_T_W) {
     const bool has = arm->read(sample);
-    arm->write(gated(f_T_W));
+    arm->write(gatedForWooden(f_T_W));
     return has;
   }
   Vec3 force_N() const { return firmware.force_N(servo::monotonicNow_ns()); }
@@ -72,7 +72,7 @@ struct Rig {
   arm::Sample sample;
 };
 
-Vec3 tipOf(const Rig& rig) {
+Vec3 tipOf(const WoodenRig& rig) {
   return arm::tipPosition(rig.geometry, rig.sample.q_rad);
 }
 
@@ -80,7 +80,7 @@ Vec3 tipOf(const Rig& rig) {
 
 TEST(WoodenArm, ShowsItsOwnJointsOrThoseOfAnotherArmThatReachTheSameTip) {
   for (const char* preset : {"woodenhaptics", "omni-thesis", "touch-measured"}) {
-    Rig rig(kBuiltV1, preset);
+    WoodenRig rig(kBuiltV1, preset);
     rig.firmware.placeTip(Vec3(0.03, 0.02, 0.05));
     ASSERT_TRUE(rig.open().empty());
     ASSERT_TRUE(comes([&] { return rig.tick(Vec3::Zero()); }));
@@ -89,7 +89,7 @@ TEST(WoodenArm, ShowsItsOwnJointsOrThoseOfAnotherArmThatReachTheSameTip) {
 }
 
 TEST(WoodenArm, BeyondTheReachOfTheOtherArmItDoesNotPush) {
-  Rig rig(kBuiltV1, "omni-thesis");  // its shoulder is 0.176 m behind, and it reaches 0.277 m
+  WoodenRig rig(kBuiltV1, "omni-thesis");  // its shoulder is 0.176 m behind, and it reaches 0.277 m
   ASSERT_TRUE(rig.open().empty());
   ASSERT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
   rig.firmware.placeTip(Vec3(0.0, 0.0, 0.13));
@@ -99,7 +99,7 @@ TEST(WoodenArm, BeyondTheReachOfTheOtherArmItDoesNotPush) {
 }
 
 TEST(WoodenArm, TheAddressNamesModelAndSerialNumber) {
-  Rig rig(kBuiltV2);
+  WoodenRig rig(kBuiltV2);
   EXPECT_EQ(rig.whyNot("0043"),
             "No WoodenHaptics arm with the serial number or path \"0043\" is plugged in. What may be one, and is taken "
             "by name: 0042.");
@@ -114,7 +114,7 @@ TEST(WoodenArm, TheAddressNamesModelAndSerialNumber) {
 }
 
 TEST(WoodenArm, ABoardThatMayBeAnythingIsTakenByNameAlone) {
-  Rig rig({2, 64, {0.321, 0.0603, 0.0603}});
+  WoodenRig rig({2, 64, {0.321, 0.0603, 0.0603}});
   rig.bus.node.vendor = 0x16C0, rig.bus.node.product = 0x0486;
   EXPECT_NE(rig.whyNot().find("taken by name: 0042."), std::string::npos);
   EXPECT_EQ(rig.whyNot("0042"), "");
@@ -123,7 +123,7 @@ TEST(WoodenArm, ABoardThatMayBeAnythingIsTakenByNameAlone) {
 }
 
 TEST(WoodenArm, SaysWhatIsWrongWithABoardThatDoesNotAnswer) {
-  Rig rig;
+  WoodenRig rig;
   rig.bus.silence(true);
   EXPECT_EQ(rig.whyNot(),
             "The WoodenHaptics arm at /dev/hidraw7 says nothing. Press the reset button of its board, or plug it in "
@@ -133,7 +133,7 @@ TEST(WoodenArm, SaysWhatIsWrongWithABoardThatDoesNotAnswer) {
 }
 
 TEST(WoodenArm, ThatWasNotCalibratedPushesOnlyOnceItIs) {
-  Rig rig({2, 14, {0.321, 0.0603, 0.0603}, false});
+  WoodenRig rig({2, 14, {0.321, 0.0603, 0.0603}, false});
   rig.firmware.pressCalibration();  // puts it in its home posture
   ASSERT_TRUE(rig.open().empty());
   EXPECT_TRUE(comes([&] {
@@ -148,7 +148,7 @@ TEST(WoodenArm, ThatWasNotCalibratedPushesOnlyOnceItIs) {
 TEST(WoodenArm, ThatDoesNotKnowItsPostureSaysHowToTellIt) {
   for (const auto& [protocol, way] :
        {std::pair(1, "Unplug it, put it in its home posture"), std::pair(2, "press the calibration button")}) {
-    Rig rig({protocol, protocol == 1 ? 8U : 14U, {0.321, 0.0603, 0.0603}, false});
+    WoodenRig rig({protocol, protocol == 1 ? 8U : 14U, {0.321, 0.0603, 0.0603}, false});
     rig.firmware.placeTip(Vec3(0.0, -0.3, -0.15));  // hanging down, far from home
     rig.firmware.losePower();
     rig.firmware.placeTip(Vec3(0.0, 0.15, 0.1));
@@ -161,7 +161,7 @@ TEST(WoodenArm, ThatDoesNotKnowItsPostureSaysHowToTellIt) {
 }
 
 TEST(WoodenArm, AWriteThatTakesLongSendsTheNewestForceAlone) {
-  Rig rig;
+  WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   rig.bus.slowDown(10ms);
   const std::int64_t before = rig.firmware.currentsTaken();
@@ -177,7 +177,7 @@ TEST(WoodenArm, AWriteThatTakesLongSendsTheNewestForceAlone) {
 
 TEST(WoodenArm, WithoutANewForceItIsToldZero) {
   for (const WoodenFirmware::Built& built : {kBuiltV1, kBuiltV2}) {
-    Rig rig(built);
+    WoodenRig rig(built);
     ASSERT_TRUE(rig.open().empty());
     ASSERT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
     const std::int64_t taken = rig.firmware.currentsTaken();
@@ -187,7 +187,7 @@ TEST(WoodenArm, WithoutANewForceItIsToldZero) {
 }
 
 TEST(WoodenArm, ACutIsHeardAndLastsUntilTheNextForce) {
-  Rig rig;
+  WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   for (int round = 0; round < 20; ++round) {
     ASSERT_TRUE(rig.push(Vec3(0.0, 0.5, 0.0)));
@@ -197,7 +197,7 @@ TEST(WoodenArm, ACutIsHeardAndLastsUntilTheNextForce) {
 }
 
 TEST(WoodenArm, ThatFallsSilentGivesNoSampleAndSaysSo) {
-  Rig rig;
+  WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   ASSERT_TRUE(comes([&] { return rig.tick(Vec3::Zero()); }));
   rig.bus.silence(true);
@@ -208,7 +208,7 @@ TEST(WoodenArm, ThatFallsSilentGivesNoSampleAndSaysSo) {
 }
 
 TEST(WoodenArm, AMessageThatIsNotTakenIsNoLossAndManyAre) {
-  Rig rig;
+  WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   rig.bus.refuse(3);
   EXPECT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
@@ -219,7 +219,7 @@ TEST(WoodenArm, AMessageThatIsNotTakenIsNoLossAndManyAre) {
 }
 
 TEST(WoodenArm, WhereReadingAloneFailsTheMotorsAreToldZero) {
-  Rig rig;
+  WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   ASSERT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
   const std::int64_t taken = rig.firmware.currentsTaken(), pushes = rig.firmware.pushes();
@@ -234,7 +234,7 @@ TEST(WoodenArm, WhereReadingAloneFailsTheMotorsAreToldZero) {
 }
 
 TEST(WoodenArm, TimeNeverStandsStillHoweverFastItIsRead) {
-  Rig rig;
+  WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   std::int64_t before_ns = -1;
   for (int read = 0; read < 200; ++read) {
@@ -247,7 +247,7 @@ TEST(WoodenArm, TimeNeverStandsStillHoweverFastItIsRead) {
 TEST(WoodenArm, AnyReportIsRefusedOrASampleOfNumbers) {
   test::Random random(test::Seed{1234});
   for (const WoodenFirmware::Built& built : {kBuiltV1, kBuiltV2}) {
-    Rig rig(built, "omni-thesis");
+    WoodenRig rig(built, "omni-thesis");
     ASSERT_TRUE(rig.open().empty());
     for (int round = test::sweep(500, 5000); round > 0; --round) {
       std::vector<std::uint8_t> report(random.below(4) == 0 ? random.below(80) : built.report_bytes);
