@@ -11,6 +11,11 @@
 namespace underact::gui::test {
 namespace {
 
+QString sceneOfAnotherArm() {
+  return temporaryFile("other_arm.json", R"({"underact_scene": 1, "title": "Touch", "arm": "touch-measured",
+      "constraints": [{"name": "p", "type": "point", "position_mm": [0, 0, 0]}]})");
+}
+
 /// The sphere, felt, with itself beside it; the hand pushes 2 mm into it.
 struct CompareDesk {
   explicit CompareDesk(const QString& scene = "02_sphere")
@@ -118,14 +123,19 @@ TEST(CompareStory, WhatCannotBeComparedIsSaid) {
   EXPECT_FALSE(desk.story.perform("compare.open", temporaryFile("no_scene.json", "{")));
   EXPECT_FALSE(desk.text("compare.told").isEmpty());
   EXPECT_FALSE(desk.story.find("compare.told")->isHidden());
-  const QString other = temporaryFile("other_arm.json",
-                                      R"({"underact_scene": 1, "title": "Touch", "arm": "touch-measured",
-      "constraints": [{"name": "p", "type": "point", "position_mm": [0, 0, 0]}]})");
-  desk.story.perform("compare.open", other);
+  desk.story.perform("compare.open", sceneOfAnotherArm());
   const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("another arm"); };
   EXPECT_TRUE(QTest::qWaitFor(isSaid, 10'000)) << desk.text("compare.told").toStdString();
   desk.story.run(200);
   EXPECT_NEAR(desk.besideForce_N(), desk.feltForce_N(), 1e-6);  // the one before stays
+}
+
+TEST(CompareStory, WhenTheFeltSceneIsForAnotherArmNothingStandsBesideIt) {
+  CompareDesk desk;
+  ASSERT_TRUE(desk.story.perform("scene.open", sceneOfAnotherArm()));
+  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("another arm"); };
+  EXPECT_TRUE(QTest::qWaitFor(isSaid, kLong_ms)) << desk.text("compare.told").toStdString();
+  EXPECT_FALSE(desk.tool.beside().isOn());
 }
 
 TEST(CompareStory, WhoMovesOneCameraMovesTheOther) {

@@ -162,6 +162,7 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
       ++answered;
     }
     if (ticks % 10'000 == 0) QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // which only a loop that runs does by itself
     if (ticks == day / 5 - day / 5 % kTicksAStep) {
       first_resident_MiB = resident_MiB();
       first_allocated_MiB = allocated_MiB();
