@@ -9,6 +9,7 @@
 #include "app/gui/words.h"
 
 namespace underact::gui {
+
 void addLanguageActions(Actions& actions, QWidget* window) {
   struct Row {
     QString key, text, shortcut, tip;

@@ -9,6 +9,7 @@
 #include "tests/gui_view/example.h"
 
 namespace underact::gui {
+
 TEST(JointFields, WhatIsTypedIsWhatIsReadInDegreesAndMillimetres) {
   scene::Joint joint = test::turning(Vec3::UnitZ(), {1, 2, 3});
   for (int column = 1; column < kJointFields; ++column) {
