@@ -105,7 +105,7 @@ void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
   } else {
     const Problem& problem = kept.problems().front();
     told.not_kept =
-        QString("%1 (%2)").arg(QString::fromStdString(problem.sentence), QString::fromStdString(problem.place.file));
+        QString("%1 (%2)").arg(sentenceText(problem.sentence), QString::fromStdString(problem.place.file));
   }
   told.last_second = std::move(report.last_second);
   tell(told);

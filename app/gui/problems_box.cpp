@@ -2,13 +2,15 @@
 
 #include <QMessageBox>
 
+#include "app/gui/words.h"
+
 namespace underact::gui {
 
 void showProblemsBox(const QString& name, const QString& title, const QString& what, const Problems& problems,
                      QWidget* window) {
   QStringList sentences;
   for (const Problem& problem : problems) {
-    const QString sentence = QString::fromStdString(problem.sentence);
+    const QString sentence = sentenceText(problem.sentence);
     sentences << (problem.place.line > 0 ? QObject::tr("Line %1: %2").arg(problem.place.line).arg(sentence) : sentence);
   }
   auto* box = new QMessageBox(QMessageBox::Warning, title, what, QMessageBox::Ok, window);

@@ -10,6 +10,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/words.h"
+
 namespace underact::gui {
 namespace {
 
@@ -75,7 +77,7 @@ void ProblemsDialog::show(const QString& path, const Problems& problems) {
   for (int row = 0; row < table_->rowCount(); ++row) {
     const Problem& problem = problems[static_cast<std::size_t>(row)];
     const QStringList cells{placeNumber(problem.place.line), placeNumber(problem.place.column),
-                            QString::fromStdString(problem.place.key), QString::fromStdString(problem.sentence)};
+                            QString::fromStdString(problem.place.key), sentenceText(problem.sentence)};
     for (int column = 0; column < cells.size(); ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(cells[column]);

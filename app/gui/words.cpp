@@ -1,6 +1,7 @@
 #include "app/gui/words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QObject>
 #include <QStringList>
 #include <cmath>
@@ -14,9 +15,20 @@ QString tr(const char* text) {
   return QCoreApplication::translate("underact::gui", text);
 }
 
+QString sentenceText(const Sentence& sentence) {
+  if (sentence.isNumber()) return QString::fromStdString(sentence).replace('.', QLocale().decimalPoint());
+  // Changed as a string since it was put together: its pattern does not say it any more.
+  const bool is_whole = filled(sentence.pattern(), {sentence.places().begin(), sentence.places().end()}) == sentence;
+  if (!is_whole) return QString::fromStdString(sentence);
+  std::vector<std::string> words;
+  for (const Sentence& place : sentence.places()) words.push_back(sentenceText(place).toStdString());
+  const QString pattern = QCoreApplication::translate("problem", sentence.pattern().c_str());
+  return QString::fromStdString(filled(pattern.toStdString(), words));
+}
+
 QString sentencesOf(const Problems& problems) {
   QStringList lines;
-  for (const Problem& problem : problems) lines << QString::fromStdString(problem.sentence);
+  for (const Problem& problem : problems) lines << sentenceText(problem.sentence);
   return lines.join('\n');
 }
 

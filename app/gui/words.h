@@ -3,6 +3,7 @@
 
 #include "core/base/fault.h"
 #include "core/base/result.h"
+#include "core/base/sentence.h"
 #include "core/base/types.h"
 #include "core/servo/host.h"
 
@@ -10,6 +11,9 @@ namespace underact::gui {
 
 /// In the window's language, for functions that are no members.
 QString tr(const char* text);
+
+/// What the parts below the window say, in its language; English where that has no words for it.
+QString sentenceText(const Sentence& sentence);
 
 /// The sentences alone, one a line: for a panel that the reader is already looking at.
 QString sentencesOf(const Problems& problems);

@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/sentence.h"
+
 namespace underact {
 
 /// Where a problem is: a file (or what stands for one), a line and a column from 1 (0: none), the key's path.
@@ -16,7 +18,7 @@ struct Place {
 
 /// What is wrong, in a sentence its reader can act on, and where.
 struct Problem {
-  std::string sentence;
+  Sentence sentence;
   Place place = {};
 };
 

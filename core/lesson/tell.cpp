@@ -3,26 +3,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/sentence.h"
 #include "core/base/translate.h"
 
 namespace underact::lesson {
 namespace {
-
-/// %1, %2 and so on in a text replaced by the words.
-std::string filled(std::string text, const std::vector<std::string>& words) {
-  std::string made;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool is_place = text[at] == '%' && at + 1 < text.size() && text[at + 1] >= '1' && text[at + 1] <= '9';
-    const std::size_t number = is_place ? static_cast<std::size_t>(text[at + 1] - '1') : words.size();
-    if (number < words.size()) {
-      made += words[number];
-      ++at;
-    } else {
-      made += text[at];
-    }
-  }
-  return made;
-}
 
 /// Says one check; holds what each sentence needs.
 class Teller {

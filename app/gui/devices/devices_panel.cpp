@@ -229,7 +229,7 @@ void DevicesPanel::describe() {
   bool has_command = false;
   if (entry != nullptr) {
     for (const device::Missing& one : entry->missing) {
-      sentences << QString::fromStdString(one.sentence);
+      sentences << sentenceText(one.sentence);
       has_command |= !one.command.empty();
     }
   }

@@ -11,6 +11,7 @@
 
 #include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
@@ -42,7 +43,7 @@ FixDialog::FixDialog(const QString& arm, const std::vector<device::Missing>& mis
   for (const device::Missing& one : missing) {
     const QString name = QString("dialog.fix.%1").arg(number++), command = QString::fromStdString(one.command);
     QLabel* sentence = toldLabel(name.toLatin1().constData(), tr("What is missing"), "", this);
-    sentence->setText(QString::fromStdString(one.sentence));
+    sentence->setText(sentenceText(one.sentence));
     column->addWidget(sentence);
     if (command.isEmpty()) continue;
     column->addWidget(commandField(name + ".command", command, this));

@@ -14,6 +14,7 @@
 #include "app/gui/panel_scroll.h"
 #include "app/gui/push_button.h"
 #include "app/gui/told_label.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
@@ -139,7 +140,7 @@ void HandsPanel::describe() {
   const bool lacks = entry != nullptr && !entry->seen.missing.empty();
   fix_->setVisible(lacks && !entry->seen.missing.front().command.empty());
   if (lacks)
-    say(about_, QString::fromStdString(entry->seen.missing.front().sentence));
+    say(about_, sentenceText(entry->seen.missing.front().sentence));
   else if (entry == nullptr)
     say(about_,
         tr("Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A "

@@ -84,7 +84,7 @@ void FoundPage::initializePage() {
   table_->setColumnHidden(5, given == nullptr);
   QString text = tr("Uncertainty: one standard deviation. “below”: not told from zero.");
   if (given != nullptr) text += tr(" Given: what the simulation is made of, or the stiffness that was asked for.");
-  for (const Problem& note : run_.found().notes) text += QLatin1Char('\n') + fromUtf8(note.sentence);
+  for (const Problem& note : run_.found().notes) text += QLatin1Char('\n') + sentenceText(note.sentence);
   what_->setText(text);
   which_->clear();
   for (const identify::AxisSwings& one : run_.found().swings)

@@ -90,7 +90,7 @@ MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std
 
 void MeshDialog::buildUnits(QVBoxLayout* column, const mesh_file::Proposal& proposal) {
   QLabel* question = toldLabel("dialog.mesh.question", tr("Which unit"), "amber", this);
-  question->setText(tr("%1 Which unit is the file in?").arg(QString::fromStdString(proposal.sentence)));
+  question->setText(tr("%1 Which unit is the file in?").arg(sentenceText(proposal.sentence)));
   column->addWidget(question);
   unit_ = new QButtonGroup(this);
   const auto button = [&](const QString& text, double mm_per_unit) {

@@ -60,7 +60,7 @@ void FitPage::initializePage() {
                          .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
   QStringList sentences;
   for (const registration::Warning& warning : warningsOf(touches, fit))
-    sentences << QString::fromStdString(warning.sentence);
+    sentences << sentenceText(warning.sentence);
   warnings_->setText(sentences.join('\n'));
   warnings_->setVisible(!sentences.isEmpty());
   table_->setRowCount(static_cast<int>(touches.size()));

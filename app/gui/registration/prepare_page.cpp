@@ -170,7 +170,7 @@ void PreparePage::showMarks() {
   } else {
     marks_are_good_ = true;
     for (const registration::Warning& warning : warningsOf(touches, fit.value()))
-      sentences << QString::fromStdString(warning.sentence);
+      sentences << sentenceText(warning.sentence);
   }
   layout_->setText(sentences.join('\n'));
   layout_->setVisible(!sentences.isEmpty());
