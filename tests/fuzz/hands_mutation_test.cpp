@@ -43,6 +43,7 @@ std::string judge(const std::string& text, bool& accepted) {
     if (read.problems().empty()) return "Refused with no problem.";
     for (const Problem& problem : read.problems()) {
       if (problem.sentence.size() < 10) return "No sentence: " + describe(problem);
+      if (problem.sentence.pattern().empty()) return "No other language can say: " + describe(problem);
     }
     return {};
   }

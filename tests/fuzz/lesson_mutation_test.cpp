@@ -45,6 +45,7 @@ std::string judgeRefusal(const Problems& problems, const std::string& text) {
     if (problem.place.line < 1 || problem.place.line > lines) return "No place of the file: " + said;
     if (problem.sentence.size() < 10 || std::string_view(".?").find(problem.sentence.back()) == std::string_view::npos)
       return "No sentence: " + said;
+    if (problem.sentence.pattern().empty()) return "No other language can say: " + said;
     if (!isUtf8(said) || said.find('\n') != std::string::npos) return "Not one line: " + said;
   }
   return {};

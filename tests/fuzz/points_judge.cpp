@@ -20,6 +20,7 @@ std::string judgeRefusal(const Problems& problems, std::string_view text) {
         problem.place.line == 0 && problems.size() == 1 && problem.sentence == "The file has no points.";
     if (problem.place.line > lines || (problem.place.line <= last && !is_of_all)) return "No line of the file: " + said;
     if (problem.sentence.size() < 10 || problem.sentence.back() != '.') return "No sentence: " + said;
+    if (problem.sentence.pattern().empty()) return "No other language can say: " + said;
     if (said.size() > 1000 || said.find('\n') != std::string::npos) return "Not one line: " + said;
     last = problem.place.line;
   }

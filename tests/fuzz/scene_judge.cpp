@@ -29,6 +29,7 @@ std::string judgeProblems(const Problems& problems, std::string_view text) {
     if (place.line < 1 || place.line > lines || place.column < 1) return "No place of the file: " + said;
     if (problem.sentence.size() < 10 || std::string_view(".?").find(problem.sentence.back()) == std::string_view::npos)
       return "No sentence: " + said;
+    if (problem.sentence.pattern().empty()) return "No other language can say: " + said;
     if (!isUtf8(said) || said.size() > 1000 || said.find('\n') != std::string::npos) return "Not one line: " + said;
   }
   return {};

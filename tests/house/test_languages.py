@@ -93,6 +93,17 @@ class Languages(unittest.TestCase):
             [t for t in languages.texts_of_lesson(lesson) if t], ["t", "u", "a\nb", "q", "s", "c"]
         )
 
+    def test_a_sentence_below_the_window_that_nobody_marked_is_said(self):
+        code = """// It is only a comment.
+#include "a file. Not a sentence."
+const char* kKey = "kp_N_per_mm.";
+said(QT_TRANSLATE_NOOP("problem", "This is "
+                                  "known to them."));
+return "The \\"key\\" is " // so
+       "not there.";
+"""
+        self.assertEqual(list(languages.unmarked(code)), [(6, 'The \\"key\\" is not there.')])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -10,12 +10,17 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QTableWidget>
 #include <optional>
+#include <regex>
+#include <set>
 
 #include "app/gui/number_box.h"
 #include "app/gui/page/page_view.h"
 #include "app/gui/panels.h"
 #include "app/gui/words.h"
+#include "core/scene/read.h"
+#include "tests/core/scene/scene_support.h"
 #include "tests/stories/language_desk.h"
 #include "tests/stories/story.h"
 
@@ -82,6 +87,18 @@ QByteArray savedAfterAnEdit() {
   QFile file(path);
   EXPECT_TRUE(file.open(QIODevice::ReadOnly));
   return file.readAll();
+}
+
+/// The text with each of its numbers, words and keys, one at a time, made what it must not be.
+std::vector<std::string> spoiled(const std::string& text) {
+  static const std::regex piece(R"re("[^"]*"|-?\d[\d.e+-]*|true|false)re");
+  std::vector<std::string> made;
+  for (std::sregex_iterator at(text.begin(), text.end(), piece), end; at != end; ++at) {
+    for (const char* instead : {"-1e9", "0", "\"nonsense\"", "\"\"", "[]", "{}", "null", "[1, 2, 3]", "", "1e-300"})
+      made.push_back(std::string(text).replace(static_cast<std::size_t>(at->position()),
+                                               static_cast<std::size_t>(at->length()), instead));
+  }
+  return made;
 }
 
 }  // namespace
@@ -167,6 +184,31 @@ TEST(LanguageStory, AFaultIsSaidInGermanAndItsFileStaysEnglish) {
     EXPECT_EQ(german.missing().join('\n').toStdString(), "");
     EXPECT_EQ(describe(fault), english.toStdString());
   }
+}
+
+TEST(LanguageStory, EachMistakeInASceneIsSaidInGerman) {
+  const German german;
+  std::set<std::string> patterns;
+  for (const char* name : {"09_wall", "12_line_pid", "14_circle_influence", "20_scara", "26_bumpy_sphere"}) {
+    for (const std::string& text : spoiled(underact::test::fileText(shippedScene(name).toStdString()))) {
+      const Result<scene::Description> read = scene::readScene(text, name);
+      if (read) continue;
+      for (const Problem& problem : read.problems()) {
+        if (patterns.insert(problem.sentence.pattern()).second)
+          EXPECT_NE(sentenceText(problem.sentence).toStdString(), problem.sentence);
+      }
+    }
+  }
+  EXPECT_GT(patterns.size(), 60U);
+  EXPECT_EQ(german.missing().join('\n').toStdString(), "");
+}
+
+TEST(LanguageStory, AFileThatIsNotOpenedSaysWhyInGerman) {
+  const German german;
+  Story story("02_sphere");
+  story.perform("scene.open", temporaryFile("broken.json", R"({"underact_scene": 1, "title": 3})"));
+  story.settle();
+  EXPECT_EQ(story.find<QTableWidget>("dialog.problems.table")->item(0, 3)->text(), "");
 }
 
 TEST(LanguageStory, NumbersHaveACommaOnTheScreenAndBothAreUnderstood) {
