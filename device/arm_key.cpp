@@ -20,7 +20,7 @@ std::string armKey(std::string_view name, const servo::DeviceInfo& info, const s
   const std::string serial = serialOf(info, listing);
   const std::string_view kind = name.substr(0, name.find(':'));
   if (!serial.empty() && !kind.empty()) return std::string(kind) + ":" + serial;
-  return name.empty() ? info.title : std::string(name);
+  return name.empty() ? std::string(info.title) : std::string(name);
 }
 
 }  // namespace underact::device

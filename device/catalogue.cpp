@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/translate.h"
 #include "device/openhaptics/openhaptics_arm.h"
 #include "device/remote/remote.h"
 #include "device/simulated_arm.h"
@@ -19,16 +20,19 @@ Result<std::unique_ptr<servo::DevicePort>> openSimulated(const Request& request)
   return std::unique_ptr<servo::DevicePort>(std::make_unique<SimulatedArm>(options));
 }
 
+constexpr const char* kSimulated = QT_TRANSLATE_NOOP("problem", "Simulated arm");
+
 std::vector<Found> lookForSimulated() {
-  return {{"Simulated arm", "", {}}};
+  return {{said(kSimulated), "", {}}};
 }
 
 // A kind of arm a line.
 constexpr std::array kRows{
-    Row{"simulated", "Simulated arm", openSimulated, lookForSimulated},
-    Row{"openhaptics", "Touch, Omni (vendor's driver)", openhaptics::openRow, openhaptics::lookRow},
-    Row{"wooden", "WoodenHaptics (HID)", openWooden, lookForWooden},
-    Row{"remote", "Arm over the network", remote::openRow, remote::lookRow},
+    Row{"simulated", kSimulated, openSimulated, lookForSimulated},
+    Row{"openhaptics", QT_TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
+        openhaptics::lookRow},
+    Row{"wooden", QT_TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, lookForWooden},
+    Row{"remote", QT_TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::lookRow},
 };
 
 }  // namespace
@@ -52,8 +56,9 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
   if (row == nullptr) {
     std::string known;
     for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
-    return Problems{
-        {"There is no arm of the kind \"" + std::string(name.substr(0, colon)) + "\". There are: " + known + ".", {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". There are: %2."),
+                          {std::string(name.substr(0, colon)), known}),
+                     {}}};
   }
   if (colon < name.size()) request.address = name.substr(colon + 1);
   return row->open(request);

@@ -7,6 +7,7 @@
 
 #include "core/arm/preset.h"
 #include "core/base/result.h"
+#include "core/base/sentence.h"
 #include "core/servo/device_port.h"
 #include "core/sim/arm_model.h"
 
@@ -22,13 +23,13 @@ struct Request {
 
 /// Something that an arm needs and that is not there.
 struct Missing {
-  std::string sentence;
+  Sentence sentence;
   std::string command;  // that mends it, for a terminal; empty: there is none
 };
 
 /// An arm that is there, or a driver that could be.
 struct Found {
-  std::string title;             // "WoodenHaptics, serial 0042"
+  Sentence title;                // "WoodenHaptics, serial 0042"
   std::string address;           // serial number, path, or HOST:PORT
   std::vector<Missing> missing;  // empty: it can be opened
 };
@@ -36,7 +37,7 @@ struct Found {
 /// A kind of arm that a person can choose.
 struct Row {
   const char* key;   // "simulated": what the command line takes
-  const char* name;  // "Simulated arm": what the window shows
+  const char* name;  // "Simulated arm": what the window shows, marked for translators
   /// The arm, open. Problems: why it cannot be, and what to do.
   Result<std::unique_ptr<servo::DevicePort>> (*open)(const Request& request);
   /// What is plugged in of this kind, and what is missing to use it. Opens nothing; may take some 10 ms.

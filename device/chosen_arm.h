@@ -22,13 +22,13 @@ class ChosenArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override { arm_->write(force); }
   void cut() noexcept UNDERACT_REAL_TIME override { arm_->cut(); }
   Problems reopen() override;
-  std::string fixedRate() const override { return arm_->fixedRate(); }
-  std::string refusesRate(int rate_hz) const override { return arm_->refusesRate(rate_hz); }
+  Sentence fixedRate() const override { return arm_->fixedRate(); }
+  Sentence refusesRate(int rate_hz) const override { return arm_->refusesRate(rate_hz); }
   void setRate(int rate_hz) override;
   servo::LastWord lastWord() const override { return arm_->lastWord(); }
   bool drive(servo::Ticks& ticks, int rate_hz) override { return arm_->drive(ticks, rate_hz); }
   void endDrive() override { arm_->endDrive(); }
-  std::string trouble() const override { return arm_->trouble(); }
+  Sentence trouble() const override { return arm_->trouble(); }
   std::vector<std::string> listing() const override { return arm_->listing(); }
   servo::DeviceInfo info() const override { return arm_->info(); }
 

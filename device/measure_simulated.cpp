@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/servo/host.h"
 #include "device/simulated_person.h"
 
@@ -52,7 +53,8 @@ Result<SimulatedMeasurement> measureSimulated(SimulatedArm::Options options, con
     if (!problems.empty()) return problems;
     if (host.snapshot().mode == servo::Mode::Faulted)
       return SimulatedMeasurement{std::move(plan).value(), {}, host.snapshot().report.fault};
-    if (progress && !progress(measurement.share())) return Problems{{"The measurement was ended."}};
+    if (progress && !progress(measurement.share()))
+      return Problems{{said(QT_TRANSLATE_NOOP("problem", "The measurement was ended."))}};
   }
   return SimulatedMeasurement{std::move(plan).value(), measurement.recorded(), {}};
 }

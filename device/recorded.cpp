@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/translate.h"
 #include "core/record/tick_table.h"
 #include "core/scene/load_meshes.h"
 
@@ -139,15 +140,20 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
         return !is_cancelled;
       },
       [&](const record::Gap& gap) {
-        recorded->damage.push_back({"Ticks " + std::to_string(gap.first_row) + " to " +
-                                        std::to_string(gap.first_row + gap.rows - 1) +
-                                        " of this session are damaged; the arm stands still there.",
-                                    {path}});
+        recorded->damage.push_back(
+            {said(QT_TRANSLATE_NOOP("problem",
+                                    "Ticks %1 to %2 of this session are damaged; the arm stands still there."),
+                  {std::to_string(gap.first_row), std::to_string(gap.first_row + gap.rows - 1)}),
+             {path}});
       },
       watch.progress);
   if (!problems.empty()) return problems;
-  if (is_cancelled) return Problems{{"Opening was ended before the whole session was read.", {path}}};
-  if (recorded->rows.empty()) return Problems{{"There are no ticks in this session: nothing can be replayed.", {path}}};
+  if (is_cancelled)
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "Opening was ended before the whole session was read.")), {path}}};
+  if (recorded->rows.empty())
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "There are no ticks in this session: nothing can be replayed.")), {path}}};
   recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
   readScenes(session, rows.firstTick(), watch.cancelled, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/servo/touch_pages.h"
 
@@ -33,15 +34,16 @@ ReplayedArm::ReplayedArm(std::unique_ptr<servo::DevicePort> inner, int rate_hz)
 servo::DeviceInfo ReplayedArm::info() const {
   const std::scoped_lock lock(title_mutex_);
   if (title_.empty()) return inner_->info();
-  return {"Recorded arm: " + title_, true, false, 0.0};
+  return {said(QT_TRANSLATE_NOOP("problem", "Recorded arm: %1"), {title_}), true, false, 0.0};
 }
 
-std::string ReplayedArm::fixedRate() const {
-  if (isReplaying()) return "A recording is being replayed. Close it, then change the rate.";
+Sentence ReplayedArm::fixedRate() const {
+  if (isReplaying())
+    return said(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it, then change the rate."));
   return inner_->fixedRate();
 }
 
-std::string ReplayedArm::refusesRate(int rate_hz) const {
+Sentence ReplayedArm::refusesRate(int rate_hz) const {
   return isReplaying() ? fixedRate() : inner_->refusesRate(rate_hz);
 }
 

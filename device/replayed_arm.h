@@ -30,11 +30,11 @@ class ReplayedArm final : public servo::DevicePort {
   servo::LastWord lastWord() const override { return inner_->lastWord(); }
   bool drive(servo::Ticks& ticks, int rate_hz) override { return inner_->drive(ticks, rate_hz); }
   void endDrive() override { inner_->endDrive(); }
-  std::string trouble() const override { return inner_->trouble(); }
+  Sentence trouble() const override { return inner_->trouble(); }
   std::vector<std::string> listing() const override { return inner_->listing(); }
   servo::DeviceInfo info() const override;
-  std::string fixedRate() const override;
-  std::string refusesRate(int rate_hz) const override;
+  Sentence fixedRate() const override;
+  Sentence refusesRate(int rate_hz) const override;
   void setRate(int rate_hz) override;
 
   // One thread, the window's; none of it waits for the servo. What is said is taken up by the next read().

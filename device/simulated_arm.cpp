@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 
 namespace underact::device {
@@ -84,7 +85,7 @@ void SimulatedArm::cut() noexcept {
 }
 
 servo::DeviceInfo SimulatedArm::info() const {
-  return {"Simulated arm", true, false};
+  return {said(QT_TRANSLATE_NOOP("problem", "Simulated arm")), true, false};
 }
 
 void SimulatedArm::setRate(int rate_hz) {

@@ -27,7 +27,7 @@ class SimulatedArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   servo::DeviceInfo info() const override;
-  std::string fixedRate() const override { return {}; }
+  Sentence fixedRate() const override { return {}; }
   void setRate(int rate_hz) override;
 
   /// The stylus button nearer to the tip (bit 0 of a sample's buttons) is held, or not, from the next read() on. Any

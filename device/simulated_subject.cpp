@@ -4,6 +4,7 @@
 
 #include "core/arm/preset.h"
 #include "core/base/random.h"
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/servo/host.h"
 #include "device/simulated_arm.h"
@@ -49,7 +50,8 @@ Result<double> pressedStiffness(const scene::Description& scene, calibration::Be
     count += 1.0, way += way_m, force += up_N, ways += way_m * way_m, both += way_m * up_N;
   });
   const double spread = count * ways - way * way;
-  if (!(spread > 0.0)) return Problems{{"The simulated hand could not press the beam.", {}}};
+  if (!(spread > 0.0))
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The simulated hand could not press the beam.")), {}}};
   return (count * both - way * force) / spread / kNewtonPerMetre;
 }
 

@@ -11,7 +11,7 @@ void addArmModelOption(CLI::App& command, std::string& name) {
           [](const std::string& text) {
             if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later
             const Result<sim::ArmModel> model = sim::chooseArmModel(text);
-            return model ? std::string() : model.problems().front().sentence;
+            return std::string(model ? Sentence() : model.problems().front().sentence);
           },
           "", "arm model"));
 }

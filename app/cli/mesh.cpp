@@ -83,7 +83,8 @@ void printAsJson(const std::string& path, const Timed& timed, const MeshOptions&
   object.addInteger("crossings", facts.crossings);
   object.addBool("crossings_checked", facts.crossings_checked != 0);
   object.addTexts("sides", sidesOf(facts));
-  object.addTexts("report", mesh_file::reportOf(facts, scale));
+  const std::vector<Sentence> report = mesh_file::reportOf(facts, scale);
+  object.addTexts("report", {report.begin(), report.end()});
   const std::optional<mesh_file::Proposal> proposal = proposalOf(options, facts);
   proposal ? object.addText("unit_question", proposal->sentence) : object.addNull("unit_question");
   std::vector<double> scales;

@@ -70,7 +70,7 @@ JsonObject asJson(const servo::CheckResult& result, const Options& options) {
   object.addObject("servo_us", percentilesObject(result.servo));
   object.addObject("tick_us", percentilesObject(result.tick_time));
   object.addText("scheduling", result.scheduling.name);
-  object.addTexts("scheduling_also", result.scheduling.also);
+  object.addTexts("scheduling_also", {result.scheduling.also.begin(), result.scheduling.also.end()});
   object.addText("hint", result.scheduling.hint);
   object.addInteger("late_ticks", result.late.total);
   object.addObject("late_ticks_by_cause", lateObject(result.late));

@@ -104,8 +104,7 @@ void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
     told.path = QString::fromStdString(kept.value());
   } else {
     const Problem& problem = kept.problems().front();
-    told.not_kept =
-        QString("%1 (%2)").arg(sentenceText(problem.sentence), QString::fromStdString(problem.place.file));
+    told.not_kept = QString("%1 (%2)").arg(sentenceText(problem.sentence), QString::fromStdString(problem.place.file));
   }
   told.last_second = std::move(report.last_second);
   tell(told);

@@ -92,7 +92,10 @@ void ProblemsDialog::show(const QString& path, const Problems& problems) {
 
 QString ProblemsDialog::text() const {
   QStringList lines;
-  for (const Problem& problem : problems_) lines << QString::fromStdString(describe(problem));
+  for (const Problem& problem : problems_) {
+    const Problem shown{sentenceText(problem.sentence).toStdString(), problem.place};
+    lines << QString::fromStdString(describe(shown));
+  }
   return lines.join('\n');
 }
 

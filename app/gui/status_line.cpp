@@ -79,7 +79,7 @@ void StatusLine::setArmModel(const QString& name, const QString& provenance) {
 void StatusLine::presentDevice(bool is_recorded) {
   is_recorded_ = is_recorded;
   const servo::DeviceInfo info = host_.device();
-  const QString title = QString::fromStdString(info.title);
+  const QString title = sentenceText(info.title);
   const bool is_said = is_recorded || title.contains("simulated", Qt::CaseInsensitive);
   QString kind = info.simulated && !is_said ? tr(" (simulated)") : QString();
   if (info.untested) kind += tr(" (untested)");
@@ -120,7 +120,7 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
 void StatusLine::presentScheduling() {
   const servo::Scheduling scheduling = host_.scheduling();
   putText(scheduling_, schedulingText(scheduling));
-  QStringList lines{QString::fromStdString(scheduling.hint), phrasesOf(scheduling.also)};
+  QStringList lines{sentenceText(scheduling.hint), phrasesOf(scheduling.also)};
   lines.removeAll(QString());
   scheduling_->setToolTip(lines.join("\n"));
 }

@@ -53,7 +53,7 @@ QString happenedText(const Fault& fault) {
 }
 
 QString happenedText(const servo::FaultReport& report) {
-  return (happenedText(report.fault) + " " + QString::fromStdString(report.trouble)).trimmed();
+  return (happenedText(report.fault) + " " + sentenceText(report.trouble)).trimmed();
 }
 
 QString toDoText(const Fault& fault) {
@@ -81,13 +81,14 @@ QString directionText(const Vec3& direction) {
 }
 
 QString schedulingText(const servo::Scheduling& scheduling) {
-  const QString granted = QString::fromStdString(scheduling.name);
-  return granted == "normal" ? QObject::tr("real time: not granted") : QObject::tr("real time: %1").arg(granted);
+  const QString granted = sentenceText(scheduling.name);
+  return scheduling.name == "normal" ? QObject::tr("real time: not granted")
+                                     : QObject::tr("real time: %1").arg(granted);
 }
 
-QString phrasesOf(const std::vector<std::string>& phrases) {
+QString phrasesOf(const std::vector<Sentence>& phrases) {
   QStringList list;
-  for (const std::string& phrase : phrases) list << QString::fromStdString(phrase);
+  for (const Sentence& phrase : phrases) list << sentenceText(phrase);
   return list.join(", ");
 }
 

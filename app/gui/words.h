@@ -43,6 +43,6 @@ QString numberText(double value, int decimals);
 QString schedulingText(const servo::Scheduling& scheduling);
 
 /// "memory locked, all cores"
-QString phrasesOf(const std::vector<std::string>& phrases);
+QString phrasesOf(const std::vector<Sentence>& phrases);
 
 }  // namespace underact::gui

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "app/mesh_reader/text_stream.h"
+#include "core/base/translate.h"
 #include "core/base/types.h"
 
 namespace underact::mesh_reader {
@@ -144,14 +145,16 @@ OpenMeshResult readWithOpenMesh(Format format, const Prepared& prepared,
     const std::size_t corners = result.polygons.p_MV.size(), faces = result.polygons.ends.size();
     const bool shares = prepared.corners > 0 && corners != prepared.corners;
     if (!is_read || taking.hasBroken() || shares || faces > prepared.faces) {
-      result.problem = "The file is damaged: reading broke off after " + std::to_string(corners) + " corners and " +
-                       std::to_string(faces) + " faces.";
+      result.problem =
+          said(QT_TRANSLATE_NOOP("problem", "The file is damaged: reading broke off after %1 corners and %2 faces."),
+               {std::to_string(corners), std::to_string(faces)});
     }
   } catch (const std::bad_alloc&) {
     result = {};
-    result.problem = "The file is damaged, or its faces take more memory than a file of its size should.";
+    result.problem = said(QT_TRANSLATE_NOOP(
+        "problem", "The file is damaged, or its faces take more memory than a file of its size should."));
   } catch (const std::exception&) {
-    result.problem = "The file is damaged: OpenMesh could not read it.";
+    result.problem = said(QT_TRANSLATE_NOOP("problem", "The file is damaged: OpenMesh could not read it."));
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include "app/mesh_reader/polygons.h"
 #include "app/mesh_reader/prepare.h"
+#include "core/base/sentence.h"
 #include "core/mesh_file/format.h"
 
 namespace underact::mesh_reader {
@@ -11,7 +12,7 @@ namespace underact::mesh_reader {
 struct OpenMeshResult {
   Polygons polygons;
   std::int64_t normals = 0, normals_against = 0;  // of faces, where the format gives them
-  std::string problem;                            // empty: none
+  Sentence problem;                               // empty: none
 };
 
 /// What OpenMesh makes of a file. progress: 0 to 1, in order. It may take all the memory there is: then a problem.

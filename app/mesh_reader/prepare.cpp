@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "app/mesh_reader/numbers.h"
+#include "core/base/translate.h"
 #include "core/mesh_file/off_header.h"
 #include "core/mesh_file/stl_binary.h"
 
@@ -16,25 +17,33 @@ using mesh_file::Scan;
 // OpenMesh looks for equal corners in a face by comparing each with each.
 constexpr int kMostCornersOfAFace = 5000;
 
-Prepared damagedAt(int line, const std::string& what) {
+/// pattern: with a place for the line.
+Prepared damagedAt(int line, const char* pattern) {
   Prepared none;
-  none.problem = "The file is damaged: line " + std::to_string(line) + " " + what + ".";
+  none.problem = said(pattern, {std::to_string(line)});
   return none;
 }
 
-/// One facet of an STL text, from after its word "facet" on; the problem, or null.
+/// One facet of an STL text, from after its word "facet" on; the problem as a pattern with its line, or null.
 const char* addFacet(Scan& words, std::string& to) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
   to += "facet normal ";
-  if (!is("normal") || !addPoint(words, to)) return "is no normal of a face";
-  if (!is("outer") || !is("loop")) return "does not begin the corners of a face (outer loop)";
+  if (!is("normal") || !addPoint(words, to))
+    return QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no normal of a face.");
+  if (!is("outer") || !is("loop"))
+    return QT_TRANSLATE_NOOP("problem",
+                             "The file is damaged: line %1 does not begin the corners of a face (outer loop).");
   to += "outer loop\n";
   for (int corner = 0; corner < 3; ++corner) {
     to += "vertex ";
-    if (!is("vertex") || !addPoint(words, to)) return "is no corner of a face (vertex x y z)";
+    if (!is("vertex") || !addPoint(words, to))
+      return QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner of a face (vertex x y z).");
   }
-  if (!is("endloop")) return "does not end the three corners of a face (endloop)";
-  if (!is("endfacet")) return "does not end a face (endfacet)";
+  if (!is("endloop"))
+    return QT_TRANSLATE_NOOP("problem",
+                             "The file is damaged: line %1 does not end the three corners of a face (endloop).");
+  if (!is("endfacet"))
+    return QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
   to += "endloop\nendfacet\n";
   return nullptr;
 }
@@ -45,7 +54,7 @@ Prepared prepareStlBinary(std::string bytes) {
   Prepared prepared;
   prepared.faces = mesh_file::stlBinaryCount(bytes);
   if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
-    prepared.problem = "The file is damaged: it is shorter than its faces.";
+    prepared.problem = said(QT_TRANSLATE_NOOP("problem", "The file is damaged: it is shorter than its faces."));
     return prepared;
   }
   for (std::uint64_t face = 0; face < prepared.faces; ++face) {
@@ -75,7 +84,8 @@ Prepared prepareStlText(const std::string& bytes) {
       if (problem != nullptr) return damagedAt(words.lineNumber(), problem);
       ++prepared.faces;
     } else {
-      return damagedAt(words.lineNumber(), "does not begin a face (facet)");
+      return damagedAt(words.lineNumber(),
+                       QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin a face (facet)."));
     }
   }
   prepared.bytes += "endsolid\n";
@@ -96,7 +106,9 @@ Prepared prepareObj(const std::string& bytes) {
     const std::string_view key = words.word();
     if (key == "v") {
       prepared.bytes += "v ";
-      if (!addPoint(words, prepared.bytes)) return damagedAt(lines.lineNumber() - 1, "is no corner (v x y z)");
+      if (!addPoint(words, prepared.bytes))
+        return damagedAt(lines.lineNumber() - 1,
+                         QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (v x y z)."));
       ++prepared.corners;
     } else if (key == "f") {
       prepared.bytes += "f ";
@@ -104,7 +116,9 @@ Prepared prepareObj(const std::string& bytes) {
       for (std::string_view word = words.word(); !word.empty() && !word.starts_with('#'); word = words.word()) {
         std::int32_t index = 0;  // of the corner; what follows a / is of its texture and normal
         const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
-        if (!is_number || ++count > kMostCornersOfAFace) return damagedAt(lines.lineNumber() - 1, "is no face");
+        if (!is_number || ++count > kMostCornersOfAFace)
+          return damagedAt(lines.lineNumber() - 1,
+                           QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
         prepared.bytes += std::to_string(index) + ' ';
       }
       prepared.bytes.back() = '\n';
@@ -132,22 +146,27 @@ Prepared prepareOff(const std::string& bytes) {
     Scan words(line.substr(0, line.find('#')));
     const std::string_view first = words.word();
     if (first.empty()) {
-      if (lines.atEnd()) return damagedAt(number + 1, "is the last, and corners or faces are missing");
+      if (lines.atEnd())
+        return damagedAt(number + 1,
+                         QT_TRANSLATE_NOOP(
+                             "problem", "The file is damaged: line %1 is the last, and corners or faces are missing."));
       continue;
     }
     if (row++ < prepared.corners) {
       Scan again(line);
-      if (!addPoint(again, prepared.bytes)) return damagedAt(number, "is no corner (x y z)");
+      if (!addPoint(again, prepared.bytes))
+        return damagedAt(number, QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (x y z)."));
       continue;
     }
     int count = 0;
     if (!mesh_file::readInteger(first, count) || count < 0 || count > kMostCornersOfAFace) {
-      return damagedAt(number, "is no face");
+      return damagedAt(number, QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
     }
     prepared.bytes += std::to_string(count) + ' ';
     for (int corner = 0; corner < count; ++corner) {
       std::int32_t index = 0;
-      if (!mesh_file::readInteger(words.word(), index)) return damagedAt(number, "is no face");
+      if (!mesh_file::readInteger(words.word(), index))
+        return damagedAt(number, QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
       prepared.bytes += std::to_string(index < 0 ? INT32_MAX : index) + ' ';
     }
     prepared.bytes.back() = '\n';

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/sentence.h"
 #include "core/mesh_file/format.h"
 
 namespace underact::mesh_reader {
@@ -12,7 +13,7 @@ namespace underact::mesh_reader {
 struct Prepared {
   std::string bytes;
   std::uint64_t corners = 0, faces = 0;  // that it holds; corners: 0 where the format shares none
-  std::string problem;                   // empty: none
+  Sentence problem;                      // empty: none
 };
 
 /// What stands for a coordinate that is not a number or not finite.

@@ -3,6 +3,7 @@
 
 #include "app/mesh_reader/numbers.h"
 #include "app/mesh_reader/prepare.h"
+#include "core/base/translate.h"
 #include "core/mesh_file/ply_header.h"
 
 namespace underact::mesh_reader {
@@ -123,9 +124,12 @@ void copyBody(const PlyHeader& header, Body body, Prepared& prepared) {
   for (const PlyElement& element : header.elements) {
     const std::int64_t row = copyRows(element, body, prepared.bytes);
     if (row >= 0) {
-      const char* what = element.name == "vertex" ? "corner" : element.name == "face" ? "face" : "row";
-      prepared.problem = std::string("The file is damaged: ") + what + " " + std::to_string(row + 1) + " of " +
-                         std::to_string(element.count) + " cannot be read.";
+      const char* pattern = element.name == "vertex"
+                                ? QT_TRANSLATE_NOOP("problem", "The file is damaged: corner %1 of %2 cannot be read.")
+                            : element.name == "face"
+                                ? QT_TRANSLATE_NOOP("problem", "The file is damaged: face %1 of %2 cannot be read.")
+                                : QT_TRANSLATE_NOOP("problem", "The file is damaged: row %1 of %2 cannot be read.");
+      prepared.problem = said(pattern, {std::to_string(row + 1), std::to_string(element.count)});
       return;
     }
     if (element.name == "vertex") prepared.corners = element.count;

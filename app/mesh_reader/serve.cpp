@@ -12,6 +12,7 @@
 
 #include "app/mesh_reader/open_mesh.h"
 #include "app/mesh_reader/seal.h"
+#include "core/base/translate.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
 #include "core/mesh_file/scan.h"
@@ -95,7 +96,8 @@ Message read(Format format, std::uint64_t file_bytes) {
     message.raw.normals_against = result.normals_against;
   } catch (const std::bad_alloc&) {
     message = {};
-    message.problem = "The file is damaged, or takes more memory than a file of its size should.";
+    message.problem =
+        said(QT_TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."));
   }
   return message;
 }

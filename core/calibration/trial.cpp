@@ -5,6 +5,7 @@
 
 #include "core/base/around.h"
 #include "core/base/random.h"
+#include "core/base/translate.h"
 #include "core/base/units.h"
 
 namespace underact::calibration {
@@ -44,8 +45,9 @@ Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene) {
   }
   if (beams.size() != 2 || scene.constraints.size() != 2) {
     return Problems{
-        {"A calibration needs a scene of two beams: two virtual manipulators, each of one revolute joint "
-         "with a spring. The scene \"Two beams, one softer\" is one.",
+        {said(QT_TRANSLATE_NOOP("problem",
+                                "A calibration needs a scene of two beams: two virtual manipulators, each of one "
+                                "revolute joint with a spring. The scene \"Two beams, one softer\" is one.")),
          {scene.file, 0, 0, "constraints"}}};
   }
   const auto x_of = [&](std::size_t index) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/norms.h"
+#include "core/base/translate.h"
 #include "core/curve/along.h"
 #include "core/curve/points.h"
 #include "core/curve/spline.h"
@@ -15,13 +16,18 @@ namespace {
 
 Problems problemsOf(const std::vector<Vec3>& points_W, const Place& place) {
   Problems problems;
-  if (points_W.size() > kMostPoints) problems.push_back({"A curve has at most 1000000 points.", place});
+  if (points_W.size() > kMostPoints)
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "A curve has at most 1000000 points.")), place});
   for (std::size_t i = 0; i < points_W.size() && problems.empty(); ++i) {
-    const std::string which = "Point " + std::to_string(i + 1) + " of the curve";
+    const std::string number = std::to_string(i + 1);
     if (!points_W[i].allFinite()) {
-      problems.push_back({which + " is not a finite point.", place});
+      problems.push_back(
+          {said(QT_TRANSLATE_NOOP("problem", "Point %1 of the curve is not a finite point."), {number}), place});
     } else if (largestOf(points_W[i]) > kFarthest_m) {
-      problems.push_back({which + " is farther out than 1e6 mm; is the scale right?", place});
+      problems.push_back(
+          {said(QT_TRANSLATE_NOOP("problem", "Point %1 of the curve is farther out than 1e6 mm; is the scale right?"),
+                {number}),
+           place});
     }
   }
   return problems;
@@ -57,9 +63,9 @@ Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind 
   for (const Vec3& p_W : points_W) curve->largest_m = std::max(curve->largest_m, largestOf(p_W));
   leaveOutRepeated(points_W, closed, std::max(kSamePoint_m, shape::kDirectionLost * curve->largest_m));
   if (points_W.size() < (closed ? 3U : 2U)) {
-    const char* sentence =
-        closed ? "A closed curve needs at least 3 different points." : "A curve needs at least 2 different points.";
-    return Problems{{sentence, place}};
+    const char* sentence = closed ? QT_TRANSLATE_NOOP("problem", "A closed curve needs at least 3 different points.")
+                                  : QT_TRANSLATE_NOOP("problem", "A curve needs at least 2 different points.");
+    return Problems{{said(sentence), place}};
   }
   if (kind == Kind::Spline) {
     curve->controls_W = splineControls(points_W, closed);

@@ -85,7 +85,7 @@ class Reader {
     if (!p) return problems_.size() < kMostProblems;
     if (!points_.empty() && points_.back() == *p) return true;
     if (points_.size() == kMostPoints) {
-      refuse("The file has more than 1000000 points; leave out every second one.");
+      refuse(said(QT_TRANSLATE_NOOP("problem", "The file has more than 1000000 points; leave out every second one.")));
       return false;
     }
     points_.push_back(*p);
@@ -93,32 +93,34 @@ class Reader {
   }
 
   Result<std::vector<Vec3>> finished() && {
-    if (problems_.empty() && points_.empty()) problems_.push_back({"The file has no points.", {file_, 0, 0, ""}});
+    if (problems_.empty() && points_.empty())
+      problems_.push_back({said(QT_TRANSLATE_NOOP("problem", "The file has no points.")), {file_, 0, 0, ""}});
     if (!problems_.empty()) return std::move(problems_);
     return std::move(points_);
   }
 
  private:
-  void refuse(const std::string& sentence) { problems_.push_back({sentence, {file_, line_, 0, ""}}); }
+  void refuse(const Sentence& sentence) { problems_.push_back({sentence, {file_, line_, 0, ""}}); }
 
   std::optional<Vec3> pointOf(const Fields& fields) {
     if (fields.has_gap) {
-      refuse("Nothing stands between two separators; a point is three numbers.");
+      refuse(said(QT_TRANSLATE_NOOP("problem", "Nothing stands between two separators; a point is three numbers.")));
       return std::nullopt;
     }
     if (fields.count != 3) {
-      refuse("A point is three numbers, not " + std::to_string(fields.count) + "; decimals are written with a point.");
+      refuse(said(QT_TRANSLATE_NOOP("problem", "A point is three numbers, not %1; decimals are written with a point."),
+                  {std::to_string(fields.count)}));
       return std::nullopt;
     }
     Vec3 p;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::optional<double> number = numberOf(fields.text[i]);
       if (!number) {
-        refuse(json::shown(fields.text[i]) + " is not a number.");
+        refuse(said(QT_TRANSLATE_NOOP("problem", "%1 is not a number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       if (!std::isfinite(*number)) {
-        refuse(json::shown(fields.text[i]) + " is no finite number.");
+        refuse(said(QT_TRANSLATE_NOOP("problem", "%1 is no finite number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       p[static_cast<Eigen::Index>(i)] = *number;
@@ -141,7 +143,8 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
   int until_look = 0;
   for (std::size_t at = 0; at < text.size();) {
     if (--until_look < 0) {
-      if (watch.isCancelled()) return Problems{{"Reading was cancelled.", {file, 0, 0, ""}}};
+      if (watch.isCancelled())
+        return Problems{{said(QT_TRANSLATE_NOOP("problem", "Reading was cancelled.")), {file, 0, 0, ""}}};
       watch.tell(QT_TRANSLATE_NOOP("step of work", "reading points"),
                  static_cast<double>(at) / static_cast<double>(text.size()));
       until_look = kLinesBetweenLooks;
@@ -154,7 +157,8 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
 }
 
 Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch) {
-  const Result<std::string> text = json::readTextFile(path, "a file of points", kLargestFile);
+  const Result<std::string> text =
+      json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a file of points")), kLargestFile);
   if (!text) return text.problems();
   return parsePoints(text.value(), path, watch);
 }

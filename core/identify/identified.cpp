@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "core/arm/conventions.h"
+#include "core/base/translate.h"
 #include "core/base/units.h"
 
 namespace underact::identify {
 namespace {
 
-const Problems kStopped{{"The evaluation was ended."}};
+const Problems kStopped{{said(QT_TRANSLATE_NOOP("problem", "The evaluation was ended."))}};
 
 /// The rows of all stages of that kind, in order.
 template <class Chosen>
@@ -21,8 +22,10 @@ std::vector<Row> rowsOf(const Plan& plan, const std::vector<Recorded>& recorded,
   return rows;
 }
 
-std::string placeWords(std::size_t place, int axis) {
-  return std::string("Along ") + "xyz"[axis] + " at place " + std::to_string(place + 1) + ": ";
+/// The sentence with the swing that it is about before it.
+Sentence at(std::size_t place, int axis, const Sentence& sentence) {
+  return said(QT_TRANSLATE_NOOP("problem", "Along %1 at place %2: %3"),
+              {std::string(1, "xyz"[axis]), std::to_string(place + 1), sentence});
 }
 
 Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int axis, double period_s,
@@ -34,7 +37,7 @@ Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int
   Result<BodyFit> fit = fitBody(swings.windows, stops);
   if (!fit) {
     Problems problems = fit.problems();
-    for (Problem& problem : problems) problem.sentence = placeWords(place, axis) + problem.sentence;
+    for (Problem& problem : problems) problem.sentence = at(place, axis, problem.sentence);
     return problems;
   }
   swings.fit = std::move(fit).value();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 
 namespace underact::identify {
@@ -65,32 +66,37 @@ Problems Measurement::repeat() {
   return begin();
 }
 
-std::string promptOf(HandDoes hand) {
+Sentence promptOf(HandDoes hand) {
   switch (hand) {
     case HandDoes::Presses:
-      return "Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each.";
+      return said(QT_TRANSLATE_NOOP(
+          "problem",
+          "Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each."));
     case HandDoes::Turns:
-      return "Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways.";
+      return said(QT_TRANSLATE_NOOP(
+          "problem", "Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways."));
     case HandDoes::LetsGo:
       break;
   }
-  return "Let go of the stylus and keep your hand away. The arm moves by itself, 20 mm to each side.";
+  return said(QT_TRANSLATE_NOOP(
+      "problem", "Let go of the stylus and keep your hand away. The arm moves by itself, 20 mm to each side."));
 }
 
-std::string titleOf(const Stage& stage) {
+Sentence titleOf(const Stage& stage) {
   switch (stage.kind) {
     case StageKind::Settle:
-      return stage.hand == HandDoes::LetsGo ? "The tip goes to its place" : "The hand takes hold";
+      return said(stage.hand == HandDoes::LetsGo ? QT_TRANSLATE_NOOP("problem", "The tip goes to its place")
+                                                 : QT_TRANSLATE_NOOP("problem", "The hand takes hold"));
     case StageKind::Swing:
-      return std::string("Swings along ") + "xyz"[stage.axis];
+      return said(QT_TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});
     case StageKind::Rest:
-      return "At rest";
+      return said(QT_TRANSLATE_NOOP("problem", "At rest"));
     case StageKind::Press:
-      return "Slow press";
+      return said(QT_TRANSLATE_NOOP("problem", "Slow press"));
     case StageKind::Turn:
       break;
   }
-  return "Turns of the stylus";
+  return said(QT_TRANSLATE_NOOP("problem", "Turns of the stylus"));
 }
 
 }  // namespace underact::identify

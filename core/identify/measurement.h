@@ -62,8 +62,8 @@ class Measurement {
 };
 
 /// What the hand has to do now, a sentence or two.
-std::string promptOf(HandDoes hand);
+Sentence promptOf(HandDoes hand);
 /// What is measured in a stage: "Swings along x".
-std::string titleOf(const Stage& stage);
+Sentence titleOf(const Stage& stage);
 
 }  // namespace underact::identify

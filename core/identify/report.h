@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/identify/identified.h"
 #include "core/sim/arm_model_file.h"
 
@@ -16,7 +17,7 @@ struct Given {
 
 /// A line of the results.
 struct ReportRow {
-  std::string quantity;
+  Sentence quantity;
   std::string unit;
   Estimate estimate;
   std::optional<double> given = {};  // by a simulation, or asked of the servo
@@ -27,11 +28,11 @@ struct ReportRow {
 std::vector<ReportRow> rowsOf(const Identified& found, const Given* given);
 
 /// "45.01", with as many digits as the uncertainty allows, or "below 0.02".
-std::string valueText(const ReportRow& row);
+Sentence valueText(const ReportRow& row);
 /// One standard deviation, two digits, or that it is smaller than all that is shown.
-std::string uncertaintyText(const ReportRow& row);
+Sentence uncertaintyText(const ReportRow& row);
 /// By how much the value differs from what was given, "+0.3 %"; empty where nothing was given, or 0.
-std::string differenceText(const ReportRow& row);
+Sentence differenceText(const ReportRow& row);
 
 /// The model that behaves as was found; what is not told from zero is 0 in it.
 sim::ArmModelFile modelFileOf(const Identified& found, const std::string& name, const std::string& title,

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/json/text.h"
 
 namespace underact::json {
@@ -47,14 +48,18 @@ Value Builder::start(Kind kind, std::size_t offset) {
 
 bool Builder::add(Value value) {
   if (++count_ > kMostValues) {
-    return refuse(source_.Tell(), "The file holds more than a million values; a scene is far smaller.");
+    return refuse(
+        source_.Tell(),
+        said(QT_TRANSLATE_NOOP("problem", "The file holds more than a million values; a scene is far smaller.")));
   }
   (open_.empty() ? root_ : open_.back().items.emplace_back()) = std::move(value);
   return true;
 }
 
 bool Builder::open(Kind kind) {
-  if (open_.size() >= kDeepest) return refuse(source_.Tell(), "Lists and objects are nested more than 64 deep here.");
+  if (open_.size() >= kDeepest)
+    return refuse(source_.Tell(),
+                  said(QT_TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 deep here.")));
   open_.push_back(start(kind, source_.Tell()));
   return true;
 }
@@ -70,14 +75,16 @@ bool Builder::isWhole(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
     length = codePointLength(text, at);
     if (length == 0) {
-      return refuse(source_.stringStart(), "A \\u escape in this text is half of a pair; its other half is missing.");
+      return refuse(source_.stringStart(),
+                    said(QT_TRANSLATE_NOOP("problem",
+                                           "A \\u escape in this text is half of a pair; its other half is missing.")));
     }
   }
   return true;
 }
 
-bool Builder::refuse(std::size_t offset, const char* sentence) {
-  refusal_ = {offset, sentence};
+bool Builder::refuse(std::size_t offset, Sentence sentence) {
+  refusal_ = {offset, std::move(sentence)};
   return false;
 }
 

@@ -13,7 +13,7 @@ namespace underact::json {
 /// Where reading had to stop, and why, in plain words.
 struct Stop {
   std::size_t offset = 0;
-  std::string sentence;
+  Sentence sentence;
 };
 
 /// Builds the values as RapidJSON tells of them (its names, its order); false stops it.
@@ -44,7 +44,7 @@ class Builder {
   bool open(Kind kind);
   bool close();
   bool isWhole(std::string_view text);
-  bool refuse(std::size_t offset, const char* sentence);
+  bool refuse(std::size_t offset, Sentence sentence);
 
   const Source& source_;
   Places places_;

@@ -5,18 +5,21 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "core/base/translate.h"
+
 namespace underact::json {
 namespace {
 
 constexpr std::size_t kMostProblems = 1000;
+constexpr const char* kMustBe = QT_TRANSLATE_NOOP("problem", "This must be %1; here it is %2.");
 
 }  // namespace
 
-void Findings::add(const Value& value, const std::string& key, std::string sentence) {
+void Findings::add(const Value& value, const std::string& key, Sentence sentence) {
   add(std::pair{value.line, value.column}, key, std::move(sentence));
 }
 
-void Findings::add(std::pair<int, int> line_column, const std::string& key, std::string sentence) {
+void Findings::add(std::pair<int, int> line_column, const std::string& key, Sentence sentence) {
   if (full()) {
     ++more_;
   } else {
@@ -41,7 +44,9 @@ Problems Findings::take() {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   if (more_ > 0) {
-    problems_.push_back({"The file holds " + std::to_string(more_) + " more problems.", problems_.back().place});
+    problems_.push_back(
+        {said(QT_TRANSLATE_NOOP("problem", "The file holds %1 more problems."), {std::to_string(more_)}),
+         problems_.back().place});
   }
   return std::move(problems_);
 }
@@ -51,7 +56,8 @@ const Value* ObjectReader::find(const char* key, bool required) {
   const Value* value = object_.find(key);
   if (value != nullptr) findings_.remember(pathOf(key), *value);
   if (value == nullptr && required) {
-    findings_.add(object_, pathOf(key), "The key \"" + std::string(key) + "\" is missing; " + what_ + " needs it.");
+    findings_.add(object_, pathOf(key),
+                  said(QT_TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
   }
   return value;
 }
@@ -62,9 +68,11 @@ void ObjectReader::finish(bool all_known) {
     const std::string& key = object_.keys[index];
     const auto [first, is_new] = seen.emplace(key, index);
     if (!is_new) {
-      findings_.add(object_.key_places[index], pathOf(plainKey(key)),
-                    "The key " + shown(key) + " stands here a second time; the first is on line " +
-                        std::to_string(object_.key_places[first->second].first) + ". Take one away.");
+      findings_.add(
+          object_.key_places[index], pathOf(plainKey(key)),
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "The key %1 stands here a second time; the first is on line %2. Take one away."),
+               {shown(key), std::to_string(object_.key_places[first->second].first)}));
     } else {
       judge(index, all_known);
     }
@@ -80,51 +88,62 @@ void ObjectReader::judge(std::size_t index, bool all_known) {
   }
   if (!all_known || refused_.count(key) > 0) return;
   const std::string nearest = findings_.full() ? "" : nearestWord(key, known_);
-  findings_.add(
-      place, pathOf(plainKey(key)),
-      "The key " + shown(key) + " is not known in " + what_ + ". " +
-          (nearest.empty() ? "Known are " + listed(known_, "and") + "." : "Did you mean \"" + nearest + "\"?"));
+  findings_.add(place, pathOf(plainKey(key)),
+                nearest.empty()
+                    ? said(QT_TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known are %3."),
+                           {shown(key), what_, listed(known_, "and")})
+                    : said(QT_TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),
+                           {shown(key), what_, nearest}));
 }
 
 void ObjectReader::refuseLater(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) refuse(key, notYet("\"" + key + "\""));
 }
 
-const char* kindName(Kind kind) {
+Sentence kindName(Kind kind) {
   switch (kind) {
     case Kind::Null:
       return "null";
     case Kind::Bool:
-      return "true or false";
+      return said(QT_TRANSLATE_NOOP("problem", "true or false"));
     case Kind::Number:
-      return "a number";
+      return said(QT_TRANSLATE_NOOP("problem", "a number"));
     case Kind::String:
-      return "text";
+      return said(QT_TRANSLATE_NOOP("problem", "text"));
     case Kind::Array:
-      return "a list";
+      return said(QT_TRANSLATE_NOOP("problem", "a list"));
     case Kind::Object:
-      return "an object in { }";
+      return said(QT_TRANSLATE_NOOP("problem", "an object in { }"));
   }
   return "null";
 }
 
-std::string notYet(const std::string& what) {
-  return what + " is not in this version of Underact.";
+Sentence notYet(const std::string& what) {
+  return said(QT_TRANSLATE_NOOP("problem", "%1 is not in this version of Underact."), {what});
 }
 
-bool isKind(const Value& value, Kind kind, const std::string& path, const std::string& expected, Findings& findings) {
+bool isKind(const Value& value, Kind kind, const std::string& path, const Sentence& expected, Findings& findings) {
   if (value.kind == kind) return true;
-  findings.add(value, path, "This must be " + expected + "; here it is " + kindName(value.kind) + ".");
+  findings.add(value, path, said(kMustBe, {expected, kindName(value.kind)}));
   return false;
+}
+
+void refuseWord(const Value& value, const std::string& path, const std::vector<std::string>& words,
+                Findings& findings) {
+  const Sentence expected = listed(words);
+  if (isKind(value, Kind::String, path, expected, findings))
+    findings.add(value, path, said(kMustBe, {expected, shown(value.text)}));
 }
 
 namespace {
 
 /// A list of three; the path of the element at index is path[index].
-bool isTriple(const Value& value, const std::string& path, const std::string& expected, Findings& findings) {
+bool isTriple(const Value& value, const std::string& path, const Sentence& expected, Findings& findings) {
   if (!isKind(value, Kind::Array, path, expected, findings)) return false;
   if (value.items.size() == 3) return true;
-  findings.add(value, path, "This must be " + expected + "; here it has " + std::to_string(value.items.size()) + ".");
+  findings.add(value, path,
+               said(QT_TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
+                    {expected, std::to_string(value.items.size())}));
   return false;
 }
 
@@ -139,7 +158,7 @@ bool readThree(const Value& list, const std::string& path, Vec3& into, Findings&
     const Value& item = list.items[static_cast<std::size_t>(index)];
     const std::string item_path = elementOf(path, index);
     findings.remember(item_path, item);
-    if (isKind(item, Kind::Number, item_path, "a number", findings)) {
+    if (isKind(item, Kind::Number, item_path, kindName(Kind::Number), findings)) {
       into[index] = item.number;
     } else {
       all = false;
@@ -151,17 +170,18 @@ bool readThree(const Value& list, const std::string& path, Vec3& into, Findings&
 }  // namespace
 
 void readNumber(const Value& value, const std::string& path, double& into, Findings& findings) {
-  if (isKind(value, Kind::Number, path, "a number", findings)) into = value.number;
+  if (isKind(value, Kind::Number, path, kindName(Kind::Number), findings)) into = value.number;
 }
 
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings) {
-  if (isTriple(value, path, "a list of 3 numbers, as in [0, 30, 0]", findings)) {
+  if (isTriple(value, path, said(QT_TRANSLATE_NOOP("problem", "a list of 3 numbers, as in [0, 30, 0]")), findings)) {
     readThree(value, path, into, findings);
   }
 }
 
 void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings) {
-  const char* expected = "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+  const Sentence expected =
+      said(QT_TRANSLATE_NOOP("problem", "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"));
   if (!isTriple(value, path, expected, findings)) return;
   Mat3 read = Mat3::Identity();
   bool all = true;
@@ -170,14 +190,16 @@ void readNumber(const Value& value, const std::string& path, Mat3& into, Finding
     const std::string row_path = elementOf(path, row);
     Vec3 numbers = Vec3::Zero();
     findings.remember(row_path, item);
-    all &= isTriple(item, row_path, "a row of 3 numbers", findings) && readThree(item, row_path, numbers, findings);
+    all &= isTriple(item, row_path, said(QT_TRANSLATE_NOOP("problem", "a row of 3 numbers")), findings) &&
+           readThree(item, row_path, numbers, findings);
     read.row(row) = numbers.transpose();
   }
   if (all) into = read;
 }
 
 void readText(const Value& value, const std::string& path, std::string& into, Findings& findings) {
-  if (isKind(value, Kind::String, path, "text in double quotes", findings)) into = value.text;
+  if (isKind(value, Kind::String, path, said(QT_TRANSLATE_NOOP("problem", "text in double quotes")), findings))
+    into = value.text;
 }
 
 }  // namespace underact::json

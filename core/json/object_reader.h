@@ -16,8 +16,8 @@ namespace underact::json {
 class Findings {
  public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
-  void add(const Value& value, const std::string& key, std::string sentence);
-  void add(std::pair<int, int> line_column, const std::string& key, std::string sentence);
+  void add(const Value& value, const std::string& key, Sentence sentence);
+  void add(std::pair<int, int> line_column, const std::string& key, Sentence sentence);
   void remember(const std::string& key, const Value& value) { places_[key] = {value.line, value.column}; }
   /// Takes in what check() says of the scene that was read, each problem at the value of its key.
   void add(const Problems& problems);
@@ -38,17 +38,17 @@ class Findings {
 class ObjectReader {
  public:
   /// what: for sentences, as "a sphere".
-  ObjectReader(const Value& object, std::string path, std::string what, Findings& findings)
+  ObjectReader(const Value& object, std::string path, Sentence what, Findings& findings)
       : object_(object), path_(std::move(path)), what_(std::move(what)), findings_(findings) {}
   /// The value of a key, or null; of a required one, null is a problem.
   const Value* find(const char* key, bool required = false);
   /// A key that must not stand here, for a reason of its own.
-  void refuse(const std::string& key, std::string sentence) { refused_[key] = std::move(sentence); }
+  void refuse(const std::string& key, Sentence sentence) { refused_[key] = std::move(sentence); }
   /// Keys of the scene reference that this version does not have.
   void refuseLater(const std::vector<std::string>& keys);
   /// Duplicate, refused and unknown keys; all_known false: not the unknown ones (of a type that is itself not known).
   void finish(bool all_known = true);
-  void setWhat(std::string what) { what_ = std::move(what); }
+  void setWhat(Sentence what) { what_ = std::move(what); }
   std::string pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   Findings& findings() { return findings_; }
 
@@ -56,20 +56,23 @@ class ObjectReader {
   void judge(std::size_t index, bool all_known);
   const Value& object_;
   std::string path_;
-  std::string what_;
+  Sentence what_;
   Findings& findings_;
   std::vector<std::string> known_;
-  std::map<std::string, std::string> refused_;
+  std::map<std::string, Sentence> refused_;
 };
 
 /// "a number", "a list", ...
-const char* kindName(Kind kind);
+Sentence kindName(Kind kind);
 
 /// The sentence for everything that the scene reference promises and this version does not have.
-std::string notYet(const std::string& what);
+Sentence notYet(const std::string& what);
 
 /// False, and a problem, where the value is of another kind. expected: "a number, as in 0.5".
-bool isKind(const Value& value, Kind kind, const std::string& path, const std::string& expected, Findings& findings);
+bool isKind(const Value& value, Kind kind, const std::string& path, const Sentence& expected, Findings& findings);
+
+/// The problem of a value that is none of the words.
+void refuseWord(const Value& value, const std::string& path, const std::vector<std::string>& words, Findings& findings);
 
 /// What stands in the file; what cannot be read is a problem, and leaves `into` as it is or, in a list, at 1.
 void readNumber(const Value& value, const std::string& path, double& into, Findings& findings);
@@ -88,9 +91,7 @@ bool readWord(const Value& value, const std::string& path, const Word<Enum> (&wo
     into = word.value;
     return true;
   }
-  if (isKind(value, Kind::String, path, listed(known), findings)) {
-    findings.add(value, path, "This must be " + listed(known) + "; here it is " + shown(value.text) + ".");
-  }
+  refuseWord(value, path, known, findings);
   return false;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/translate.h"
 #include "core/base/types.h"
 #include "core/json/json.h"
 
@@ -124,13 +125,15 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& k
   return nearest;
 }
 
-std::string listed(const std::vector<std::string>& words, const char* last) {
-  std::string text;
-  for (std::size_t index = 0; index < words.size(); ++index) {
-    if (index > 0) text += index + 1 == words.size() ? " " + std::string(last) + " " : ", ";
-    text += quoted(words[index]);
-  }
-  return text;
+Sentence listed(const std::vector<std::string>& words, const char* last) {
+  if (words.empty()) return {};
+  std::string before;
+  for (std::size_t index = 0; index + 1 < words.size(); ++index)
+    before += (index == 0 ? "" : ", ") + quoted(words[index]);
+  if (before.empty()) return quoted(words.back());
+  return said(last == std::string_view("or") ? QT_TRANSLATE_NOOP("problem", "%1 or %2")
+                                             : QT_TRANSLATE_NOOP("problem", "%1 and %2"),
+              {before, quoted(words.back())});
 }
 
 }  // namespace underact::json

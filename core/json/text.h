@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/sentence.h"
+
 namespace underact::json {
 
 /// Bytes of the UTF-8 code point that starts at `at`; 0 where the bytes are none (overlong, half of a pair, cut off).
@@ -22,7 +24,7 @@ std::string plainKey(std::string_view key);
 /// The one of known that word was probably meant to be; empty where none is near.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known);
 
-/// "a", "b" or "c"; last: the word before the last of them.
-std::string listed(const std::vector<std::string>& words, const char* last = "or");
+/// "a", "b" or "c"; last: the word before the last of them, "or" or "and".
+Sentence listed(const std::vector<std::string>& words, const char* last = "or");
 
 }  // namespace underact::json

@@ -9,6 +9,6 @@ namespace underact::json {
 inline constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 
 /// All of a file of at most `largest` bytes. what: for the sentence, as "a scene". Problems: one, without a line.
-Result<std::string> readTextFile(const std::string& path, const std::string& what, std::size_t largest = kLargestFile);
+Result<std::string> readTextFile(const std::string& path, const Sentence& what, std::size_t largest = kLargestFile);
 
 }  // namespace underact::json

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 
 namespace underact::lab {
@@ -66,29 +67,38 @@ Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& pl
   for (int round = 0; round < 50; ++round) {
     const tick::TickReport report = firstTick(program, plant, p_WT);
     if (report.held.size() != 1 || report.held[0].status != target::Status::Unique)
-      return Problems{{"From there no single target is nearest, so nothing says where to begin. Begin elsewhere."}};
+      return Problems{{said(QT_TRANSLATE_NOOP(
+          "problem", "From there no single target is nearest, so nothing says where to begin. Begin elsewhere."))}};
     const Vec3 p_WP = report.held[0].p_WP;
     const double off_m = (p_WP - report.p_WT).norm();
     p_WT = p_WP;
     if (off_m < 1e-9) return p_WT;
-    if (!isWithinReach(plant, p_WT)) return Problems{{"The arm does not reach the target there. Begin elsewhere."}};
+    if (!isWithinReach(plant, p_WT))
+      return Problems{
+          {said(QT_TRANSLATE_NOOP("problem", "The arm does not reach the target there. Begin elsewhere."))}};
   }
-  return Problems{{"The target does not stay while the tip goes to it. Begin elsewhere."}};
+  return Problems{
+      {said(QT_TRANSLATE_NOOP("problem", "The target does not stay while the tip goes to it. Begin elsewhere."))}};
 }
 
 Result<scene::Description> onlyOne(scene::Description scene, const std::string& name) {
   const auto chosen = [&](const scene::Constraint& one) { return name.empty() || one.name == name; };
   const auto found = std::find_if(scene.constraints.begin(), scene.constraints.end(), chosen);
   if (found == scene.constraints.end())
-    return Problems{{"The scene has no constraint \"" + name + "\"; choose one of its names.", {scene.file}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "The scene has no constraint \"%1\"; choose one of its names."), {name}),
+         {scene.file}}};
   if (name.empty() && scene.constraints.size() > 1)
-    return Problems{{"The scene has " + std::to_string(scene.constraints.size()) +
-                         " constraints; say the name of the one to measure, as \"" + found->name + "\".",
-                     {scene.file}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem",
+                                "The scene has %1 constraints; say the name of the one to measure, as \"%2\"."),
+              {std::to_string(scene.constraints.size()), found->name}),
+         {scene.file}}};
   if (found->side != target::Side::Both && !std::holds_alternative<scene::VirtualManipulator>(found->shape))
-    return Problems{{"\"" + found->name +
-                         "\" is a wall: it pushes and never pulls, so it holds nothing at a target. "
-                         "Measure one whose side is both.",
+    return Problems{{said(QT_TRANSLATE_NOOP("problem",
+                                            "\"%1\" is a wall: it pushes and never pulls, so it holds nothing at a "
+                                            "target. Measure one whose side is both."),
+                          {found->name}),
                      found->place}};
   const auto index = static_cast<std::size_t>(found - scene.constraints.begin());
   scene::Constraint one = scene.constraints[index];

@@ -7,6 +7,7 @@
 
 #include "core/arm/preset.h"
 #include "core/base/fault.h"
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/lab/loop.h"
 #include "core/lab/moved_target.h"
@@ -127,8 +128,11 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
     return std::optional<Programs>();
   const Vec3 p_WAfter = step.p_WBefore + step_W;
   if (!isWithinReach(plant, p_WAfter))
-    return Problems{{std::string("The arm does not reach the target after this step (") + name(step.axis) +
-                     "). Make the step smaller, or the other way."}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP(
+                  "problem",
+                  "The arm does not reach the target after this step (%1). Make the step smaller, or the other way."),
+              {name(step.axis)})}};
   return std::optional<Programs>({before, std::move(after).value()});
 }
 
@@ -143,8 +147,11 @@ Result<Programs> stepped(const scene::Description& held, const tick::TickProgram
     if (found.value()) return std::move(*std::move(found).value());
   }
   const std::string where = setup.axis ? std::string(" (") + name(*setup.axis) + ")" : "";
-  return Problems{{"The constraint does not hold the tip along a straight step there" + where +
-                   ": its target does not go along as a whole. Choose another axis, or begin elsewhere."}};
+  return Problems{
+      {said(QT_TRANSLATE_NOOP("problem",
+                              "The constraint does not hold the tip along a straight step there%1: its target does not "
+                              "go along as a whole. Choose another axis, or begin elsewhere."),
+            {where})}};
 }
 
 }  // namespace

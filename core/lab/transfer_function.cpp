@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/translate.h"
+
 namespace underact::lab {
 namespace {
 
@@ -91,21 +93,28 @@ bool liesOn(const std::vector<double>& coefficients, double omega, double share)
 
 Result<TransferFunction> makeTransferFunction(std::vector<double> num, std::vector<double> den) {
   Problems problems;
-  if (num.empty()) problems.push_back({"The numerator has no coefficients; for the number 1, write 1."});
-  if (!allFinite(num)) problems.push_back({"A coefficient of the numerator is not a finite number."});
-  if (!allFinite(den)) problems.push_back({"A coefficient of the denominator is not a finite number."});
+  if (num.empty())
+    problems.push_back(
+        {said(QT_TRANSLATE_NOOP("problem", "The numerator has no coefficients; for the number 1, write 1."))});
+  if (!allFinite(num))
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "A coefficient of the numerator is not a finite number."))});
+  if (!allFinite(den))
+    problems.push_back(
+        {said(QT_TRANSLATE_NOOP("problem", "A coefficient of the denominator is not a finite number."))});
   dropLeadingZeros(num);
   dropLeadingZeros(den);
   const std::string room = std::to_string(kHighestDegree);
   if (den.size() < 2)
-    problems.push_back({"The denominator has no s in it; give two coefficients at least, as 1,1 for s + 1."});
+    problems.push_back({said(QT_TRANSLATE_NOOP(
+        "problem", "The denominator has no s in it; give two coefficients at least, as 1,1 for s + 1."))});
   if (den.size() > kHighestDegree + 1)
-    problems.push_back(
-        {"The denominator is of order " + std::to_string(den.size() - 1) + "; up to " + room + " is possible."});
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The denominator is of order %1; up to %2 is possible."),
+                             {std::to_string(den.size() - 1), room})});
   if (den.size() >= 2 && num.size() > den.size())
-    problems.push_back({"The numerator is of a higher order than the denominator (" + std::to_string(num.size() - 1) +
-                        " against " + std::to_string(den.size() - 1) +
-                        "): a step would make an impulse. Give it an order no higher."});
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem",
+                                               "The numerator is of a higher order than the denominator (%1 against "
+                                               "%2): a step would make an impulse. Give it an order no higher."),
+                             {std::to_string(num.size() - 1), std::to_string(den.size() - 1)})});
   if (!problems.empty()) return problems;
   if (num.empty()) num = {0.0};
   std::size_t common = std::min(trailingZeros(den), trailingZeros(num));

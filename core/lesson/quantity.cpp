@@ -109,18 +109,22 @@ bool isRobot(const scene::Constraint& constraint) {
 
 }  // namespace
 
-std::string whyMissing(const Quantity& quantity, const scene::Description& scene) {
+Sentence whyMissing(const Quantity& quantity, const scene::Description& scene) {
   const auto has = [&scene](bool (*is)(const scene::Constraint&)) {
     return std::any_of(scene.constraints.begin(), scene.constraints.end(), is);
   };
-  const std::string begin = "The scene \"" + scene.title + "\" has no " + quantity.key + ": ";
-  if (quantity.needs == Needs::Influence && !has(isInfluenced)) return begin + "no constraint of it has an influence.";
-  if (quantity.needs == Needs::Robot && !has(isRobot)) return begin + "no constraint of it is a virtual manipulator.";
+  const auto missing = [&](const char* pattern) { return said(pattern, {scene.title, quantity.key}); };
+  if (quantity.needs == Needs::Influence && !has(isInfluenced))
+    return missing(QT_TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: no constraint of it has an influence."));
+  if (quantity.needs == Needs::Robot && !has(isRobot))
+    return missing(
+        QT_TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: no constraint of it is a virtual manipulator."));
   if (quantity.needs != Needs::Energy) return {};
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     if (scene::controlOf(scene, index).passivity != control::Passivity::Off) return {};
   }
-  return begin + "nobody counts its energy, since passivity is \"off\".";
+  return missing(QT_TRANSLATE_NOOP(
+      "problem", "The scene \"%1\" has no %2: nobody counts its energy, since passivity is \"off\"."));
 }
 
 }  // namespace underact::lesson

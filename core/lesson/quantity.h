@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/arm/preset.h"
+#include "core/base/sentence.h"
 #include "core/scene/description.h"
 #include "core/servo/snapshot.h"
 #include "core/target/manipulated.h"
@@ -55,6 +56,6 @@ const Quantity* findQuantity(std::string_view key);
 const char* unitOfDistance(const Quantity& quantity);
 
 /// Why the scene cannot have it, in a sentence; empty: it can.
-std::string whyMissing(const Quantity& quantity, const scene::Description& scene);
+Sentence whyMissing(const Quantity& quantity, const scene::Description& scene);
 
 }  // namespace underact::lesson

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/translate.h"
 #include "core/json/text_file.h"
 #include "core/lesson/read_parts.h"
 #include "core/lesson/window_names.h"
@@ -17,17 +18,20 @@ void readVersion(ObjectReader& object) {
   double number = 1.0;
   readNumber(*value, "underact_lesson", number, object.findings());
   if (number != 1.0)
-    object.findings().add(*value, "underact_lesson", "This must be the number 1, the version of lesson files.");
+    object.findings().add(
+        *value, "underact_lesson",
+        said(QT_TRANSLATE_NOOP("problem", "This must be the number 1, the version of lesson files.")));
 }
 
 /// Words that each have to be one of known; what: "layer".
 std::vector<std::string> readNames(ObjectReader& object, const char* key, std::span<const char* const> known,
-                                   const std::string& what) {
+                                   const Sentence& what) {
   std::vector<std::string> names;
   const json::Value* const list = object.find(key);
   if (list == nullptr) return names;
   const std::string path = object.pathOf(key);
-  if (!isKind(*list, json::Kind::Array, path, "a list of names", object.findings())) return names;
+  if (!isKind(*list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of names")), object.findings()))
+    return names;
   const std::vector<std::string> all(known.begin(), known.end());
   for (std::size_t index = 0; index < list->items.size(); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
@@ -40,16 +44,21 @@ std::string readCamera(ObjectReader& object) {
   const json::Value* const value = object.find("camera");
   if (value == nullptr) return {};
   const std::span<const char* const> known = cameraNames();
-  return readName(*value, object.pathOf("camera"), {known.begin(), known.end()}, "camera", object.findings());
+  return readName(*value, object.pathOf("camera"), {known.begin(), known.end()},
+                  said(QT_TRANSLATE_NOOP("problem", "camera")), object.findings());
 }
 
 void readChecks(ObjectReader& object, std::vector<Check>& into) {
   const json::Value* const list = object.find("checks");
   if (list == nullptr) return;
   const std::string path = object.pathOf("checks");
-  if (!isKind(*list, json::Kind::Array, path, "a list of checks", object.findings())) return;
+  if (!isKind(*list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of checks")),
+              object.findings()))
+    return;
   if (list->items.size() > kMostChecks)
-    object.findings().add(*list, path, "A step has at most " + std::to_string(kMostChecks) + " checks.");
+    object.findings().add(
+        *list, path,
+        said(QT_TRANSLATE_NOOP("problem", "A step has at most %1 checks."), {std::to_string(kMostChecks)}));
   for (std::size_t index = 0; index < list->items.size() && index < kMostChecks; ++index) {
     into.push_back(readCheck(list->items[index], path + "[" + std::to_string(index) + "]", object.findings()));
   }
@@ -58,19 +67,21 @@ void readChecks(ObjectReader& object, std::vector<Check>& into) {
 Step readStep(const json::Value& value, const std::string& path, bool is_first, Findings& findings) {
   Step step;
   step.place = {findings.file(), value.line, value.column, path};
-  if (!isKind(value, json::Kind::Object, path, "a step in { }", findings)) return step;
-  ObjectReader object(value, path, "a step", findings);
+  if (!isKind(value, json::Kind::Object, path, said(QT_TRANSLATE_NOOP("problem", "a step in { }")), findings))
+    return step;
+  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a step")), findings);
   step.title = readLine(object, "title", true);
   step.text = readProse(object, "text", true);
   step.hint = readProse(object, "hint", false);
   if (const json::Value* const scene = object.find("scene", is_first)) {
     readText(*scene, object.pathOf("scene"), step.scene, findings);
     if (step.scene.empty())
-      findings.add(*scene, object.pathOf("scene"), "Name a scene, as in \"02_sphere\" or \"my_scene.json\".");
+      findings.add(*scene, object.pathOf("scene"),
+                   said(QT_TRANSLATE_NOOP("problem", "Name a scene, as in \"02_sphere\" or \"my_scene.json\".")));
   }
   step.camera = readCamera(object);
-  step.layers = readNames(object, "layers", layerNames(), "layer");
-  step.panels = readNames(object, "panels", panelNames(), "panel");
+  step.layers = readNames(object, "layers", layerNames(), said(QT_TRANSLATE_NOOP("problem", "layer")));
+  step.panels = readNames(object, "panels", panelNames(), said(QT_TRANSLATE_NOOP("problem", "panel")));
   readChecks(object, step.checks);
   object.finish();
   return step;
@@ -79,9 +90,12 @@ Step readStep(const json::Value& value, const std::string& path, bool is_first, 
 void readSteps(ObjectReader& object, std::vector<Step>& into) {
   const json::Value* const list = object.find("steps", true);
   Findings& findings = object.findings();
-  if (list == nullptr || !isKind(*list, json::Kind::Array, "steps", "a list of steps", findings)) return;
+  if (list == nullptr ||
+      !isKind(*list, json::Kind::Array, "steps", said(QT_TRANSLATE_NOOP("problem", "a list of steps")), findings))
+    return;
   if (list->items.empty() || list->items.size() > kMostSteps)
-    findings.add(*list, "steps", "A lesson has 1 to " + std::to_string(kMostSteps) + " steps.");
+    findings.add(*list, "steps",
+                 said(QT_TRANSLATE_NOOP("problem", "A lesson has 1 to %1 steps."), {std::to_string(kMostSteps)}));
   for (std::size_t index = 0; index < list->items.size() && index < kMostSteps; ++index) {
     into.push_back(readStep(list->items[index], "steps[" + std::to_string(index) + "]", index == 0, findings));
   }
@@ -90,7 +104,7 @@ void readSteps(ObjectReader& object, std::vector<Step>& into) {
 Lesson readWhole(const json::Value& root, Findings& findings) {
   Lesson lesson;
   lesson.file = findings.file();
-  ObjectReader object(root, "", "a lesson", findings);
+  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "a lesson")), findings);
   readVersion(object);
   lesson.title = readLine(object, "title", true);
   lesson.group = readLine(object, "group", false);
@@ -98,7 +112,8 @@ Lesson readWhole(const json::Value& root, Findings& findings) {
   if (const json::Value* const order = object.find("order")) readNumber(*order, "order", lesson.order, findings);
   readSteps(object, lesson.steps);
   if (const json::Value* const schema = object.find("$schema")) {  // for editors; says nothing about the lesson
-    isKind(*schema, json::Kind::String, "$schema", "text in double quotes", findings);
+    isKind(*schema, json::Kind::String, "$schema", said(QT_TRANSLATE_NOOP("problem", "text in double quotes")),
+           findings);
   }
   object.finish();
   return lesson;
@@ -110,7 +125,8 @@ Result<Lesson> readLesson(std::string_view text, const std::string& file_name) {
   const Result<json::Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "", "an object in { }", findings)) return findings.take();
+  if (!isKind(root.value(), json::Kind::Object, "", said(QT_TRANSLATE_NOOP("problem", "an object in { }")), findings))
+    return findings.take();
   Lesson lesson = readWhole(root.value(), findings);
   Problems problems = findings.take();
   if (!problems.empty()) return problems;
@@ -118,7 +134,8 @@ Result<Lesson> readLesson(std::string_view text, const std::string& file_name) {
 }
 
 Result<Lesson> readLessonFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, "a lesson", kLargestFile);
+  const Result<std::string> text =
+      json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a lesson")), kLargestFile);
   if (!text) return text.problems();
   return readLesson(text.value(), path);
 }

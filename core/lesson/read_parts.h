@@ -13,7 +13,7 @@ using json::ObjectReader;
 
 /// One of known; else a problem, with the nearest of them suggested. what: "layer".
 std::string readName(const json::Value& value, const std::string& path, const std::vector<std::string>& known,
-                     const std::string& what, Findings& findings);
+                     const Sentence& what, Findings& findings);
 
 /// A text of one line.
 std::string readLine(ObjectReader& object, const char* key, bool required);

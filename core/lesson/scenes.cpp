@@ -1,6 +1,7 @@
 #include <set>
 #include <type_traits>
 
+#include "core/base/translate.h"
 #include "core/lesson/read.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
@@ -32,7 +33,7 @@ Problems toldAt(const Place& place, const std::string& scene_key, const Problems
   for (const Problem& problem : problems) {
     Place at = place;
     at.key += "." + scene_key;
-    told.push_back({"The scene is not right: " + describe(problem), at});
+    told.push_back({said(QT_TRANSLATE_NOOP("problem", "The scene is not right: %1"), {describe(problem)}), at});
   }
   return told;
 }
@@ -53,7 +54,7 @@ Problems checkScenes(const Lesson& lesson, const std::string& scene_folder) {
     }
     for (const Check& check : step.checks) {
       for (const Quantity* const quantity : quantitiesOf(check)) {
-        if (const std::string why = whyMissing(*quantity, scene.value()); !why.empty())
+        if (const Sentence why = whyMissing(*quantity, scene.value()); !why.empty())
           problems.push_back({why, check.place});
       }
     }

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/translate.h"
 #include "core/mesh_file/off_header.h"
 #include "core/mesh_file/ply_header.h"
 #include "core/mesh_file/scan.h"
@@ -18,8 +19,6 @@ struct Words {
 };
 constexpr std::array<Words, kFormats> kWords{
     {{"stl-binary", "binary STL"}, {"stl-text", "STL as text"}, {"obj", "OBJ"}, {"ply", "PLY"}, {"off", "OFF"}}};
-
-constexpr const char* kKinds = "Meshes are read from STL, OBJ, PLY and OFF files.";
 
 std::string extensionOf(const std::string& path) {
   return lowered(std::filesystem::path(path).extension().string());
@@ -39,12 +38,23 @@ bool hasObjCorner(std::string_view head) {
   return false;
 }
 
-Problem tooShort(const std::string& states, const std::string& path) {
-  return {"The file is cut short or damaged: it says that it holds " + states + ", and is too short for them.", {path}};
+Problem tooShort(const Sentence& states, const std::string& path) {
+  return {said(QT_TRANSLATE_NOOP(
+                   "problem", "The file is cut short or damaged: it says that it holds %1, and is too short for them."),
+               {states}),
+          {path}};
 }
 
-std::string countText(std::uint64_t count, const char* what) {
-  return std::to_string(count) + " " + what;
+Sentence cornersText(std::uint64_t count) {
+  return said(QT_TRANSLATE_NOOP("problem", "%1 corners"), {std::to_string(count)});
+}
+
+Sentence facesText(std::uint64_t count) {
+  return said(QT_TRANSLATE_NOOP("problem", "%1 faces"), {std::to_string(count)});
+}
+
+Sentence both(const Sentence& one, const Sentence& other) {
+  return said(QT_TRANSLATE_NOOP("problem", "%1 and %2"), {one, other});
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ const char* nameOf(Format format) {
 }
 
 Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const std::string& path) {
-  if (file_bytes == 0) return Problems{{"The file is empty.", {path}}};
+  if (file_bytes == 0) return Problems{{said(QT_TRANSLATE_NOOP("problem", "The file is empty.")), {path}}};
   const std::string extension = extensionOf(path);
   const std::string first = lowered(Scan(head).word());
   if (isWholeStlBinary(head, file_bytes)) return Format::StlBinary;
@@ -71,29 +81,36 @@ Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const s
   }
   if (extension == ".obj") return Format::Obj;
   if (extension == ".stl" || extension == ".stlb") return Format::StlBinary;
-  if (extension == ".ply") return Problems{{"This is no PLY file: it does not begin with \"ply\".", {path}}};
-  if (extension == ".off") return Problems{{"This is no OFF file: it does not begin with \"OFF\".", {path}}};
+  if (extension == ".ply")
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "This is no PLY file: it does not begin with \"ply\".")), {path}}};
+  if (extension == ".off")
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "This is no OFF file: it does not begin with \"OFF\".")), {path}}};
   if (head.find('\0') == std::string_view::npos && hasObjCorner(head)) return Format::Obj;
-  return Problems{{std::string("This is no mesh that can be read. ") + kKinds, {path}}};
+  return Problems{
+      {said(QT_TRANSLATE_NOOP("problem",
+                              "This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and OFF files.")),
+       {path}}};
 }
 
 Problems checkHead(Format format, std::string_view head, std::uint64_t file_bytes, const std::string& path) {
   const auto size = static_cast<double>(file_bytes);
   if (format == Format::StlBinary) {
     const std::uint64_t count = stlBinaryCount(head);
-    if (file_bytes < kStlHeadBytes) return {tooShort("a binary STL mesh", path)};
-    if (kStlHeadBytes + count * kStlFaceBytes > file_bytes) return {tooShort(countText(count, "faces"), path)};
-    if (count == 0) return {{"The file holds no faces.", {path}}};
+    if (file_bytes < kStlHeadBytes) return {tooShort(said(QT_TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
+    if (kStlHeadBytes + count * kStlFaceBytes > file_bytes) return {tooShort(facesText(count), path)};
+    if (count == 0) return {{said(QT_TRANSLATE_NOOP("problem", "The file holds no faces.")), {path}}};
   } else if (format == Format::Ply) {
     const Result<PlyHeader> header = readPlyHeader(head);
     if (!header) return {{header.problems()[0].sentence, {path}}};
     const double least = static_cast<double>(header.value().bytes) + leastBytes(header.value());
     if (least > size) {
-      std::string states;
+      Sentence states;
       for (const PlyElement& element : header.value().elements) {
         if (element.name != "vertex" && element.name != "face") continue;
-        states +=
-            (states.empty() ? "" : " and ") + countText(element.count, element.name == "vertex" ? "corners" : "faces");
+        const Sentence text = element.name == "vertex" ? cornersText(element.count) : facesText(element.count);
+        states = states.empty() ? text : both(states, text);
       }
       return {tooShort(states, path)};
     }
@@ -103,8 +120,7 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
     const auto corners = static_cast<double>(header.value().corners), faces = static_cast<double>(header.value().faces);
     // "0 0 0" and "0", each with the end of its line, but for the last.
     if (static_cast<double>(header.value().bytes) + 6.0 * corners + 2.0 * faces - 1.0 > size) {
-      return {
-          tooShort(countText(header.value().corners, "corners and ") + countText(header.value().faces, "faces"), path)};
+      return {tooShort(both(cornersText(header.value().corners), facesText(header.value().faces)), path)};
     }
   }
   return {};

@@ -16,7 +16,7 @@
 namespace underact::mesh_file {
 namespace {
 
-Problems problemAt(const std::string& path, const std::string& sentence) {
+Problems problemAt(const std::string& path, const Sentence& sentence) {
   return {{sentence, {path}}};
 }
 
@@ -48,20 +48,27 @@ Result<Input> Input::open(const std::string& path) {
   // Not blocking: a pipe of that name would wait for its writer.
   input.fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   struct stat file {};
-  if (input.fd_ < 0) return problemAt(path, "The file cannot be opened: " + reason() + ".");
-  if (::fstat(input.fd_, &file) != 0) return problemAt(path, "The file cannot be read: " + reason() + ".");
-  if (S_ISDIR(file.st_mode)) return problemAt(path, "This is a folder, not a mesh file.");
-  if (!S_ISREG(file.st_mode)) return problemAt(path, "This is no file that holds a mesh.");
+  if (input.fd_ < 0)
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "The file cannot be opened: %1."), {reason()}));
+  if (::fstat(input.fd_, &file) != 0)
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "The file cannot be read: %1."), {reason()}));
+  if (S_ISDIR(file.st_mode))
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "This is a folder, not a mesh file.")));
+  if (!S_ISREG(file.st_mode))
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "This is no file that holds a mesh.")));
   input.bytes_ = static_cast<std::uint64_t>(file.st_size);
   input.changed_ns_ = changeOf(file);
   if (input.bytes_ > kMostFileBytes) {
-    return problemAt(path, "The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.");
+    return problemAt(
+        path, said(QT_TRANSLATE_NOOP("problem",
+                                     "The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.")));
   }
   std::string head(kHeadBytes, '\0');
   std::size_t at = 0;
   while (at < head.size()) {
     const ssize_t count = readSome(input.fd_, head.data() + at, head.size() - at);
-    if (count < 0) return problemAt(path, "The file cannot be read: " + reason() + ".");
+    if (count < 0)
+      return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "The file cannot be read: %1."), {reason()}));
     if (count == 0) break;
     at += static_cast<std::size_t>(count);
   }
@@ -89,9 +96,10 @@ Result<std::string> Input::checksum(const mesh::Watch& watch) const {
   std::vector<char> block(kBlock);
   std::uint64_t done = 0;
   for (;;) {
-    if (watch.isCancelled()) return problemAt(path_, "Cancelled.");
+    if (watch.isCancelled()) return problemAt(path_, said(QT_TRANSLATE_NOOP("problem", "Cancelled.")));
     const ssize_t count = readSome(fd, block.data(), block.size());
-    if (count < 0) return problemAt(path_, "The file cannot be read: " + reason() + ".");
+    if (count < 0)
+      return problemAt(path_, said(QT_TRANSLATE_NOOP("problem", "The file cannot be read: %1."), {reason()}));
     if (count == 0) break;
     digest.add(std::as_bytes(std::span(block).first(static_cast<std::size_t>(count))));
     done += static_cast<std::uint64_t>(count);

@@ -28,7 +28,7 @@ std::string keyOf(const Input& input, const std::string& checksum) {
   return checksum + "-" + wordOf(input.format()) + "-" + std::to_string(kVersion) + "-" + std::to_string(sizeof(Facts));
 }
 
-Problems problemAt(const Input& input, const std::string& sentence) {
+Problems problemAt(const Input& input, const Sentence& sentence) {
   return {{sentence, {input.path()}}};
 }
 
@@ -53,9 +53,9 @@ void addRaw(const Raw& raw, Facts& facts) {
   facts.without_extent += raw.dropped.without_extent;
 }
 
-std::string nothingLeft(const Facts& facts) {
-  std::string sentence = "There is nothing to feel in the file.";
-  for (const std::string& line : reportOf(facts, 1.0)) sentence += " " + line;
+Sentence nothingLeft(const Facts& facts) {
+  Sentence sentence = said(QT_TRANSLATE_NOOP("problem", "There is nothing to feel in the file."));
+  for (const Sentence& line : reportOf(facts, 1.0)) sentence = oneAfterAnother({sentence, line});
   return sentence;
 }
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "core/mesh_file/limits.h"
 
@@ -24,8 +26,31 @@ struct MessageHead {
 static_assert(std::is_trivially_copyable_v<MessageHead>);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(mesh::Face) == 12);
 
-bool isPlain(char c) {
-  return c >= ' ' && c <= '~';
+// Of a sentence: how many places it has, its pattern, the end of the line; then those in its places, likewise.
+constexpr char kEnd = '\n';
+constexpr int kMostPlaces = 9;
+
+std::string plain(std::string text) {
+  for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
+  return text;
+}
+
+std::string lettersOf(const Sentence& sentence) {
+  std::string text(1, static_cast<char>('0' + sentence.places().size()));
+  text += plain(sentence.pattern().empty() ? std::string(sentence) : sentence.pattern()) + kEnd;
+  for (const Sentence& place : sentence.places()) text += lettersOf(place);
+  return text;
+}
+
+/// The first sentence of the letters, which are taken off: each call takes a line, so that it comes to an end.
+Sentence takeSentence(std::string_view& letters) {
+  if (letters.empty()) return {};
+  const std::string line(letters.substr(0, letters.find(kEnd)));
+  letters.remove_prefix(std::min(line.size() + 1, letters.size()));
+  const int places = line.empty() ? 0 : std::clamp(line.front() - '0', 0, kMostPlaces);
+  std::vector<Sentence> in_places;
+  for (int place = 0; place < places; ++place) in_places.push_back(takeSentence(letters));
+  return said(plain(line.substr(std::min<std::size_t>(1, line.size()))), std::move(in_places));
 }
 
 bool isWhole(const Raw& raw) {
@@ -50,8 +75,8 @@ bool isWhole(const Raw& raw) {
 
 bool writeMessage(const Message& message, const std::function<bool(std::span<const std::byte>)>& write) {
   const Raw& raw = message.raw;
-  std::string problem = message.problem.substr(0, kLongestProblem);
-  for (char& c : problem) c = isPlain(c) ? c : '?';
+  const std::string problem =
+      message.problem.empty() ? std::string() : lettersOf(message.problem).substr(0, kLongestProblem);
   MessageHead head;
   head.problem_bytes = problem.size();
   head.corners = raw.triangles.p_MV.size();
@@ -78,8 +103,8 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   if (bytes.size() != sizeof head + head.problem_bytes + 12 * (head.corners + head.faces)) return {};
   Message message;
   bytes = bytes.subspan(sizeof head);
-  message.problem.assign(reinterpret_cast<const char*>(bytes.data()), head.problem_bytes);
-  for (char& c : message.problem) c = isPlain(c) ? c : '?';
+  std::string_view letters{reinterpret_cast<const char*>(bytes.data()), head.problem_bytes};
+  message.problem = takeSentence(letters);
   bytes = bytes.subspan(head.problem_bytes);
   Raw& raw = message.raw;
   raw.triangles.p_MV.resize(head.corners);

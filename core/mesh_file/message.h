@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/sentence.h"
 #include "core/mesh_file/raw.h"
 
 namespace underact::mesh_file {
@@ -13,11 +14,11 @@ namespace underact::mesh_file {
 inline constexpr unsigned char kMostProgress = 100;
 
 struct Message {
-  std::string problem;  // empty: the file was read
+  Sentence problem;  // empty: the file was read
   Raw raw;
 };
 
-/// Writes it part by part; false: what writes said so.
+/// Writes it part by part, of the problem the pattern and the words in its places; false: what writes said so.
 bool writeMessage(const Message& message, const std::function<bool(std::span<const std::byte>)>& write);
 
 /// bytes: from the first that is no progress. Trusts nothing: counts against the length, indexes, coordinates, letters.

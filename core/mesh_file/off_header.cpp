@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/base/translate.h"
 #include "core/mesh_file/scan.h"
 
 namespace underact::mesh_file {
@@ -25,13 +26,19 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     Scan scan(words);
     const std::string_view keyword = scan.word();
     if (keyword.empty()) continue;
-    if (!isOffKeyword(keyword)) return Problems{{"The OFF header is damaged: it does not begin with \"OFF\".", {}}};
+    if (!isOffKeyword(keyword))
+      return Problems{
+          {said(QT_TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-      return Problems{{"The OFF file holds a mesh that is not in three dimensions.", {}}};
+      return Problems{
+          {said(QT_TRANSLATE_NOOP("problem", "The OFF file holds a mesh that is not in three dimensions.")), {}}};
     }
     std::array<std::string_view, 3> counts{scan.word(), scan.word(), scan.word()};
     if (counts[0] == "BINARY") {
-      return Problems{{"This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.", {}}};
+      return Problems{
+          {said(QT_TRANSLATE_NOOP(
+               "problem", "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.")),
+           {}}};
     }
     // The third, of edges, is read by nobody and left out by some.
     if (counts[1].empty()) {
@@ -40,12 +47,16 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     }
     OffHeader header;
     if (!readInteger(counts[0], header.corners) || !readInteger(counts[1], header.faces)) break;
-    if (header.faces == 0) return Problems{{"The OFF file holds points and no faces. A surface needs faces.", {}}};
+    if (header.faces == 0)
+      return Problems{
+          {said(QT_TRANSLATE_NOOP("problem", "The OFF file holds points and no faces. A surface needs faces.")), {}}};
     header.bytes = lines.place();
     header.lines = lines.lineNumber();
     return header;
   }
-  return Problems{{"The OFF header is damaged: the numbers of corners and faces cannot be read.", {}}};
+  return Problems{{said(QT_TRANSLATE_NOOP(
+                       "problem", "The OFF header is damaged: the numbers of corners and faces cannot be read.")),
+                   {}}};
 }
 
 }  // namespace underact::mesh_file

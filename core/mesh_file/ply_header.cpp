@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/mesh_file/scan.h"
 
 namespace underact::mesh_file {
@@ -42,8 +43,8 @@ const Type* typeOf(std::string_view word) {
   return found == kTypes.end() ? nullptr : &*found;
 }
 
-Problems damaged(const std::string& what) {
-  return {{"The PLY header is damaged: " + what, {}}};
+Problems damaged(const char* pattern, const std::string& what = {}) {
+  return {{said(pattern, {what}), {}}};
 }
 
 bool readProperty(Scan& words, PlyElement& element) {
@@ -89,34 +90,43 @@ bool isTwice(const PlyHeader& header, const char* name) {
 Problems checkSurface(const PlyHeader& header) {
   const PlyElement* corners = elementOf(header, "vertex");
   const PlyElement* faces = elementOf(header, "face");
-  if (corners == nullptr) return {{"The PLY file holds no corners (vertex).", {}}};
+  if (corners == nullptr) return {{said(QT_TRANSLATE_NOOP("problem", "The PLY file holds no corners (vertex).")), {}}};
   if (elementOf(header, "tristrips") != nullptr) {
-    return {{"The PLY file holds strips of triangles, which cannot be read. Save it with single faces.", {}}};
-  }
-  if (faces == nullptr || faces->count == 0) {
     return {
-        {"The PLY file holds points and no faces. A surface needs faces: make them in the program that made the "
-         "points.",
+        {said(QT_TRANSLATE_NOOP(
+             "problem", "The PLY file holds strips of triangles, which cannot be read. Save it with single faces.")),
          {}}};
   }
-  if (isTwice(header, "vertex") || isTwice(header, "face")) return damaged("it names corners or faces twice.");
+  if (faces == nullptr || faces->count == 0) {
+    return {{said(QT_TRANSLATE_NOOP("problem",
+                                    "The PLY file holds points and no faces. A surface needs faces: make them in the "
+                                    "program that made the points.")),
+             {}}};
+  }
+  if (isTwice(header, "vertex") || isTwice(header, "face"))
+    return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it names corners or faces twice."));
   for (const char* axis : {"x", "y", "z"}) {
     const auto is = [axis](const PlyProperty& property) { return property.name == axis; };
     const auto& properties = corners->properties;
     const auto found = std::find_if(properties.begin(), properties.end(), is);
     if (found == properties.end() || std::count_if(properties.begin(), properties.end(), is) != 1) {
-      return damaged(std::string("the corners have not one ") + axis + ".");
+      return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: the corners have not one %1."), axis);
     }
     if (found->is_list || (found->type != "float" && found->type != "double")) {
-      return {{std::string("The PLY file holds ") + axis +
-                   " of its corners as whole numbers. Save it with float or double coordinates.",
-               {}}};
+      return {
+          {said(QT_TRANSLATE_NOOP(
+                    "problem",
+                    "The PLY file holds %1 of its corners as whole numbers. Save it with float or double coordinates."),
+                {axis}),
+           {}}};
     }
   }
   const auto lists = std::count_if(faces->properties.begin(), faces->properties.end(), [](const PlyProperty& property) {
     return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
   });
-  if (lists != 1) return damaged("the faces have not one list of corners (vertex_indices).");
+  if (lists != 1)
+    return damaged(QT_TRANSLATE_NOOP(
+        "problem", "The PLY header is damaged: the faces have not one list of corners (vertex_indices)."));
   return {};
 }
 
@@ -125,14 +135,16 @@ Problems checkSurface(const PlyHeader& header) {
 Result<PlyHeader> readPlyHeader(std::string_view head) {
   Scan lines(head);
   PlyHeader header;
-  if (lowered(Scan(lines.line()).word()) != "ply") return damaged("it does not begin with \"ply\".");
+  if (lowered(Scan(lines.line()).word()) != "ply")
+    return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it does not begin with \"ply\"."));
   bool has_format = false;
   while (!lines.atEnd()) {
     Scan words(lines.line());
     const std::string_view key = words.word();
     if (key == "end_header") {
       header.bytes = lines.place();
-      if (!has_format) return damaged("it has no line \"format\".");
+      if (!has_format)
+        return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no line \"format\"."));
       Problems problems = checkSurface(header);
       if (!problems.empty()) return problems;
       return header;
@@ -152,9 +164,11 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
     } else if (key != "comment" && key != "obj_info" && !key.empty()) {
       is_well = false;
     }
-    if (!is_well) return damaged("line " + std::to_string(lines.lineNumber() - 1) + " makes no sense.");
+    if (!is_well)
+      return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: line %1 makes no sense."),
+                     std::to_string(lines.lineNumber() - 1));
   }
-  return damaged("it has no end.");
+  return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no end."));
 }
 
 double leastBytes(const PlyHeader& header) {

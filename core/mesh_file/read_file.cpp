@@ -21,22 +21,28 @@ std::string seconds(double s) {
 }
 
 /// Why there is no mesh; empty: there is an answer.
-std::string whyNone(const Answer& answer, const Errand& errand) {
+Sentence whyNone(const Answer& answer, const Errand& errand) {
   switch (answer.ending) {
     case Ending::Exited:
-      return answer.code == 0 ? ""
-                              : "The file cannot be read: its reader ended with " + std::to_string(answer.code) + ".";
+      return answer.code == 0 ? Sentence()
+                              : said(QT_TRANSLATE_NOOP("problem", "The file cannot be read: its reader ended with %1."),
+                                     {std::to_string(answer.code)});
     case Ending::Crashed:
-      return "The file is damaged: its reader broke off (signal " + std::to_string(answer.code) + ").";
+      return said(QT_TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+                  {std::to_string(answer.code)});
     case Ending::TookTooLong:
-      return "The file is damaged, or has very large faces: reading it took longer than " + seconds(errand.most_cpu_s) +
-             ", which is enough for a file of its size.";
+      return said(QT_TRANSLATE_NOOP("problem",
+                                    "The file is damaged, or has very large faces: reading it took longer than %1, "
+                                    "which is enough for a file of its size."),
+                  {seconds(errand.most_cpu_s)});
     case Ending::WroteTooMuch:
-      return "The file is damaged: it gives more faces than a file of its size can hold.";
+      return said(
+          QT_TRANSLATE_NOOP("problem", "The file is damaged: it gives more faces than a file of its size can hold."));
     case Ending::Cancelled:
       return kCancelled;
     case Ending::NotStarted:
-      return std::string(kReader) + " cannot be started: " + std::generic_category().message(answer.code) + ".";
+      return said(QT_TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
+                  {std::string(kReader), std::generic_category().message(answer.code)});
   }
   return {};
 }
@@ -44,11 +50,13 @@ std::string whyNone(const Answer& answer, const Errand& errand) {
 }  // namespace
 
 Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
-  const auto problem = [&](const std::string& sentence) { return Problems{{sentence, {input.path()}}}; };
+  const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
   Errand errand;
   errand.program = helperProgram(kReader, "UNDERACT_MESH_READER");
   if (errand.program.empty()) {
-    return problem(std::string(kReader) + " was not found. It belongs beside this program: install Underact again.");
+    return problem(
+        said(QT_TRANSLATE_NOOP("problem", "%1 was not found. It belongs beside this program: install Underact again."),
+             {std::string(kReader)}));
   }
   errand.argument = wordOf(input.format());
   errand.input_fd = input.rewound();
@@ -59,12 +67,14 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
     watch.tell(QT_TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
   };
   const Answer answer = run(errand, watch);
-  const std::string why = whyNone(answer, errand);
+  const Sentence why = whyNone(answer, errand);
   if (!why.empty()) return problem(why);
   std::optional<Message> message = readMessage(answer.output);
-  if (!message) return problem("The file is damaged: what its reader made of it is no mesh.");
+  if (!message)
+    return problem(said(QT_TRANSLATE_NOOP("problem", "The file is damaged: what its reader made of it is no mesh.")));
   if (!message->problem.empty()) return problem(message->problem);
-  if (input.hasChanged()) return problem("The file was written while it was read. Open it again.");
+  if (input.hasChanged())
+    return problem(said(QT_TRANSLATE_NOOP("problem", "The file was written while it was read. Open it again.")));
   message->raw.cpu_s = answer.cpu_s;
   return std::move(message->raw);
 }

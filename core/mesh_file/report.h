@@ -1,31 +1,31 @@
 #pragma once
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/mesh_file/facts.h"
 
 namespace underact::mesh_file {
 
 /// What was repaired, what is left, and what it means for the hand: plain sentences, the ones about the hand last.
 /// mm_per_unit: as the scene has it.
-std::vector<std::string> reportOf(const Facts& facts, double mm_per_unit);
+std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit);
 
 /// side "outside" and "inside" may be asked of it, beside "both".
 bool allowsWalls(const Facts& facts);
 
 /// Why they may not; empty: they may.
-std::string whyNoWalls(const Facts& facts);
+Sentence whyNoWalls(const Facts& facts);
 
 /// A unit that the file may have been written in.
 struct Unit {
-  const char* name;    // "metres"
+  const char* name;    // "metres", marked for translators
   double mm_per_unit;  // scale_mm_per_unit for it
   double size_mm;      // how long the mesh would be
 };
 
 struct Proposal {
-  std::string sentence;     // "The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm."
+  Sentence sentence;        // "The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm."
   std::vector<Unit> units;  // those that make it a plausible size, the likeliest first; may be empty
 };
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "core/base/translate.h"
 #include "core/record/columns.h"
 
 namespace underact::record {
@@ -51,7 +52,8 @@ class Row {
 Result<CsvWriter> CsvWriter::open(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "wbe");
   if (file == nullptr) {
-    return Problems{{std::string("The recording cannot be made: ") + std::strerror(errno) + ".", {path}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(errno)}), {path}}};
   }
   CsvWriter writer(file, path);
   writer.write(header());
@@ -74,7 +76,7 @@ Problems CsvWriter::close() {
   if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
-  return {{std::string("The recording is not whole: ") + std::strerror(error_) + ".", {path_}}};
+  return {{said(QT_TRANSLATE_NOOP("problem", "The recording is not whole: %1."), {std::strerror(error_)}), {path_}}};
 }
 
 }  // namespace underact::record

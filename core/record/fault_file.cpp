@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/base/translate.h"
 #include "core/json/json.h"
 #include "core/record/columns.h"
 #include "core/scene/load_meshes.h"
@@ -66,7 +67,8 @@ std::string lateText(const servo::LateTicks& late) {
   return object(members);
 }
 
-std::string listText(const std::vector<std::string>& phrases) {
+template <class Text>
+std::string listText(const std::vector<Text>& phrases) {
   std::string text;
   for (const std::string& phrase : phrases) text.append(text.empty() ? "" : ", ").append(json::quoted(phrase));
   return "[" + text + "]";
@@ -88,7 +90,8 @@ std::string twoDigits(int value) {
 }
 
 Problems cannotBeKept(const std::string& path, int error) {
-  return {{std::string("The fault cannot be written to a file: ") + std::strerror(error) + ".", {path}}};
+  return {{said(QT_TRANSLATE_NOOP("problem", "The fault cannot be written to a file: %1."), {std::strerror(error)}),
+           {path}}};
 }
 
 struct Closer {

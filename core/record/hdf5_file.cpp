@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/record/disk.h"
 #include "core/record/hdf5_store.h"
 
@@ -18,13 +19,14 @@ namespace {
 // 100 would be for ever where the file is damaged.
 constexpr unsigned kAttempts = 24;
 
-Problems problemAt(const std::string& path, std::string sentence) {
+Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {path}}};
 }
 
 /// The system's reason for the last failure, where it gave one.
-std::string reason() {
-  return errno != 0 ? std::string(": ") + std::strerror(errno) + "." : std::string(".");
+Sentence reason() {
+  if (errno != 0) return std::strerror(errno);
+  return said(QT_TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
 }
 
 constexpr Column kCrc{"crc32", "", "CRC-32 of a block of rows, column after column", Kind::Unsigned, 1};
@@ -61,9 +63,10 @@ struct Hdf5File::Impl {
   std::int64_t unflushed_bytes = 0;  // the library holds them in memory, and the file's size does not show them yet
   Problems failure;                  // the first
 
-  Problems fail(const std::string& sentence) {
+  /// pattern: with a place for the reason.
+  Problems fail(const char* pattern) {
     failed = true;
-    failure = problemAt(path, sentence + reason());
+    failure = problemAt(path, said(pattern, {reason()}));
     letBe();
     return failure;
   }
@@ -96,7 +99,9 @@ struct Hdf5File::Impl {
       const Id group(H5Gopen2(file, std::string(wanted.name).c_str(), H5P_DEFAULT), H5Gclose);
       const std::string name(wanted.name);
       if (!group.isGood())
-        return problemAt(path, "This is no whole session: there is no table \"" + name + "\" in it.");
+        return problemAt(
+            path,
+            said(QT_TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
       OpenTable& table = tables.emplace_back();
       table.columns.assign(wanted.columns.begin(), wanted.columns.end());
       table.block_rows = integerAttribute(group, "block_rows").value_or(0);
@@ -106,7 +111,9 @@ struct Hdf5File::Impl {
         table.stores.push_back(openStore(group, column));
         good = good && table.stores.back().id.isGood();
       }
-      if (!good) return problemAt(path, "This is no whole session: the table \"" + name + "\" is damaged.");
+      if (!good)
+        return problemAt(
+            path, said(QT_TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
     }
     return {};
   }
@@ -126,15 +133,17 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->writes = true;
-  if (Presence::isAt(path)) return problemAt(path, "Another program is recording into this file. Give another name.");
+  if (Presence::isAt(path))
+    return problemAt(
+        path, said(QT_TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const Id access = accessList();
   impl->file = Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-  if (!impl->file.isGood()) return impl->fail("The recording cannot be made");
+  if (!impl->file.isGood()) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
   bool good = true;
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);
   for (const Table& table : tables) good = good && impl->createTable(table);
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
-  if (!good) return impl->fail("The recording cannot be made");
+  if (!good) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
   impl->presence = Presence(path);
   return Hdf5File(std::move(impl));
 }
@@ -144,7 +153,8 @@ Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> 
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) return problemAt(path, "There is no such file.");
+  if (!std::filesystem::exists(path, error))
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "There is no such file.")));
   const Id access = accessList();
   impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!impl->file.isGood()) {
@@ -153,10 +163,13 @@ Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> 
     impl->elsewhere = true;
   }
   if (!impl->file.isGood() && sizeOf(path) < statedSize(path))
-    return problemAt(path, "This file is cut off: " + std::to_string(sizeOf(path)) + " of " +
-                               std::to_string(statedSize(path)) +
-                               " bytes are there. Copy it again from where it came.");
-  if (!impl->file.isGood()) return problemAt(path, "This is no session, or one that is damaged at its beginning.");
+    return problemAt(
+        path, said(QT_TRANSLATE_NOOP(
+                       "problem", "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
+                   {std::to_string(sizeOf(path)), std::to_string(statedSize(path))}));
+  if (!impl->file.isGood())
+    return problemAt(
+        path, said(QT_TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
   Problems problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
@@ -174,11 +187,14 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   H5Pset(access, "clear_status_flags", &clear);  // as h5clear does
   impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   if (!impl->file.isGood()) {
-    if (errno == EWOULDBLOCK) return problemAt(path, "Another program has this file open. Close it there first.");
-    return impl->fail("The file cannot be opened for writing");
+    if (errno == EWOULDBLOCK)
+      return problemAt(path,
+                       said(QT_TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
+    return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
   // A killed writer's file is longer than it says; what comes now must not be written over its end.
-  if (killed && H5Fincrement_filesize(impl->file, 0) < 0) return impl->fail("The file cannot be opened for writing");
+  if (killed && H5Fincrement_filesize(impl->file, 0) < 0)
+    return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   Problems problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
@@ -190,9 +206,9 @@ Problems Hdf5File::append(std::size_t table, const Block& block) {
   impl_->unflushed_bytes += static_cast<std::int64_t>(block.bytes.size());
   impl_->full = impl_->full || !impl_->set_aside.forMore(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
-    return problemAt(impl_->path,
-                     "The disk is full: the recording was stopped and is whole. Free some space, or record into "
-                     "another folder.");
+    return problemAt(impl_->path, said(QT_TRANSLATE_NOOP("problem",
+                                                         "The disk is full: the recording was stopped and is whole. "
+                                                         "Free some space, or record into another folder.")));
   return appendLast(table, block);
 }
 
@@ -220,7 +236,7 @@ Problems Hdf5File::appendLast(std::size_t table, const Block& block) {
     const std::uint32_t crc = crcOf(std::span(block.bytes).subspan(at, size));
     good = good && record::append(open.crc, &crc, 1);
   }
-  return good ? Problems{} : impl_->fail("The recording stopped");
+  return good ? Problems{} : impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording stopped: %1."));
 }
 
 Problems Hdf5File::flush() {
@@ -228,7 +244,9 @@ Problems Hdf5File::flush() {
   quiet();
   errno = 0;
   impl_->unflushed_bytes = 0;
-  return H5Fflush(impl_->file, H5F_SCOPE_GLOBAL) >= 0 ? Problems{} : impl_->fail("The recording stopped");
+  return H5Fflush(impl_->file, H5F_SCOPE_GLOBAL) >= 0
+             ? Problems{}
+             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording stopped: %1."));
 }
 
 Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
@@ -239,14 +257,17 @@ Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
   const auto block_rows = static_cast<std::uint64_t>(open.block_rows);
   bool good = resize(open.crc, (wanted + block_rows - 1) / block_rows);
   for (const Store& store : open.stores) good = good && resize(store, wanted);
-  return good ? Problems{} : impl_->fail("The file could not be cut to what is whole");
+  return good ? Problems{}
+              : impl_->fail(QT_TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
 }
 
 Problems Hdf5File::set(const Attribute& attribute) {
   quiet();
   errno = 0;
   if (H5Aexists(impl_->file, attribute.name.c_str()) > 0) H5Adelete(impl_->file, attribute.name.c_str());
-  return writeAttribute(impl_->file, attribute) ? Problems{} : impl_->fail("The file takes no change");
+  return writeAttribute(impl_->file, attribute)
+             ? Problems{}
+             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The file takes no change: %1."));
 }
 
 Problems Hdf5File::close() {
@@ -261,7 +282,7 @@ Problems Hdf5File::close() {
   good = impl_->file.close() && good;
   impl_->set_aside.giveBack(impl_->path);
   if (good || !impl_->writes || impl_->failed) return {};
-  return impl_->fail("The recording is not whole");
+  return impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording is not whole: %1."));
 }
 
 std::int64_t Hdf5File::rows(std::size_t table) {
@@ -285,7 +306,9 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   if (end <= begin) return std::vector<Block>{};
   const auto blocks = static_cast<std::size_t>((end - begin + block_rows - 1) / block_rows);
   std::vector<std::uint32_t> crcs(blocks);
-  const auto damaged = [&] { return problemAt(impl_->path, "The file is damaged and cannot be read on."); };
+  const auto damaged = [&] {
+    return problemAt(impl_->path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+  };
   if (!readRows(open.crc, static_cast<std::uint64_t>(first), blocks, crcs.data())) return damaged();
   std::vector<std::vector<std::byte>> columns;
   for (std::size_t column = 0; column < open.stores.size(); ++column) {

@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/translate.h"
+
 namespace underact::record {
 namespace {
 
@@ -104,7 +106,10 @@ struct Recorder::Impl {
     std::error_code error;
     const auto size = static_cast<double>(std::filesystem::file_size(path, error));
     if (error)
-      return note({{"The recording's file is gone: somebody moved or deleted it. The recording stopped.", {path}}});
+      return note(
+          {{said(QT_TRANSLATE_NOOP(
+                "problem", "The recording's file is gone: somebody moved or deleted it. The recording stopped.")),
+            {path}}});
     const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
     const std::filesystem::space_info space = std::filesystem::space(folder, error);
     if (error) return;
@@ -117,16 +122,18 @@ struct Recorder::Impl {
     }
     if (left > 0.0) return;
     disk_full = true;
-    note(
-        {{"The disk is nearly full: the recording was stopped and is whole. Free some space, or record into another "
-          "folder.",
-          {path}}});
+    note({{said(QT_TRANSLATE_NOOP("problem",
+                                  "The disk is nearly full: the recording was stopped and is whole. Free some space, "
+                                  "or record into another folder.")),
+           {path}}});
   }
 
   void finish() {
     bool in_order = problems.empty() || disk_full;
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
-    if (in_order && !begun) note({{"The servo did not tick: there is nothing in the recording.", {path}}});
+    if (in_order && !begun)
+      note(
+          {{said(QT_TRANSLATE_NOOP("problem", "The servo did not tick: there is nothing in the recording.")), {path}}});
     if (in_order) {
       const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
       if (!at_end.empty()) problems = at_end;  // whatever was said before, the end is not there
@@ -135,7 +142,10 @@ struct Recorder::Impl {
     if (!in_order) {
       writer.abandon();
       const Result<std::int64_t> whole = recover(path);
-      problems.front().sentence += whole ? " What was written until then is whole." : "";
+      Sentence& sentence = problems.front().sentence;
+      if (whole)
+        sentence =
+            oneAfterAnother({sentence, said(QT_TRANSLATE_NOOP("problem", "What was written until then is whole."))});
     }
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/scene/load_meshes.h"
 #include "core/servo/rerun.h"
 
@@ -85,8 +86,10 @@ class Verification {
   }
   void stopAt(const Gap& gap) {
     if (!result_.unknown.empty()) return;
-    result_.unknown = "The file is damaged from row " + std::to_string(gap.first_row + 1) + " on, for " +
-                      std::to_string(gap.rows) + " ticks; what comes after them cannot be replayed.";
+    result_.unknown = said(
+        QT_TRANSLATE_NOOP(
+            "problem", "The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed."),
+        {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
   bool isDecided() const { return !result_.unknown.empty() || result_.differs || !problems_.empty(); }
   Verified result() const { return result_; }
@@ -96,8 +99,9 @@ class Verification {
   bool isNext(const servo::TickRecord& record) {
     const bool next = last_tick_ < 0 || record.tick == last_tick_ + 1;
     if (!next) {
-      result_.unknown = std::to_string(record.tick - last_tick_ - 1) + " ticks are missing after tick " +
-                        std::to_string(last_tick_) + "; what comes after them cannot be replayed.";
+      result_.unknown = said(
+          QT_TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what comes after them cannot be replayed."),
+          {std::to_string(record.tick - last_tick_ - 1), std::to_string(last_tick_)});
     }
     last_tick_ = record.tick;
     return next;
@@ -143,7 +147,8 @@ class Verification {
 /// The servo as it was at the first row.
 Result<servo::Rerun> rerunFromStart(Session& session) {
   if (session.changes().empty())
-    return Problems{{"This session does not say which scene it began with.", {session.info().path}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This session does not say which scene it began with.")),
+                     {session.info().path}}};
   Result<scene::Description> scene = session.scene(session.changes().front());
   if (!scene) return scene.problems();
   Result<tick::TickProgram> program = programOf(scene.value(), session.info().header);
@@ -170,7 +175,8 @@ Result<Verified> verifyReplay(Session& session, const std::function<bool(double)
   if (!problems.empty()) return problems;
   if (!verification.problems().empty()) return verification.problems();
   Verified result = verification.result();
-  if (!goes_on && result.unknown.empty() && !result.differs) result.unknown = "It was stopped.";
+  if (!goes_on && result.unknown.empty() && !result.differs)
+    result.unknown = said(QT_TRANSLATE_NOOP("problem", "It was stopped."));
   return result;
 }
 

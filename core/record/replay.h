@@ -17,7 +17,7 @@ struct Difference {
 struct Verified {
   std::int64_t ticks = 0;             // that were compared and are the same to the bit
   std::optional<Difference> differs;  // none: all are
-  std::string unknown;  // why it could not go on, in a sentence: ticks are missing, or damaged; empty: it went through
+  Sentence unknown;  // why it could not go on, in a sentence: ticks are missing, or damaged; empty: it went through
 };
 
 /// Runs what went into each recorded tick through the recorded scenes again, from the servo's memory at the beginning

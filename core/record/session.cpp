@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/record/state_bytes.h"
 #include "core/scene/read.h"
@@ -15,8 +16,8 @@ constexpr std::int64_t kBlocksAtOnce = 64;
 constexpr std::int64_t kRowsAtOnce = 4096;          // of a small table
 constexpr std::int64_t kLongestWords = 64LL << 20;  // bytes of one text
 
-Problems damagedAt(const std::string& path, const std::string& what) {
-  return {{"The " + what + " of this session cannot be read: the file is damaged there.", {path}}};
+Problems damagedAt(const std::string& path, Sentence what) {
+  return {{std::move(what), {path}}};
 }
 
 std::string textOf(const std::vector<Block>& blocks, std::size_t skip, std::size_t bytes) {
@@ -46,9 +47,12 @@ Result<Session> Session::open(const std::string& path) {
 
 Problems Session::readInfo(const std::string& path) {
   const std::int64_t version = file_.integer("underact_session", 0);
-  if (version < 1) return {{"This is an HDF5 file, and no session of Underact.", {path}}};
+  if (version < 1)
+    return {{said(QT_TRANSLATE_NOOP("problem", "This is an HDF5 file, and no session of Underact.")), {path}}};
   if (version > kSessionVersion)
-    return {{"This session was recorded by a newer version of Underact. This one reads layout 1.", {path}}};
+    return {{said(QT_TRANSLATE_NOOP(
+                 "problem", "This session was recorded by a newer version of Underact. This one reads layout 1.")),
+             {path}}};
   info_.path = path;
   info_.program_version = file_.text("program_version");
   SessionHeader& header = info_.header;
@@ -62,7 +66,9 @@ Problems Session::readInfo(const std::string& path) {
   header.frozen_s = file_.real("frozen_s", 0.0);
   header.max_late = static_cast<int>(file_.integer("max_late", 20));
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
-    return {{"This session does not say how fast the servo was: the file is damaged.", {path}}};
+    return {
+        {said(QT_TRANSLATE_NOOP("problem", "This session does not say how fast the servo was: the file is damaged.")),
+         {path}}};
   return {};
 }
 
@@ -72,7 +78,11 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
   for (std::int64_t at = 0;; at += kRowsAtOnce) {
     Result<std::vector<Block>> blocks = file_.read(table, at, kRowsAtOnce);
     if (!blocks || isAnyDamaged(blocks.value())) {
-      const Problems problems = damagedAt(info_.path, "table \"" + std::string(sessionTables(1000)[table].name) + "\"");
+      const Problems problems =
+          damagedAt(info_.path,
+                    said(QT_TRANSLATE_NOOP(
+                             "problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
+                         {std::string(sessionTables(1000)[table].name)}));
       info_.damage.insert(info_.damage.end(), problems.begin(), problems.end());
     }
     if (!blocks || blocks.value().empty()) return rows;
@@ -114,7 +124,11 @@ void Session::readSmallTables() {
 }
 
 Result<std::string> Session::words(const Words& words) {
-  const auto damaged = [this] { return damagedAt(info_.path, "words"); };
+  const auto damaged = [this] {
+    return damagedAt(
+        info_.path,
+        said(QT_TRANSLATE_NOOP("problem", "The words of this session cannot be read: the file is damaged there.")));
+  };
   if (words.bytes == 0) return std::string();
   if (words.at < 0 || words.bytes < 0 || words.bytes > kLongestWords || words.at > file_.rows(kText)) return damaged();
   const std::int64_t first = words.at / kTextBlock;
@@ -140,11 +154,19 @@ Result<scene::Description> Session::scene(const ChangeRow& change) {
 
 Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   if (file_.text("start_layout") != stateLayout())
-    return Problems{{"The servo's memory at the beginning was recorded by a version that lays it out in another way.",
-                     {info_.path}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP(
+             "problem",
+             "The servo's memory at the beginning was recorded by a version that lays it out in another way.")),
+         {info_.path}}};
   const std::int64_t all = (file_.rows(kStart) + kStartBlock - 1) / kStartBlock;
   Result<std::vector<Block>> blocks = file_.read(kStart, 0, all);
-  if (!blocks || isAnyDamaged(blocks.value())) return damagedAt(info_.path, "servo's memory at the beginning");
+  if (!blocks || isAnyDamaged(blocks.value()))
+    return damagedAt(
+        info_.path,
+        said(QT_TRANSLATE_NOOP(
+            "problem",
+            "The servo's memory at the beginning of this session cannot be read: the file is damaged there.")));
   std::vector<std::byte> bytes;
   for (const Block& block : blocks.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
   return stateOfBytes(bytes, program);

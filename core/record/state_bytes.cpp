@@ -3,6 +3,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "core/base/translate.h"
+
 namespace underact::record {
 namespace {
 
@@ -59,7 +61,9 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
   tick::TickState state = tick::makeState(program);
   std::size_t wanted = 0;
   eachPart(state, [&wanted](const auto& part) { wanted += sizeof part; });
-  if (wanted != bytes.size()) return Problems{{"The servo's memory at the beginning was not recorded whole."}};
+  if (wanted != bytes.size())
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "The servo's memory at the beginning was not recorded whole."))}};
   const std::byte* next = bytes.data();
   eachPart(state, [&next](auto& part) {
     std::memcpy(static_cast<void*>(&part), next, sizeof part);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 
 namespace underact::registration {
@@ -23,16 +24,17 @@ std::string number(double value, int decimals) {
   return text;
 }
 
-std::string millimetres(double length_m) {
-  return number(length_m * kMillimetrePerMetre, 1) + " mm";
+Sentence millimetres(double length_m) {
+  return said(QT_TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(number(length_m * kMillimetrePerMetre, 1))});
 }
 
 /// "2", "2 and 3", "1, 2 and 3": as people count.
-std::string listOf(const std::vector<std::size_t>& marks) {
-  std::string text;
+Sentence listOf(const std::vector<std::size_t>& marks) {
+  Sentence text;
   for (std::size_t at = 0; at < marks.size(); ++at) {
-    if (at > 0) text += at + 1 == marks.size() ? " and " : ", ";
-    text += std::to_string(marks[at] + 1);
+    const std::string mark = std::to_string(marks[at] + 1);
+    if (at > 0 && at + 1 == marks.size()) return said(QT_TRANSLATE_NOOP("problem", "%1 and %2"), {text, mark});
+    text = at > 0 ? text + ", " + mark : mark;
   }
   return text;
 }
@@ -75,15 +77,19 @@ void warnOfLayout(const std::vector<Touch>& touches, std::vector<Warning>& warni
   const Layout layout = layoutOf(marksOf(touches));
   if (layout.off_line_m < kNearLine_m) {
     warnings.push_back({Warning::Kind::NearLine,
-                        "The marks lie nearly on one line, " + millimetres(layout.off_line_m) +
-                            " beside it: small errors turn the arm about it. Choose a mark farther beside the line.",
+                        said(QT_TRANSLATE_NOOP("problem",
+                                               "The marks lie nearly on one line, %1 beside it: small errors turn the "
+                                               "arm about it. Choose a mark farther beside the line."),
+                             {millimetres(layout.off_line_m)}),
                         {}});
   }
   if (layout.least_apart_m < kNearMarks_m) {
     const std::vector<std::size_t> both{layout.near_one, layout.near_other};
     warnings.push_back({Warning::Kind::NearMarks,
-                        "The marks " + listOf(both) + " are only " + millimetres(layout.least_apart_m) +
-                            " apart: small errors there turn everything. Choose marks that are farther apart.",
+                        said(QT_TRANSLATE_NOOP("problem",
+                                               "The marks %1 are only %2 apart: small errors there turn everything. "
+                                               "Choose marks that are farther apart."),
+                             {listOf(both), millimetres(layout.least_apart_m)}),
                         both});
   }
 }
@@ -95,15 +101,25 @@ void warnOfOrder(const std::vector<Touch>& touches, const Fit& fit, std::vector<
     if (order[at] != at) others.push_back(at);
   }
   if (!others.empty()) {
-    const std::string what = others.size() == 2
-                                 ? "The marks " + listOf(others) + " were probably touched in exchange for each other."
-                                 : "The marks were probably touched in another order: " + listOf(order) + ".";
-    warnings.push_back({Warning::Kind::Order, what + " Touch them again in the order of their numbers.", others});
+    warnings.push_back(
+        {Warning::Kind::Order,
+         others.size() == 2
+             ? said(QT_TRANSLATE_NOOP("problem",
+                                      "The marks %1 were probably touched in exchange for each other. Touch them again "
+                                      "in the order of their numbers."),
+                    {listOf(others)})
+             : said(QT_TRANSLATE_NOOP("problem",
+                                      "The marks were probably touched in another order: %1. Touch them again in the "
+                                      "order of their numbers."),
+                    {listOf(order)}),
+         others});
   } else if (!isUpright(fit)) {
     warnings.push_back(
         {Warning::Kind::UpsideDown,
-         "By these marks the arm hangs upside down below the desk. If it does not, the marks were touched "
-         "in the order of a mirror: touch them again in the order of their numbers.",
+         said(QT_TRANSLATE_NOOP("problem",
+                                "By these marks the arm hangs upside down below the desk. If it does not, the marks "
+                                "were touched in the order of a mirror: touch them again in the order of their "
+                                "numbers.")),
          {}});
   }
 }
@@ -164,18 +180,22 @@ std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fi
                                           [](const Warning& one) { return one.kind == Warning::Kind::Order; });
   if (fit.rms_m > kMuch_m && !order_is_wrong) {
     const std::size_t worst = worstMark(touches, fit);
-    warnings.push_back({Warning::Kind::Residual,
-                        "The points miss their marks by " + millimetres(fit.rms_m) + ", which is much. Mark " +
-                            std::to_string(worst + 1) +
-                            " fits worst: touch it again, and see that the sheet was printed at 100 % and the arm is "
-                            "calibrated.",
-                        {worst}});
+    warnings.push_back(
+        {Warning::Kind::Residual,
+         said(QT_TRANSLATE_NOOP("problem",
+                                "The points miss their marks by %1, which is much. Mark %2 fits worst: "
+                                "touch it again, and see that the sheet was printed at 100 % and the arm "
+                                "is calibrated."),
+              {millimetres(fit.rms_m), std::to_string(worst + 1)}),
+         {worst}});
   }
   for (std::size_t at = 0; at < touches.size(); ++at) {
     if (touches[at].spread_m <= kRestless_m) continue;
     warnings.push_back({Warning::Kind::Moved,
-                        "At mark " + std::to_string(at + 1) + " the tip moved by " + millimetres(touches[at].spread_m) +
-                            " while it was held. Touch it again, with the hand rested.",
+                        said(QT_TRANSLATE_NOOP("problem",
+                                               "At mark %1 the tip moved by %2 while it was held. Touch it again, with "
+                                               "the hand rested."),
+                             {std::to_string(at + 1), millimetres(touches[at].spread_m)}),
                         {at}});
   }
   return warnings;

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
-#include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/registration/fit.h"
 
 namespace underact::registration {
@@ -11,7 +11,7 @@ namespace underact::registration {
 struct Warning {
   enum class Kind { NearLine, NearMarks, Order, UpsideDown, Residual, Moved };
   Kind kind;
-  std::string sentence;
+  Sentence sentence;
   std::vector<std::size_t> marks;  // that it is about, from 0
 };
 std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fit);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/translate.h"
+
 namespace underact::registration {
 namespace {
 
@@ -20,26 +22,42 @@ Eigen::Matrix3Xd columnsOf(const std::vector<Vec3>& points) {
   return columns;
 }
 
-/// what: "marks", "touched points".
-void judge(const std::vector<Vec3>& points, const std::string& what, Problems& problems) {
+/// What is said of points that cannot be used.
+struct Words {
+  const char* not_finite;
+  const char* same;
+  const char* on_line;
+};
+constexpr Words kOfMarks{
+    QT_TRANSLATE_NOOP("problem", "Not all of the marks are finite points within 1 km."),
+    QT_TRANSLATE_NOOP("problem",
+                      "The marks %1 and %2 are one and the same place. Touch them again, or choose marks "
+                      "that are apart."),
+    QT_TRANSLATE_NOOP("problem",
+                      "The marks lie on one line, so nothing says how the arm is turned about it. Choose a "
+                      "mark beside the line.")};
+constexpr Words kTouchedPoints{
+    QT_TRANSLATE_NOOP("problem", "Not all of the touched points are finite points within 1 km."),
+    QT_TRANSLATE_NOOP("problem",
+                      "The touched points %1 and %2 are one and the same place. Touch them again, or choose "
+                      "marks that are apart."),
+    QT_TRANSLATE_NOOP("problem",
+                      "The touched points lie on one line, so nothing says how the arm is turned about it. "
+                      "Choose a mark beside the line.")};
+
+void judge(const std::vector<Vec3>& points, const Words& words, Problems& problems) {
   for (const Vec3& point : points) {
     if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthest_m) {
-      problems.push_back({"Not all of the " + what + " are finite points within 1 km.", {}});
+      problems.push_back({said(words.not_finite), {}});
       return;
     }
   }
   const Layout layout = layoutOf(points);
   if (layout.least_apart_m < kSame_m) {
-    problems.push_back({"The " + what + " " + std::to_string(layout.near_one + 1) + " and " +
-                            std::to_string(layout.near_other + 1) +
-                            " are one and the same place. Touch them again, or "
-                            "choose marks that are apart.",
-                        {}});
+    problems.push_back(
+        {said(words.same, {std::to_string(layout.near_one + 1), std::to_string(layout.near_other + 1)}), {}});
   } else if (layout.off_line_m < kOnLine_m) {
-    problems.push_back({"The " + what +
-                            " lie on one line, so nothing says how the arm is turned about it. Choose a mark beside "
-                            "the line.",
-                        {}});
+    problems.push_back({said(words.on_line), {}});
   }
 }
 
@@ -75,11 +93,13 @@ Layout layoutOf(const std::vector<Vec3>& points) {
 
 Result<Fit> fitTouches(const std::vector<Touch>& touches) {
   if (touches.size() < kFewestMarks || touches.size() > kMostMarks) {
-    return Problems{{"A registration takes 3 to 8 marks; here there are " + std::to_string(touches.size()) + ".", {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A registration takes 3 to 8 marks; here there are %1."),
+                          {std::to_string(touches.size())}),
+                     {}}};
   }
   Problems problems;
-  judge(marksOf(touches), "marks", problems);
-  judge(touchedOf(touches), "touched points", problems);
+  judge(marksOf(touches), kOfMarks, problems);
+  judge(touchedOf(touches), kTouchedPoints, problems);
   if (!problems.empty()) return problems;
   Fit fit;
   fit.X_DW.matrix() = Eigen::umeyama(columnsOf(touchedOf(touches)), columnsOf(marksOf(touches)), false);

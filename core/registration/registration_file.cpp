@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/json/object_reader.h"
@@ -36,17 +37,20 @@ void readPlace(ObjectReader& object, const char* key, Vec3& p) {
 
 Touch readTouch(const Value& value, const std::string& path, Findings& findings) {
   Touch touch;
-  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}",
+  if (!isKind(value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"),
+                   {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
               findings))
     return touch;
-  ObjectReader object(value, path, "a mark", findings);
+  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a mark")), findings);
   readPlace(object, "p_DM_mm", touch.p_DM);
   readPlace(object, "p_WM_mm", touch.p_WM);
   if (const Value* const spread = object.find("spread_mm")) {
     double spread_mm = 0.0;
     json::readNumber(*spread, object.pathOf("spread_mm"), spread_mm, findings);
     if (!(spread_mm >= 0.0 && spread_mm <= kMostSpread_mm))
-      findings.add(*spread, object.pathOf("spread_mm"), "This must lie within 0 and 1000 mm.");
+      findings.add(*spread, object.pathOf("spread_mm"),
+                   said(QT_TRANSLATE_NOOP("problem", "This must lie within 0 and 1000 mm.")));
     touch.spread_m = kMetrePerMillimetre * spread_mm;
   }
   object.finish();
@@ -55,10 +59,12 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
 
 std::vector<Touch> readTouches(const Value& list, Findings& findings) {
   std::vector<Touch> touches;
-  if (!isKind(list, json::Kind::Array, "marks", "a list of 3 to 8 marks", findings)) return touches;
+  if (!isKind(list, json::Kind::Array, "marks", said(QT_TRANSLATE_NOOP("problem", "a list of 3 to 8 marks")), findings))
+    return touches;
   if (list.items.size() < kFewestMarks || list.items.size() > kMostMarks) {
     findings.add(list, "marks",
-                 "This must be a list of 3 to 8 marks; here there are " + std::to_string(list.items.size()) + ".");
+                 said(QT_TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 marks; here there are %1."),
+                      {std::to_string(list.items.size())}));
     return touches;
   }
   for (std::size_t at = 0; at < list.items.size(); ++at)
@@ -69,8 +75,10 @@ std::vector<Touch> readTouches(const Value& list, Findings& findings) {
 /// What is wrong with an X_DW beside the fit.
 void compare(const Value& value, const Pose& X_DW, Findings& findings) {
   const char* const kKey = "X_DW";
-  const std::string expected = "This must be four rows of four numbers, the last one 0, 0, 0, 1.";
-  if (!isKind(value, json::Kind::Array, kKey, "a list of four rows", findings)) return;
+  const Sentence expected =
+      said(QT_TRANSLATE_NOOP("problem", "This must be four rows of four numbers, the last one 0, 0, 0, 1."));
+  if (!isKind(value, json::Kind::Array, kKey, said(QT_TRANSLATE_NOOP("problem", "a list of four rows")), findings))
+    return;
   if (value.items.size() != 4) return findings.add(value, kKey, expected);
   Eigen::Matrix4d X = X_DW.matrix();
   X.topRightCorner<3, 1>() *= kMillimetrePerMetre;
@@ -84,17 +92,19 @@ void compare(const Value& value, const Pose& X_DW, Findings& findings) {
       if (std::abs(one.number - X(row, column)) <= allowed) continue;
       return findings.add(
           one, kKey,
-          "This is not what the marks give, " + numberText(X(row, column)) + ". Leave X_DW out: it is made of them.");
+          said(QT_TRANSLATE_NOOP("problem", "This is not what the marks give, %1. Leave X_DW out: it is made of them."),
+               {numberText(X(row, column))}));
     }
   }
 }
 
 Registration readWhole(const Value& root, Findings& findings) {
   Registration registration;
-  ObjectReader object(root, "", "a registration", findings);
+  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "a registration")), findings);
   const Value* const version = object.find("underact_registration", true);
   if (version != nullptr && (version->kind != json::Kind::Number || version->number != 1.0))
-    findings.add(*version, "underact_registration", "This program reads version 1 of registrations.");
+    findings.add(*version, "underact_registration",
+                 said(QT_TRANSLATE_NOOP("problem", "This program reads version 1 of registrations.")));
   readWords(object, "arm", true, registration.arm);
   readWords(object, "date", true, registration.date);
   readWords(object, "program", false, registration.program);
@@ -149,7 +159,9 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
   const Result<Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "", "an object, as in {\"underact_registration\": 1, ...}", findings))
+  if (!isKind(root.value(), json::Kind::Object, "",
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_registration\": 1, ...}"}),
+              findings))
     return findings.take();
   Registration registration = readWhole(root.value(), findings);
   Problems problems = findings.take();
@@ -158,7 +170,8 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
 }
 
 Result<Registration> readRegistrationFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, "a registration", kLargest);
+  const Result<std::string> text =
+      json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a registration")), kLargest);
   if (!text) return text.problems();
   return readRegistration(text.value(), path);
 }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/translate.h"
+
 namespace underact::registration {
 namespace {
 
@@ -14,9 +16,16 @@ std::string variable(const char* name) {
   return value == nullptr ? std::string() : std::string(value);
 }
 
-Problems cannot(const std::string& what, const std::string& path, const std::error_code& error) {
-  return {{"The registration cannot be " + what + (error ? ": " + error.message() : std::string()) +
-               ". See that the folder is there and yours, and that the disk is not full.",
+Problems cannotKeep(const std::string& path, const std::error_code& error) {
+  if (!error)
+    return {{said(QT_TRANSLATE_NOOP("problem",
+                                    "The registration cannot be kept. See that the folder is there and yours, and that "
+                                    "the disk is not full.")),
+             {path}}};
+  return {{said(QT_TRANSLATE_NOOP("problem",
+                                  "The registration cannot be kept: %1. See that the folder is there and yours, and "
+                                  "that the disk is not full."),
+                {error.message()}),
            {path}}};
 }
 
@@ -46,13 +55,13 @@ Problems keep(const Registration& registration, const std::string& folder) {
   const std::string path = storePath(registration.arm, folder), fresh = path + ".new";
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return cannot("kept", folder, error);
+  if (error) return cannotKeep(folder, error);
   std::ofstream file(fresh, std::ios::binary);
   file << registrationText(registration);
   file.close();
-  if (!file) return cannot("kept", fresh, {});
+  if (!file) return cannotKeep(fresh, {});
   fs::rename(fresh, path, error);  // whole or not at all
-  if (error) return cannot("kept", path, error);
+  if (error) return cannotKeep(path, error);
   return {};
 }
 
@@ -64,7 +73,9 @@ Result<std::optional<Registration>> recall(const std::string& arm, const std::st
   if (!read) return read.problems();
   if (read.value().arm != arm)
     return Problems{
-        {"This is the registration of another arm, \"" + read.value().arm + "\". Register this one anew.", {path}}};
+        {said(QT_TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this one anew."),
+              {read.value().arm}),
+         {path}}};
   return std::optional<Registration>(std::move(read).value());
 }
 
@@ -72,8 +83,12 @@ Problems forget(const std::string& arm, const std::string& folder) {
   const std::string path = storePath(arm, folder);
   std::error_code error;
   fs::remove(path, error);
-  if (error) return cannot("forgotten", path, error);
-  return {};
+  if (!error) return {};
+  return {{said(QT_TRANSLATE_NOOP("problem",
+                                  "The registration cannot be forgotten: %1. See that the folder is there and yours, "
+                                  "and that the disk is not full."),
+                {error.message()}),
+           {path}}};
 }
 
 }  // namespace underact::registration

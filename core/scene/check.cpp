@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/arm/preset.h"
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
@@ -35,7 +36,7 @@ class Checker {
   Problems run();
 
  private:
-  void add(const std::string& key, std::string sentence) {
+  void add(const std::string& key, Sentence sentence) {
     if (!sentence.empty()) problems_.push_back({std::move(sentence), {scene_.file, line_, column_, key}});
   }
   void checkField(const std::string& key, Meaning meaning, double number) { add(key, judge(meaning, number)); }
@@ -64,7 +65,7 @@ void Checker::checkField(const std::string& key, Meaning meaning, const Vec3& nu
     add(key + "[" + std::to_string(index) + "]", judge(meaning, numbers[index]));
   }
   if (meaning == Meaning::Direction && numbers == Vec3::Zero()) {
-    add(key, "A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.");
+    add(key, pointsNowhere());
   }
 }
 
@@ -73,7 +74,10 @@ void Checker::checkField(const std::string& key, Meaning meaning, const Mat3& nu
     checkField(key + "[" + std::to_string(row) + "]", meaning, Vec3(numbers.row(row).transpose()));
   }
   if (numbers.allFinite() && !isRotation(numbers)) {
-    add(key, "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.");
+    add(key,
+        said(QT_TRANSLATE_NOOP(
+            "problem",
+            "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.")));
   }
 }
 
@@ -87,8 +91,11 @@ void Checker::checkControl(const std::string& key, const Control& control) {
       add(one ? gain_key : gain_key + "[" + std::to_string(axis) + "]", judgeGain(gains[axis]));
     }
     if (field.from > control.law && gains != Vec3::Zero()) {
-      add(gain_key, std::string("The law ") + wordOf(kLawWords, control.law) + " does not use this gain; the law " +
-                        (field.from == LawType::PD ? "PD (or PID)" : "PID") + " does. Change the law or take it away.");
+      add(gain_key,
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "The law %1 does not use this gain; the law %2 does. Change the law or take it away."),
+               {wordOf(kLawWords, control.law),
+                field.from == LawType::PD ? said(QT_TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
     }
   }
   checkVelocity(key + ".velocity", control.velocity);
@@ -100,9 +107,11 @@ void Checker::checkVelocity(const std::string& key, const Velocity& velocity) {
         eachSetting(filter, [&](const auto& setting, double number) {
           if (number >= setting.least && number <= setting.most && (!setting.whole || number == std::floor(number)))
             return;
-          add(key + "." + setting.key, std::string("This must be ") + (setting.whole ? "a whole number " : "") +
-                                           "from " + numberText(setting.least) + " to " + numberText(setting.most) +
-                                           "; here it is " + numberText(number) + ".");
+          add(key + "." + setting.key,
+              said(setting.whole
+                       ? QT_TRANSLATE_NOOP("problem", "This must be a whole number from %1 to %2; here it is %3.")
+                       : QT_TRANSLATE_NOOP("problem", "This must be from %1 to %2; here it is %3."),
+                   {numberText(setting.least), numberText(setting.most), numberText(number)}));
         });
       },
       velocity);
@@ -120,49 +129,58 @@ void Checker::checkMetric(const std::string& key, const Control& control, const 
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
   Eigen::Index axis = 0;
   const double least = kp.minCoeff(&axis);
-  add(key, std::string("The gain along ") + "xyz"[axis] + " is " + numberText(least) +
-               (least == 0.0 ? "" : ", next to nothing,") + " beside gains above it, so no point of the " +
-               typeName(shape) +
-               " is nearest in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give "
-               "every axis a gain.");
+  add(key, said(QT_TRANSLATE_NOOP(
+                    "problem",
+                    "The gain along %1 is %2 beside gains above it, so no point of the %3 is nearest in the gains' own "
+                    "metric. Set \"anisotropy\" to \"euclidean\" in the control, or give every axis a gain."),
+                {std::string(1, "xyz"[axis]),
+                 least == 0.0 ? Sentence(numberText(least))
+                              : said(QT_TRANSLATE_NOOP("problem", "%1, next to nothing,"), {numberText(least)}),
+                 typeName(shape)}));
 }
 
 void Checker::checkName(const std::string& key, const std::string& name) {
   if (name.empty()) {
-    add(key, "The constraint has no name.");
+    add(key, said(QT_TRANSLATE_NOOP("problem", "The constraint has no name.")));
     return;
   }
   const auto [first, is_new] = names_.emplace(name, path_);
-  if (!is_new) add(key, "The name " + json::shown(name) + " is taken by " + first->second + "; names must differ.");
+  if (!is_new)
+    add(key, said(QT_TRANSLATE_NOOP("problem", "The name %1 is taken by %2; names must differ."),
+                  {json::shown(name), first->second}));
 }
 
 void Checker::checkInfluence(const Constraint& constraint, const Control& control) {
   const std::string key = path_ + ".influence";
   const Influence& influence = *constraint.influence;
   if (!takesInfluence(constraint.shape)) {
-    add(key, std::string("A ") + typeName(constraint.shape) + " has no influence.");
+    add(key, said(QT_TRANSLATE_NOOP("problem", "A %1 has no influence."), {typeName(constraint.shape)}));
   }
   if (!(influence.t >= 0.0 && influence.t <= 1.0)) {
-    add(key + ".t",
-        "This must be from 0 (orientation only) to 1 (position only); here it is " + numberText(influence.t) + ".");
+    add(key + ".t", said(QT_TRANSLATE_NOOP(
+                             "problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1."),
+                         {numberText(influence.t)}));
   }
   if (!(influence.blend_deg >= 0.0 && influence.blend_deg <= kWidestBlend_deg)) {
-    add(key + ".blend_deg", "This must be from 0 to 30 degrees; here it is " + numberText(influence.blend_deg) + ".");
+    add(key + ".blend_deg", said(QT_TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1."),
+                                 {numberText(influence.blend_deg)}));
   }
   if (constraint.side != target::Side::Both) {
-    add(key,
-        "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" or \"influence\" away.");
+    add(key, said(QT_TRANSLATE_NOOP("problem",
+                                    "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" "
+                                    "or \"influence\" away.")));
   }
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !allSame(control.gains.kp_N_per_mm)) {
-    add(key,
-        "With influence the target is not the nearest point of the gains' own metric. Set \"anisotropy\" to "
-        "\"euclidean\" in the control, or give every axis the same kp.");
+    add(key, said(QT_TRANSLATE_NOOP(
+                 "problem",
+                 "With influence the target is not the nearest point of the gains' own metric. Set \"anisotropy\" to "
+                 "\"euclidean\" in the control, or give every axis the same kp.")));
   }
 }
 
 void Checker::checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control) {
-  const auto say = [this](const std::string& key, std::string sentence) {
+  const auto say = [this](const std::string& key, Sentence sentence) {
     add(key.empty() ? path_ : path_ + "." + key, std::move(sentence));
   };
   if (!checkManipulator(robot, control, say)) return;
@@ -175,11 +193,12 @@ void Checker::checkFriction(const Friction& friction) {
   const std::string key = path_ + ".friction";
   const double most = kMostFriction;
   if (!(friction.static_share >= 0.0 && friction.static_share <= most)) {
-    add(key + ".static", "This must be from 0 (smooth) to " + numberText(most) + "; here it is " +
-                             numberText(friction.static_share) + ".");
+    add(key + ".static", said(QT_TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2."),
+                              {numberText(most), numberText(friction.static_share)}));
   } else if (!(friction.dynamic_share >= 0.0 && friction.dynamic_share <= friction.static_share)) {
-    add(key + ".dynamic", "This must be from 0 to the static share, " + numberText(friction.static_share) +
-                              "; here it is " + numberText(friction.dynamic_share) + ".");
+    add(key + ".dynamic",
+        said(QT_TRANSLATE_NOOP("problem", "This must be from 0 to the static share, %1; here it is %2."),
+             {numberText(friction.static_share), numberText(friction.dynamic_share)}));
   }
 }
 
@@ -197,22 +216,24 @@ void Checker::checkConstraint(std::size_t index) {
       },
       constraint.shape);
   if (constraint.side != target::Side::Both && !hasSides(constraint.shape)) {
-    add(path_ + ".side", std::string("A ") + typeName(constraint.shape) + " has no inside and no outside.");
+    add(path_ + ".side",
+        said(QT_TRANSLATE_NOOP("problem", "A %1 has no inside and no outside."), {typeName(constraint.shape)}));
   }
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) {
     checkRobot(*robot, constraint, controlOf(scene_, index));
   }
   if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) {
     checkMesh(*mesh, constraint.side, controlOf(scene_, index),
-              [this](const std::string& key, std::string sentence) { add(path_ + "." + key, std::move(sentence)); });
+              [this](const std::string& key, Sentence sentence) { add(path_ + "." + key, std::move(sentence)); });
   }
   if (const auto* curve = std::get_if<Curve>(&constraint.shape)) {
     checkCurve(*curve, controlOf(scene_, index),
-               [this](const std::string& key, std::string sentence) { add(path_ + "." + key, std::move(sentence)); });
+               [this](const std::string& key, Sentence sentence) { add(path_ + "." + key, std::move(sentence)); });
   }
   if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
   if (constraint.friction) {
-    if (!takesFriction(constraint.shape)) add(path_ + ".friction", "There is nothing to slide along.");
+    if (!takesFriction(constraint.shape))
+      add(path_ + ".friction", said(QT_TRANSLATE_NOOP("problem", "There is nothing to slide along.")));
     checkFriction(*constraint.friction);
   }
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);
@@ -222,25 +243,27 @@ void Checker::checkConstraint(std::size_t index) {
 void Checker::checkSimulation(const Simulation& simulation) {
   const double us = simulation.substep_us;
   if (us >= kShortestSubstep_us && us <= kLongestSubstep_us) return;
-  add("simulation.substep_us", "This must be from " + numberText(kShortestSubstep_us) + " to " +
-                                   numberText(kLongestSubstep_us) + " us; here it is " + numberText(us) + ".");
+  add("simulation.substep_us", said(QT_TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3."),
+                                    {numberText(kShortestSubstep_us), numberText(kLongestSubstep_us), numberText(us)}));
 }
 
 Problems Checker::run() {
   if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
-    add("title", "The title is empty; a few words tell people what they will feel.");
+    add("title",
+        said(QT_TRANSLATE_NOOP("problem", "The title is empty; a few words tell people what they will feel.")));
   }
   if (arm::findPreset(scene_.arm) == nullptr) {
     std::vector<std::string> known;
     for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
-    add("arm", "The arm " + json::shown(scene_.arm) + " is not known. There are " + json::listed(known, "and") + ".");
+    add("arm", said(QT_TRANSLATE_NOOP("problem", "The arm %1 is not known. There are %2."),
+                    {json::shown(scene_.arm), json::listed(known, "and")}));
   }
   checkControl("control", scene_.control);
   checkSimulation(scene_.simulation);
   const std::size_t count = scene_.constraints.size();
   if (count < 1 || count > tick::kMaxConstraints) {
-    add("constraints", "A scene has 1 to " + std::to_string(tick::kMaxConstraints) + " constraints; here are " +
-                           std::to_string(count) + ".");
+    add("constraints", said(QT_TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; here are %2."),
+                            {std::to_string(tick::kMaxConstraints), std::to_string(count)}));
   }
   for (std::size_t index = 0; index < count; ++index) checkConstraint(index);
   return std::move(problems_);

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 
+#include "core/base/translate.h"
 #include "core/curve/points.h"
 #include "core/json/text.h"
 #include "core/mesh_file/load.h"
@@ -64,10 +65,13 @@ SurfacesInUse& surfacesInUse() {
 Problems checked(Mesh& mesh, const Place& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
-  return {{"The mesh " + json::shown(mesh.file) +
-               " is not the one that the scene was made with: its content has another checksum. Bring that file back, "
-               "or take \"checksum\" away to go on with this one.",
-           place}};
+  return {
+      {said(QT_TRANSLATE_NOOP(
+                "problem",
+                "The mesh %1 is not the one that the scene was made with: its content has another checksum. Bring that "
+                "file back, or take \"checksum\" away to go on with this one."),
+            {json::shown(mesh.file)}),
+       place}};
 }
 
 Problems load(Mesh& mesh, const Description& scene, const Place& place, const mesh::Watch& watch) {

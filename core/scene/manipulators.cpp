@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/scene/rules.h"
@@ -19,23 +20,24 @@ bool isTurning(const Joint& joint) {
   return joint.type == JointType::Revolute;
 }
 
-std::string judgeValue(const Joint& joint, double value) {
+Sentence judgeValue(const Joint& joint, double value) {
   const double farthest = isTurning(joint) ? kFarthestTurn_rad : kFarthest_mm;
-  if (!std::isfinite(value)) return "This is no finite number; a double holds at most about 1.8e308.";
+  if (!std::isfinite(value)) return notFinite();
   if (std::abs(value) <= farthest) return {};
-  return std::string("This must lie within ") + (isTurning(joint) ? "1000 rad" : "1e6 mm") + "; here it is " +
-         numberText(value) + ".";
+  return said(QT_TRANSLATE_NOOP("problem", "This must lie within %1; here it is %2."),
+              {isTurning(joint) ? "1000 rad" : "1e6 mm", numberText(value)});
 }
 
 class JointChecker {
  public:
-  JointChecker(const std::function<void(const std::string&, std::string)>& add, bool& well) : add_(add), well_(well) {}
+  JointChecker(const std::function<void(const std::string&, Sentence)>& add, bool& well) : add_(add), well_(well) {}
 
   void check(const std::string& key, const Joint& joint) const {
     if (!joint.axis.allFinite()) {
-      say(key + ".axis", "This is no finite direction; a double holds at most about 1.8e308.");
+      say(key + ".axis",
+          said(QT_TRANSLATE_NOOP("problem", "This is no finite direction; a double holds at most about 1.8e308.")));
     } else if (joint.axis.isZero(0.0)) {
-      say(key + ".axis", "A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.");
+      say(key + ".axis", pointsNowhere());
     }
     if (isTurning(joint)) {
       for (Eigen::Index i = 0; i < 3; ++i) {
@@ -45,37 +47,41 @@ class JointChecker {
     if (joint.min) say(key + ".min", judgeValue(joint, *joint.min));
     if (joint.max) say(key + ".max", judgeValue(joint, *joint.max));
     if (joint.min && joint.max && *joint.min > *joint.max) {
-      say(key + ".min", "The lower limit " + numberText(*joint.min) + " is above the upper one, " +
-                            numberText(*joint.max) + "; no value of the joint is left.");
+      say(key + ".min",
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "The lower limit %1 is above the upper one, %2; no value of the joint is left."),
+               {numberText(*joint.min), numberText(*joint.max)}));
     }
     say(key + "." + stiffnessKey(joint.type), judgeGain(joint.stiffness));
     say(key + ".rest", judgeValue(joint, joint.rest));
     if (joint.stiffness == 0.0 && joint.rest != 0.0) {
-      say(key + ".rest", std::string("Without a spring the joint has no rest; give it \"") + stiffnessKey(joint.type) +
-                             "\", or take this away.");
+      say(key + ".rest",
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "Without a spring the joint has no rest; give it \"%1\", or take this away."),
+               {stiffnessKey(joint.type)}));
     }
   }
 
-  void say(const std::string& key, std::string sentence) const {
+  void say(const std::string& key, Sentence sentence) const {
     if (sentence.empty()) return;
     well_ = false;
     add_(key, std::move(sentence));
   }
 
  private:
-  const std::function<void(const std::string&, std::string)>& add_;
+  const std::function<void(const std::string&, Sentence)>& add_;
   bool& well_;
 };
 
 }  // namespace
 
 bool checkManipulator(const VirtualManipulator& robot, const Control& control,
-                      const std::function<void(const std::string&, std::string)>& add) {
+                      const std::function<void(const std::string&, Sentence)>& add) {
   bool well = true;
   const JointChecker checker(add, well);
   if (robot.joints.empty() || robot.joints.size() > manipulator::kMaxJoints) {
-    checker.say("joints", "A virtual manipulator has 1 to " + std::to_string(manipulator::kMaxJoints) +
-                              " joints; here are " + std::to_string(robot.joints.size()) + ".");
+    checker.say("joints", said(QT_TRANSLATE_NOOP("problem", "A virtual manipulator has 1 to %1 joints; here are %2."),
+                               {std::to_string(manipulator::kMaxJoints), std::to_string(robot.joints.size())}));
   }
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     checker.check("joints[" + std::to_string(i) + "]", robot.joints[i]);
@@ -84,26 +90,33 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   checker.say("ko_N_mm_per_rad", judgeGain(robot.ko_N_mm_per_rad));
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
     checker.say("ko_N_mm_per_rad",
-                "With the orientation \"none\" nothing uses this; set \"orientation\" to \"axis\", \"angle\" or "
-                "\"full\", or take it away.");
+                said(QT_TRANSLATE_NOOP(
+                    "problem",
+                    "With the orientation \"none\" nothing uses this; set \"orientation\" to \"axis\", \"angle\" or "
+                    "\"full\", or take it away.")));
   }
   if (robot.solver.max_steps < 1 || robot.solver.max_steps > 100) {
-    checker.say("solver.max_steps", "This must be a whole number from 1 to 100.");
+    checker.say("solver.max_steps", said(QT_TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100.")));
   }
   if (!(robot.solver.tolerance > 0.0 && robot.solver.tolerance <= 1e-2)) {
-    checker.say("solver.tolerance", "This must be above 0 and at most 0.01 (rad, and of the reach); here it is " +
-                                        numberText(robot.solver.tolerance) + ".");
+    checker.say("solver.tolerance",
+                said(QT_TRANSLATE_NOOP("problem",
+                                       "This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1."),
+                     {numberText(robot.solver.tolerance)}));
   }
   if (control.space == tick::Space::Joint) {
-    checker.say("",
-                "A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. "
-                "Set \"space\" to \"cartesian\".");
+    checker.say("", said(QT_TRANSLATE_NOOP(
+                        "problem",
+                        "A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. "
+                        "Set \"space\" to \"cartesian\".")));
   }
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (control.anisotropy == Anisotropy::Euclidean && !(kp.x() == kp.y() && kp.y() == kp.z())) {
     checker.say("",
-                "A virtual manipulator is held in the gains' own metric. Take \"anisotropy\" away, or give every "
-                "axis the same kp.");
+                said(QT_TRANSLATE_NOOP(
+                    "problem",
+                    "A virtual manipulator is held in the gains' own metric. Take \"anisotropy\" away, or give every "
+                    "axis the same kp.")));
   }
   return well;
 }

@@ -17,7 +17,7 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into);
 
 /// add(key within the constraint, sentence) for each number that no rule allows. True where there was none.
 bool checkManipulator(const VirtualManipulator& robot, const Control& control,
-                      const std::function<void(const std::string&, std::string)>& add);
+                      const std::function<void(const std::string&, Sentence)>& add);
 
 /// What it compiles to, in SI. Problems: those that lie between its parts (an angle without a joint for it, ...).
 Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/scene/manipulators.h"
 #include "core/scene/rules.h"
@@ -27,42 +28,54 @@ void readMesh(ObjectReader& object, Mesh& into) {
 
 void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,
                     const Eigen::Matrix4d& X_WM, const Control& control, const Say& say) {
-  if (file.empty()) say("file", "A " + what + " needs the name of its file.");
+  if (file.empty()) say("file", said(QT_TRANSLATE_NOOP("problem", "A %1 needs the name of its file."), {what}));
   const double unit_mm = std::abs(scale_mm_per_unit);  // below 0: the mirror image
   if (!(unit_mm >= kSmallestScale && unit_mm <= kLargestScale)) {
     say("scale_mm_per_unit",
-        "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or as much below 0, "
-        "which mirrors at the file's origin; here it is " +
-            numberText(scale_mm_per_unit) + ".");
+        said(QT_TRANSLATE_NOOP("problem",
+                               "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), "
+                               "or as much below 0, which mirrors at the file's origin; here it is %1."),
+             {numberText(scale_mm_per_unit)}));
   }
-  if (const std::string sentence = judgePose(X_WM); !sentence.empty()) say("X_WM", sentence);
+  if (const Sentence sentence = judgePose(X_WM); !sentence.empty()) say("X_WM", sentence);
   const Vec3& kp = control.gains.kp_N_per_mm;
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !(kp.x() == kp.y() && kp.y() == kp.z())) {
-    say("file", "The nearest point of a " + what +
-                    " is not sought in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in the control, or "
-                    "give every axis the same kp.");
+    say("file",
+        said(
+            QT_TRANSLATE_NOOP(
+                "problem",
+                "The nearest point of a %1 is not sought in the gains' own metric. Set \"anisotropy\" to \"euclidean\" "
+                "in the control, or give every axis the same kp."),
+            {what}));
   }
 }
 
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say) {
   checkPlacement("mesh", mesh.file, mesh.scale_mm_per_unit, mesh.X_WM, control, say);
   if (!(mesh.smooth_deg >= 0.0 && mesh.smooth_deg <= kMostSmooth_deg)) {
-    say("smooth_deg", "This must be from 0 (faces as they are) to " + numberText(kMostSmooth_deg) +
-                          " degrees that the force may lean, so that bends feel round; here it is " +
-                          numberText(mesh.smooth_deg) + ".");
+    say("smooth_deg", said(QT_TRANSLATE_NOOP("problem",
+                                             "This must be from 0 (faces as they are) to %1 degrees that the force may "
+                                             "lean, so that bends feel round; here it is %2."),
+                           {numberText(kMostSmooth_deg), numberText(mesh.smooth_deg)}));
   }
   if (side == target::Side::Both || mesh.search == Search::Hybrid) return;
-  say("search", "A wall's proxy follows the surface; it is not sought. Take \"search\" away.");
+  say("search", said(QT_TRANSLATE_NOOP("problem",
+                                       "A wall's proxy follows the surface; it is not sought. Take \"search\" away.")));
 }
 
 Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place) {
-  if (mesh.surface == nullptr) return Problems{{"The mesh " + json::shown(mesh.file) + " is not loaded.", place}};
+  if (mesh.surface == nullptr)
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "The mesh %1 is not loaded."), {json::shown(mesh.file)}), place}};
   if (side != target::Side::Both && !mesh.surface->is_closed) {
-    return Problems{{"The mesh " + json::shown(mesh.file) +
-                         " has holes or edges that do not fit together, so it has no inside and no outside. Take "
-                         "\"side\" away: the stylus is then held to its surface.",
-                     place}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP(
+                  "problem",
+                  "The mesh %1 has holes or edges that do not fit together, so it has no inside and no outside. Take "
+                  "\"side\" away: the stylus is then held to its surface."),
+              {json::shown(mesh.file)}),
+         place}};
   }
   target::MeshPlace placed;
   placed.surface = mesh.surface;

@@ -32,7 +32,7 @@ void readPlacement(ObjectReader& object, FromFile& into) {
   }
 }
 
-using Say = std::function<void(const std::string& key, std::string sentence)>;
+using Say = std::function<void(const std::string& key, Sentence sentence)>;
 
 /// The same, checked: of what the file holds, "a mesh".
 void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/scene/read_parts.h"
 
 namespace underact::scene {
@@ -16,14 +17,18 @@ void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);
   if (value == nullptr) return;
   Findings& findings = object.findings();
-  if (!isKind(*value, json::Kind::Number, "underact_scene", "the number 1", findings)) return;
-  const std::string number = json::numberText(value->number);
+  if (!isKind(*value, json::Kind::Number, "underact_scene", said(QT_TRANSLATE_NOOP("problem", "the number 1")),
+              findings))
+    return;
   if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
     findings.add(*value, "underact_scene",
-                 "The scene is of version " + number + ", and this program, older than the scene, reads version 1. " +
-                     "Use a newer Underact.");
+                 said(QT_TRANSLATE_NOOP("problem",
+                                        "The scene is of version %1, and this program, older than the scene, reads "
+                                        "version 1. Use a newer Underact."),
+                      {json::numberText(value->number)}));
   } else if (value->number != kVersion) {
-    findings.add(*value, "underact_scene", "This must be the number 1, the version of scene files.");
+    findings.add(*value, "underact_scene",
+                 said(QT_TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));
   }
 }
 
@@ -42,7 +47,8 @@ void makeUpNames(std::vector<Constraint>& constraints) {
 void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
   const json::Value* list = object.find("constraints", true);
   Findings& findings = object.findings();
-  if (list == nullptr || !isKind(*list, json::Kind::Array, "constraints", "a list of constraints", findings)) {
+  if (list == nullptr || !isKind(*list, json::Kind::Array, "constraints",
+                                 said(QT_TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
     into.emplace_back();  // a harmless one
   } else {
     into.resize(list->items.size());
@@ -63,9 +69,10 @@ void readTexts(ObjectReader& object, Description& into) {
 
 Simulation readSimulation(const json::Value& value, Findings& findings) {
   Simulation simulation;
-  if (!isKind(value, json::Kind::Object, "simulation", "an object, as in {\"substep_us\": 50}", findings))
+  if (!isKind(value, json::Kind::Object, "simulation",
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"substep_us\": 50}"}), findings))
     return simulation;
-  ObjectReader object(value, "simulation", "a simulation", findings);
+  ObjectReader object(value, "simulation", said(QT_TRANSLATE_NOOP("problem", "a simulation")), findings);
   if (const json::Value* integrator = object.find("integrator"))
     readWord(*integrator, object.pathOf("integrator"), kIntegratorWords, simulation.integrator, findings);
   if (const json::Value* substep = object.find("substep_us"))
@@ -77,7 +84,7 @@ Simulation readSimulation(const json::Value& value, Findings& findings) {
 Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
   Description scene;
   scene.file = file_name;
-  ObjectReader object(root, "", "a scene", findings);
+  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "a scene")), findings);
   readVersion(object);
   readTexts(object, scene);
   if (const json::Value* control = object.find("control")) scene.control = readControl(*control, "control", findings);
@@ -90,11 +97,12 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
-    isKind(*schema, json::Kind::String, "$schema", "text in double quotes", findings);
+    isKind(*schema, json::Kind::String, "$schema", said(QT_TRANSLATE_NOOP("problem", "text in double quotes")),
+           findings);
   }
-  object.refuse("velocity", kBelongsToControl);
-  object.refuse("friction", kBelongsToConstraint);
-  object.refuse("search", kBelongsToConstraint);
+  object.refuse("velocity", belongsToControl());
+  object.refuse("friction", belongsToConstraint());
+  object.refuse("search", belongsToConstraint());
   object.refuseLater(kLaterKeys);
   object.finish();
   return scene;
@@ -106,7 +114,7 @@ Result<Description> readScene(std::string_view text, const std::string& file_nam
   const Result<json::Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "", "an object in { }", findings)) return findings.take();
+  if (!isKind(root.value(), json::Kind::Object, "", kindName(json::Kind::Object), findings)) return findings.take();
   const Description scene = readWhole(root.value(), file_name, findings);
   findings.add(check(scene));
   Problems problems = findings.take();

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/scene/manipulators.h"
 #include "core/scene/meshes.h"
 #include "core/scene/read_parts.h"
@@ -35,9 +36,11 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   if (shape) return shape;
   const std::string nearest = nearestWord(value.text, types);
   findings.add(value, path,
-               "The type " + shown(value.text) + " is not known. " +
-                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "There are " + listed(types, "and") +
-                   ".");
+               nearest.empty()
+                   ? said(QT_TRANSLATE_NOOP("problem", "The type %1 is not known. There are %2."),
+                          {shown(value.text), listed(types, "and")})
+                   : said(QT_TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? There are %3."),
+                          {shown(value.text), nearest, listed(types, "and")}));
   return std::nullopt;
 }
 
@@ -65,15 +68,17 @@ void readFields(ObjectReader& object, Shape& shape) {
 /// Empty where it cannot be read.
 void readName(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
   if (value.kind == json::Kind::String && value.text.empty()) {
-    findings.add(value, path, "The name is empty; write one, or take the key away and one is made up.");
+    findings.add(
+        value, path,
+        said(QT_TRANSLATE_NOOP("problem", "The name is empty; write one, or take the key away and one is made up.")));
   }
   readText(value, path, into, findings);
 }
 
 void readSide(ObjectReader& object, Constraint& into) {
   if (!hasSides(into.shape)) {
-    object.refuse("side",
-                  std::string("A ") + typeName(into.shape) + " has no inside and no outside; take \"side\" away.");
+    object.refuse("side", said(QT_TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; take \"side\" away."),
+                               {typeName(into.shape)}));
   } else if (const json::Value* value = object.find("side")) {
     readWord(*value, object.pathOf("side"), kSideWords, into.side, object.findings());
   }
@@ -81,16 +86,20 @@ void readSide(ObjectReader& object, Constraint& into) {
 
 void readInfluence(ObjectReader& object, Constraint& into) {
   if (!takesInfluence(into.shape)) {
-    object.refuse("influence", std::string("A ") + typeName(into.shape) +
-                                   " has no influence; a circle, a cylinder and a sphere have. Take it away.");
+    object.refuse("influence",
+                  said(QT_TRANSLATE_NOOP(
+                           "problem", "A %1 has no influence; a circle, a cylinder and a sphere have. Take it away."),
+                       {typeName(into.shape)}));
     return;
   }
   const json::Value* const value = object.find("influence");
   if (value == nullptr) return;
   const std::string path = object.pathOf("influence");
   into.influence.emplace();
-  if (!isKind(*value, json::Kind::Object, path, "an object, as in {\"t\": 0.5}", object.findings())) return;
-  ObjectReader reader(*value, path, "an influence", object.findings());
+  if (!isKind(*value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t\": 0.5}"}), object.findings()))
+    return;
+  ObjectReader reader(*value, path, said(QT_TRANSLATE_NOOP("problem", "an influence")), object.findings());
   if (const json::Value* t = reader.find("t", true)) {
     readNumber(*t, reader.pathOf("t"), into.influence->t, object.findings());
   }
@@ -105,19 +114,22 @@ void readInfluence(ObjectReader& object, Constraint& into) {
 
 void readFriction(ObjectReader& object, Constraint& into) {
   if (!takesFriction(into.shape)) {
-    object.refuse("friction", std::string("A ") + typeName(into.shape) +
-                                  " is nothing to slide along, so it has no friction. Take it away.");
+    object.refuse(
+        "friction",
+        said(QT_TRANSLATE_NOOP("problem", "A %1 is nothing to slide along, so it has no friction. Take it away."),
+             {typeName(into.shape)}));
     return;
   }
   const json::Value* const value = object.find("friction");
   if (value == nullptr) return;
   const std::string path = object.pathOf("friction");
   into.friction.emplace();
-  if (!isKind(*value, json::Kind::Object, path, "an object, as in {\"static\": 0.4, \"dynamic\": 0.3}",
+  if (!isKind(*value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"static\": 0.4, \"dynamic\": 0.3}"}),
               object.findings())) {
     return;
   }
-  ObjectReader reader(*value, path, "a friction", object.findings());
+  ObjectReader reader(*value, path, said(QT_TRANSLATE_NOOP("problem", "a friction")), object.findings());
   if (const json::Value* share = reader.find("static", true)) {
     readNumber(*share, reader.pathOf("static"), into.friction->static_share, object.findings());
   }
@@ -130,20 +142,27 @@ void readFriction(ObjectReader& object, Constraint& into) {
 
 }  // namespace
 
+Sentence belongsToConstraint() {
+  return said(QT_TRANSLATE_NOOP("problem", "This is a part of a constraint, as in %1."),
+              {"{\"type\": \"mesh\", \"file\": \"a.stl\", \"friction\": {\"static\": 0.4}}"});
+}
+
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
   into.place = {findings.file(), value.line, value.column, path};
   findings.remember(path, value);
-  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"type\": \"point\", \"position_mm\": [0, 0, 0]}",
+  if (!isKind(value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"),
+                   {"{\"type\": \"point\", \"position_mm\": [0, 0, 0]}"}),
               findings)) {
     return;
   }
-  ObjectReader object(value, path, "a constraint", findings);
+  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a constraint")), findings);
   if (const json::Value* name = object.find("name")) readName(*name, object.pathOf("name"), into.name, findings);
   std::optional<Shape> shape;
   if (const json::Value* type = object.find("type", true)) shape = shapeOfType(*type, object.pathOf("type"), findings);
   if (shape) {
     into.shape = *shape;
-    object.setWhat(std::string("a ") + typeName(into.shape));
+    object.setWhat(said(QT_TRANSLATE_NOOP("problem", "a %1"), {typeName(into.shape)}));
     if (auto* robot = std::get_if<VirtualManipulator>(&into.shape)) {
       readManipulator(object, *robot);
     } else if (auto* mesh = std::get_if<Mesh>(&into.shape)) {
@@ -158,14 +177,16 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
     readFriction(object, into);
     if (!std::holds_alternative<Mesh>(into.shape) && !std::holds_alternative<Curve>(into.shape)) {
       object.refuse("search",
-                    std::string("A ") + typeName(into.shape) +
-                        " is found by a formula, not by a search; a mesh and a curve have one. Take it away.");
+                    said(QT_TRANSLATE_NOOP(
+                             "problem",
+                             "A %1 is found by a formula, not by a search; a mesh and a curve have one. Take it away."),
+                         {typeName(into.shape)}));
     }
   }
   if (const json::Value* control = object.find("control")) {
     into.control = readControl(*control, object.pathOf("control"), findings);
   }
-  object.refuse("velocity", kBelongsToControl);
+  object.refuse("velocity", belongsToControl());
   object.refuseLater(kLaterKeys);
   object.finish(shape.has_value());
 }

@@ -1,3 +1,4 @@
+#include "core/base/translate.h"
 #include "core/scene/read_parts.h"
 
 namespace underact::scene {
@@ -10,18 +11,26 @@ void readGain(const json::Value& value, const std::string& path, Vec3& into, Fin
   } else if (value.kind == json::Kind::Array) {
     readNumber(value, path, into, findings);
   } else {
-    isKind(value, json::Kind::Number, path, "a number, or a list of 3 numbers for x, y and z", findings);
+    isKind(value, json::Kind::Number, path,
+           said(QT_TRANSLATE_NOOP("problem", "a number, or a list of 3 numbers for x, y and z")), findings);
   }
 }
 
 }  // namespace
 
+Sentence belongsToControl() {
+  return said(QT_TRANSLATE_NOOP("problem", "This is a part of the control, as in %1."),
+              {"\"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}"});
+}
+
 Control readControl(const json::Value& value, const std::string& path, Findings& findings) {
   Control control;
-  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"law\": \"P\", \"kp_N_per_mm\": 0.5}", findings)) {
+  if (!isKind(value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"law\": \"P\", \"kp_N_per_mm\": 0.5}"}),
+              findings)) {
     return control;
   }
-  ObjectReader object(value, path, "a control", findings);
+  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a control")), findings);
   if (const json::Value* law = object.find("law")) {
     // PID uses every gain: where the law cannot be read, nothing is said of gains that it would not use.
     if (!readWord(*law, object.pathOf("law"), kLawWords, control.law, findings)) control.law = LawType::PID;
@@ -42,8 +51,8 @@ Control readControl(const json::Value& value, const std::string& path, Findings&
   if (const json::Value* passivity = object.find("passivity")) {
     readWord(*passivity, object.pathOf("passivity"), kPassivityWords, control.passivity, findings);
   }
-  object.refuse("friction", kBelongsToConstraint);
-  object.refuse("search", kBelongsToConstraint);
+  object.refuse("friction", belongsToConstraint());
+  object.refuse("search", belongsToConstraint());
   object.refuseLater(kLaterKeys);
   object.finish();
   return control;

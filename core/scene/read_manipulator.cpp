@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/translate.h"
 #include "core/scene/manipulators.h"
 
 namespace underact::scene {
@@ -16,11 +17,13 @@ void readOptional(ObjectReader& object, const char* key, double& into) {
 
 void readJoint(const json::Value& value, const std::string& path, Joint& into, Findings& findings) {
   if (!isKind(value, json::Kind::Object, path,
-              "an object, as in {\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}", findings)) {
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"),
+                   {"{\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}"}),
+              findings)) {
     return;
   }
   findings.remember(path, value);
-  ObjectReader joint(value, path, "a joint", findings);
+  ObjectReader joint(value, path, said(QT_TRANSLATE_NOOP("problem", "a joint")), findings);
   bool known = false;
   if (const json::Value* type = joint.find("type", true)) {
     known = readWord(*type, joint.pathOf("type"), kJointWords, into.type, findings);
@@ -33,12 +36,13 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
       readNumber(*point, joint.pathOf("point_mm"), into.point_mm, findings);
     }
   } else {
-    joint.refuse("point_mm", "A prismatic joint has a direction and no point; take it away.");
+    joint.refuse("point_mm",
+                 said(QT_TRANSLATE_NOOP("problem", "A prismatic joint has a direction and no point; take it away.")));
   }
   const bool turns = into.type == chain::JointType::Revolute;
   joint.refuse(stiffnessKey(turns ? chain::JointType::Prismatic : chain::JointType::Revolute),
-               std::string("The spring of a ") + wordOf(kJointWords, into.type) + " joint is \"" +
-                   stiffnessKey(into.type) + "\".");
+               said(QT_TRANSLATE_NOOP("problem", "The spring of a %1 joint is \"%2\"."),
+                    {wordOf(kJointWords, into.type), stiffnessKey(into.type)}));
   readLimit(joint, "min", into.min);
   readLimit(joint, "max", into.max);
   readOptional(joint, stiffnessKey(into.type), into.stiffness);
@@ -47,8 +51,10 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
 }
 
 void readSolver(const json::Value& value, const std::string& path, Solver& into, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"method\": \"auto\"}", findings)) return;
-  ObjectReader solver(value, path, "a solver", findings);
+  if (!isKind(value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"method\": \"auto\"}"}), findings))
+    return;
+  ObjectReader solver(value, path, said(QT_TRANSLATE_NOOP("problem", "a solver")), findings);
   if (const json::Value* method = solver.find("method")) {
     readWord(*method, solver.pathOf("method"), kSolverWords, into.method, findings);
   }
@@ -59,7 +65,8 @@ void readSolver(const json::Value& value, const std::string& path, Solver& into,
       into.max_steps = static_cast<int>(count);
     } else if (steps->kind == json::Kind::Number) {
       findings.add(*steps, solver.pathOf("max_steps"),
-                   "This must be a whole number from 1 to 100; here it is " + json::numberText(count) + ".");
+                   said(QT_TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100; here it is %1."),
+                        {json::numberText(count)}));
     }
   }
   readOptional(solver, "tolerance", into.tolerance);
@@ -72,8 +79,10 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
   findings.remember(path, value);
   const bool four = value.kind == json::Kind::Array && value.items.size() == 4;
   if (!four) {
-    if (isKind(value, json::Kind::Array, path, "4 rows of 4 numbers", findings)) {
-      findings.add(value, path, "A pose has 4 rows of 4 numbers; here are " + std::to_string(value.items.size()) + ".");
+    if (isKind(value, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
+      findings.add(value, path,
+                   said(QT_TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; here are %1."),
+                        {std::to_string(value.items.size())}));
     }
     return;
   }
@@ -81,9 +90,12 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
     const json::Value& line = value.items[static_cast<std::size_t>(row)];
     const std::string line_path = path + "[" + std::to_string(row) + "]";
     findings.remember(line_path, line);
-    if (!isKind(line, json::Kind::Array, line_path, "4 numbers", findings)) continue;
+    if (!isKind(line, json::Kind::Array, line_path, said(QT_TRANSLATE_NOOP("problem", "4 numbers")), findings))
+      continue;
     if (line.items.size() != 4) {
-      findings.add(line, line_path, "A row has 4 numbers; here are " + std::to_string(line.items.size()) + ".");
+      findings.add(
+          line, line_path,
+          said(QT_TRANSLATE_NOOP("problem", "A row has 4 numbers; here are %1."), {std::to_string(line.items.size())}));
       continue;
     }
     for (Eigen::Index column = 0; column < 4; ++column) {
@@ -96,7 +108,8 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
 void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   Findings& findings = object.findings();
   const json::Value* joints = object.find("joints", true);
-  if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"), "a list of joints", findings)) {
+  if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"),
+                                  said(QT_TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
     findings.remember(object.pathOf("joints"), *joints);
     into.joints.resize(joints->items.size());
     for (std::size_t i = 0; i < into.joints.size(); ++i) {

@@ -21,12 +21,10 @@ using json::shown;
 inline const std::vector<std::string> kLaterKeys{"damping"};
 
 /// Where "velocity" stands in the wrong object.
-inline constexpr const char* kBelongsToControl =
-    "This is a part of the control, as in \"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}.";
+Sentence belongsToControl();
 
 /// "friction" and "search", too.
-inline constexpr const char* kBelongsToConstraint =
-    "This is a part of a constraint, as in {\"type\": \"mesh\", \"file\": \"a.stl\", \"friction\": {\"static\": 0.4}}.";
+Sentence belongsToConstraint();
 
 /// A constraint; its name stays empty where the file gives none.
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings);

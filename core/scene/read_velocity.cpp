@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/translate.h"
 #include "core/scene/read_parts.h"
 
 namespace underact::scene {
@@ -25,9 +26,7 @@ std::optional<Velocity> filterOf(const json::Value& value, const std::string& pa
         if (value.kind == json::Kind::String && value.text == known.back()) filter = usual;
       },
       kEachFilter);
-  if (!filter && isKind(value, json::Kind::String, path, listed(known), findings)) {
-    findings.add(value, path, "This must be " + listed(known) + "; here it is " + shown(value.text) + ".");
-  }
+  if (!filter) json::refuseWord(value, path, known, findings);
   return filter;
 }
 
@@ -42,8 +41,10 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
   std::visit([&](auto used) { eachSetting(used, [&](const auto& setting, double) { users.erase(setting.key); }); },
              chosen);
   for (const auto& [key, filters] : users) {
-    object.refuse(key, std::string("The filter \"") + filterName(chosen) + "\" does not use this; " +
-                           listed(filters, "and") + " would. Change the filter or take it away.");
+    object.refuse(
+        key, said(QT_TRANSLATE_NOOP(
+                      "problem", "The filter \"%1\" does not use this; %2 would. Change the filter or take it away."),
+                  {filterName(chosen), listed(filters, "and")}));
   }
 }
 
@@ -51,8 +52,10 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
 
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings) {
   Velocity velocity;
-  if (!isKind(value, json::Kind::Object, path, "an object, as in {\"filter\": \"kalman\"}", findings)) return velocity;
-  ObjectReader object(value, path, "a velocity", findings);
+  if (!isKind(value, json::Kind::Object, path,
+              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
+    return velocity;
+  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a velocity")), findings);
   const json::Value* const filter = object.find("filter", true);
   const std::optional<Velocity> chosen =
       filter != nullptr ? filterOf(*filter, object.pathOf("filter"), findings) : std::nullopt;

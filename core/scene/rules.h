@@ -9,11 +9,15 @@ namespace underact::scene {
 
 inline constexpr double kFarthest_mm = 1e6;
 
-std::string judge(Meaning meaning, double number);
-std::string judgeGain(double gain);
+Sentence judge(Meaning meaning, double number);
+Sentence judgeGain(double gain);
+
+/// Of a number or a direction that is none.
+Sentence notFinite();
+Sentence pointsNowhere();
 
 /// Of a rotation and a translation in mm.
-std::string judgePose(const Eigen::Matrix4d& X);
+Sentence judgePose(const Eigen::Matrix4d& X);
 
 /// To 1e-6 of each number, as shape::makeBox.
 bool isRotation(const Mat3& R);

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "core/base/translate.h"
 #include "core/json/text_file.h"
 #include "core/scene/read.h"
 #include "core/scene/write.h"
@@ -32,11 +34,11 @@ class Descriptor {
 };
 
 std::string reason() {
-  return std::generic_category().message(errno) + ".";
+  return std::generic_category().message(errno);
 }
 
-Problems problem(const std::string& path, const std::string& sentence) {
-  return {{sentence, {path, 0, 0, ""}}};
+Problems problem(const std::string& path, Sentence sentence) {
+  return {{std::move(sentence), {path, 0, 0, ""}}};
 }
 
 bool writeAll(const Descriptor& file, std::string_view text) {
@@ -58,7 +60,7 @@ std::string withoutLinks(const std::string& path) {
 }  // namespace
 
 Result<Description> readSceneFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, "a scene");
+  const Result<std::string> text = json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a scene")));
   if (!text) return text.problems();
   return readScene(text.value(), path);
 }
@@ -68,13 +70,17 @@ Problems writeSceneFile(const Description& scene, const std::string& path, const
   const std::string part = target + "." + std::to_string(::getpid()) + ".part";
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return problem(path, "This is a folder; a scene needs a file name.");
+  if (exists && S_ISDIR(old.st_mode))
+    return problem(path, said(QT_TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));
   Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) return problem(path, "The scene cannot be saved: " + reason());
+  if (file.get() < 0)
+    return problem(path, said(QT_TRANSLATE_NOOP("problem", "The scene cannot be saved: %1."), {reason()}));
   if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777U);
   if (!writeAll(file, writeScene(scene, teaching)) || ::fsync(file.get()) != 0 || !file.close() ||
       std::rename(part.c_str(), target.c_str()) != 0) {
-    const Problems problems = problem(path, "The scene cannot be saved, what was there is untouched: " + reason());
+    const Problems problems = problem(
+        path,
+        said(QT_TRANSLATE_NOOP("problem", "The scene cannot be saved, what was there is untouched: %1."), {reason()}));
     ::unlink(part.c_str());
     return problems;
   }

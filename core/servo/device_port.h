@@ -15,7 +15,7 @@ inline constexpr int kSlowest_hz = 100, kFastest_hz = 10'000;
 
 /// What the window says of a device.
 struct DeviceInfo {
-  std::string title;  // "Simulated arm"
+  Sentence title;  // "Simulated arm"
   bool simulated = false;
   bool untested = false;  // never tried on the hardware it is for
   double frozen_s = 0.0;  // a sample the same to the bit for so long is no hand's; 0: it may well be
@@ -50,9 +50,9 @@ class DevicePort {
   virtual Problems reopen() { return {}; }
   /// Why the servo cannot tick at another rate than the one the arm was opened for; empty: it can. The thread that owns
   /// the arm.
-  virtual std::string fixedRate() const { return "This arm keeps the rate that it was opened with."; }
+  virtual Sentence fixedRate() const;
   /// Why it cannot tick at that rate, where fixedRate() leaves a choice that is not free; empty: it can.
-  virtual std::string refusesRate(int /*rate_hz*/) const { return fixedRate(); }
+  virtual Sentence refusesRate(int /*rate_hz*/) const { return fixedRate(); }
   /// From the next read() on that many a second, and its clock goes on without a jump; the servo thread does not run.
   /// Where refusesRate() says nothing against it.
   virtual void setRate(int /*rate_hz*/) {}
@@ -66,7 +66,7 @@ class DevicePort {
   virtual void endDrive() {}
   /// What the arm's side says is wrong, in the user's words and with a way out, where read() gives no sample or no
   /// force goes out; empty: nothing. Any thread; not the tick.
-  virtual std::string trouble() const { return {}; }
+  virtual Sentence trouble() const { return {}; }
   /// What the arm says of itself, a line each, for people and reports; empty: nothing more than info(). The thread that
   /// owns the arm.
   virtual std::vector<std::string> listing() const { return {}; }

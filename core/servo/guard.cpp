@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/program.h"
+#include "core/base/translate.h"
 #endif
 
 namespace underact::servo {
@@ -70,14 +71,14 @@ int spawn(const std::string& program, int line_fd, int life_fd, int device_fd, s
 }  // namespace
 
 std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns, const std::string& program,
-                                    std::string& why) {
+                                    Sentence& why) {
   if (word.fd < 0) {
-    why = "this arm cannot be reached from outside the program";
+    why = said(QT_TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
     return nullptr;
   }
   const std::string path = program.empty() ? helperProgram("underact-guard") : program;
   if (path.empty()) {
-    why = "underact-guard was not found";
+    why = said(QT_TRANSLATE_NOOP("problem", "underact-guard was not found"));
     return nullptr;
   }
   std::unique_ptr<Guard> guard(new Guard);
@@ -119,8 +120,8 @@ Guard::~Guard() {
 
 #else
 
-std::unique_ptr<Guard> Guard::start(const LastWord&, std::int64_t, const std::string&, std::string& why) {
-  why = "there is no guard on this system";
+std::unique_ptr<Guard> Guard::start(const LastWord&, std::int64_t, const std::string&, Sentence& why) {
+  why = said(QT_TRANSLATE_NOOP("problem", "there is no guard on this system"));
   return nullptr;
 }
 

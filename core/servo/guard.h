@@ -17,7 +17,7 @@ class Guard {
   /// Starts it. program: where underact-guard is; empty: beside this program, or in libexec/underact. Null where there
   /// is none, where it does not start, or where the arm has no last word; then why says so.
   static std::unique_ptr<Guard> start(const LastWord& word, std::int64_t limit_ns, const std::string& program,
-                                      std::string& why);
+                                      Sentence& why);
   ~Guard();  // an orderly end: the guard leaves without a word
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;

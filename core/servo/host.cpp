@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/denormals.h"
+#include "core/base/translate.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/servo/driven.h"
@@ -73,9 +74,14 @@ struct Host::Impl {
   bool records() const { return tap && !tap->ended() && !tap->givenUp(); }
   Problems mayTickAt(int rate_hz) const {
     if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
-      return {{"The servo ticks 100 to 10000 times a second, not " + std::to_string(rate_hz) + ".", {}}};
-    if (records()) return {{"A session is recorded at one rate. Stop the recording, then change the rate.", {}}};
-    const std::string why = device->refusesRate(rate_hz);
+      return {{said(QT_TRANSLATE_NOOP("problem", "The servo ticks 100 to 10000 times a second, not %1."),
+                    {std::to_string(rate_hz)}),
+               {}}};
+    if (records())
+      return {{said(QT_TRANSLATE_NOOP("problem",
+                                      "A session is recorded at one rate. Stop the recording, then change the rate.")),
+               {}}};
+    const Sentence why = device->refusesRate(rate_hz);
     return why.empty() ? Problems{} : Problems{{why, {}}};
   }
 
@@ -137,7 +143,7 @@ struct Host::Impl {
   std::unique_ptr<DevicePort> device;
   Loop loop;
   std::unique_ptr<Guard> guard;
-  std::string no_guard;          // why there is none
+  Sentence no_guard;             // why there is none
   std::optional<Thread> thread;  // one of these two ticks
   std::unique_ptr<Driven> driven;
   std::optional<Watchdog> watchdog;
@@ -211,9 +217,13 @@ bool Host::holdToRun() const {
 }
 
 Problems Host::setForceShare(double share) {
-  if (!(share >= 0.0 && share <= 1.0)) return {{"The share of the force is from 0 to 1.", {}}};
+  if (!(share >= 0.0 && share <= 1.0))
+    return {{said(QT_TRANSLATE_NOOP("problem", "The share of the force is from 0 to 1.")), {}}};
   if (share == impl_->force_share) return {};
-  if (impl_->records()) return {{"A session is recorded at one limit of the force. Stop the recording first.", {}}};
+  if (impl_->records())
+    return {{said(QT_TRANSLATE_NOOP("problem",
+                                    "A session is recorded at one limit of the force. Stop the recording first.")),
+             {}}};
   impl_->force_share = share;
   return impl_->revision > 0 ? impl_->put(scene::Description(impl_->scene), Order::Retune) : Problems{};
 }
@@ -320,11 +330,17 @@ int Host::rateHz() const {
 
 Scheduling Host::scheduling() const {
   if (impl_->ticksByItself()) {
-    Scheduling granted = impl_->thread ? impl_->thread->scheduling() : Scheduling{"by the arm's own clock", "", {}};
-    granted.also.push_back(impl_->guard ? "guarded by a process of its own" : "no guard: " + impl_->no_guard);
+    Scheduling granted = impl_->thread
+                             ? impl_->thread->scheduling()
+                             : Scheduling{said(QT_TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
+    granted.also.push_back(impl_->guard ? said(QT_TRANSLATE_NOOP("problem", "guarded by a process of its own"))
+                                        : said(QT_TRANSLATE_NOOP("problem", "no guard: %1"), {impl_->no_guard}));
     return granted;
   }
-  return {impl_->options.clock == Clock::Manual ? "manual" : "not begun", "", {}};
+  return {said(impl_->options.clock == Clock::Manual ? QT_TRANSLATE_NOOP("problem", "manual")
+                                                     : QT_TRANSLATE_NOOP("problem", "not begun")),
+          "",
+          {}};
 }
 
 const SchedulingWanted& Host::schedulingWanted() const {
@@ -339,7 +355,7 @@ DeviceInfo Host::device() const {
   return impl_->device->info();
 }
 
-std::string Host::trouble() const {
+Sentence Host::trouble() const {
   return impl_->device->trouble();
 }
 

@@ -37,7 +37,7 @@ struct FaultReport {
   std::vector<TickRecord> last_second;  // up to and with the tick that found it, oldest first
   scene::Description scene;             // as it was run
   DeviceInfo device;
-  std::string trouble;  // what the arm's side said of it, see DevicePort::trouble()
+  Sentence trouble;  // what the arm's side said of it, see DevicePort::trouble()
   Scheduling scheduling;
   int rate_hz = 0;  // then
   LateTicks late;
@@ -114,7 +114,7 @@ class Host {
   int maxLate() const;
   DeviceInfo device() const;
   /// What the arm's side says is wrong now; empty: nothing.
-  std::string trouble() const;
+  Sentence trouble() const;
 
  private:
   struct Impl;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/translate.h"
 #include "core/servo/platform.h"
 
 // Never run: written after Microsoft's reference, compiled by a test where MinGW is installed. Link with avrt.
@@ -78,14 +79,19 @@ bool runOnCore(int core) noexcept {
 
 Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   Scheduling granted{
-      "normal", "On Windows the servo has never been tried: what it reports of lateness is all that is known.", {}};
+      said(QT_TRANSLATE_NOOP("problem", "normal")),
+      said(QT_TRANSLATE_NOOP(
+          "problem", "On Windows the servo has never been tried: what it reports of lateness is all that is known.")),
+      {}};
   if (wanted.core >= 0) {
-    const std::string core = "core " + std::to_string(wanted.core);
-    granted.also.push_back(runOnCore(wanted.core) ? core : core + " refused");
+    const bool runs = runOnCore(wanted.core);
+    granted.also.push_back(
+        said(runs ? QT_TRANSLATE_NOOP("problem", "core %1") : QT_TRANSLATE_NOOP("problem", "core %1 refused"),
+             {std::to_string(wanted.core)}));
   } else {
-    granted.also.emplace_back("all cores");
+    granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "all cores")));
   }
-  granted.also.emplace_back("memory not locked");
+  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "memory not locked")));
   if (wanted.way != Way::Normal) {
     DWORD task = 0;
     const HANDLE mmcss = AvSetMmThreadCharacteristicsW(L"Pro Audio", &task);  // given back when the thread ends
@@ -93,10 +99,10 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
       AvSetMmThreadPriority(mmcss, AVRT_PRIORITY_CRITICAL);
       granted.name = "MMCSS Pro Audio";
     } else if (SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_TIME_CRITICAL) != 0) {
-      granted.name = "time critical";
+      granted.name = said(QT_TRANSLATE_NOOP("problem", "time critical"));
     }
   }
-  granted.also.emplace_back("untested");
+  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "untested")));
   return granted;
 }
 

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <optional>
 
+#include "core/base/translate.h"
 #include "core/servo/cores.h"
 #include "core/servo/platform.h"
 #include "core/servo/rtkit.h"
@@ -21,9 +22,6 @@ namespace {
 
 constexpr int kPriority = 80;                    // above what a desktop runs, below the kernel's own threads (99)
 constexpr std::size_t kStackBytes = 256 * 1024;  // several times what the deepest tick takes
-
-constexpr const char* kLimits = "a file in /etc/security/limits.d and log in again";
-constexpr const char* kPage = "the guide's page real_time.md tells how.";
 
 /// Where it is granted: FIFO at kPriority, or as near to it as the limit of this login allows. 0: not granted.
 int askForFifo() {
@@ -73,58 +71,68 @@ std::optional<int> isolatedCore() {
 
 enum class Place : std::uint8_t { AllCores, OneCore, IsolatedCore, Refused };
 
-Place takeCore(int wanted, std::vector<std::string>& also) {
+Place takeCore(int wanted, std::vector<Sentence>& also) {
   const std::optional<int> isolated = isolatedCore();
   const int core = wanted >= 0 ? wanted : isolated.value_or(-1);
   if (core < 0) {
-    also.emplace_back("all cores");
+    also.push_back(said(QT_TRANSLATE_NOOP("problem", "all cores")));
     return Place::AllCores;
   }
   if (!runOnCore(core)) {
-    also.push_back("core " + std::to_string(core) + " refused");
+    also.push_back(said(QT_TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
     return wanted >= 0 ? Place::Refused : Place::AllCores;  // an isolated one that is not for us
   }
   if (wanted >= 0) {
-    also.push_back("core " + std::to_string(core));
+    also.push_back(said(QT_TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
     return Place::OneCore;
   }
-  also.push_back("isolated core " + std::to_string(core));
+  also.push_back(said(QT_TRANSLATE_NOOP("problem", "isolated core %1"), {std::to_string(core)}));
   return Place::IsolatedCore;
 }
 
 /// The name of what was granted. priority: that of FIFO, else 0.
-std::string takeWay(Way way, std::vector<std::string>& also, int& priority) {
+Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
   beNormal();
   priority = way == Way::Auto || way == Way::Fifo ? askForFifo() : 0;
   if (priority > 0) return "FIFO " + std::to_string(priority);
   if (way == Way::Auto || way == Way::Rtkit) {
     const RtkitAnswer answer = askRtkit();
     if (answer.priority > 0) return "rtkit " + std::to_string(answer.priority);
-    also.push_back("rtkit: " + answer.refusal);
+    also.push_back(said(QT_TRANSLATE_NOOP("problem", "rtkit: %1"), {answer.refusal}));
   }
-  return "normal";
+  return said(QT_TRANSLATE_NOOP("problem", "normal"));
 }
 
-std::string hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked, Place place) {
-  const std::string limits =
-      std::string("Put \"@users - rtprio 90\" and \"@users - memlock unlimited\" into ") + kLimits;
-  if (place == Place::Refused) return "The core that was asked for is not there, or not for this program.";
+Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked, Place place) {
+  if (place == Place::Refused)
+    return said(QT_TRANSLATE_NOOP("problem", "The core that was asked for is not there, or not for this program."));
   if (granted.name == "normal" && wanted.way == Way::Normal)
-    return "Real time was not asked for, so ticks can come late when the machine is busy.";
+    return said(
+        QT_TRANSLATE_NOOP("problem", "Real time was not asked for, so ticks can come late when the machine is busy."));
   if (granted.name == "normal") {
-    return "The system did not grant real-time scheduling, so ticks can come late when the machine is busy. " + limits +
-           ", or install rtkit; " + kPage;
+    return said(QT_TRANSLATE_NOOP(
+        "problem",
+        "The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put \"@users "
+        "- "
+        "rtprio 90\" and \"@users - memlock unlimited\" into a file in /etc/security/limits.d and log in again, or "
+        "install rtkit; the guide's page real_time.md tells how."));
   }
-  if (priority < kPriority) return "A higher priority would be better still. " + limits + "; " + kPage;
+  if (priority < kPriority) {
+    return said(QT_TRANSLATE_NOOP(
+        "problem",
+        "A higher priority would be better still. Put \"@users - rtprio 90\" and \"@users - memlock unlimited\" into a "
+        "file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
+  }
   if (wanted.lock_memory && !locked) {
-    return std::string(
-               "Parts of the program may leave the memory, and a tick then waits for them. Put \"@users - memlock "
-               "unlimited\" into ") +
-           kLimits + "; " + kPage;
+    return said(QT_TRANSLATE_NOOP(
+        "problem",
+        "Parts of the program may leave the memory, and a tick then waits for them. Put \"@users - memlock unlimited\" "
+        "into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
   }
   if (place == Place::IsolatedCore) return {};
-  return std::string("On a machine that is always busy, a core for the servo alone (isolcpus) is better still; ") +
-         kPage;
+  return said(QT_TRANSLATE_NOOP("problem",
+                                "On a machine that is always busy, a core for the servo alone (isolcpus) is better "
+                                "still; the guide's page real_time.md tells how."));
 }
 
 }  // namespace
@@ -134,11 +142,14 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   int priority = 0;
   const Place place = takeCore(wanted.core, granted.also);
   const bool locked = wanted.lock_memory && lockMemory();
-  granted.also.emplace_back(locked ? "memory locked" : "memory not locked");
+  granted.also.push_back(
+      said(locked ? QT_TRANSLATE_NOOP("problem", "memory locked") : QT_TRANSLATE_NOOP("problem", "memory not locked")));
   // Without real time the kernel puts every wait off by 50 us, so as to wake less often.
-  granted.also.emplace_back(prctl(PR_SET_TIMERSLACK, 1UL) == 0 ? "timer slack 1 ns" : "timer slack as it was");
+  granted.also.push_back(said(prctl(PR_SET_TIMERSLACK, 1UL) == 0
+                                  ? QT_TRANSLATE_NOOP("problem", "timer slack 1 ns")
+                                  : QT_TRANSLATE_NOOP("problem", "timer slack as it was")));
   touchStack();
-  granted.also.emplace_back("stack in memory");
+  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "stack in memory")));
   granted.name = takeWay(wanted.way, granted.also, priority);
   granted.hint = hintFor(granted, wanted, priority, locked, place);
   return granted;

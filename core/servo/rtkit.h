@@ -5,8 +5,8 @@ namespace underact::servo {
 
 /// What rtkit answered.
 struct RtkitAnswer {
-  int priority = 0;     // that the calling thread has from now on (SCHED_RR); 0: none
-  std::string refusal;  // why not, a few words
+  int priority = 0;  // that the calling thread has from now on (SCHED_RR); 0: none
+  Sentence refusal;  // why not, a few words
 };
 
 /// Asks RealtimeKit, over the system's D-Bus (DBUS_SYSTEM_BUS_ADDRESS, where it is set), to make the calling thread

@@ -1,7 +1,8 @@
 #pragma once
 #include <cstdint>
-#include <string>
 #include <vector>
+
+#include "core/base/sentence.h"
 
 namespace underact::servo {
 
@@ -17,9 +18,9 @@ struct SchedulingWanted {
 
 /// What scheduling the system granted the servo thread.
 struct Scheduling {
-  std::string name;               // "FIFO 80", "rtkit 20", "normal", "manual", "not begun": for the status bar
-  std::string hint;               // how to get better; empty: it is as good as it gets
-  std::vector<std::string> also;  // "memory locked", "all cores", "denormals flushed", ...: a phrase each
+  Sentence name;               // "FIFO 80", "rtkit 20", "normal", "manual", "not begun": for the status bar
+  Sentence hint;               // how to get better; empty: it is as good as it gets
+  std::vector<Sentence> also;  // "memory locked", "all cores", "denormals flushed", ...: a phrase each
 };
 
 }  // namespace underact::servo

@@ -7,8 +7,8 @@
 namespace underact::servo {
 namespace {
 
-constexpr std::int64_t kKept_ns = 4'000'000'000;
-constexpr std::int64_t kKeptAtLeast = 16384;
+constexpr std::int64_t kRoom_ns = 4'000'000'000;
+constexpr std::int64_t kRoomAtLeast = 16384;
 constexpr std::size_t kEvents = 1024;  // edits or faults between two visits of the recorder
 
 template <class State>
@@ -20,7 +20,7 @@ void makeRoom(std::vector<State>& states) {
 }  // namespace
 
 Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
-    : records_(static_cast<std::size_t>(std::max(kKeptAtLeast, kKept_ns / std::max<std::int64_t>(period_ns, 1)))),
+    : records_(static_cast<std::size_t>(std::max(kRoomAtLeast, kRoom_ns / std::max<std::int64_t>(period_ns, 1)))),
       changes_(kEvents),
       faults_(kEvents),
       ticks_left_(most_ticks > 0 ? most_ticks : -1) {

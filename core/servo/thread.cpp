@@ -1,6 +1,7 @@
 #include "core/servo/thread.h"
 
 #include "core/base/denormals.h"
+#include "core/base/translate.h"
 #include "core/servo/deadlines.h"
 #include "core/servo/platform.h"
 
@@ -36,7 +37,8 @@ void Thread::run(std::promise<Scheduling> granted) {
   platform::nameThread("underact-servo");
   const FlushDenormals flush;
   Scheduling scheduling = platform::askForRealTime(wanted_, rate_hz_);
-  scheduling.also.emplace_back(FlushDenormals::isKnown() ? "denormals flushed" : "denormals kept");
+  scheduling.also.push_back(said(FlushDenormals::isKnown() ? QT_TRANSLATE_NOOP("problem", "denormals flushed")
+                                                           : QT_TRANSLATE_NOOP("problem", "denormals kept")));
   granted.set_value(std::move(scheduling));
   while (wish_ != Wish::End) {
     tickWhileWished();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/translate.h"
 #include "core/shape/direction.h"
 
 namespace underact::shape {
@@ -9,9 +10,11 @@ namespace underact::shape {
 Result<Cylinder> makeCylinder(const Vec3& p_WC, const Vec3& axis_W, double radius_m, const Place& place) {
   Problems problems;
   const std::optional<Vec3> unit_W = unitOf(axis_W);
-  if (!p_WC.allFinite()) problems.push_back({"The point on the axis is not a finite point.", place});
-  if (!unit_W) problems.push_back({"The axis has no direction.", place});
-  if (!(radius_m > 0.0 && std::isfinite(radius_m))) problems.push_back({"The radius must be above 0.", place});
+  if (!p_WC.allFinite())
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The point on the axis is not a finite point.")), place});
+  if (!unit_W) problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The axis has no direction.")), place});
+  if (!(radius_m > 0.0 && std::isfinite(radius_m)))
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
   if (!problems.empty()) return problems;
   return Cylinder{p_WC, *unit_W, radius_m};
 }

@@ -1,5 +1,6 @@
 #include "core/shape/line.h"
 
+#include "core/base/translate.h"
 #include "core/shape/direction.h"
 
 namespace underact::shape {
@@ -7,8 +8,9 @@ namespace underact::shape {
 Result<Line> makeLine(const Vec3& p_WC, const Vec3& direction_W, const Place& place) {
   Problems problems;
   const std::optional<Vec3> axis_W = unitOf(direction_W);
-  if (!p_WC.allFinite()) problems.push_back({"The point is not a finite point.", place});
-  if (!axis_W) problems.push_back({"The line has no direction.", place});
+  if (!p_WC.allFinite())
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The point is not a finite point.")), place});
+  if (!axis_W) problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The line has no direction.")), place});
   if (!problems.empty()) return problems;
   return Line{p_WC, *axis_W};
 }

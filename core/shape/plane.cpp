@@ -1,5 +1,6 @@
 #include "core/shape/plane.h"
 
+#include "core/base/translate.h"
 #include "core/shape/direction.h"
 
 namespace underact::shape {
@@ -7,8 +8,9 @@ namespace underact::shape {
 Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const Place& place) {
   Problems problems;
   const std::optional<Vec3> unit_W = unitOf(normal_W);
-  if (!p_WC.allFinite()) problems.push_back({"The point is not a finite point.", place});
-  if (!unit_W) problems.push_back({"The normal has no direction.", place});
+  if (!p_WC.allFinite())
+    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The point is not a finite point.")), place});
+  if (!unit_W) problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The normal has no direction.")), place});
   if (!problems.empty()) return problems;
   return Plane{p_WC, *unit_W};
 }

@@ -1,9 +1,12 @@
 #include "core/shape/point.h"
 
+#include "core/base/translate.h"
+
 namespace underact::shape {
 
 Result<Point> makePoint(const Vec3& p_WC, const Place& place) {
-  if (!p_WC.allFinite()) return Problems{{"The position is not a finite point.", place}};
+  if (!p_WC.allFinite())
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The position is not a finite point.")), place}};
   return Point{p_WC};
 }
 

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/sim/hand_script.h"
 
@@ -127,7 +128,8 @@ Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed) {
     }
     names += (names.empty() ? "" : ", ") + std::string(row.hand.name);
   }
-  return Problems{{"There is no hand \"" + std::string(name) + "\". Hands: " + names + "."}};
+  return Problems{
+      {said(QT_TRANSLATE_NOOP("problem", "There is no hand \"%1\". Hands: %2."), {std::string(name), names})}};
 }
 
 }  // namespace underact::sim

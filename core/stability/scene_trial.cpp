@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/lab/loop.h"
 #include "core/scene/compile.h"
@@ -55,7 +56,8 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
   for (int tick = ticksIn(kRamps_s + kSettling * swing_s, wall); tick-- > 0;) {
     const tick::TickReport& report = loop.tick(program, state);
     if (tick == 0 && (report.held.size() != 1 || report.held[0].status != target::Status::Unique))
-      return Problems{{"From there no single target is nearest, so nothing says where to begin. Begin elsewhere."}};
+      return Problems{{said(QT_TRANSLATE_NOOP(
+          "problem", "From there no single target is nearest, so nothing says where to begin. Begin elsewhere."))}};
   }
   return loop.arm().p_WT;
 }
@@ -139,7 +141,8 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
   const Result<SceneTrial> soft = tryOne(wall, one.value(), kLeast_N_per_m);
   if (!soft) return soft.problems();
   if (!soft.value().holds)
-    return Problems{{"Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."}};
+    return Problems{{said(QT_TRANSLATE_NOOP(
+        "problem", "Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."))}};
   if (soft.value().trial.behaviour == Behaviour::Grows) return 0.0;
   Problems problems;
   const auto is_calm = [&](double K) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/translate.h"
 #include "device/hands/space_mouse.h"
 #include "device/hands/usual.h"
 
@@ -62,10 +63,11 @@ bool Controllers::begin() {
   if (works_) return true;
   const char* why = nullptr;
   ::glfwGetError(&why);
-  trouble_ =
-      "Game controllers cannot be read here (" + (why == nullptr ? std::string("no reason given") : textOf(why)) +
-      "). Mouse, keyboard and 3D mice work all the same. Controllers need a screen with X11, or a Wayland desktop "
-      "with Xwayland.";
+  trouble_ = said(
+      QT_TRANSLATE_NOOP("problem",
+                        "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice work all the same. "
+                        "Controllers need a screen with X11, or a Wayland desktop with Xwayland."),
+      {why == nullptr ? said(QT_TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
   return false;
 }
 

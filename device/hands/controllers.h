@@ -10,12 +10,12 @@ class Controllers final : public Port {
   Controllers() = default;
   ~Controllers() override;
   std::vector<Seen> look() override;
-  std::string trouble() const override { return trouble_; }
+  Sentence trouble() const override { return trouble_; }
 
  private:
   bool begin();
   bool has_begun_ = false, works_ = false;
-  std::string trouble_;
+  Sentence trouble_;
 };
 
 }  // namespace underact::device::hands

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "device/catalogue.h"
 #include "device/hands/motion.h"
 
@@ -11,14 +12,14 @@ enum class Kind : std::uint8_t { Controller, Joystick, SpaceMouse };
 
 /// A hand's device that is plugged in.
 struct Seen {
-  std::string id;    // the same whenever it is plugged in
-  std::string name;  // "Xbox Controller"
+  std::string id;  // the same whenever it is plugged in
+  Sentence name;   // "Xbox Controller"
   Kind kind = Kind::Joystick;
   Readings readings;
-  std::vector<std::string> axis_names, button_names;  // "left stick, right"; shorter than there are: numbers do
-  std::vector<Source> pairs;                          // of buttons and triggers that belong together
-  Map usual;                                          // what it does until somebody says otherwise
-  std::vector<Missing> missing;                       // empty: it can be read
+  std::vector<Sentence> axis_names, button_names;  // "left stick, right"; shorter than there are: numbers do
+  std::vector<Source> pairs;                       // of buttons and triggers that belong together
+  Map usual;                                       // what it does until somebody says otherwise
+  std::vector<Missing> missing;                    // empty: it can be read
 };
 
 /// All hands' devices of one kind that a computer has.
@@ -28,7 +29,7 @@ class Port {
   /// What is there now and what it says; never waits. The window's thread.
   virtual std::vector<Seen> look() = 0;
   /// Why there is nothing of this kind here, and what works all the same; empty: nothing is wrong.
-  virtual std::string trouble() const { return {}; }
+  virtual Sentence trouble() const { return {}; }
 };
 
 /// Gives those of the same id others: "ID", "ID-2", ...

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/servo/clock.h"
 #include "device/hands/usual.h"
 
@@ -19,9 +20,9 @@ Seen describeNode(const HidNode& node, const SpaceMouseModel& model) {
   Seen seen;
   // Two of one model are told apart by their serial number, where they have one.
   seen.id = "3d-" + std::string(model.name) + (node.serial.empty() ? "" : "-" + node.serial);
-  seen.name = model.name;
+  seen.name = spaceMouseName(model);
   seen.kind = Kind::SpaceMouse;
-  seen.button_names.assign(model.buttons.begin(), model.buttons.end());
+  seen.button_names = buttonNames(model);
   describeSpaceMouse(seen, escButton(model));
   return seen;
 }
@@ -100,7 +101,8 @@ void SpaceMice::open(Mouse& mouse) {
   mouse.readings.buttons =
       mouse.model->buttons.empty() ? kMostButtons / 4 : static_cast<int>(mouse.model->buttons.size());
   if (!bus_.mayOpen(mouse.node)) {
-    mouse.missing = {{"You may not read " + mouse.node.path + ".", udevCommand(mouse.node)}};
+    mouse.missing = {
+        {said(QT_TRANSLATE_NOOP("problem", "You may not read %1."), {mouse.node.path}), udevCommand(mouse.node)}};
     return;
   }
   Result<std::unique_ptr<HidPipe>> pipe = bus_.open(mouse.node);

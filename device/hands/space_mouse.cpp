@@ -6,11 +6,13 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/translate.h"
+
 namespace underact::device::hands {
 namespace {
 
 // Bits of report 3: PySpaceMouse, devices.toml (bytes from 1, eight bits each).
-constexpr std::array kTwo{"left", "right"};
+constexpr std::array kTwo{QT_TRANSLATE_NOOP("problem", "left"), QT_TRANSLATE_NOOP("problem", "right")};
 constexpr std::array kPro{"Menu", "Fit", "Top", "",  "Right", "Front", "",      "",     "Roll",
                           "",     "",    "",    "1", "2",     "3",     "4",     "",     "",
                           "",     "",    "",    "",  "Esc",   "Alt",   "Shift", "Ctrl", "Rotation"};
@@ -40,10 +42,10 @@ constexpr std::array kModels{
     SpaceMouseModel{kLogitech, 0xC628, "SpaceNavigator for Notebooks", kTwo},
     SpaceMouseModel{kLogitech, 0xC629, "SpacePilot Pro", kPilotPro},
     SpaceMouseModel{kLogitech, 0xC62B, "SpaceMouse Pro", kPro},
-    SpaceMouseModel{k3dconnexion, 0xC62E, "SpaceMouse Wireless (cable)", kTwo},
-    SpaceMouseModel{k3dconnexion, 0xC62F, "SpaceMouse Wireless (receiver)", kTwo},
-    SpaceMouseModel{k3dconnexion, 0xC631, "SpaceMouse Pro Wireless (cable)", kPro},
-    SpaceMouseModel{k3dconnexion, 0xC632, "SpaceMouse Pro Wireless (receiver)", kPro},
+    SpaceMouseModel{k3dconnexion, 0xC62E, QT_TRANSLATE_NOOP("problem", "SpaceMouse Wireless (cable)"), kTwo},
+    SpaceMouseModel{k3dconnexion, 0xC62F, QT_TRANSLATE_NOOP("problem", "SpaceMouse Wireless (receiver)"), kTwo},
+    SpaceMouseModel{k3dconnexion, 0xC631, QT_TRANSLATE_NOOP("problem", "SpaceMouse Pro Wireless (cable)"), kPro},
+    SpaceMouseModel{k3dconnexion, 0xC632, QT_TRANSLATE_NOOP("problem", "SpaceMouse Pro Wireless (receiver)"), kPro},
     SpaceMouseModel{k3dconnexion, 0xC633, "SpaceMouse Enterprise", kEnterprise},
     SpaceMouseModel{k3dconnexion, 0xC635, "SpaceMouse Compact", kTwo},
     SpaceMouseModel{k3dconnexion, 0xC636, "SpaceMouse Module", {}},
@@ -88,6 +90,20 @@ const SpaceMouseModel* findSpaceMouse(std::uint16_t vendor, std::uint16_t produc
     return model.vendor == vendor && model.product == product;
   });
   return found == kModels.end() ? nullptr : &*found;
+}
+
+// A product's name is the same in every language, unless it says how the mouse is connected.
+Sentence spaceMouseName(const SpaceMouseModel& model) {
+  const std::string_view name(model.name);
+  return name.ends_with("(cable)") || name.ends_with("(receiver)") ? said(model.name) : Sentence(model.name);
+}
+
+// Words where nothing is printed on the buttons.
+std::vector<Sentence> buttonNames(const SpaceMouseModel& model) {
+  std::vector<Sentence> names(model.buttons.begin(), model.buttons.end());
+  if (model.buttons.data() == kTwo.data())
+    std::transform(names.begin(), names.end(), names.begin(), [](const Sentence& name) { return said(name); });
+  return names;
 }
 
 bool isSpaceMouse(const HidNode& node) {

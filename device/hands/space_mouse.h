@@ -2,7 +2,9 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "core/base/sentence.h"
 #include "device/hands/motion.h"
 #include "device/wooden/hid_bus.h"
 
@@ -18,6 +20,10 @@ struct SpaceMouseModel {
 std::span<const SpaceMouseModel> spaceMouseModels();
 /// Or null.
 const SpaceMouseModel* findSpaceMouse(std::uint16_t vendor, std::uint16_t product);
+
+/// As a window shows them.
+Sentence spaceMouseName(const SpaceMouseModel& model);
+std::vector<Sentence> buttonNames(const SpaceMouseModel& model);
 
 /// Whether a HID device is the part of a known 3D mouse that says how it is moved: page 1, usage 8; or may be, as long
 /// as nobody may open it. A receiver has others.

@@ -1,5 +1,7 @@
 #include "device/hands/usual.h"
 
+#include "core/base/translate.h"
+
 namespace underact::device::hands {
 namespace {
 
@@ -34,11 +36,25 @@ void set(Map& made, Way way, Source source, bool inverted = false) {
 
 // Axes and buttons of a gamepad: GLFW 3.3, input guide, "Gamepad axes" and "Gamepad buttons". Down is positive.
 void describeController(Seen& seen) {
-  seen.axis_names = {"left stick, right", "left stick, down", "right stick, right",
-                     "right stick, down", "left trigger",     "right trigger"};
-  seen.button_names = {"A",         "B",        "X",       "Y",          "left bumper", "right bumper",
-                       "Back",      "Start",    "Guide",   "left stick", "right stick", "pad up",
-                       "pad right", "pad down", "pad left"};
+  seen.axis_names = {
+      said(QT_TRANSLATE_NOOP("problem", "left stick, right")),  said(QT_TRANSLATE_NOOP("problem", "left stick, down")),
+      said(QT_TRANSLATE_NOOP("problem", "right stick, right")), said(QT_TRANSLATE_NOOP("problem", "right stick, down")),
+      said(QT_TRANSLATE_NOOP("problem", "left trigger")),       said(QT_TRANSLATE_NOOP("problem", "right trigger"))};
+  seen.button_names = {"A",
+                       "B",
+                       "X",
+                       "Y",
+                       said(QT_TRANSLATE_NOOP("problem", "left bumper")),
+                       said(QT_TRANSLATE_NOOP("problem", "right bumper")),
+                       "Back",
+                       "Start",
+                       "Guide",
+                       said(QT_TRANSLATE_NOOP("problem", "left stick")),
+                       said(QT_TRANSLATE_NOOP("problem", "right stick")),
+                       said(QT_TRANSLATE_NOOP("problem", "pad up")),
+                       said(QT_TRANSLATE_NOOP("problem", "pad right")),
+                       said(QT_TRANSLATE_NOOP("problem", "pad down")),
+                       said(QT_TRANSLATE_NOOP("problem", "pad left"))};
   const Source triggers{SourceKind::Triggers, 5, 4}, bumpers{SourceKind::Buttons, 4, 5};
   seen.pairs = {triggers, bumpers, {SourceKind::Buttons, 11, 13}, {SourceKind::Buttons, 12, 14}};
   seen.usual = nothing(kStickZone);
@@ -68,7 +84,10 @@ void describeJoystick(Seen& seen, int hats) {
 // HID: x to the right, y towards the person, z down (facts on devices, 3.3), so W's y is -z and W's z is y, of turns,
 // too.
 void describeSpaceMouse(Seen& seen, int stop) {
-  seen.axis_names = {"right", "towards you", "down", "tilt back", "tilt right", "twist right"};
+  seen.axis_names = {
+      said(QT_TRANSLATE_NOOP("problem", "right")),      said(QT_TRANSLATE_NOOP("problem", "towards you")),
+      said(QT_TRANSLATE_NOOP("problem", "down")),       said(QT_TRANSLATE_NOOP("problem", "tilt back")),
+      said(QT_TRANSLATE_NOOP("problem", "tilt right")), said(QT_TRANSLATE_NOOP("problem", "twist right"))};
   seen.usual = nothing(kCapZone);
   set(seen.usual, Way::Right, axis(0));
   set(seen.usual, Way::Near, axis(1));

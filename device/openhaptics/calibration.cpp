@@ -1,5 +1,7 @@
 #include "device/openhaptics/calibration.h"
 
+#include "core/base/translate.h"
+
 namespace underact::device::openhaptics {
 namespace {
 
@@ -31,18 +33,21 @@ void Calibration::look(const Calls& hd, bool pressed) noexcept {
   }
 }
 
-std::string calibrationSentence(std::uint32_t status, std::uint32_t style) {
+Sentence calibrationSentence(std::uint32_t status, std::uint32_t style) {
   if (status == kCalibrated) return {};
   if (status == kCalibrationNeedsHand && style == kInkwell)
-    return "The arm is not calibrated, so it gives no force. Put the stylus into the inkwell.";
+    return said(QT_TRANSLATE_NOOP("problem",
+                                  "The arm is not calibrated, so it gives no force. Put the stylus into the inkwell."));
   if (status == kCalibrationNeedsHand && style == kEncoderReset) {
-    return "The arm is not calibrated, so it gives no force. Hold it in its reset position, as the vendor's manual "
-           "shows, "
-           "and press the stylus button nearer to the tip.";
+    return said(QT_TRANSLATE_NOOP("problem",
+                                  "The arm is not calibrated, so it gives no force. Hold it in its reset position, as "
+                                  "the vendor's manual shows, and press the stylus button nearer to the tip."));
   }
   if (status == kCalibrationNeedsHand || status == kCalibrationNeedsUpdate)
-    return "The arm is not calibrated, so it gives no force. Move the stylus about slowly until it is.";
-  return "The arm does not say whether it is calibrated, so it gives no force. Run the vendor's setup.";
+    return said(QT_TRANSLATE_NOOP(
+        "problem", "The arm is not calibrated, so it gives no force. Move the stylus about slowly until it is."));
+  return said(QT_TRANSLATE_NOOP(
+      "problem", "The arm does not say whether it is calibrated, so it gives no force. Run the vendor's setup."));
 }
 
 }  // namespace underact::device::openhaptics

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <string>
 
+#include "core/base/sentence.h"
 #include "device/openhaptics/abi.h"
 
 namespace underact::device::openhaptics {
@@ -28,6 +28,6 @@ class Calibration {
 };
 
 /// What a person has to do; empty where it is done.
-std::string calibrationSentence(std::uint32_t status, std::uint32_t style);
+Sentence calibrationSentence(std::uint32_t status, std::uint32_t style);
 
 }  // namespace underact::device::openhaptics

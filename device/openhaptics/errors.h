@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <string>
 
+#include "core/base/sentence.h"
 #include "device/openhaptics/abi.h"
 
 namespace underact::device::openhaptics {
@@ -28,6 +28,6 @@ struct Drained {
 Drained drain(const Calls& hd) noexcept;
 
 /// What happened and what to do, for a person.
-std::string sentenceOf(std::uint32_t code);
+Sentence sentenceOf(std::uint32_t code);
 
 }  // namespace underact::device::openhaptics

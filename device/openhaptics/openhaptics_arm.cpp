@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/servo/clock.h"
 #include "device/openhaptics/library.h"
 #include "device/openhaptics/look.h"
@@ -19,11 +20,13 @@ constexpr double kFrozen_s = 0.5;  // encoder steps are 0.05 mm: no hand is so s
 constexpr std::int64_t kSilence_ns = 500'000'000;
 constexpr std::uint32_t kAlreadyOpen = 0x301;
 constexpr const char* kStandsStill =
-    "The clock of the arm's driver stands still: it has not called for half a second. Restart the servo; if that does "
-    "not help, end the program.";
+    QT_TRANSLATE_NOOP("problem",
+                      "The clock of the arm's driver stands still: it has not called for half a second. Restart the "
+                      "servo; if that does not help, end the program.");
 constexpr const char* kHangs =
-    "A call of the arm's driver has not come back, and the force may still be on. Switch the arm off, end the program "
-    "and start it again.";
+    QT_TRANSLATE_NOOP("problem",
+                      "A call of the arm's driver has not come back, and the force may still be on. Switch the arm "
+                      "off, end the program and start it again.");
 
 /// Frames that hang in the driver: they may come back, and find what they touch.
 void keepForGood(std::unique_ptr<Frames> frames) {
@@ -39,10 +42,10 @@ void keepNumbersPlain() {
   if (locale == nullptr || std::strcmp(locale, "C") != 0) std::setlocale(LC_NUMERIC, "C");
 }
 
-std::string joined(const Problems& problems) {
-  std::string text;
-  for (const Problem& problem : problems) text += (text.empty() ? "" : " ") + problem.sentence;
-  return text;
+Sentence joined(const Problems& problems) {
+  std::vector<Sentence> sentences;
+  for (const Problem& problem : problems) sentences.push_back(problem.sentence);
+  return oneAfterAnother(sentences);
 }
 
 }  // namespace
@@ -65,7 +68,7 @@ OpenHapticsArm::~OpenHapticsArm() {
 }
 
 Problems OpenHapticsArm::connect() {
-  if (hangs_) return {{kHangs, {}}};
+  if (hangs_) return {{said(kHangs), {}}};
   keepNumbersPlain();
   pointToSettings();
   Problems problems = initialise();
@@ -106,11 +109,14 @@ Problems OpenHapticsArm::initialise() {
     if (device != kNoHandle) hd_.hdDisableDevice(device);
   }
   if (device_ == kNoHandle) {
-    const std::string named = options_.address.empty() ? "" : " under the name \"" + options_.address + "\"";
     const char* const words = worst != 0 ? hd_.hdGetErrorString(worst) : nullptr;
-    const std::string said = words != nullptr ? std::string(" Its driver says: ") + words + "." : "";
-    return {{"No arm could be opened" + named + ". " +
-                 (worst != 0 ? sentenceOf(worst) : "Its driver gives no reason.") + said,
+    return {{oneAfterAnother(
+                 {options_.address.empty()
+                      ? said(QT_TRANSLATE_NOOP("problem", "No arm could be opened."))
+                      : said(QT_TRANSLATE_NOOP("problem", "No arm could be opened under the name \"%1\"."),
+                             {options_.address}),
+                  worst != 0 ? sentenceOf(worst) : said(QT_TRANSLATE_NOOP("problem", "Its driver gives no reason.")),
+                  words != nullptr ? said(QT_TRANSLATE_NOOP("problem", "Its driver says: %1."), {words}) : Sentence()}),
              {}}};
   }
   hd_.hdMakeCurrentDevice(device_);
@@ -119,13 +125,15 @@ Problems OpenHapticsArm::initialise() {
   const Drained drained = drain(hd_);
   if (is_on && drained.worst == Severity::None) return {};
   disconnect();
-  return {{"The arm's force cannot be switched on." + (drained.code != 0 ? " " + sentenceOf(drained.code) : ""), {}}};
+  return {{oneAfterAnother({said(QT_TRANSLATE_NOOP("problem", "The arm's force cannot be switched on.")),
+                            sentenceOf(drained.code)}),
+           {}}};
 }
 
 Problems OpenHapticsArm::awaitFirstFrame() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
   while (frames_->capabilities() == nullptr && !frames_->standing().stopped()) {
-    if (std::chrono::steady_clock::now() > end) return {{kStandsStill, {}}};
+    if (std::chrono::steady_clock::now() > end) return {{said(kStandsStill), {}}};
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   if (frames_->standing().stopped()) return {{frames_->standing().sentence(0, options_.arm.name), {}}};
@@ -176,14 +184,14 @@ Problems OpenHapticsArm::reopen() {
   return problems;
 }
 
-std::string OpenHapticsArm::fixedRate() const {
+Sentence OpenHapticsArm::fixedRate() const {
   const std::vector<int> rates = Scheduler::theOne().rates();
   if (Scheduler::theOne().users() > 1) return refusesRate(0);
   if (rates.size() > 1) return {};
-  return "The arm's driver has one rate alone, " + std::to_string(rate_hz_) + " Hz.";
+  return said(QT_TRANSLATE_NOOP("problem", "The arm's driver has one rate alone, %1 Hz."), {std::to_string(rate_hz_)});
 }
 
-std::string OpenHapticsArm::refusesRate(int rate_hz) const {
+Sentence OpenHapticsArm::refusesRate(int rate_hz) const {
   return Scheduler::theOne().refuses(rate_hz);
 }
 
@@ -205,19 +213,19 @@ void OpenHapticsArm::endDrive() {
   frames_->attach(nullptr);
 }
 
-std::string OpenHapticsArm::trouble() const {
+Sentence OpenHapticsArm::trouble() const {
   const std::scoped_lock lock(mutex_);
   if (!trouble_.empty()) return trouble_;
   const std::int64_t now_ns = servo::monotonicNow_ns();
-  const std::string sentence = frames_->standing().sentence(now_ns, options_.arm.name);
-  return sentence.empty() && now_ns - frames_->began_ns() > kSilence_ns ? kStandsStill : sentence;
+  const Sentence sentence = frames_->standing().sentence(now_ns, options_.arm.name);
+  return sentence.empty() && now_ns - frames_->began_ns() > kSilence_ns ? said(kStandsStill) : sentence;
 }
 
 servo::DeviceInfo OpenHapticsArm::info() const {
   const std::scoped_lock lock(mutex_);
   std::string title = capabilities_.model.value_or("");
   if (title.empty()) title = "Touch, Omni";
-  return {title + " (vendor's driver)", false, true, kFrozen_s};
+  return {said(QT_TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s};
 }
 
 std::vector<std::string> OpenHapticsArm::listing() const {

@@ -30,12 +30,12 @@ class OpenHapticsArm final : public servo::DevicePort {
   /// Heeded by the next frame. Where the driver's clock stands still, there is nothing in this process that could.
   void cut() noexcept UNDERACT_REAL_TIME override;
   Problems reopen() override;
-  std::string fixedRate() const override;
-  std::string refusesRate(int rate_hz) const override;
+  Sentence fixedRate() const override;
+  Sentence refusesRate(int rate_hz) const override;
   void setRate(int rate_hz) override;
   bool drive(servo::Ticks& ticks, int rate_hz) override;
   void endDrive() override;
-  std::string trouble() const override;
+  Sentence trouble() const override;
   servo::DeviceInfo info() const override;
   std::vector<std::string> listing() const override;
   /// Force errors since it was made.
@@ -59,7 +59,7 @@ class OpenHapticsArm final : public servo::DevicePort {
   int rate_hz_;
 
   mutable std::mutex mutex_;  // of what follows; never in the tick
-  std::string trouble_;
+  Sentence trouble_;
   Capabilities capabilities_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/base/translate.h"
 #include "device/openhaptics/errors.h"
 
 namespace underact::device::openhaptics {
@@ -17,6 +18,10 @@ bool takes(const Calls& hd, int rate_hz) {
   (void)drain(hd);
   hd.hdSetSchedulerRate(static_cast<unsigned long>(rate_hz));
   return drain(hd).worst == Severity::None;
+}
+
+Sentence notTaken(int rate_hz) {
+  return said(QT_TRANSLATE_NOOP("problem", "The arm's driver did not take the rate %1 Hz."), {std::to_string(rate_hz)});
 }
 
 Problems wentWrong(const Drained& drained) {
@@ -39,10 +44,9 @@ Scheduler& Scheduler::theOne() {
 Result<Scheduled> Scheduler::join(const Calls& hd, int rate_hz, Callback callback, void* self) {
   const std::scoped_lock lock(mutex());
   if (users_ == 0) tryRates(hd);
-  const std::string refused = users_ > 0 ? refusesBeside(rate_hz) : refusesLocked(rate_hz);
+  const Sentence refused = users_ > 0 ? refusesBeside(rate_hz) : refusesLocked(rate_hz);
   if (!refused.empty()) return Problems{{refused, {}}};
-  if (users_ == 0 && !takes(hd, rate_hz))
-    return Problems{{"The arm's driver did not take the rate " + std::to_string(rate_hz) + " Hz.", {}}};
+  if (users_ == 0 && !takes(hd, rate_hz)) return Problems{{notTaken(rate_hz), {}}};
   const Scheduled scheduled = hd.hdScheduleAsynchronous(callback, self, kMaxPriority);
   Problems problems = wentWrong(drain(hd));
   if (!problems.empty()) return problems;
@@ -69,14 +73,14 @@ void Scheduler::leave(const Calls& hd, Scheduled scheduled) {
 Problems Scheduler::setRate(const Calls& hd, int rate_hz) {
   const std::scoped_lock lock(mutex());
   if (rate_hz == rate_hz_) return {};
-  const std::string refused = refusesLocked(rate_hz);
+  const Sentence refused = refusesLocked(rate_hz);
   if (!refused.empty()) return {{refused, {}}};
   hd.hdStopScheduler();
   const bool taken = takes(hd, rate_hz);
   if (!taken) (void)takes(hd, rate_hz_);
   Problems problems = start(hd);
   if (taken) rate_hz_ = rate_hz;
-  if (!taken) problems.push_back({"The arm's driver did not take the rate " + std::to_string(rate_hz) + " Hz.", {}});
+  if (!taken) problems.push_back({notTaken(rate_hz), {}});
   return problems;
 }
 
@@ -95,24 +99,29 @@ std::vector<int> Scheduler::rates() const {
   return rates_;
 }
 
-std::string Scheduler::refuses(int rate_hz) const {
+Sentence Scheduler::refuses(int rate_hz) const {
   const std::scoped_lock lock(mutex());
-  return rate_hz == rate_hz_ && users_ > 0 ? "" : refusesLocked(rate_hz);
+  return rate_hz == rate_hz_ && users_ > 0 ? Sentence() : refusesLocked(rate_hz);
 }
 
-std::string Scheduler::refusesLocked(int rate_hz) const {
+Sentence Scheduler::refusesLocked(int rate_hz) const {
   if (users_ > 1) return refusesBeside(rate_hz);
   if (std::find(rates_.begin(), rates_.end(), rate_hz) != rates_.end()) return {};
-  if (rates_.empty()) return "The arm's driver takes no rate at all. Restart the servo.";
+  if (rates_.empty())
+    return said(QT_TRANSLATE_NOOP("problem", "The arm's driver takes no rate at all. Restart the servo."));
   std::string list;
   for (const int rate : rates_) list += (list.empty() ? "" : ", ") + std::to_string(rate);
-  return "The arm's driver ticks at " + list + " Hz, not at " + std::to_string(rate_hz) + ". Choose one of these.";
+  return said(QT_TRANSLATE_NOOP("problem", "The arm's driver ticks at %1 Hz, not at %2. Choose one of these."),
+              {list, std::to_string(rate_hz)});
 }
 
-std::string Scheduler::refusesBeside(int rate_hz) const {
+Sentence Scheduler::refusesBeside(int rate_hz) const {
   if (rate_hz == rate_hz_) return {};
-  return "Another arm ticks by the same driver at " + std::to_string(rate_hz_) +
-         " Hz, and there is one clock for both. Close one of them first.";
+  return said(
+      QT_TRANSLATE_NOOP(
+          "problem",
+          "Another arm ticks by the same driver at %1 Hz, and there is one clock for both. Close one of them first."),
+      {std::to_string(rate_hz_)});
 }
 
 void Scheduler::tryRates(const Calls& hd) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -27,11 +26,11 @@ class Scheduler {
   /// Those of kTriedRates_hz that the driver took; known once somebody has joined.
   std::vector<int> rates() const;
   /// Why it cannot tick so many times a second; empty: it can.
-  std::string refuses(int rate_hz) const;
+  Sentence refuses(int rate_hz) const;
 
  private:
-  std::string refusesLocked(int rate_hz) const;
-  std::string refusesBeside(int rate_hz) const;  // where there is another arm
+  Sentence refusesLocked(int rate_hz) const;
+  Sentence refusesBeside(int rate_hz) const;  // where there is another arm
   void tryRates(const Calls& hd);
 
   int users_ = 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/translate.h"
 #include "device/openhaptics/calibration.h"
 #include "device/openhaptics/errors.h"
 
@@ -13,11 +14,10 @@ constexpr std::int64_t kShown_ns = 2'000'000'000;  // long enough to be read
 constexpr int kManyPeriods = 20;                   // as many as the gate bears
 constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm is some 0.1 mm off its own model
 
-template <class... Values>
-std::string written(const char* format, Values... values) {
+Sentence millimetres(double length_m) {
   std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
+  std::snprintf(text.data(), text.size(), "%.0f", 1e3 * length_m);
+  return shownNumber(text.data());
 }
 
 }  // namespace
@@ -57,29 +57,30 @@ void Standing::withoutSample(int periods, std::uint32_t code) noexcept {
   sample_code_.store(code, std::memory_order_relaxed);
 }
 
-std::string Standing::sentence(std::int64_t now_ns, const std::string& arm) const {
+Sentence Standing::sentence(std::int64_t now_ns, const std::string& arm) const {
   if (const std::uint32_t code = stop_.load(std::memory_order_acquire)) return sentenceOf(code);
   const std::uint64_t calibration = calibration_.load(std::memory_order_relaxed);
   const auto status = static_cast<std::uint32_t>(calibration), style = static_cast<std::uint32_t>(calibration >> 32);
   if (status != kCalibrated) return calibrationSentence(status, style);
   if (without_sample_.load(std::memory_order_relaxed) >= kManyPeriods) return sentenceOf(sample_code_);
   if (docked_.load(std::memory_order_relaxed))
-    return "The stylus is in the inkwell, so the arm gives no force. Take it out.";
+    return said(QT_TRANSLATE_NOOP("problem", "The stylus is in the inkwell, so the arm gives no force. Take it out."));
   const double off_m = off_m_.load(std::memory_order_relaxed);
   if (wrong_.load(std::memory_order_relaxed)) {
-    return written(
-        "The arm says that its tip is %.0f mm from where the arm \"%s\" of the scene has it, so it gets no "
-        "force: the force would point elsewhere. Choose the arm that it is.",
-        1e3 * off_m, arm.c_str());
+    return said(QT_TRANSLATE_NOOP("problem",
+                                  "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it, "
+                                  "so it gets no force: the force would point elsewhere. Choose the arm that it is."),
+                {millimetres(off_m), arm});
   }
   const std::int64_t at_ns = force_error_ns_.load(std::memory_order_relaxed);
   if (at_ns != 0 && now_ns - at_ns < kShown_ns)
-    return sentenceOf(force_code_) + written(" %lld times so far.", static_cast<long long>(forceErrors()));
+    return oneAfterAnother({sentenceOf(force_code_),
+                            said(QT_TRANSLATE_NOOP("problem", "%1 times so far."), {std::to_string(forceErrors())})});
   if (off_m > kWorthAWord_m) {
-    return written(
-        "The arm says that its tip is %.0f mm from where the arm \"%s\" of the scene has it. Choose the arm "
-        "that it is, or shapes are felt elsewhere than they are shown.",
-        1e3 * off_m, arm.c_str());
+    return said(QT_TRANSLATE_NOOP("problem",
+                                  "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it. "
+                                  "Choose the arm that it is, or shapes are felt elsewhere than they are shown."),
+                {millimetres(off_m), arm});
   }
   return {};
 }

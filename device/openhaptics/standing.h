@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/sentence.h"
+
 namespace underact::device::openhaptics {
 
 /// What keeps the force at zero, or spoils it, told by the arm's clock to whoever asks.
@@ -24,7 +26,7 @@ class Standing {
   bool stopped() const noexcept { return stop_.load(std::memory_order_acquire) != 0; }
   std::int64_t forceErrors() const noexcept { return force_errors_.load(std::memory_order_relaxed); }
   /// The worst of it in a sentence; empty: nothing. arm: the model's name.
-  std::string sentence(std::int64_t now_ns, const std::string& arm) const;
+  Sentence sentence(std::int64_t now_ns, const std::string& arm) const;
 
  private:
   std::atomic<std::uint32_t> stop_{0};

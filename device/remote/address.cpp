@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/base/translate.h"
+
 namespace underact::device::remote {
 namespace {
 
@@ -18,9 +20,10 @@ bool isOfIpv6(char c) {
 }
 
 Problems wrong(std::string_view text) {
-  return {{"\"" + std::string(text) +
-               "\" is no address of a shared arm. It is HOST:PORT or HOST, as in 192.168.1.20:7878, arm-pc or "
-               "[fe80::1]:7878.",
+  return {{said(QT_TRANSLATE_NOOP("problem",
+                                  "\"%1\" is no address of a shared arm. It is HOST:PORT or HOST, as in "
+                                  "192.168.1.20:7878, arm-pc or [fe80::1]:7878."),
+                {std::string(text)}),
            {}}};
 }
 

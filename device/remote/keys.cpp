@@ -13,6 +13,8 @@
 #include <optional>
 #include <sstream>
 
+#include "core/base/translate.h"
+
 namespace underact::device::remote {
 namespace {
 
@@ -23,7 +25,7 @@ constexpr const char* kKeyFile = "arm_key";
 constexpr const char* kClientsFile = "arm_clients";
 constexpr const char* kHostsFile = "arm_hosts";
 
-Problems problem(std::string sentence, const fs::path& file) {
+Problems problem(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
 }
 
@@ -45,7 +47,8 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& file) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     lines.push_back(line);
   }
-  if (!stream.is_open() || stream.bad()) return problem("The file of keys cannot be read.", file);
+  if (!stream.is_open() || stream.bad())
+    return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), file);
   return std::optional(std::move(lines));
 }
 
@@ -60,7 +63,8 @@ Problems writeFile(const fs::path& file, const std::string& text) {
   if (fd >= 0) is_well = ::close(fd) == 0 && is_well;
   if (is_well && ::rename(part.c_str(), file.c_str()) == 0) return {};
   ::unlink(part.c_str());
-  return problem(std::string("The file of keys cannot be written: ") + std::strerror(errno) + ".", file);
+  return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(errno)}),
+                 file);
 }
 
 /// The words of a line: first and second; the rest is for people.
@@ -72,11 +76,11 @@ std::pair<std::string, std::string> wordsOf(const std::string& line) {
 }
 
 Problems noKey(const std::string& text) {
-  return {
-      {"\"" + text.substr(0, kKeyCharacters + 1) +
-           "\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" prints it. Put it in single "
-           "quotes, since some of them mean something to a shell.",
-       {}}};
+  return {{said(QT_TRANSLATE_NOOP("problem",
+                                  "\"%1\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" "
+                                  "prints it. Put it in single quotes, since some of them mean something to a shell."),
+                {text.substr(0, kKeyCharacters + 1)}),
+           {}}};
 }
 
 }  // namespace
@@ -94,7 +98,10 @@ KeyFolder::KeyFolder() : folder_(usersFolder()) {}
 Result<KeyPair> KeyFolder::makeNew() const {
   std::array<char, kKeyCharacters + 1> public_key{}, secret_key{};
   if (zmq_curve_keypair(public_key.data(), secret_key.data()) != 0)
-    return Problems{{"The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.", {}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP(
+             "problem", "The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.")),
+         {}}};
   const KeyPair pair{public_key.data(), secret_key.data()};
   const Problems problems = writeFile(folder_ / kKeyFile, pair.public_key + "\n" + pair.secret_key + "\n");
   if (!problems.empty()) return problems;
@@ -113,11 +120,16 @@ Result<KeyPair> KeyFolder::own() const {
   if (!lines.value()) return makeNew();
   const std::vector<std::string>& text = *lines.value();
   if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
-    return problem("This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.", file);
+    return problem(
+        said(QT_TRANSLATE_NOOP(
+            "problem", "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
+        file);
   struct stat status {};
   if (::stat(file.c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
-    return problem("Others may read your secret key. Say chmod 600 '" + file.string() +
-                       "' and, if somebody may have done so, underact-cli share-arm --new-key.",
+    return problem(said(QT_TRANSLATE_NOOP("problem",
+                                          "Others may read your secret key. Say chmod 600 '%1' and, if somebody may "
+                                          "have done so, underact-cli share-arm --new-key."),
+                        {file.string()}),
                    file);
   return KeyPair{text[0], text[1]};
 }
@@ -136,7 +148,8 @@ Result<std::vector<std::string>> KeyFolder::clients() const {
     if (isKey(key)) {
       keys.push_back(key);
     } else {
-      problems.push_back({"A line begins with a key of 40 characters.", {file.string(), number}});
+      problems.push_back(
+          {said(QT_TRANSLATE_NOOP("problem", "A line begins with a key of 40 characters.")), {file.string(), number}});
     }
   }
   if (!problems.empty()) return problems;
@@ -163,7 +176,8 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
   for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
     const auto [host, key] = wordsOf(line);
     if (host != address.text()) continue;
-    if (!isKey(key)) return problem("The key of " + host + " in this file is none.", file);
+    if (!isKey(key))
+      return problem(said(QT_TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
     return key;
   }
   if (!address.isThisMachine()) return std::string();

@@ -9,6 +9,7 @@
 
 #include "core/arm/preset.h"
 #include "core/arm/sample.h"
+#include "core/base/sentence.h"
 
 namespace underact::device::remote {
 
@@ -68,7 +69,7 @@ enum class About : std::uint8_t {
 };
 struct Words {
   About about = About::Refusal;
-  std::string text;
+  Sentence text;
 };
 
 /// "I go."

@@ -4,12 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/servo/clock.h"
 
 namespace underact::device::remote {
 namespace {
 
-Problems problem(std::string sentence) {
+Problems problem(Sentence sentence) {
   return {{std::move(sentence), {}}};
 }
 
@@ -17,19 +18,23 @@ Problems whyNot(LineState state, const Address& address) {
   const std::string where = address.text();
   switch (state) {
     case LineState::NotAllowed:
-      return problem(
-          armAt(address) +
-          " is not shared with you: your key is not known there. Here, \"underact-cli share-arm --show-key\" "
-          "prints the line to run there.");
+      return problem(said(QT_TRANSLATE_NOOP("problem",
+                                            "The arm at %1 is not shared with you: your key is not known there. Here, "
+                                            "\"underact-cli share-arm --show-key\" prints the line to run there."),
+                          {where}));
     case LineState::NotTheOne:
     case LineState::Gone:
-      return problem("What answers at " + where +
-                     " is not the arm whose key is known here. If it was given a new key, run the line that "
-                     "\"underact-cli share-arm\" prints there; if it was not, somebody else answers in its place.");
+      return problem(
+          said(QT_TRANSLATE_NOOP(
+                   "problem",
+                   "What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line "
+                   "that \"underact-cli share-arm\" prints there; if it was not, somebody else answers in its place."),
+               {where}));
     default:
-      return problem("No arm is shared at " + where +
-                     ". Is that computer on, does \"underact-cli share-arm\" run there, and is it listening for others "
-                     "(--listen)?");
+      return problem(said(QT_TRANSLATE_NOOP("problem",
+                                            "No arm is shared at %1. Is that computer on, does \"underact-cli "
+                                            "share-arm\" run there, and is it listening for others (--listen)?"),
+                          {where}));
   }
 }
 
@@ -41,9 +46,11 @@ std::optional<Message> nextOf(Wire& wire, int time_ms) {
       std::optional<Message> message = readMessage(bytes);
       if (message) return message;
       if (const std::optional<int> version = versionOf(bytes); version && *version != kVersion)
-        return Words{About::Refusal, "It is shared with version " + std::to_string(*version) +
-                                         " of the protocol, and this program speaks " + std::to_string(kVersion) +
-                                         ". Install the same release of Underact at both ends."};
+        return Words{About::Refusal,
+                     said(QT_TRANSLATE_NOOP("problem",
+                                            "It is shared with version %1 of the protocol, and this program speaks %2. "
+                                            "Install the same release of Underact at both ends."),
+                          {std::to_string(*version), std::to_string(kVersion)})};
     }
   }
   return {};
@@ -51,8 +58,8 @@ std::optional<Message> nextOf(Wire& wire, int time_ms) {
 
 }  // namespace
 
-std::string armAt(const Address& address) {
-  return "The arm at " + address.text();
+Sentence ofArmAt(const Address& address, const Sentence& words) {
+  return said(QT_TRANSLATE_NOOP("problem", "The arm at %1: %2"), {address.text(), words});
 }
 
 Result<std::unique_ptr<Wire>> reached(const Reach& reach, int time_ms) {
@@ -75,11 +82,14 @@ Result<Welcome> welcomed(Wire& wire, const Hello& hello, const Address& address,
     if (const Welcome* const welcome = std::get_if<Welcome>(&*message)) return *welcome;
     if (const Words* const words = std::get_if<Words>(&*message); words != nullptr && words->about != About::Trouble) {
       is_busy = words->about == About::InUse;
-      return problem(armAt(address) + ": " + words->text);
+      return problem(ofArmAt(address, words->text));
     }
   }
-  return problem(armAt(address) +
-                 " does not answer, although its computer does. Start \"underact-cli share-arm\" anew there.");
+  return problem(said(
+      QT_TRANSLATE_NOOP(
+          "problem",
+          "The arm at %1 does not answer, although its computer does. Start \"underact-cli share-arm\" anew there."),
+      {address.text()}));
 }
 
 Result<Reach> reachOf(const Address& address, const KeyFolder& folder) {
@@ -88,9 +98,10 @@ Result<Reach> reachOf(const Address& address, const KeyFolder& folder) {
   Result<std::string> key = folder.keyOf(address);
   if (!key) return key.problems();
   if (key.value().empty())
-    return problem("The key of the arm at " + address.text() +
-                   " is not known here. \"underact-cli share-arm\" prints, at the arm's computer, the line to run here "
-                   "once.");
+    return problem(said(QT_TRANSLATE_NOOP("problem",
+                                          "The key of the arm at %1 is not known here. \"underact-cli share-arm\" "
+                                          "prints, at the arm's computer, the line to run here once."),
+                        {address.text()}));
   return Reach{address, key.value(), own.value()};
 }
 

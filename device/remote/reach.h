@@ -31,7 +31,7 @@ Result<Welcome> welcomed(Wire& wire, const Hello& hello, const Address& address,
 /// What is shared there; opens nothing. Problems: as above.
 Result<Welcome> askWhat(const Reach& reach, int time_ms);
 
-/// "The arm at HOST:PORT", as sentences begin.
-std::string armAt(const Address& address);
+/// What was said of the arm there; what its own side said stays as it came.
+Sentence ofArmAt(const Address& address, const Sentence& words);
 
 }  // namespace underact::device::remote

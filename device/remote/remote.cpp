@@ -1,5 +1,6 @@
 #include "device/remote/remote.h"
 
+#include "core/base/translate.h"
 #include "device/remote/reach.h"
 #include "device/remote/remote_arm.h"
 
@@ -27,8 +28,10 @@ std::vector<Found> lookRow() {
   if (!reach) return {};
   const Result<Welcome> welcome = askWhat(reach.value(), kLook_ms);
   if (!welcome) return {};
-  const std::string without = welcome.value().allows_force ? "" : ", without force";
-  return {{welcome.value().title + ", shared at this computer" + without, here.text(), {}}};
+  const char* const title = welcome.value().allows_force
+                                ? QT_TRANSLATE_NOOP("problem", "%1, shared at this computer")
+                                : QT_TRANSLATE_NOOP("problem", "%1, shared at this computer, without force");
+  return {{said(title, {welcome.value().title}), here.text(), {}}};
 }
 
 }  // namespace underact::device::remote

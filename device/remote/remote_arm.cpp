@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "core/base/translate.h"
 #include "core/servo/platform.h"
 
 namespace underact::device::remote {
@@ -39,8 +40,8 @@ Problems RemoteArm::connect() {
   Result<Welcome> welcome = ask(*wire.value());
   if (!welcome) return welcome.problems();
   if (welcome.value().rate_hz != rate_hz_)
-    return {{armAt(reach_.address) + " ticks at " + std::to_string(welcome.value().rate_hz) + " Hz and not at " +
-                 std::to_string(rate_hz_) + " Hz.",
+    return {{said(QT_TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz and not at %3 Hz."),
+                  {reach_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
              {}}};
   wire_ = std::move(wire).value();
   {
@@ -92,7 +93,7 @@ Problems RemoteArm::reopen() {
   return problems;
 }
 
-void RemoteArm::lose(std::string sentence) {
+void RemoteArm::lose(Sentence sentence) {
   {
     const std::scoped_lock lock(words_mutex_);
     if (loss_.empty()) loss_ = std::move(sentence);
@@ -114,11 +115,15 @@ void RemoteArm::run() {
     const bool is_broken = wire_->state() != LineState::Connected;
     if (is_broken) hear();  // why, if it was said
     if (is_broken)
-      lose("The line to the arm at " + reach_.address.text() +
-           " broke. Look after the network and the sharing program at its computer, then press Restart.");
+      lose(said(QT_TRANSLATE_NOOP("problem",
+                                  "The line to the arm at %1 broke. Look after the network and the sharing program at "
+                                  "its computer, then press Restart."),
+                {reach_.address.text()}));
     else if (now_ns - came_ns_ > kLost_ns)
-      lose("Nothing comes from the arm at " + reach_.address.text() +
-           " any more. Look after the network and the sharing program at its computer, then press Restart.");
+      lose(said(QT_TRANSLATE_NOOP("problem",
+                                  "Nothing comes from the arm at %1 any more. Look after the network and the sharing "
+                                  "program at its computer, then press Restart."),
+                {reach_.address.text()}));
   }
   if (is_lost_) wire_.reset();  // whatever comes late is nobody's
 }
@@ -148,7 +153,7 @@ void RemoteArm::hear() {
 }
 
 void RemoteArm::hear(const Words& words) {
-  if (words.about != About::Trouble) return lose(armAt(reach_.address) + ": " + words.text);
+  if (words.about != About::Trouble) return lose(ofArmAt(reach_.address, words.text));
   const std::scoped_lock lock(words_mutex_);
   trouble_ = words.text;
 }
@@ -218,18 +223,23 @@ void RemoteArm::cut() noexcept {
   wrote_.ring();
 }
 
-std::string RemoteArm::fixedRate() const {
-  return armAt(reach_.address) +
-         " keeps the rate that it was opened with. Choose the simulated arm, then the rate, and open it again.";
+Sentence RemoteArm::fixedRate() const {
+  return said(QT_TRANSLATE_NOOP("problem",
+                                "The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then "
+                                "the rate, and open it again."),
+              {reach_.address.text()});
 }
 
-std::string RemoteArm::trouble() const {
+Sentence RemoteArm::trouble() const {
   const std::scoped_lock lock(words_mutex_);
   if (!loss_.empty()) return loss_;
-  if (!trouble_.empty()) return armAt(reach_.address) + ": " + trouble_;
+  if (!trouble_.empty()) return ofArmAt(reach_.address, trouble_);
   if (missed_ >= kSilentReads)
-    return "Nothing comes from the arm at " + reach_.address.text() +
-           ". Look after the network and the sharing program at its computer.";
+    return said(
+        QT_TRANSLATE_NOOP(
+            "problem",
+            "Nothing comes from the arm at %1. Look after the network and the sharing program at its computer."),
+        {reach_.address.text()});
   return {};
 }
 
@@ -242,8 +252,9 @@ std::vector<std::string> RemoteArm::listing() const {
 
 servo::DeviceInfo RemoteArm::info() const {
   const std::scoped_lock lock(words_mutex_);
-  const std::string without = welcome_.allows_force ? "" : ", without force";
-  return {welcome_.title + " at " + reach_.address.text() + without, false, true, welcome_.frozen_s};
+  const char* const title = welcome_.allows_force ? QT_TRANSLATE_NOOP("problem", "%1 at %2")
+                                                  : QT_TRANSLATE_NOOP("problem", "%1 at %2, without force");
+  return {said(title, {welcome_.title, reach_.address.text()}), false, true, welcome_.frozen_s};
 }
 
 }  // namespace underact::device::remote

@@ -32,8 +32,8 @@ class RemoteArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   Problems reopen() override;
-  std::string fixedRate() const override;
-  std::string trouble() const override;
+  Sentence fixedRate() const override;
+  Sentence trouble() const override;
   std::vector<std::string> listing() const override;
   servo::DeviceInfo info() const override;
 
@@ -53,7 +53,7 @@ class RemoteArm final : public servo::DevicePort {
   void hear();
   void hear(const Words& words);
   void speak(std::int64_t now_ns);
-  void lose(std::string sentence);
+  void lose(Sentence sentence);
   std::int64_t staleAfter_ns() const noexcept;
 
   const Reach reach_;
@@ -67,7 +67,7 @@ class RemoteArm final : public servo::DevicePort {
   std::uint32_t line_ = 0;
   mutable std::mutex words_mutex_;  // never the tick's
   Welcome welcome_;
-  std::string loss_;     // why the line is lost; empty: it is not
+  Sentence loss_;        // why the line is lost; empty: it is not
   std::string trouble_;  // of the arm there
   // Between threads.
   servo::Slot<Taken> taken_;

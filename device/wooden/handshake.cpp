@@ -3,12 +3,14 @@
 #include <array>
 #include <utility>
 
+#include "core/base/translate.h"
+
 namespace underact::device {
 namespace {
 
 constexpr int kAsks = 30, kAsk_ms = 30;
 
-Problems problem(std::string sentence) {
+Problems problem(Sentence sentence) {
   return {{std::move(sentence), {}}};
 }
 
@@ -20,10 +22,14 @@ Result<HidNode> find(const std::vector<HidNode>& nodes, const std::string& which
       return node;
     others += (others.empty() ? "" : ", ") + (node.serial.empty() ? node.path : node.serial);
   }
-  const std::string wanted = which.empty() ? "" : " with the serial number or path \"" + which + "\"";
-  if (others.empty()) return problem("No WoodenHaptics arm" + wanted + " is plugged in.");
-  return problem("No WoodenHaptics arm" + wanted + " is plugged in. What may be one, and is taken by name: " + others +
-                 ".");
+  const Sentence none =
+      which.empty() ? said(QT_TRANSLATE_NOOP("problem", "No WoodenHaptics arm is plugged in."))
+                    : said(QT_TRANSLATE_NOOP(
+                               "problem", "No WoodenHaptics arm with the serial number or path \"%1\" is plugged in."),
+                           {which});
+  if (others.empty()) return problem(none);
+  return problem(oneAfterAnother(
+      {none, said(QT_TRANSLATE_NOOP("problem", "What may be one, and is taken by name: %1."), {others})}));
 }
 
 /// The first report that comes, and the format that its length tells. Zero is said in the shortest form first: it is
@@ -33,7 +39,9 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
   int last_size = 0;
   for (int ask = 0; ask < kAsks; ++ask) {
     const int size = pipe->read(bytes, kAsk_ms);
-    if (size < 0) return problem("The WoodenHaptics arm was unplugged while it was opened. Plug it in again.");
+    if (size < 0)
+      return problem(said(
+          QT_TRANSLATE_NOOP("problem", "The WoodenHaptics arm was unplugged while it was opened. Plug it in again.")));
     const auto format = formatOf(static_cast<std::size_t>(size));
     if (format) {
       const auto first = readWoodenReport(*format, std::span(bytes).first(static_cast<std::size_t>(size)));
@@ -44,10 +52,14 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
     pipe->write(currentsMessage(kTried[static_cast<std::size_t>(ask) % kTried.size()], {}).span());
   }
   if (last_size > 0)
-    return problem(node.path + " sends reports of " + std::to_string(last_size) +
-                   " bytes; those of a WoodenHaptics arm have 8, 14 or 64.");
-  return problem("The WoodenHaptics arm at " + node.path +
-                 " says nothing. Press the reset button of its board, or plug it in anew.");
+    return problem(said(
+        QT_TRANSLATE_NOOP("problem", "%1 sends reports of %2 bytes; those of a WoodenHaptics arm have 8, 14 or 64."),
+        {node.path, std::to_string(last_size)}));
+  return problem(
+      said(QT_TRANSLATE_NOOP(
+               "problem",
+               "The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew."),
+           {node.path}));
 }
 
 }  // namespace
@@ -72,8 +84,10 @@ std::vector<HidNode> woodenNodes(HidBus& bus) {
 
 Result<WoodenLine> shakeHands(HidBus& bus, const WoodenChoice& choice) {
   if (choice.model != nullptr && !choice.model->is_open)
-    return problem(std::string("How the arm \"") + choice.model->title +
-                   "\" moves is not published, so it cannot be used. WoodenHaptics arms can.");
+    return problem(
+        said(QT_TRANSLATE_NOOP(
+                 "problem", "How the arm \"%1\" moves is not published, so it cannot be used. WoodenHaptics arms can."),
+             {choice.model->title}));
   const Result<HidNode> node = find(woodenNodes(bus), choice.which);
   if (!node) return node.problems();
   Result<std::unique_ptr<HidPipe>> pipe = bus.open(node.value());

@@ -7,6 +7,7 @@
 
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
+#include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/servo/platform.h"
 #include "device/wooden/handshake.h"
@@ -63,12 +64,15 @@ Problems WoodenArm::connect() {
   {
     const std::scoped_lock lock(words_mutex_);
     const std::string& serial = line.value().node.serial;
-    title_ = model_->title + (serial.empty() ? std::string() : ", serial " + serial);
+    title_ = serial.empty() ? Sentence(model_->title)
+                            : said(QT_TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial});
     way_home_ = format_.protocol == WoodenProtocol::V1
-                    ? "Unplug it, put it in its home posture (upper arm upright, forearm level, straight ahead), plug "
-                      "it in and press Restart."
-                    : "Put it in its home posture (upper arm upright, forearm level, straight ahead) and press the "
-                      "calibration button of its board.";
+                    ? said(QT_TRANSLATE_NOOP("problem",
+                                             "Unplug it, put it in its home posture (upper arm upright, forearm level, "
+                                             "straight ahead), plug it in and press Restart."))
+                    : said(QT_TRANSLATE_NOOP("problem",
+                                             "Put it in its home posture (upper arm upright, forearm level, straight "
+                                             "ahead) and press the calibration button of its board."));
   }
   ends_ = false;
   calibrates_ = false;
@@ -228,14 +232,19 @@ servo::LastWord WoodenArm::lastWord() const {
           std::string(zero.bytes.begin(), zero.bytes.begin() + static_cast<std::ptrdiff_t>(zero.size))};
 }
 
-std::string WoodenArm::trouble() const {
+Sentence WoodenArm::trouble() const {
   if (loss_ != Loss::None)
-    return "The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart.";
+    return said(QT_TRANSLATE_NOOP(
+        "problem", "The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart."));
   if (isSilent())
-    return "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of its board, or plug it in "
-           "anew, and press Restart.";
+    return said(QT_TRANSLATE_NOOP("problem",
+                                  "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of "
+                                  "its board, or plug it in anew, and press Restart."));
   const std::scoped_lock lock(words_mutex_);
-  if (is_lost_) return "The WoodenHaptics arm does not know its posture, so it does not push. " + way_home_;
+  if (is_lost_)
+    return oneAfterAnother(
+        {said(QT_TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it does not push.")),
+         way_home_});
   return {};
 }
 

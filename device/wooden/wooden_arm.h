@@ -34,10 +34,10 @@ class WoodenArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   Problems reopen() override;
-  std::string fixedRate() const override { return {}; }
+  Sentence fixedRate() const override { return {}; }
   void setRate(int rate_hz) override;
   servo::LastWord lastWord() const override;
-  std::string trouble() const override;
+  Sentence trouble() const override;
   servo::DeviceInfo info() const override;
 
  private:
@@ -77,7 +77,7 @@ class WoodenArm final : public servo::DevicePort {
   bool is_own_ = false;  // the samples are of the arm's own joints
   std::thread reader_, writer_;
   mutable std::mutex words_mutex_;  // never the tick's
-  std::string title_ = "WoodenHaptics", way_home_;
+  Sentence title_ = "WoodenHaptics", way_home_;
   // Between threads.
   servo::Slot<Taken> taken_;
   servo::Slot<Wanted> wanted_;

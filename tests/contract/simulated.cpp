@@ -39,7 +39,7 @@ class Watched final : public servo::DevicePort {
     arm_.cut();
   }
   servo::DeviceInfo info() const override { return arm_.info(); }
-  std::string fixedRate() const override { return arm_.fixedRate(); }
+  Sentence fixedRate() const override { return arm_.fixedRate(); }
   void setRate(int rate_hz) override { arm_.setRate(rate_hz); }
 
  private:

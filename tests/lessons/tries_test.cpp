@@ -160,7 +160,7 @@ TEST(LessonTrial, SettingsThatAreNoneAreRefused) {
   const lesson::Lesson lesson = lesson::readLessonFile(kLessons + "07_stiffness.json").value();
   const auto refused = [&](const std::string& key, const std::string& value) {
     const Result<scene::Description> set = device::withSetting(sceneOf(lesson, 0), {key, value});
-    return set ? std::string() : set.problems().front().sentence;
+    return set ? Sentence() : set.problems().front().sentence;
   };
   EXPECT_EQ(refused("kp_N_per_mm", "0.1"), "");
   EXPECT_EQ(refused("law", "PID"), "");

@@ -12,7 +12,7 @@
 namespace underact::gui::test {
 namespace {
 
-QString said(Story& story, const char* label) {
+QString labelOf(Story& story, const char* label) {
   return story.find<QLabel>(label)->text();
 }
 
@@ -60,7 +60,7 @@ TEST(ExperimentsStory, AmberGoesWhereTheAnswersSay) {
     const double amber = QString(border).toDouble();
     story.type(story.find("panel.gains.kp.x.number"), QString::number(amber + 0.02));
     EXPECT_TRUE(story.find("panel.feel.warning")->isVisible()) << rate_hz;
-    EXPECT_TRUE(said(story, "panel.feel.warning").contains(border)) << rate_hz;
+    EXPECT_TRUE(labelOf(story, "panel.feel.warning").contains(border)) << rate_hz;
     story.type(story.find("panel.gains.kp.x.number"), QString::number(amber - 0.02));
     EXPECT_FALSE(story.find("panel.feel.warning")->isVisible()) << rate_hz;
   }
@@ -101,8 +101,8 @@ TEST(ExperimentsStory, TwoQuarterTurnsOfABookEndApart) {
   for (const auto& [angle, apart] : {std::pair{"90", "120.0°"}, std::pair{"45", "33.7°"}, std::pair{"10", "1.7°"}}) {
     ASSERT_TRUE(story.perform("transform.set", 1, QString("Rx"), QString(angle)));
     ASSERT_TRUE(story.perform("transform.set", 2, QString("Rz"), QString(angle)));
-    EXPECT_TRUE(said(story, "panel.transform.apart").contains(apart))
-        << said(story, "panel.transform.apart").toStdString();
+    EXPECT_TRUE(labelOf(story, "panel.transform.apart").contains(apart))
+        << labelOf(story, "panel.transform.apart").toStdString();
   }
 }
 
@@ -112,8 +112,8 @@ TEST(ExperimentsStory, ASecondSolutionIsWithinTheLimitsWhereJointFourIsTurnedAsi
   for (const auto& [angle_deg, within] : {std::pair{33.0, "1 within"}, std::pair{36.0, "2 within"}}) {
     ASSERT_TRUE(story.perform("joint.set", 4, angle_deg));
     story.run(2000);
-    EXPECT_TRUE(said(story, "panel.kinematics.solutions.status").contains(within))
-        << said(story, "panel.kinematics.solutions.status").toStdString();
+    EXPECT_TRUE(labelOf(story, "panel.kinematics.solutions.status").contains(within))
+        << labelOf(story, "panel.kinematics.solutions.status").toStdString();
   }
 }
 

@@ -29,7 +29,7 @@ class ScriptedPad final : public Port {
     rest();
   }
   std::vector<Seen> look() override { return is_plugged ? std::vector{pad} : std::vector<Seen>{}; }
-  std::string trouble() const override { return its_trouble; }
+  Sentence trouble() const override { return its_trouble; }
   void push(std::size_t axis, double value) { pad.readings.axis[axis] = value; }
   void press(unsigned bits) { pad.readings.pressed = bits; }
   void rest() {

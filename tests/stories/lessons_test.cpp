@@ -27,7 +27,7 @@
 namespace underact::gui::test {
 namespace {
 
-QString said(Story& story, int check) {
+QString saidOf(Story& story, int check) {
   return story.find<QLabel>(QString("panel.lessons.check%1.said").arg(check))->text();
 }
 
@@ -111,10 +111,10 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   steps(story, Qt::Key_Right, 4);
   steps(story, Qt::Key_Left, 4);
   steps(story, Qt::Key_Up, 4);
-  EXPECT_TRUE(said(story, 1).contains("2 of 3 reached")) << said(story, 1).toStdString();
+  EXPECT_TRUE(saidOf(story, 1).contains("2 of 3 reached")) << saidOf(story, 1).toStdString();
   steps(story, Qt::Key_Down, 4);
   steps(story, Qt::Key_PageUp, 4);
-  EXPECT_TRUE(title(story).contains("✓")) << said(story, 1).toStdString();
+  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);  // next
   ASSERT_EQ(title(story), "The same place from B");
   story.run(500);
@@ -122,9 +122,9 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   typeAnswer(story, 1, QString::number(p_mm.z() + 176.0));
   typeAnswer(story, 2, QString::number(p_mm.x()));
   typeAnswer(story, 3, "much");
-  EXPECT_EQ(said(story, 3), "“much” is no number.");
+  EXPECT_EQ(saidOf(story, 3), "“much” is no number.");
   typeAnswer(story, 3, QString::number(p_mm.y() - 30.0));
-  EXPECT_TRUE(title(story).contains("✓")) << said(story, 3).toStdString();
+  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 3).toStdString();
   story.key(Qt::Key_F8);
   story.key(Qt::Key_1, Qt::ControlModifier);  // the view from the front
   story.settle(400);
@@ -132,12 +132,12 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   steps(story, Qt::Key_Up, 4);  // to (0, 40, 40) from (0, 0, 10)
   steps(story, Qt::Key_PageDown, 3);
   story.run(1500);
-  EXPECT_TRUE(title(story).contains("✓")) << said(story, 1).toStdString();
+  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);
   story.key(Qt::Key_F2);
   story.settle(400);  // the camera goes to the front
   for (int turn = 0; turn < 40 && !title(story).contains("✓"); ++turn) steps(story, Qt::Key_Up, 1, Qt::ControlModifier);
-  EXPECT_TRUE(title(story).contains("✓")) << said(story, 1).toStdString();
+  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);
   for (int check = 1; check <= 2; ++check) {
     tabTo(story, QString("panel.lessons.check%1.choice1").arg(check));
@@ -161,13 +161,13 @@ TEST(LessonsStory, AWrongHandIsToldWhatIsMissing) {
   lead(story, {0, 0, 0});
   lead(story, {3, 0, 0});
   EXPECT_FALSE(story.find("panel.lessons.servo")->isVisible());
-  const QString missing = said(story, 1);
+  const QString missing = saidOf(story, 1);
   EXPECT_TRUE(missing.startsWith("○ To do: Held for 0.0 of 1.0 s. The force is 0.1")) << missing.toStdString();
   EXPECT_TRUE(missing.endsWith("it should be between 0.35 N and 0.45 N.")) << missing.toStdString();
   EXPECT_FALSE(title(story).contains("✓"));
   lead(story, {9.3, 0, 0});
   lead(story, {9.3, 0, 0});
-  EXPECT_TRUE(said(story, 1).startsWith("✓ Solved: Held for 1.0 of 1.0 s.")) << said(story, 1).toStdString();
+  EXPECT_TRUE(saidOf(story, 1).startsWith("✓ Solved: Held for 1.0 of 1.0 s.")) << saidOf(story, 1).toStdString();
   EXPECT_TRUE(title(story).contains("✓"));
 }
 
@@ -179,11 +179,11 @@ TEST(LessonsStory, TheGainsThatAStudentSetsCount) {
   story.perform("session.start");
   lead(story, {0, 0, 0});
   lead(story, {8, 0, 0});
-  EXPECT_TRUE(said(story, 1).contains("○"));
+  EXPECT_TRUE(saidOf(story, 1).contains("○"));
   ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.1));
   story.run(3000);
-  EXPECT_TRUE(said(story, 1).contains("✓")) << said(story, 1).toStdString();
-  EXPECT_TRUE(said(story, 2).contains("✓")) << said(story, 2).toStdString();
+  EXPECT_TRUE(saidOf(story, 1).contains("✓")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(saidOf(story, 2).contains("✓")) << saidOf(story, 2).toStdString();
   ASSERT_TRUE(story.perform("lesson.next"));  // nobody is asked what becomes of an exercise's gains
 }
 
@@ -194,7 +194,7 @@ TEST(LessonsStory, AReportSaysWhatWasDoneAndNamesNobodyUnasked) {
   story.run(100);
   EXPECT_FALSE(story.perform("lesson.answer", 2, 8));
   ASSERT_TRUE(story.perform("lesson.answer", 1, 7));
-  EXPECT_TRUE(said(story, 1).contains("7 is not right")) << said(story, 1).toStdString();
+  EXPECT_TRUE(saidOf(story, 1).contains("7 is not right")) << saidOf(story, 1).toStdString();
   ASSERT_TRUE(story.perform("lesson.answer", 1, 8));
   const auto report = [&story] {
     const QString path = temporaryFile("report.html");

@@ -66,8 +66,8 @@ class ArmDouble {
       arm_.lost_ = false;
       return {};
     }
-    std::string fixedRate() const override { return {}; }
-    std::string trouble() const override { return arm_.lost_ ? "The double was unplugged. Plug it in." : ""; }
+    Sentence fixedRate() const override { return {}; }
+    Sentence trouble() const override { return arm_.lost_ ? "The double was unplugged. Plug it in." : ""; }
     servo::DeviceInfo info() const override { return {"Double", false, true, 0.5}; }
 
    private:

@@ -21,7 +21,7 @@ class LooseCable final : public servo::DevicePort {
     if (plugged_in_.load()) return {};
     return {{"No arm answers on the cable.", {}}};
   }
-  std::string fixedRate() const override { return {}; }
+  Sentence fixedRate() const override { return {}; }
   servo::DeviceInfo info() const override { return {"Arm on a loose cable", false, true}; }
 
   device::SimulatedArm& arm() { return arm_; }

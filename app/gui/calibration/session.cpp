@@ -25,7 +25,8 @@ CalibrationSession::CalibrationSession(Document& document, servo::Host& host, QO
 
 Problems CalibrationSession::begin(const CalibrationSetup& setup) {
   cancel();
-  if (document_.isTryingOut()) return Problems{{"Another measurement is at work. End it first."}};
+  if (document_.isTryingOut())
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
   auto beams = calibration::beamsOf(document_.scene());
   if (!beams) return beams.problems();
   beams_ = beams.value();

@@ -31,11 +31,18 @@ device::SimulatedArm* ArmChoice::simulated() const {
 }
 
 Problems ArmChoice::whyNotNow() const {
-  if (chosen_ == nullptr) return Problems{{"This window was opened with one arm alone.", {}}};
+  if (chosen_ == nullptr)
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened with one arm alone.")), {}}};
   if (host_.records())
-    return Problems{{"A session is being recorded, and it is of one arm. Stop the recording, then choose.", {}}};
-  if (document_.showsRecorded()) return Problems{{"A recording is replayed. Close it, then choose.", {}}};
-  if (document_.isTryingOut()) return Problems{{"A measurement is at work on this arm. End it, then choose.", {}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem",
+                                "A session is being recorded, and it is of one arm. Stop the recording, then choose.")),
+         {}}};
+  if (document_.showsRecorded())
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it, then choose.")), {}}};
+  if (document_.isTryingOut())
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "A measurement is at work on this arm. End it, then choose.")), {}}};
   return {};
 }
 

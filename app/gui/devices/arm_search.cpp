@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/words.h"
+
 namespace underact::gui {
 namespace {
 
@@ -13,7 +15,7 @@ bool isSame(const device::Missing& one, const device::Missing& other) {
 }
 
 ArmEntry nobody(const device::Row& row) {
-  return {row.key, ArmSearch::tr("%1: none is plugged in").arg(QString::fromUtf8(row.name)), {}, {}};
+  return {row.key, ArmSearch::tr("%1: none is plugged in").arg(sentenceText(said(row.name))), {}, {}};
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ std::vector<ArmEntry> lookForArms() {
     if (found.empty()) entries.push_back(nobody(row));
     for (const device::Found& one : found) {
       entries.push_back(
-          {row.key, QString::fromStdString(one.title), QString::fromStdString(device::nameOf(row, one)), one.missing});
+          {row.key, sentenceText(one.title), QString::fromStdString(device::nameOf(row, one)), one.missing});
     }
   }
   return entries;

@@ -242,7 +242,7 @@ void DevicesPanel::describe() {
 
 void DevicesPanel::presentArm() {
   const servo::DeviceInfo info = parts_.host.device();
-  const QString title = QString::fromStdString(info.title);
+  const QString title = sentenceText(info.title);
   in_use_->setText(info.untested
                        ? tr("In use: %1. Untested on hardware: begin with a soft scene, and a hand on Stop.").arg(title)
                        : tr("In use: %1.").arg(title));

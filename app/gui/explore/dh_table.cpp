@@ -113,12 +113,12 @@ QString exactText(const DhTable& table, std::size_t row, DhField field) {
 }
 
 Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const QString& text) {
-  if (row >= table.rows.size()) return Problems{{word("There is no such row.").toStdString(), {}}};
+  if (row >= table.rows.size()) return Problems{{said(QT_TRANSLATE_NOOP("problem", "There is no such row."))}};
   DhRow& one = table.rows[row];
   if (field == DhField::Type) {
     const bool slides = text == QObject::tr("prismatic") || text == QLatin1String("prismatic");
     if (!slides && text != QObject::tr("revolute") && text != QLatin1String("revolute"))
-      return Problems{{word("A joint is revolute or prismatic.").toStdString(), {}}};
+      return Problems{{said(QT_TRANSLATE_NOOP("problem", "A joint is revolute or prismatic."))}};
     one.type = slides ? JointType::Prismatic : JointType::Revolute;
     one.min = -kInfinity;  // limits are numbers of the other unit
     one.max = kInfinity;

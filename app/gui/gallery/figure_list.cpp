@@ -59,10 +59,12 @@ Result<FigureList> readFigures(const QString& folder) {
   const QDir dir(folder);
   const QString path = dir.filePath("figures.json");
   const Place place{path.toStdString()};
-  if (!QFile::exists(path)) return Problems{{"The figures are not made yet.", place}};
+  if (!QFile::exists(path))
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The figures are not made yet.")), place}};
   const QJsonDocument document = documentOf(path);
   if (!document.isArray() || document.array().isEmpty())
-    return Problems{{"The list of the figures cannot be read. Make them again.", place}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "The list of the figures cannot be read. Make them again.")), place}};
   FigureList list;
   for (const QJsonValue& value : document.array()) list.rows.push_back(rowOf(value.toObject(), dir));
   const QJsonObject mark = documentOf(dir.filePath(kMark)).object();

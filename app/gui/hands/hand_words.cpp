@@ -74,13 +74,13 @@ QString kindText(Kind kind) {
 QString axisText(const Seen& seen, int axis) {
   if (axis < 0) return tr("nothing");
   const auto index = static_cast<std::size_t>(axis);
-  return index < seen.axis_names.size() ? QString::fromStdString(seen.axis_names[index]) : tr("axis %1").arg(axis + 1);
+  return index < seen.axis_names.size() ? sentenceText(seen.axis_names[index]) : tr("axis %1").arg(axis + 1);
 }
 
 QString buttonText(const Seen& seen, int button) {
   if (button < 0) return tr("nothing");
   const auto index = static_cast<std::size_t>(button);
-  const QString name = index < seen.button_names.size() ? QString::fromStdString(seen.button_names[index]) : QString();
+  const QString name = index < seen.button_names.size() ? sentenceText(seen.button_names[index]) : QString();
   return name.isEmpty() ? tr("button %1").arg(button + 1) : name;
 }
 

@@ -28,7 +28,7 @@ QString stateOf(const HandEntry& entry) {
 }
 
 QString titleOf(const HandEntry& entry) {
-  return QString("%1 – %2").arg(QString::fromStdString(entry.seen.name), stateOf(entry));
+  return QString("%1 – %2").arg(sentenceText(entry.seen.name), stateOf(entry));
 }
 
 void say(QLabel* label, const QString& text) {
@@ -171,7 +171,7 @@ void HandsPanel::setTheme(const Theme& theme) {
 bool HandsPanel::fix() {
   const HandEntry* const entry = hands_.find(current());
   if (entry == nullptr || entry->seen.missing.empty()) return false;
-  (new FixDialog(QString::fromStdString(entry->seen.name), entry->seen.missing, this))->show();
+  (new FixDialog(sentenceText(entry->seen.name), entry->seen.missing, this))->show();
   return true;
 }
 

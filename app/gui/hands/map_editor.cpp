@@ -14,6 +14,7 @@
 #include "app/gui/hands/hand_words.h"
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/value_row.h"
+#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "device/hands/map_file.h"
 
@@ -61,7 +62,7 @@ void MapEditor::rebuild() {
   const HandEntry* const now = entry();
   setVisible(now != nullptr && now->seen.missing.empty());
   if (now == nullptr) return;
-  title_->setText(tr("What moves what: %1").arg(QString::fromStdString(now->seen.name)));
+  title_->setText(tr("What moves what: %1").arg(sentenceText(now->seen.name)));
   ways_[way_]->setChecked(true);
   way_title_->setText(wayTitle(static_cast<Way>(way_)));
   fillSources(*now);

@@ -86,7 +86,7 @@ QString MovingHands::whyAtRest() const {
 QString MovingHands::trouble() const {
   QStringList lines;
   for (const Port* port : ports_) {
-    if (!port->trouble().empty()) lines << QString::fromStdString(port->trouble());
+    if (!port->trouble().empty()) lines << sentenceText(port->trouble());
   }
   for (const auto& [id, problem] : problems_) lines << problem;
   return lines.join('\n');
@@ -180,9 +180,10 @@ void MovingHands::readMap(HandEntry& entry) {
   entry.map = entry.seen.usual;
   const Result<std::optional<Map>> kept = store_.load(entry.seen.id);
   if (!kept) {
-    problems_[id] =
-        tr("The mapping of %1 cannot be read, and it moves as usual. %2")
-            .arg(QString::fromStdString(entry.seen.name), QString::fromStdString(describe(kept.problems()[0])));
+    const Problem& problem = kept.problems()[0];
+    const QString where = QString::fromStdString(describe({{}, problem.place}));
+    problems_[id] = tr("The mapping of %1 cannot be read, and it moves as usual. %2")
+                        .arg(sentenceText(entry.seen.name), where + sentenceText(problem.sentence));
   } else if (kept.value()) {
     entry.map = *kept.value();
   }

@@ -56,12 +56,15 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
 
 /// Empty: it can begin, or go on.
 Problems IdentifyRun::whyNotNow() const {
-  if (!parts_.document.isOpen()) return Problems{{"Open a scene first: it is there again afterwards."}};
+  if (!parts_.document.isOpen())
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first: it is there again afterwards."))}};
   if (parts_.player.isOpen() || parts_.player.isLoading())
-    return Problems{{"A recording is replayed. Close it first."}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it first."))}};
   if (parts_.document.isTryingOut() && !hasOwnScene())
-    return Problems{{"Another measurement is at work. End it first."}};
-  if (parts_.host.holdToRun()) return Problems{{"Hold to run is on, and the hand has to let go. Switch it off first."}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
+  if (parts_.host.holdToRun())
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "Hold to run is on, and the hand has to let go. Switch it off first."))}};
   return {};
 }
 
@@ -233,14 +236,13 @@ void IdentifyRun::setState(State state, const QString& why) {
 
 QString IdentifyRun::stage() const {
   if (state_ == State::Evaluates) return tr("Evaluating");
-  return measurement_ ? QString::fromStdString(titleOf(measurement_->stage())) : QString();
+  return measurement_ ? sentenceText(titleOf(measurement_->stage())) : QString();
 }
 
 QString IdentifyRun::prompt() const {
   if (!measurement_) return {};
-  if (person_)
-    return tr("A simulated hand does it: %1").arg(QString::fromStdString(promptOf(measurement_->stage().hand)));
-  return QString::fromStdString(promptOf(measurement_->stage().hand));
+  if (person_) return tr("A simulated hand does it: %1").arg(sentenceText(promptOf(measurement_->stage().hand)));
+  return sentenceText(promptOf(measurement_->stage().hand));
 }
 
 /// The first recorded stage of the swings along the axis that was recorded last.

@@ -4,6 +4,7 @@
 
 #include "app/gui/identify/pages.h"
 #include "app/gui/wizard_frame.h"
+#include "app/gui/words.h"
 
 namespace underact::gui {
 
@@ -14,7 +15,7 @@ IdentifyWizard::IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, servo::Host& 
   setModal(false);
   setWizardStyle(QWizard::ModernStyle);
   setOption(QWizard::NoBackButtonOnStartPage);
-  const QString device = QString::fromStdString(host.device().title);
+  const QString device = sentenceText(host.device().title);
   auto* place = new PlacePage(host.rateHz(), device, this);
   measure_ = new MeasurePage(run, *place, this);
   found_ = new FoundPage(run, this);

@@ -69,12 +69,12 @@ void FoundPage::initializePage() {
   table_->setRowCount(static_cast<int>(rows.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const identify::ReportRow& one = rows[static_cast<std::size_t>(row)];
-    const QString cells[kColumns] = {fromUtf8(one.quantity),
-                                     fromUtf8(valueText(one)),
-                                     fromUtf8(uncertaintyText(one)),
+    const QString cells[kColumns] = {sentenceText(one.quantity),
+                                     sentenceText(valueText(one)),
+                                     sentenceText(uncertaintyText(one)),
                                      fromUtf8(one.unit),
                                      one.given ? localNumber(*one.given, 'g', 6) : QString(),
-                                     fromUtf8(differenceText(one))};
+                                     sentenceText(differenceText(one))};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       if (column != 0 && column != 3) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -102,7 +103,8 @@ void MeshDialog::buildUnits(QVBoxLayout* column, const mesh_file::Proposal& prop
     column->addWidget(made);
   };
   for (const mesh_file::Unit& unit : proposal.units)
-    button(tr("In %1: %2 long").arg(QString::fromLatin1(unit.name), millimetres(unit.size_mm)), unit.mm_per_unit);
+    button(tr("In %1: %2 long").arg(QCoreApplication::translate("problem", unit.name), millimetres(unit.size_mm)),
+           unit.mm_per_unit);
   button(tr("In millimetres, as it is"), 1.0);
   unit_->button(0)->setChecked(true);  // the likeliest
   connect(unit_, &QButtonGroup::idToggled, this, &MeshDialog::refresh);
@@ -185,7 +187,7 @@ void MeshDialog::refresh() {
                        .arg(facts.corners)
                        .arg(placeText(size_mm).replace(", ", " × ")));
   QStringList sentences;
-  for (const std::string& sentence : mesh_file::reportOf(facts, scale)) sentences << QString::fromStdString(sentence);
+  for (const Sentence& sentence : mesh_file::reportOf(facts, scale)) sentences << sentenceText(sentence);
   report_->setText(sentences.join("\n"));
 }
 

@@ -59,8 +59,7 @@ void FitPage::initializePage() {
                         "this one it is at most %2 mm. More marks, and such that are farther apart, make it smaller.")
                          .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
   QStringList sentences;
-  for (const registration::Warning& warning : warningsOf(touches, fit))
-    sentences << sentenceText(warning.sentence);
+  for (const registration::Warning& warning : warningsOf(touches, fit)) sentences << sentenceText(warning.sentence);
   warnings_->setText(sentences.join('\n'));
   warnings_->setVisible(!sentences.isEmpty());
   table_->setRowCount(static_cast<int>(touches.size()));

@@ -108,13 +108,13 @@ void RegistrationTool::place() {
 }
 
 QString RegistrationTool::title(Which which) const {
-  if (which == Which::First) return QString::fromStdString(parts_.host.device().title);
-  return tr("Second arm: %1").arg(QString::fromStdString(parts_.second.host().device().title));
+  if (which == Which::First) return sentenceText(parts_.host.device().title);
+  return tr("Second arm: %1").arg(sentenceText(parts_.second.host().device().title));
 }
 
 QString RegistrationTool::trouble(Which which) const {
   if (which == Which::Second && !hasSecond()) return {};
-  return QString::fromStdString(which == Which::First ? parts_.host.trouble() : parts_.second.host().trouble());
+  return sentenceText(which == Which::First ? parts_.host.trouble() : parts_.second.host().trouble());
 }
 
 QString RegistrationTool::whyNot() const {
@@ -151,7 +151,7 @@ void RegistrationTool::stopTouching() {
 }
 
 Problems RegistrationTool::accept() {
-  if (!run_.isOn()) return {{"Nothing was touched.", {}}};
+  if (!run_.isOn()) return {{said(QT_TRANSLATE_NOOP("problem", "Nothing was touched.")), {}}};
   const Result<registration::Fit> fit = run_.fit();
   if (!fit) return fit.problems();
   Registration made{keyOf(which_), QDate::currentDate().toString(Qt::ISODate).toStdString(),

@@ -78,14 +78,20 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper 
   const QSizeF page_mm = page.size(QPageSize::Millimeter);
   for (const Vec3& mark_D : marks_D) {
     if (std::abs(registration::upOf(mark_D) - registration::upOf(marks_D.front())) > kFlat_m)
-      return {{"A sheet holds only marks that lie flat: at least one is higher than mark 1.", {}}};
+      return {{said(QT_TRANSLATE_NOOP("problem",
+                                      "A sheet holds only marks that lie flat: at least one is higher than mark 1.")),
+               {}}};
   }
   const QRectF bounds = boundsOf(marks_D);
   if (bounds.width() > page_mm.width() - 4.0 * kRim_mm || bounds.height() > page_mm.height() - 2.5 * kWords_mm)
-    return {{"The marks do not fit on this paper. Put them nearer together, or draw them on the desk by hand.", {}}};
+    return {{said(QT_TRANSLATE_NOOP(
+                 "problem",
+                 "The marks do not fit on this paper. Put them nearer together, or draw them on the desk by hand.")),
+             {}}};
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly))
-    return {{"The sheet cannot be written: " + file.errorString().toStdString() + ".", {path.toStdString()}}};
+    return {{said(QT_TRANSLATE_NOOP("problem", "The sheet cannot be written: %1."), {file.errorString().toStdString()}),
+             {path.toStdString()}}};
   QPdfWriter writer(&file);
   writer.setPageSize(page);
   writer.setPageMargins(QMarginsF());
@@ -97,7 +103,8 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper 
   painter.end();
   file.close();
   if (file.error() != QFileDevice::NoError)
-    return {{"The sheet cannot be written: " + file.errorString().toStdString() + ".", {path.toStdString()}}};
+    return {{said(QT_TRANSLATE_NOOP("problem", "The sheet cannot be written: %1."), {file.errorString().toStdString()}),
+             {path.toStdString()}}};
   return {};
 }
 

@@ -75,7 +75,8 @@ void SecondArm::end() {
 
 Problems SecondArm::choose(const QString& name) {
   if (name != "simulated" && name == first_arms_.name())
-    return Problems{{"That is the first arm. Choose another one here, or there.", {}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "That is the first arm. Choose another one here, or there.")), {}}};
   return arms_->choose(name);
 }
 

@@ -191,7 +191,7 @@ void SecondPanel::present(const servo::Snapshot&) {
   if (!second_.isOn() || !isSeen()) return;
   const servo::Snapshot& snapshot = second_.host().snapshot();
   const servo::DeviceInfo info = second_.host().device();
-  readout_->set(device_, QString::fromStdString(info.title) + (info.untested ? tr(" (untested)") : QString()));
+  readout_->set(device_, sentenceText(info.title) + (info.untested ? tr(" (untested)") : QString()));
   readout_->set(mode_, modeText(snapshot.mode));
   readout_->set(force_, tr("%1 N").arg(numberText(snapshot.report.force.f_T_W().norm(), 2)));
   readout_->set(tip_, placeText(snapshot.report.p_WT * kMillimetrePerMetre));

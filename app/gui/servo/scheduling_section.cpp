@@ -27,8 +27,7 @@ void SchedulingSection::present(const servo::Scheduling& scheduling) {
   const QString also = phrasesOf(scheduling.also);
   if (also_->text() != also) also_->setText(also);
   also_->setVisible(!also.isEmpty());
-  const QString hint =
-      scheduling.hint.empty() ? tr("It is as good as it gets.") : QString::fromStdString(scheduling.hint);
+  const QString hint = scheduling.hint.empty() ? tr("It is as good as it gets.") : sentenceText(scheduling.hint);
   if (hint_->text() != hint) hint_->setText(hint);
 }
 

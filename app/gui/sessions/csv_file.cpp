@@ -11,7 +11,9 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   if (!read) return {.problems = read.problems()};
   const std::string part = out + ".part";
   Result<record::CsvWriter> writer = record::CsvWriter::open(part);
-  if (!writer) return {.problems = {{"The file cannot be made there. Choose another folder.", {out}}}};
+  if (!writer)
+    return {.problems = {
+                {said(QT_TRANSLATE_NOOP("problem", "The file cannot be made there. Choose another folder.")), {out}}}};
   const record::CsvExport exported = record::exportCsv(read.value(), writer.value(), [&state](double share) {
     state.share = share;
     return !state.cancelled;
@@ -25,7 +27,9 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   }
   std::filesystem::rename(part, out, error);
   if (error) {
-    done.problems = {{"The file that stands there cannot be replaced. Choose another name.", {out}}};
+    done.problems = {
+        {said(QT_TRANSLATE_NOOP("problem", "The file that stands there cannot be replaced. Choose another name.")),
+         {out}}};
     std::filesystem::remove(part, error);
   }
   return done;

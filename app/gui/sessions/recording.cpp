@@ -71,7 +71,8 @@ bool Recording::stop(record::EndReason reason) {
   if (!isSame(words_, written_)) {
     const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
     if (!unwritten.empty() && problems.empty())
-      problems.push_back({"What was typed while it recorded is not in the file. Edit the session's words below.", {}});
+      problems.push_back({said(QT_TRANSLATE_NOOP(
+          "problem", "What was typed while it recorded is not in the file. Edit the session's words below."))});
   }
   words_.name.clear();  // they were about this one
   words_.notes.clear();

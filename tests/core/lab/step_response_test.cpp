@@ -142,7 +142,7 @@ TEST(ArmStep, GainsOfJointsAreFeltByTheirLevers) {
 TEST(ArmStep, WhatCannotBeMeasuredIsRefusedInWords) {
   const auto sentence = [](const scene::Description& scene, const StepSetup& setup) {
     const Result<ArmStep> step = measureStep(scene, setup);
-    return step ? std::string() : step.problems().at(0).sentence;
+    return step ? Sentence() : step.problems().at(0).sentence;
   };
   StepSetup setup = smooth(0.1, 4.0);
   const std::string wall = R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 1, 0], "side": "outside"})";

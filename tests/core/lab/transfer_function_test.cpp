@@ -19,7 +19,7 @@ TransferFunction made(std::vector<double> num, std::vector<double> den) {
 
 std::string sentenceOf(std::vector<double> num, std::vector<double> den) {
   const Result<TransferFunction> result = makeTransferFunction(std::move(num), std::move(den));
-  return result ? std::string() : result.problems().at(0).sentence;
+  return result ? Sentence() : result.problems().at(0).sentence;
 }
 
 /// The coefficients of the product of s - root, by real factors, so that no root has to be found for it.

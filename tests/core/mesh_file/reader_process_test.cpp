@@ -39,6 +39,21 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+TEST(ReaderProcess, SaysASentenceWithItsPatternsSoThatTheWindowCanSayItInItsLanguage) {
+  const ScratchFolder folder;
+  const Result<Raw> raw = readFile(folder.write("many.off", "OFF\n8000000000 12 0\n0 0 0\n"));
+  ASSERT_FALSE(raw);
+  const Sentence& sentence = raw.problems()[0].sentence;
+  EXPECT_EQ(sentence.pattern(),
+            "The file is cut short or damaged: it says that it holds %1, and is too short for them.");
+  ASSERT_EQ(sentence.places().size(), 1U);
+  const Sentence& states = sentence.places()[0];
+  EXPECT_EQ(states.pattern(), "%1 and %2");
+  ASSERT_EQ(states.places().size(), 2U);
+  EXPECT_EQ(states.places()[1].pattern(), "%1 faces");
+  EXPECT_EQ(states.places()[1], "12 faces");
+}
+
 TEST(ReaderProcess, ThatCrashesIsASentence) {
   EXPECT_EQ(InPlaceOfTheReader("kill -SEGV $$").problem(), "The file is damaged: its reader broke off (signal 11).");
 }

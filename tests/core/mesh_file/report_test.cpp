@@ -7,7 +7,7 @@
 namespace underact::mesh_file {
 namespace {
 
-using Sentences = std::vector<std::string>;
+using Sentences = std::vector<Sentence>;
 
 Facts closedFacts() {
   Facts facts;

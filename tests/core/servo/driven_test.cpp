@@ -39,8 +39,8 @@ class ClockedPort final : public DevicePort {
   }
   void write(const safety::GatedForce& force) noexcept override { inner_.write(force); }
   void cut() noexcept override { inner_.cut(); }
-  std::string fixedRate() const override { return {}; }
-  std::string refusesRate(int rate_hz) const override { return rate_hz == 300 ? "Not at 300 Hz." : ""; }
+  Sentence fixedRate() const override { return {}; }
+  Sentence refusesRate(int rate_hz) const override { return rate_hz == 300 ? "Not at 300 Hz." : ""; }
   void setRate(int rate_hz) override {
     clock_.rate_set_hz = rate_hz;
     inner_.setRate(rate_hz);

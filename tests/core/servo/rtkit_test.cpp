@@ -130,7 +130,7 @@ TEST_F(RtkitAtItsBorder, ItsRefusalLeavesTheThreadNormalWithAHintAndTheReason) {
       [](Got& into) { into.scheduling = platform::askForRealTime({.way = Way::Rtkit, .lock_memory = false}, 1000); });
   EXPECT_EQ(got.scheduling.name, "normal");
   EXPECT_NE(got.scheduling.hint.find("real_time.md"), std::string::npos) << got.scheduling.hint;
-  const std::vector<std::string>& also = got.scheduling.also;
+  const std::vector<Sentence>& also = got.scheduling.also;
   EXPECT_NE(std::find(also.begin(), also.end(), "rtkit: Too many threads already"), also.end());
 }
 

@@ -41,7 +41,7 @@ class ScriptedPort final : public servo::DevicePort {
   }
   void cut() noexcept override { ++seen_.cuts; }
   servo::DeviceInfo info() const override { return {"Scripted", true, false, frozen_s}; }
-  std::string fixedRate() const override { return takes_rates ? std::string() : DevicePort::fixedRate(); }
+  Sentence fixedRate() const override { return takes_rates ? Sentence() : DevicePort::fixedRate(); }
   void setRate(int rate_hz) override { period_ns = 1'000'000'000 / rate_hz; }
   Problems reopen() override { return opens_again ? opens_again() : Problems{}; }
 

@@ -1,0 +1,11 @@
+#include "core/servo/device_port.h"
+
+#include "core/base/translate.h"
+
+namespace underact::servo {
+
+Sentence DevicePort::fixedRate() const {
+  return said(QT_TRANSLATE_NOOP("problem", "This arm keeps the rate that it was opened with."));
+}
+
+}  // namespace underact::servo
