@@ -2936,6 +2936,2885 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
+    <name>problem</name>
+    <message>
+        <source>Another measurement is at work. End it first.</source>
+        <translation>Eine andere Messung läuft. Beenden Sie diese zuerst.</translation>
+    </message>
+    <message>
+        <source>This window was opened with one arm alone.</source>
+        <translation>Dieses Fenster wurde mit nur einem Arm geöffnet.</translation>
+    </message>
+    <message>
+        <source>A session is being recorded, and it is of one arm. Stop the recording, then choose.</source>
+        <translation>Eine Sitzung wird aufgezeichnet, und sie gehört zu einem Arm. Stoppen Sie die Aufzeichnung und wählen Sie dann.</translation>
+    </message>
+    <message>
+        <source>A recording is replayed. Close it, then choose.</source>
+        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und wählen Sie dann.</translation>
+    </message>
+    <message>
+        <source>A measurement is at work on this arm. End it, then choose.</source>
+        <translation>Auf diesem Arm läuft eine Messung. Beenden Sie sie und wählen Sie dann.</translation>
+    </message>
+    <message>
+        <source>There is no such row.</source>
+        <translation>Diese Zeile gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A joint is revolute or prismatic.</source>
+        <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
+    </message>
+    <message>
+        <source>The figures are not made yet.</source>
+        <translation>Die Abbildungen sind noch nicht gemacht.</translation>
+    </message>
+    <message>
+        <source>The list of the figures cannot be read. Make them again.</source>
+        <translation>Die Liste der Abbildungen kann nicht gelesen werden. Machen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The mapping could not be kept in %1: %2. It holds until the window is closed.</source>
+        <translation>Die Belegung konnte nicht in %1 gespeichert werden: %2. Sie gilt, bis das Fenster geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>Open a scene first: it is there again afterwards.</source>
+        <translation>Öffnen Sie zuerst eine Szene: Danach ist sie wieder da.</translation>
+    </message>
+    <message>
+        <source>A recording is replayed. Close it first.</source>
+        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Hold to run is on, and the hand has to let go. Switch it off first.</source>
+        <translation>„Nur mit Taste“ ist an, und die Hand muss loslassen können. Schalten Sie es zuerst aus.</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Es wurde nichts berührt.</translation>
+    </message>
+    <message>
+        <source>A sheet holds only marks that lie flat: at least one is higher than mark 1.</source>
+        <translation>Auf ein Blatt passen nur Messpunkte, die flach liegen: Mindestens einer liegt höher als Messpunkt 1.</translation>
+    </message>
+    <message>
+        <source>The marks do not fit on this paper. Put them nearer together, or draw them on the desk by hand.</source>
+        <translation>Die Messpunkte passen nicht auf dieses Papier. Rücken Sie sie näher zusammen, oder zeichnen Sie sie von Hand auf den Tisch.</translation>
+    </message>
+    <message>
+        <source>The sheet cannot be written: %1.</source>
+        <translation>Das Blatt kann nicht geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>That is the first arm. Choose another one here, or there.</source>
+        <translation>Das ist der erste Arm. Wählen Sie hier oder dort einen anderen.</translation>
+    </message>
+    <message>
+        <source>The file cannot be made there. Choose another folder.</source>
+        <translation>Die Datei kann dort nicht angelegt werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The file that stands there cannot be replaced. Choose another name.</source>
+        <translation>Die Datei, die dort steht, kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>What was typed while it recorded is not in the file. Edit the session's words below.</source>
+        <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: reading broke off after %1 corners and %2 faces.</source>
+        <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or its faces take more memory than a file of its size should.</source>
+        <translation>Die Datei ist beschädigt, oder ihre Flächen brauchen mehr Speicher als bei einer Datei ihrer Größe zu erwarten.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: OpenMesh could not read it.</source>
+        <translation>Die Datei ist beschädigt: OpenMesh konnte sie nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 is no normal of a face.</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 ist keine Normale einer Fläche.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 does not begin the corners of a face (outer loop).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 beginnt nicht die Ecken einer Fläche (outer loop).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 is no corner of a face (vertex x y z).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke einer Fläche (vertex x y z).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 does not end the three corners of a face (endloop).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 beendet nicht die drei Ecken einer Fläche (endloop).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 does not end a face (endfacet).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 beendet keine Fläche (endfacet).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: it is shorter than its faces.</source>
+        <translation>Die Datei ist beschädigt: Sie ist kürzer als ihre Flächen.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 does not begin a face (facet).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 beginnt keine Fläche (facet).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 is no corner (v x y z).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke (v x y z).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 is no face.</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 ist keine Fläche.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 is the last, and corners or faces are missing.</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 ist die letzte, und Ecken oder Flächen fehlen.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: line %1 is no corner (x y z).</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke (x y z).</translation>
+    </message>
+    <message>
+        <source>The file is damaged: corner %1 of %2 cannot be read.</source>
+        <translation>Die Datei ist beschädigt: Ecke %1 von %2 ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: face %1 of %2 cannot be read.</source>
+        <translation>Die Datei ist beschädigt: Fläche %1 von %2 ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: row %1 of %2 cannot be read.</source>
+        <translation>Die Datei ist beschädigt: Zeile %1 von %2 ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or takes more memory than a file of its size should.</source>
+        <translation>Die Datei ist beschädigt oder braucht mehr Speicher als bei einer Datei ihrer Größe zu erwarten.</translation>
+    </message>
+    <message>
+        <source>This is no finite number.</source>
+        <translation>Dies ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>A length must lie within 1e6 mm (1 km).</source>
+        <translation>Eine Länge darf höchstens 1e6 mm (1 km) betragen.</translation>
+    </message>
+    <message>
+        <source>a row, as in {"alpha_deg": 90, "a_mm": 0, ...}</source>
+        <translation>eine Zeile wie {"alpha_deg": 90, "a_mm": 0, ...}</translation>
+    </message>
+    <message>
+        <source>a row of the DH table</source>
+        <translation>eine Zeile der DH-Tabelle</translation>
+    </message>
+    <message>
+        <source>The joint's least angle must be below its greatest.</source>
+        <translation>Der kleinste Winkel des Gelenks muss unter dem größten liegen.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>Only joint 5 can be limited by its size.</source>
+        <translation>Nur Gelenk 5 kann nach dem Betrag begrenzt werden.</translation>
+    </message>
+    <message>
+        <source>a list of six rows</source>
+        <translation>eine Liste von sechs Zeilen</translation>
+    </message>
+    <message>
+        <source>An arm has six rows; here there are %1.</source>
+        <translation>Ein Arm hat sechs Zeilen; hier sind es %1.</translation>
+    </message>
+    <message>
+        <source>This must be a list of 4 rows.</source>
+        <translation>Dies muss eine Liste von 4 Zeilen sein.</translation>
+    </message>
+    <message>
+        <source>Each row must have 4 numbers.</source>
+        <translation>Jede Zeile muss 4 Zahlen haben.</translation>
+    </message>
+    <message>
+        <source>Each entry must be a number.</source>
+        <translation>Jeder Eintrag muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>This is no rotation.</source>
+        <translation>Dies ist keine Rotationsmatrix.</translation>
+    </message>
+    <message>
+        <source>The last row must be 0, 0, 0, 1.</source>
+        <translation>Die letzte Zeile muss 0, 0, 0, 1 sein.</translation>
+    </message>
+    <message>
+        <source>an object in { }</source>
+        <translation>ein Objekt in { }</translation>
+    </message>
+    <message>
+        <source>what makes an arm a device</source>
+        <translation>was einen Arm zum Gerät macht</translation>
+    </message>
+    <message>
+        <source>This must be above 0.</source>
+        <translation>Dies muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>a list of six numbers</source>
+        <translation>eine Liste von sechs Zahlen</translation>
+    </message>
+    <message>
+        <source>This must be a list of six numbers.</source>
+        <translation>Dies muss eine Liste von sechs Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>This must be a number of at least 1.</source>
+        <translation>Dies muss eine Zahl von mindestens 1 sein.</translation>
+    </message>
+    <message>
+        <source>an arm file</source>
+        <translation>eine Armdatei</translation>
+    </message>
+    <message>
+        <source>This program reads version 1 of arm files.</source>
+        <translation>Dieses Programm liest Version 1 von Armdateien.</translation>
+    </message>
+    <message>
+        <source>an object, as in %1</source>
+        <translation>ein Objekt wie %1</translation>
+    </message>
+    <message>
+        <source>Only an arm shaped as table 3.1 of the thesis can be a device here; without "device" the arm can be used for kinematics.</source>
+        <translation>Nur ein Arm von der Form der Tabelle 3.1 der Thesis kann hier ein Gerät sein; ohne „device“ lässt sich der Arm für die Kinematik benutzen.</translation>
+    </message>
+    <message>
+        <source>an arm</source>
+        <translation>eine Armdatei</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>A calibration needs a scene of two beams: two virtual manipulators, each of one revolute joint with a spring. The scene "Two beams, one softer" is one.</source>
+        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Manipulatoren, jeder mit einem Drehgelenk mit Feder. Die Szene „Zwei Balken, einer weicher“ ist eine solche.</translation>
+    </message>
+    <message>
+        <source>Joint %1: the axis has no direction.</source>
+        <translation>Gelenk %1: Die Achse hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>Joint %1: the point on the axis is not a finite point.</source>
+        <translation>Gelenk %1: Der Punkt auf der Achse ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>Joint %1: the lower limit must not be above the upper one.</source>
+        <translation>Gelenk %1: Die untere Grenze darf nicht über der oberen liegen.</translation>
+    </message>
+    <message>
+        <source>A chain needs at least one joint.</source>
+        <translation>Eine Kette braucht mindestens ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>A chain has at most %1 joints, not %2.</source>
+        <translation>Eine Kette hat höchstens %1 Gelenke, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The home pose's upper left 3 x 3 numbers are no rotation.</source>
+        <translation>Die 3 x 3 Zahlen oben links in der Lage der Grundstellung sind keine Rotationsmatrix.</translation>
+    </message>
+    <message>
+        <source>The home pose's place is not a finite point.</source>
+        <translation>Der Ort in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>A table has a row at least: a chain without a joint moves nothing.</source>
+        <translation>Eine Tabelle hat mindestens eine Zeile: Eine Kette ohne Gelenk bewegt nichts.</translation>
+    </message>
+    <message>
+        <source>A table has %1 rows at most.</source>
+        <translation>Eine Tabelle hat höchstens %1 Zeilen.</translation>
+    </message>
+    <message>
+        <source>%1 of row %2 is an angle from -360 to 360 degrees.</source>
+        <translation>%1 in Zeile %2 ist ein Winkel von -360 bis 360 Grad.</translation>
+    </message>
+    <message>
+        <source>%1 of row %2 is a length from -1000 to 1000 mm: a longer one is beyond the picture.</source>
+        <translation>%1 in Zeile %2 ist eine Länge von -1000 bis 1000 mm: Eine größere reicht aus dem Bild hinaus.</translation>
+    </message>
+    <message>
+        <source>The twist alpha</source>
+        <translation>Die Verwindung alpha</translation>
+    </message>
+    <message>
+        <source>The length a</source>
+        <translation>Die Länge a</translation>
+    </message>
+    <message>
+        <source>The angle theta</source>
+        <translation>Der Winkel theta</translation>
+    </message>
+    <message>
+        <source>The offset d</source>
+        <translation>Der Versatz d</translation>
+    </message>
+    <message>
+        <source>The limits of row %1 leave no room: the least is above the most.</source>
+        <translation>Die Grenzen in Zeile %1 lassen keinen Raum: Die untere liegt über der oberen.</translation>
+    </message>
+    <message>
+        <source>a of row %1 is below 0. It is a distance, measured along x: with x the other way round (180 degrees more in the theta before it and in its own, alpha with the other sign) the same arm has it above 0.</source>
+        <translation>a in Zeile %1 liegt unter 0. Es ist ein Abstand, entlang x gemessen: Mit x andersherum (180 Grad mehr im theta davor und im eigenen, alpha mit dem anderen Vorzeichen) liegt es beim selben Arm über 0.</translation>
+    </message>
+    <message>
+        <source>Joints %1 and %2 slide along the same direction: one of them adds nothing.</source>
+        <translation>Die Gelenke %1 und %2 gleiten in derselben Richtung: Eines davon trägt nichts bei.</translation>
+    </message>
+    <message>
+        <source>Joints %1 and %2 turn about the same axis: one of them adds nothing. A twist or a length is missing between them.</source>
+        <translation>Die Gelenke %1 und %2 drehen sich um dieselbe Achse: Eines davon trägt nichts bei. Zwischen ihnen fehlt eine Verwindung oder eine Länge.</translation>
+    </message>
+    <message>
+        <source>No joint moves the tip: it stands on every axis. A length a, or an offset d beyond a twist, is missing.</source>
+        <translation>Kein Gelenk bewegt die Spitze: Sie liegt auf jeder Achse. Es fehlt eine Länge a oder ein Versatz d nach einer Verwindung.</translation>
+    </message>
+    <message>
+        <source>A curve has at most 1000000 points.</source>
+        <translation>Eine Kurve hat höchstens 1000000 Punkte.</translation>
+    </message>
+    <message>
+        <source>Point %1 of the curve is not a finite point.</source>
+        <translation>Punkt %1 der Kurve ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>Point %1 of the curve is farther out than 1e6 mm; is the scale right?</source>
+        <translation>Punkt %1 der Kurve liegt weiter draußen als 1e6 mm; stimmt der Maßstab?</translation>
+    </message>
+    <message>
+        <source>A closed curve needs at least 3 different points.</source>
+        <translation>Eine geschlossene Kurve braucht mindestens 3 verschiedene Punkte.</translation>
+    </message>
+    <message>
+        <source>A curve needs at least 2 different points.</source>
+        <translation>Eine Kurve braucht mindestens 2 verschiedene Punkte.</translation>
+    </message>
+    <message>
+        <source>The guide's t must be between 0 and 1.</source>
+        <translation>Das t der Führung muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The guide's speed must be between -2000 and 2000 mm/s.</source>
+        <translation>Das Tempo der Führung muss zwischen -2000 und 2000 mm/s liegen.</translation>
+    </message>
+    <message>
+        <source>The guide's lead must be above 0.</source>
+        <translation>Der Vorlauf der Führung muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The file has more than 1000000 points; leave out every second one.</source>
+        <translation>Die Datei hat mehr als 1000000 Punkte; lassen Sie jeden zweiten weg.</translation>
+    </message>
+    <message>
+        <source>The file has no points.</source>
+        <translation>Die Datei hat keine Punkte.</translation>
+    </message>
+    <message>
+        <source>Nothing stands between two separators; a point is three numbers.</source>
+        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>A point is three numbers, not %1; decimals are written with a point.</source>
+        <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; Dezimalzahlen werden mit einem Punkt geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is no finite number.</source>
+        <translation>%1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>a file of points</source>
+        <translation>eine Datei mit Punkten</translation>
+    </message>
+    <message>
+        <source>The tip hardly moved, so that nothing can be told of it. Look that the hand has let go, that nothing stands in the way, and that the arm has mass.</source>
+        <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts über sie sagen lässt. Prüfen Sie, dass die Hand losgelassen hat, dass nichts im Weg steht und dass der Arm Masse hat.</translation>
+    </message>
+    <message>
+        <source>The fit was ended.</source>
+        <translation>Die Anpassung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No mass with friction and damping moves as the tip did. Look that the hand has let go, and measure again.</source>
+        <translation>Keine Masse mit Reibung und Dämpfung bewegt sich so wie die Spitze. Prüfen Sie, dass die Hand losgelassen hat, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The evaluation was ended.</source>
+        <translation>Die Auswertung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Along %1 at place %2: %3</source>
+        <translation>Entlang %1 am Ort %2: %3</translation>
+    </message>
+    <message>
+        <source>Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each.</source>
+        <translation>Nehmen Sie den Stift. Drücken Sie ihn langsam 3 mm nach unten und lassen Sie ihn ebenso langsam zurückkommen, viermal, je zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways.</source>
+        <translation>Drehen Sie den Stift langsam in den Fingern: um die eigene Achse, und neigen Sie ihn nach beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Let go of the stylus and keep your hand away. The arm moves by itself, 20 mm to each side.</source>
+        <translation>Lassen Sie den Stift los und halten Sie die Hand fern. Der Arm bewegt sich von selbst, 20 mm nach jeder Seite.</translation>
+    </message>
+    <message>
+        <source>The tip goes to its place</source>
+        <translation>Die Spitze fährt an ihren Ort</translation>
+    </message>
+    <message>
+        <source>The hand takes hold</source>
+        <translation>Die Hand greift zu</translation>
+    </message>
+    <message>
+        <source>Swings along %1</source>
+        <translation>Schwingungen entlang %1</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>Slow press</source>
+        <translation>Langsamer Druck</translation>
+    </message>
+    <message>
+        <source>Turns of the stylus</source>
+        <translation>Drehungen des Stifts</translation>
+    </message>
+    <message>
+        <source>There is no arm %1.</source>
+        <translation>Einen Arm %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Say one to three places.</source>
+        <translation>Nennen Sie ein bis drei Orte.</translation>
+    </message>
+    <message>
+        <source>About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. Choose a place nearer to the middle.</source>
+        <translation>Um (%1, %2, %3) mm herum reicht der Arm nicht in jede Richtung 20 mm weit. Wählen Sie einen Ort näher an der Mitte.</translation>
+    </message>
+    <message>
+        <source>The stylus was not pressed down and let back slowly. Press some 3 mm in about two seconds, and come back as slowly.</source>
+        <translation>Der Stift wurde nicht langsam nach unten gedrückt und zurückgelassen. Drücken Sie etwa 3 mm weit in rund zwei Sekunden, und kommen Sie ebenso langsam zurück.</translation>
+    </message>
+    <message>
+        <source>turret</source>
+        <translation>Drehturm</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>shin</source>
+        <translation>Unterschenkel</translation>
+    </message>
+    <message>
+        <source>gimbal 1</source>
+        <translation>Kardan 1</translation>
+    </message>
+    <message>
+        <source>gimbal 2</source>
+        <translation>Kardan 2</translation>
+    </message>
+    <message>
+        <source>gimbal 3</source>
+        <translation>Kardan 3</translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation>%1 entlang %2</translation>
+    </message>
+    <message>
+        <source>Stiffness in a slow press</source>
+        <translation>Steifigkeit im langsamen Druck</translation>
+    </message>
+    <message>
+        <source>Hysteresis of the press</source>
+        <translation>Hysterese des Drucks</translation>
+    </message>
+    <message>
+        <source>Linear until the clamp, at</source>
+        <translation>Linear bis zur Begrenzung, bei</translation>
+    </message>
+    <message>
+        <source>Linear at least to</source>
+        <translation>Linear mindestens bis</translation>
+    </message>
+    <message>
+        <source>Stiffness of a free swing along %1</source>
+        <translation>Steifigkeit einer freien Schwingung entlang %1</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Counts a turn, %1</source>
+        <translation>Schritte je Umdrehung, %1</translation>
+    </message>
+    <message>
+        <source>Noise of the tip at rest</source>
+        <translation>Rauschen der Spitze in Ruhe</translation>
+    </message>
+    <message>
+        <source>Noise of the tip in slow motion</source>
+        <translation>Rauschen der Spitze in langsamer Bewegung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>The text ends too early: a value was expected.</source>
+        <translation>Der Text endet zu früh: Hier wurde ein Wert erwartet.</translation>
+    </message>
+    <message>
+        <source>A comma stands before this bracket; take it away, or write another value after it.</source>
+        <translation>Vor dieser Klammer steht ein Komma; entfernen Sie es, oder schreiben Sie noch einen Wert dahinter.</translation>
+    </message>
+    <message>
+        <source>Text stands in double quotes, not in single ones.</source>
+        <translation>Text steht in doppelten Anführungszeichen, nicht in einfachen.</translation>
+    </message>
+    <message>
+        <source>Comments are not possible in JSON; take this away.</source>
+        <translation>In JSON gibt es keine Kommentare; entfernen Sie dies.</translation>
+    </message>
+    <message>
+        <source>A value was expected; %1 is none. Numbers look like 0.5, -3 or 1e-3, text stands in double quotes.</source>
+        <translation>Hier wurde ein Wert erwartet; %1 ist keiner. Zahlen sehen aus wie 0.5, -3 oder 1e-3, Text steht in doppelten Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>A value was expected: a number, text in double quotes, a list in [ ] or an object in { }.</source>
+        <translation>Hier wurde ein Wert erwartet: eine Zahl, Text in doppelten Anführungszeichen, eine Liste in [ ] oder ein Objekt in { }.</translation>
+    </message>
+    <message>
+        <source>The text ends too early: a key in double quotes or a } was expected.</source>
+        <translation>Der Text endet zu früh: Hier wurde ein Schlüssel in doppelten Anführungszeichen oder eine } erwartet.</translation>
+    </message>
+    <message>
+        <source>A comma stands before this }; take it away, or write another key after it.</source>
+        <translation>Vor dieser } steht ein Komma; entfernen Sie es, oder schreiben Sie noch einen Schlüssel dahinter.</translation>
+    </message>
+    <message>
+        <source>A key in double quotes was expected.</source>
+        <translation>Hier wurde ein Schlüssel in doppelten Anführungszeichen erwartet.</translation>
+    </message>
+    <message>
+        <source>The text ends too early: a %1 is missing.</source>
+        <translation>Der Text endet zu früh: Es fehlt eine %1.</translation>
+    </message>
+    <message>
+        <source>A comma or a %1 was expected here.</source>
+        <translation>Hier wurde ein Komma oder eine %1 erwartet.</translation>
+    </message>
+    <message>
+        <source>This text is not closed: its second double quote is missing.</source>
+        <translation>Dieser Text ist nicht abgeschlossen: Sein zweites Anführungszeichen fehlt.</translation>
+    </message>
+    <message>
+        <source>This text does not end on its line: its second double quote is missing.</source>
+        <translation>Dieser Text endet nicht in seiner Zeile: Sein zweites Anführungszeichen fehlt.</translation>
+    </message>
+    <message>
+        <source>This is no escape that JSON knows; a backslash itself is written \\, a new line \n.</source>
+        <translation>Diese Escape-Folge kennt JSON nicht; ein Backslash selbst wird als \\ geschrieben, eine neue Zeile als \n.</translation>
+    </message>
+    <message>
+        <source>A control character stands in this text; a tab is written \t.</source>
+        <translation>In diesem Text steht ein Steuerzeichen; ein Tabulator wird als \t geschrieben.</translation>
+    </message>
+    <message>
+        <source>The file is empty; an object in { } was expected.</source>
+        <translation>Die Datei ist leer; erwartet wurde ein Objekt in { }.</translation>
+    </message>
+    <message>
+        <source>The text should end before this: all its brackets are closed.</source>
+        <translation>Der Text sollte vor dieser Stelle enden: Alle Klammern sind geschlossen.</translation>
+    </message>
+    <message>
+        <source>A colon was expected after the key.</source>
+        <translation>Nach dem Schlüssel wurde ein Doppelpunkt erwartet.</translation>
+    </message>
+    <message>
+        <source>After \u four digits of 0-9 and a-f are expected.</source>
+        <translation>Nach \u werden vier Zeichen aus 0-9 und a-f erwartet.</translation>
+    </message>
+    <message>
+        <source>This \u escape is half of a pair; its other half is missing.</source>
+        <translation>Diese Escape-Folge mit \u ist die Hälfte eines Paars; die andere Hälfte fehlt.</translation>
+    </message>
+    <message>
+        <source>This is not text in UTF-8; save the file as UTF-8.</source>
+        <translation>Dies ist kein Text in UTF-8; speichern Sie die Datei als UTF-8.</translation>
+    </message>
+    <message>
+        <source>The file holds more than a million values; a scene is far smaller.</source>
+        <translation>Die Datei enthält mehr als eine Million Werte; eine Szene ist weit kleiner.</translation>
+    </message>
+    <message>
+        <source>Lists and objects are nested more than 64 deep here.</source>
+        <translation>Listen und Objekte sind hier mehr als 64-fach verschachtelt.</translation>
+    </message>
+    <message>
+        <source>A \u escape in this text is half of a pair; its other half is missing.</source>
+        <translation>Eine Escape-Folge mit \u in diesem Text ist die Hälfte eines Paars; die andere Hälfte fehlt.</translation>
+    </message>
+    <message>
+        <source>This must be %1; here it is %2.</source>
+        <translation>Dies muss %1 sein; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 more problems.</source>
+        <translation>Weitere Probleme in der Datei: %1.</translation>
+    </message>
+    <message>
+        <source>The key "%1" is missing; %2 needs it.</source>
+        <translation>Der Schlüssel „%1“ fehlt; er ist hier nötig (%2).</translation>
+    </message>
+    <message>
+        <source>The key %1 stands here a second time; the first is on line %2. Take one away.</source>
+        <translation>Der Schlüssel %1 steht hier zum zweiten Mal; der erste steht in Zeile %2. Entfernen Sie einen davon.</translation>
+    </message>
+    <message>
+        <source>The key %1 is not known in %2. Known are %3.</source>
+        <translation>Der Schlüssel %1 ist hier nicht bekannt (%2). Bekannt sind %3.</translation>
+    </message>
+    <message>
+        <source>The key %1 is not known in %2. Did you mean "%3"?</source>
+        <translation>Der Schlüssel %1 ist hier nicht bekannt (%2). Meinten Sie „%3“?</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>%1 is not in this version of Underact.</source>
+        <translation>%1 gibt es in dieser Version von Underact nicht.</translation>
+    </message>
+    <message>
+        <source>This must be %1; here it has %2.</source>
+        <translation>Dies muss %1 sein; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>a list of 3 numbers, as in [0, 30, 0]</source>
+        <translation>eine Liste von 3 Zahlen wie [0, 30, 0]</translation>
+    </message>
+    <message>
+        <source>a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]</source>
+        <translation>eine Liste von 3 Zeilen wie [[1, 0, 0], [0, 1, 0], [0, 0, 1]]</translation>
+    </message>
+    <message>
+        <source>a row of 3 numbers</source>
+        <translation>eine Zeile von 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>text in double quotes</source>
+        <translation>Text in doppelten Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>This is a folder, not %1 file.</source>
+        <translation>Dies ist ein Ordner; hier wird eine Datei erwartet (%1).</translation>
+    </message>
+    <message>
+        <source>The file cannot be opened: %1.</source>
+        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 MiB; %2 is far smaller.</source>
+        <translation>Die Datei ist größer als %1 MiB; so groß wird keine Datei dieser Art (%2).</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1.</source>
+        <translation>Die Datei lässt sich nicht lesen: %1.</translation>
+    </message>
+    <message>
+        <source>Mass, damping and gains must be numbers from 0 on.</source>
+        <translation>Masse, Dämpfung und Verstärkungen müssen Zahlen ab 0 sein.</translation>
+    </message>
+    <message>
+        <source>What is held has neither mass nor damping, so it would be at the target at once. Give it some.</source>
+        <translation>Was gehalten wird, hat weder Masse noch Dämpfung, also wäre es sofort am Ziel. Geben Sie ihm etwas davon.</translation>
+    </message>
+    <message>
+        <source>From there no single target is nearest, so nothing says where to begin. Begin elsewhere.</source>
+        <translation>Von dort aus ist kein einzelnes Ziel das nächste, also sagt nichts, wo zu beginnen ist. Beginnen Sie woanders.</translation>
+    </message>
+    <message>
+        <source>The arm does not reach the target there. Begin elsewhere.</source>
+        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie woanders.</translation>
+    </message>
+    <message>
+        <source>The target does not stay while the tip goes to it. Begin elsewhere.</source>
+        <translation>Das Ziel bleibt nicht stehen, während die Spitze zu ihm geht. Beginnen Sie woanders.</translation>
+    </message>
+    <message>
+        <source>The scene has no constraint "%1"; choose one of its names.</source>
+        <translation>Die Szene hat keine Bindung „%1“; wählen Sie einen ihrer Namen.</translation>
+    </message>
+    <message>
+        <source>The scene has %1 constraints; say the name of the one to measure, as "%2".</source>
+        <translation>Die Szene hat %1 Bindungen; nennen Sie die zu messende, etwa „%2“.</translation>
+    </message>
+    <message>
+        <source>"%1" is a wall: it pushes and never pulls, so it holds nothing at a target. Measure one whose side is both.</source>
+        <translation>„%1“ ist eine Wand: Sie drückt und zieht nie, hält also nichts an einem Ziel. Messen Sie eine, deren Seite both ist.</translation>
+    </message>
+    <message>
+        <source>The arm does not reach the target after this step (%1). Make the step smaller, or the other way.</source>
+        <translation>Nach diesem Sprung erreicht der Arm das Ziel nicht (%1). Machen Sie den Sprung kleiner, oder gehen Sie in die andere Richtung.</translation>
+    </message>
+    <message>
+        <source>The constraint does not hold the tip along a straight step there%1: its target does not go along as a whole. Choose another axis, or begin elsewhere.</source>
+        <translation>Die Bindung hält die Spitze dort nicht entlang eines geraden Sprungs%1: Ihr Ziel geht nicht als Ganzes mit. Wählen Sie eine andere Achse, oder beginnen Sie woanders.</translation>
+    </message>
+    <message>
+        <source>The numerator has no coefficients; for the number 1, write 1.</source>
+        <translation>Der Zähler hat keine Koeffizienten; für die Zahl 1 schreiben Sie 1.</translation>
+    </message>
+    <message>
+        <source>A coefficient of the numerator is not a finite number.</source>
+        <translation>Ein Koeffizient des Zählers ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>A coefficient of the denominator is not a finite number.</source>
+        <translation>Ein Koeffizient des Nenners ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The denominator has no s in it; give two coefficients at least, as 1,1 for s + 1.</source>
+        <translation>Der Nenner enthält kein s; geben Sie mindestens zwei Koeffizienten an, etwa 1,1 für s + 1.</translation>
+    </message>
+    <message>
+        <source>The denominator is of order %1; up to %2 is possible.</source>
+        <translation>Der Nenner hat die Ordnung %1; möglich ist höchstens %2.</translation>
+    </message>
+    <message>
+        <source>The numerator is of a higher order than the denominator (%1 against %2): a step would make an impulse. Give it an order no higher.</source>
+        <translation>Der Zähler hat eine höhere Ordnung als der Nenner (%1 gegen %2): Ein Sprung ergäbe einen Impuls. Geben Sie ihm höchstens dessen Ordnung.</translation>
+    </message>
+    <message>
+        <source>The scene "%1" has no %2: no constraint of it has an influence.</source>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen hat einen Einfluss.</translation>
+    </message>
+    <message>
+        <source>The scene "%1" has no %2: no constraint of it is a virtual manipulator.</source>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Manipulator.</translation>
+    </message>
+    <message>
+        <source>The scene "%1" has no %2: nobody counts its energy, since passivity is "off".</source>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Niemand zählt ihre Energie, denn passivity ist „off“.</translation>
+    </message>
+    <message>
+        <source>This must be the number 1, the version of lesson files.</source>
+        <translation>Dies muss die Zahl 1 sein, die Version von Lektionsdateien.</translation>
+    </message>
+    <message>
+        <source>a list of names</source>
+        <translation>eine Liste von Namen</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>a list of checks</source>
+        <translation>eine Liste von Prüfungen</translation>
+    </message>
+    <message>
+        <source>A step has at most %1 checks.</source>
+        <translation>Ein Schritt hat höchstens %1 Prüfungen.</translation>
+    </message>
+    <message>
+        <source>a step in { }</source>
+        <translation>ein Schritt in { }</translation>
+    </message>
+    <message>
+        <source>a step</source>
+        <translation>ein Schritt</translation>
+    </message>
+    <message>
+        <source>Name a scene, as in "02_sphere" or "my_scene.json".</source>
+        <translation>Nennen Sie eine Szene, etwa "02_sphere" oder "meine_szene.json".</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>a list of steps</source>
+        <translation>eine Liste von Schritten</translation>
+    </message>
+    <message>
+        <source>A lesson has 1 to %1 steps.</source>
+        <translation>Eine Lektion hat 1 bis %1 Schritte.</translation>
+    </message>
+    <message>
+        <source>a lesson</source>
+        <translation>eine Lektion</translation>
+    </message>
+    <message>
+        <source>This must be at least %1.</source>
+        <translation>Dies muss mindestens %1 sein.</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>The quantity %1 has the parts 1 to %2.</source>
+        <translation>Die Messgröße %1 hat die Teile 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers</source>
+        <translation>eine Liste von %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>a number, or null for whichever</source>
+        <translation>eine Zahl, oder null für eine beliebige</translation>
+    </message>
+    <message>
+        <source>Say where it should be: either "above" and "below", or one of them, or "near" and "within".</source>
+        <translation>Sagen Sie, wo der Wert liegen soll: entweder "above" und "below" oder eines davon, oder "near" und "within".</translation>
+    </message>
+    <message>
+        <source>"above" must be less than "below".</source>
+        <translation>"above" muss kleiner sein als "below".</translation>
+    </message>
+    <message>
+        <source>a list of conditions</source>
+        <translation>eine Liste von Bedingungen</translation>
+    </message>
+    <message>
+        <source>a condition in { }</source>
+        <translation>eine Bedingung in { }</translation>
+    </message>
+    <message>
+        <source>a condition</source>
+        <translation>eine Bedingung</translation>
+    </message>
+    <message>
+        <source>a list of places</source>
+        <translation>eine Liste von Orten</translation>
+    </message>
+    <message>
+        <source>Name 1 to %1 places.</source>
+        <translation>Nennen Sie 1 bis %1 Orte.</translation>
+    </message>
+    <message>
+        <source>The quantity %1 has %2 values here; choose one by "part".</source>
+        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit "part".</translation>
+    </message>
+    <message>
+        <source>The answer is either measured or given: take "measure" or "answer" away.</source>
+        <translation>Die Antwort wird entweder gemessen oder gegeben: Nehmen Sie "measure" oder "answer" weg.</translation>
+    </message>
+    <message>
+        <source>a list of answers</source>
+        <translation>eine Liste von Antworten</translation>
+    </message>
+    <message>
+        <source>Give 2 to 9 answers to choose from.</source>
+        <translation>Geben Sie 2 bis 9 Antworten zur Wahl.</translation>
+    </message>
+    <message>
+        <source>This is the number of the right answer, 1 to %1.</source>
+        <translation>Dies ist die Nummer der richtigen Antwort, 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>a check in { }</source>
+        <translation>eine Prüfung in { }</translation>
+    </message>
+    <message>
+        <source>a check</source>
+        <translation>eine Prüfung</translation>
+    </message>
+    <message>
+        <source>the name of a %1</source>
+        <translation>ein bekannter Name (%1)</translation>
+    </message>
+    <message>
+        <source>There is no %1 %2. There are %3.</source>
+        <translation>Nicht bekannt: %1 %2. Bekannt sind: %3.</translation>
+    </message>
+    <message>
+        <source>There is no %1 %2. Did you mean "%3"?</source>
+        <translation>Nicht bekannt: %1 %2. Meinten Sie „%3“?</translation>
+    </message>
+    <message>
+        <source>This must be one line of text, and not an empty one.</source>
+        <translation>Dies muss eine Zeile Text sein, und keine leere.</translation>
+    </message>
+    <message>
+        <source>text in double quotes, or a list of lines of it</source>
+        <translation>Text in doppelten Anführungszeichen, oder eine Liste von Zeilen davon</translation>
+    </message>
+    <message>
+        <source>There is nothing to read here.</source>
+        <translation>Hier gibt es nichts zu lesen.</translation>
+    </message>
+    <message>
+        <source>The scene is not right: %1</source>
+        <translation>Die Szene stimmt nicht: %1</translation>
+    </message>
+    <message>
+        <source>A virtual manipulator has at most %1 joints, not %2.</source>
+        <translation>Ein virtueller Manipulator hat höchstens %1 Gelenke, nicht %2.</translation>
+    </message>
+    <message>
+        <source>A stiffness must be 0 or above.</source>
+        <translation>Eine Steifigkeit muss 0 oder größer sein.</translation>
+    </message>
+    <message>
+        <source>The rest of a joint's spring is not a finite number.</source>
+        <translation>Die Ruhelage der Feder eines Gelenks ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The solver takes 1 to 100 steps.</source>
+        <translation>Der Löser macht 1 bis 100 Schritte.</translation>
+    </message>
+    <message>
+        <source>The solver's tolerance must be above 0 and at most 0.01.</source>
+        <translation>Die Toleranz des Lösers muss über 0 liegen und darf höchstens 0,01 sein.</translation>
+    </message>
+    <message>
+        <source>The thesis's force law is that of one revolute joint alone.</source>
+        <translation>Das Kraftgesetz der Thesis gilt nur für ein einzelnes Drehgelenk.</translation>
+    </message>
+    <message>
+        <source>The orientation "angle" takes a chain with just one revolute joint.</source>
+        <translation>Die Orientierung „angle“ braucht eine Kette mit genau einem Drehgelenk.</translation>
+    </message>
+    <message>
+        <source>The tip's z axis at home lies along the joint's axis, so that it has no angle about it.</source>
+        <translation>Die z-Achse der Spitze liegt in Grundstellung entlang der Achse des Gelenks und hat daher keinen Winkel um sie.</translation>
+    </message>
+    <message>
+        <source>There is no closed form for this chain with these gains and this orientation; take the method "auto" or "iterative".</source>
+        <translation>Für diese Kette gibt es mit diesen Verstärkungen und dieser Orientierung keine geschlossene Form; nehmen Sie die Methode „auto“ oder „iterative“.</translation>
+    </message>
+    <message>
+        <source>The mesh has no triangles.</source>
+        <translation>Das Dreiecksnetz hat keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The mesh has more than 134 million triangles.</source>
+        <translation>Das Dreiecksnetz hat mehr als 134 Millionen Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The mesh has a corner that is not at a finite place.</source>
+        <translation>Das Dreiecksnetz hat eine Ecke, die an keinem endlichen Ort liegt.</translation>
+    </message>
+    <message>
+        <source>A triangle names a corner that is not there.</source>
+        <translation>Ein Dreieck nennt eine Ecke, die es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>A triangle has the same corner twice.</source>
+        <translation>Ein Dreieck hat dieselbe Ecke zweimal.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file is cut short or damaged: it says that it holds %1, and is too short for them.</source>
+        <translation>Die Datei ist abgeschnitten oder beschädigt: Sie gibt %1 an und ist dafür zu kurz.</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 Flächen</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>This is no PLY file: it does not begin with "ply".</source>
+        <translation>Dies ist keine PLY-Datei: Sie beginnt nicht mit „ply“.</translation>
+    </message>
+    <message>
+        <source>This is no OFF file: it does not begin with "OFF".</source>
+        <translation>Dies ist keine OFF-Datei: Sie beginnt nicht mit „OFF“.</translation>
+    </message>
+    <message>
+        <source>This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and OFF files.</source>
+        <translation>Dies ist kein lesbares Dreiecksnetz. Dreiecksnetze werden aus STL-, OBJ-, PLY- und OFF-Dateien gelesen.</translation>
+    </message>
+    <message>
+        <source>a binary STL mesh</source>
+        <translation>ein binäres STL-Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>The file holds no faces.</source>
+        <translation>Die Datei enthält keine Flächen.</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a mesh file.</source>
+        <translation>Dies ist ein Ordner, keine Datei mit einem Dreiecksnetz.</translation>
+    </message>
+    <message>
+        <source>This is no file that holds a mesh.</source>
+        <translation>Dies ist keine Datei, die ein Dreiecksnetz enthält.</translation>
+    </message>
+    <message>
+        <source>The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.</source>
+        <translation>Die Datei ist größer als 4 GiB. Machen Sie das Dreiecksnetz gröber, oder speichern Sie es in Teilen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to feel in the file.</source>
+        <translation>In der Datei gibt es nichts zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The OFF header is damaged: it does not begin with "OFF".</source>
+        <translation>Der OFF-Kopf ist beschädigt: Er beginnt nicht mit „OFF“.</translation>
+    </message>
+    <message>
+        <source>The OFF file holds a mesh that is not in three dimensions.</source>
+        <translation>Die OFF-Datei enthält ein Dreiecksnetz, das nicht dreidimensional ist.</translation>
+    </message>
+    <message>
+        <source>This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.</source>
+        <translation>Dies ist eine binäre OFF-Datei, die nicht gelesen werden kann. Speichern Sie sie als Text, oder als STL oder PLY.</translation>
+    </message>
+    <message>
+        <source>The OFF file holds points and no faces. A surface needs faces.</source>
+        <translation>Die OFF-Datei enthält Punkte und keine Flächen. Eine Oberfläche braucht Flächen.</translation>
+    </message>
+    <message>
+        <source>The OFF header is damaged: the numbers of corners and faces cannot be read.</source>
+        <translation>Der OFF-Kopf ist beschädigt: Die Anzahlen der Ecken und Flächen sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The PLY file holds no corners (vertex).</source>
+        <translation>Die PLY-Datei enthält keine Ecken (vertex).</translation>
+    </message>
+    <message>
+        <source>The PLY file holds strips of triangles, which cannot be read. Save it with single faces.</source>
+        <translation>Die PLY-Datei enthält Dreiecksstreifen, die nicht gelesen werden können. Speichern Sie sie mit einzelnen Flächen.</translation>
+    </message>
+    <message>
+        <source>The PLY file holds points and no faces. A surface needs faces: make them in the program that made the points.</source>
+        <translation>Die PLY-Datei enthält Punkte und keine Flächen. Eine Oberfläche braucht Flächen: Erzeugen Sie sie in dem Programm, aus dem die Punkte kommen.</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: it names corners or faces twice.</source>
+        <translation>Der PLY-Kopf ist beschädigt: Er nennt Ecken oder Flächen zweimal.</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: the corners have not one %1.</source>
+        <translation>Der PLY-Kopf ist beschädigt: Die Ecken haben nicht genau ein %1.</translation>
+    </message>
+    <message>
+        <source>The PLY file holds %1 of its corners as whole numbers. Save it with float or double coordinates.</source>
+        <translation>Die PLY-Datei enthält %1 ihrer Ecken als ganze Zahlen. Speichern Sie sie mit Koordinaten in float oder double.</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: the faces have not one list of corners (vertex_indices).</source>
+        <translation>Der PLY-Kopf ist beschädigt: Die Flächen haben nicht genau eine Liste von Ecken (vertex_indices).</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: it does not begin with "ply".</source>
+        <translation>Der PLY-Kopf ist beschädigt: Er beginnt nicht mit „ply“.</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: it has no line "format".</source>
+        <translation>Der PLY-Kopf ist beschädigt: Er hat keine Zeile „format“.</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: line %1 makes no sense.</source>
+        <translation>Der PLY-Kopf ist beschädigt: Zeile %1 ergibt keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>The PLY header is damaged: it has no end.</source>
+        <translation>Der PLY-Kopf ist beschädigt: Er hat kein Ende.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: its reader ended with %1.</source>
+        <translation>Die Datei kann nicht gelesen werden: Das Leseprogramm endete mit %1.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: its reader broke off (signal %1).</source>
+        <translation>Die Datei ist beschädigt: Das Leseprogramm brach ab (Signal %1).</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or has very large faces: reading it took longer than %1, which is enough for a file of its size.</source>
+        <translation>Die Datei ist beschädigt oder hat sehr große Flächen: Das Lesen dauerte länger als %1, was für eine Datei ihrer Größe genügt.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: it gives more faces than a file of its size can hold.</source>
+        <translation>Die Datei ist beschädigt: Sie gibt mehr Flächen an, als eine Datei ihrer Größe fassen kann.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2.</source>
+        <translation>%1 kann nicht gestartet werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 was not found. It belongs beside this program: install Underact again.</source>
+        <translation>%1 wurde nicht gefunden. Es gehört neben dieses Programm: Installieren Sie Underact noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: what its reader made of it is no mesh.</source>
+        <translation>Die Datei ist beschädigt: Was das Leseprogramm daraus machte, ist kein Dreiecksnetz.</translation>
+    </message>
+    <message>
+        <source>The file was written while it was read. Open it again.</source>
+        <translation>Die Datei wurde beschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 face was left out: a corner of it is not a finite point.</source>
+        <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>%1 faces were left out: they have corners that are not finite points.</source>
+        <translation>%1 Flächen wurden weggelassen: Sie haben Ecken, die keine endlichen Punkte sind.</translation>
+    </message>
+    <message>
+        <source>%1 face was left out: it names a corner that the file does not hold.</source>
+        <translation>%1 Fläche wurde weggelassen: Sie nennt eine Ecke, die nicht in der Datei steht.</translation>
+    </message>
+    <message>
+        <source>%1 faces were left out: they name corners that the file does not hold.</source>
+        <translation>%1 Flächen wurden weggelassen: Sie nennen Ecken, die nicht in der Datei stehen.</translation>
+    </message>
+    <message>
+        <source>%1 face was left out: it has no extent.</source>
+        <translation>%1 Fläche wurde weggelassen: Sie hat keine Ausdehnung.</translation>
+    </message>
+    <message>
+        <source>%1 faces were left out: they have no extent.</source>
+        <translation>%1 Flächen wurden weggelassen: Sie haben keine Ausdehnung.</translation>
+    </message>
+    <message>
+        <source>%1 face was left out: it is there twice.</source>
+        <translation>%1 Fläche wurde weggelassen: Sie ist zweimal da.</translation>
+    </message>
+    <message>
+        <source>%1 faces were left out: they are there more than once.</source>
+        <translation>%1 Flächen wurden weggelassen: Sie sind mehr als einmal da.</translation>
+    </message>
+    <message>
+        <source>%1 corner was joined to others at the same place, or nearer than %2.</source>
+        <translation>%1 Ecke wurde mit anderen am selben Ort oder näher als %2 verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 corners were joined to others at the same place, or nearer than %2.</source>
+        <translation>%1 Ecken wurden mit anderen am selben Ort oder näher als %2 verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 face was turned over, so that neighbours agree on which side is outside.</source>
+        <translation>%1 Fläche wurde umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
+    </message>
+    <message>
+        <source>%1 faces were turned over, so that neighbours agree on which side is outside.</source>
+        <translation>%1 Flächen wurden umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
+    </message>
+    <message>
+        <source>Most normals in the file point against the order of the corners. The order counts here, and the normals do not: if outside and inside feel exchanged, save the mesh with its faces turned over.</source>
+        <translation>Die meisten Normalen in der Datei zeigen gegen die Reihenfolge der Ecken. Hier gilt die Reihenfolge, nicht die Normalen: Fühlen sich außen und innen vertauscht an, so speichern Sie das Dreiecksnetz mit umgedrehten Flächen.</translation>
+    </message>
+    <message>
+        <source>The mesh is in %1 parts that do not hang together.</source>
+        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen.</translation>
+    </message>
+    <message>
+        <source>The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow is felt from within.</source>
+        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen, %2 davon in anderen: Ein Hohlraum wird von innen gefühlt.</translation>
+    </message>
+    <message>
+        <source>The surface goes through itself, at least %1 pair of faces. Near there, outside and inside may be wrong.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaar. In der Nähe können außen und innen falsch sein.</translation>
+    </message>
+    <message>
+        <source>The surface goes through itself, at least %1 pairs of faces. Near there, outside and inside may be wrong.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaaren. In der Nähe können außen und innen falsch sein.</translation>
+    </message>
+    <message>
+        <source>The surface goes through itself, at %1 pair of faces. Near there, outside and inside may be wrong.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaar. In der Nähe können außen und innen falsch sein.</translation>
+    </message>
+    <message>
+        <source>The surface goes through itself, at %1 pairs of faces. Near there, outside and inside may be wrong.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaaren. In der Nähe können außen und innen falsch sein.</translation>
+    </message>
+    <message>
+        <source>The surface is open: %1 border, the longest %2 around. The stylus can go through a hole.</source>
+        <translation>Die Oberfläche ist offen: %1 Rand, der längste hat den Umfang %2. Der Stift kann durch ein Loch gehen.</translation>
+    </message>
+    <message>
+        <source>The surface is open: %1 borders, the longest %2 around. The stylus can go through a hole.</source>
+        <translation>Die Oberfläche ist offen: %1 Ränder, der längste hat den Umfang %2. Der Stift kann durch ein Loch gehen.</translation>
+    </message>
+    <message>
+        <source>%1 edge has more than two faces.</source>
+        <translation>%1 Kante hat mehr als zwei Flächen.</translation>
+    </message>
+    <message>
+        <source>%1 edges have more than two faces.</source>
+        <translation>%1 Kanten haben mehr als zwei Flächen.</translation>
+    </message>
+    <message>
+        <source>The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is twisted once.</source>
+        <translation>Die Oberfläche hat kein Außen: An %1 Kante können sich ihre Flächen nicht einigen, wie auf einem Band, das einmal verdreht ist.</translation>
+    </message>
+    <message>
+        <source>The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is twisted once.</source>
+        <translation>Die Oberfläche hat kein Außen: An %1 Kanten können sich ihre Flächen nicht einigen, wie auf einem Band, das einmal verdreht ist.</translation>
+    </message>
+    <message>
+        <source>Whether the surface goes through itself was not looked for, or not to the end: it has too many faces, or too many near each other.</source>
+        <translation>Ob die Oberfläche sich selbst durchdringt, wurde nicht oder nicht zu Ende gesucht: Sie hat zu viele Flächen, oder zu viele nahe beieinander.</translation>
+    </message>
+    <message>
+        <source>%1 face is as narrow as a line. They stay, since they close seams.</source>
+        <translation>%1 Fläche ist so schmal wie eine Linie. Solche bleiben, weil sie Nähte schließen.</translation>
+    </message>
+    <message>
+        <source>%1 faces are as narrow as a line. They stay, since they close seams.</source>
+        <translation>%1 Flächen sind so schmal wie eine Linie. Sie bleiben, weil sie Nähte schließen.</translation>
+    </message>
+    <message>
+        <source>A part of it is thin, %1 in the mean: the stylus may be pushed through it.</source>
+        <translation>Ein Teil davon ist dünn, im Mittel %1: Der Stift lässt sich vielleicht hindurchdrücken.</translation>
+    </message>
+    <message>
+        <source>The mesh is closed: it can be felt from both sides, or as a wall from outside or inside.</source>
+        <translation>Das Dreiecksnetz ist geschlossen: Es lässt sich von beiden Seiten fühlen, oder als Wand von außen oder innen.</translation>
+    </message>
+    <message>
+        <source>The mesh can be felt from both sides only: %1.</source>
+        <translation>Das Dreiecksnetz lässt sich nur von beiden Seiten fühlen: %1.</translation>
+    </message>
+    <message>
+        <source>it has no faces</source>
+        <translation>Es hat keine Flächen</translation>
+    </message>
+    <message>
+        <source>it is open, so that it has no inside</source>
+        <translation>Es ist offen, hat also kein Inneres</translation>
+    </message>
+    <message>
+        <source>its faces cannot agree on an outside</source>
+        <translation>Seine Flächen können sich nicht auf ein Außen einigen</translation>
+    </message>
+    <message>
+        <source>edges with more than two faces leave open what is inside</source>
+        <translation>Kanten mit mehr als zwei Flächen lassen offen, was innen ist</translation>
+    </message>
+    <message>
+        <source>No face is left: there is nothing to feel.</source>
+        <translation>Es bleibt keine Fläche übrig: Es gibt nichts zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The mesh would be %1 mm long as millimetres.</source>
+        <translation>Als Millimeter gelesen wäre das Dreiecksnetz %1 mm lang.</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Metern</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimetern</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometern</translation>
+    </message>
+    <message>
+        <source>In %1 it would be %2 mm.</source>
+        <translation>In %1 wären es %2 mm.</translation>
+    </message>
+    <message>
+        <source>That is too small to be felt: state a larger scale.</source>
+        <translation>Das ist zu klein, um es zu fühlen: Geben Sie einen größeren Maßstab an.</translation>
+    </message>
+    <message>
+        <source>That is far beyond the arm's reach: state a smaller scale.</source>
+        <translation>Das ist weit jenseits der Reichweite des Arms: Geben Sie einen kleineren Maßstab an.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be made: %1.</source>
+        <translation>Die Aufzeichnung ist nicht möglich: %1.</translation>
+    </message>
+    <message>
+        <source>The recording is not whole: %1.</source>
+        <translation>Die Aufzeichnung ist nicht vollständig: %1.</translation>
+    </message>
+    <message>
+        <source>The fault cannot be written to a file: %1.</source>
+        <translation>Die Störung kann nicht in eine Datei geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>the HDF5 library gives no reason</source>
+        <translation>Die HDF5-Bibliothek nennt keinen Grund</translation>
+    </message>
+    <message>
+        <source>This is no whole session: there is no table "%1" in it.</source>
+        <translation>Dies ist keine vollständige Sitzung: Es ist keine Tabelle „%1“ darin.</translation>
+    </message>
+    <message>
+        <source>This is no whole session: the table "%1" is damaged.</source>
+        <translation>Dies ist keine vollständige Sitzung: Die Tabelle „%1“ ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Another program is recording into this file. Give another name.</source>
+        <translation>Ein anderes Programm zeichnet in diese Datei auf. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This file is cut off: %1 of %2 bytes are there. Copy it again from where it came.</source>
+        <translation>Diese Datei ist abgeschnitten: %1 von %2 Bytes sind da. Kopieren Sie sie noch einmal von dort, wo sie herkam.</translation>
+    </message>
+    <message>
+        <source>This is no session, or one that is damaged at its beginning.</source>
+        <translation>Dies ist keine Sitzung, oder eine, die am Anfang beschädigt ist.</translation>
+    </message>
+    <message>
+        <source>Another program has this file open. Close it there first.</source>
+        <translation>Ein anderes Programm hat diese Datei offen. Schließen Sie sie zuerst dort.</translation>
+    </message>
+    <message>
+        <source>The file cannot be opened for writing: %1.</source>
+        <translation>Die Datei kann nicht zum Schreiben geöffnet werden: %1.</translation>
+    </message>
+    <message>
+        <source>The disk is full: the recording was stopped and is whole. Free some space, or record into another folder.</source>
+        <translation>Der Datenträger ist voll: Die Aufzeichnung wurde gestoppt und ist vollständig. Schaffen Sie Platz, oder zeichnen Sie in einen anderen Ordner auf.</translation>
+    </message>
+    <message>
+        <source>The recording stopped: %1.</source>
+        <translation>Die Aufzeichnung wurde gestoppt: %1.</translation>
+    </message>
+    <message>
+        <source>The file could not be cut to what is whole: %1.</source>
+        <translation>Die Datei konnte nicht auf das gekürzt werden, was vollständig ist: %1.</translation>
+    </message>
+    <message>
+        <source>The file takes no change: %1.</source>
+        <translation>Die Datei nimmt keine Änderung an: %1.</translation>
+    </message>
+    <message>
+        <source>The file is damaged and cannot be read on.</source>
+        <translation>Die Datei ist beschädigt und kann nicht weiter gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The recording's file is gone: somebody moved or deleted it. The recording stopped.</source>
+        <translation>Die Datei der Aufzeichnung ist weg: Jemand hat sie verschoben oder gelöscht. Die Aufzeichnung wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>The disk is nearly full: the recording was stopped and is whole. Free some space, or record into another folder.</source>
+        <translation>Der Datenträger ist fast voll: Die Aufzeichnung wurde gestoppt und ist vollständig. Schaffen Sie Platz, oder zeichnen Sie in einen anderen Ordner auf.</translation>
+    </message>
+    <message>
+        <source>The servo did not tick: there is nothing in the recording.</source>
+        <translation>Der Servo machte keinen Takt: In der Aufzeichnung ist nichts.</translation>
+    </message>
+    <message>
+        <source>What was written until then is whole.</source>
+        <translation>Was bis dahin geschrieben wurde, ist vollständig.</translation>
+    </message>
+    <message>
+        <source>The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed.</source>
+        <translation>Die Datei ist ab Zeile %1 beschädigt, %2 Takte lang; was danach kommt, kann nicht wiedergegeben werden.</translation>
+    </message>
+    <message>
+        <source>%1 ticks are missing after tick %2; what comes after them cannot be replayed.</source>
+        <translation>%1 Takte fehlen nach Takt %2; was danach kommt, kann nicht wiedergegeben werden.</translation>
+    </message>
+    <message>
+        <source>This session does not say which scene it began with.</source>
+        <translation>Diese Sitzung sagt nicht, mit welcher Szene sie begann.</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>This is an HDF5 file, and no session of Underact.</source>
+        <translation>Dies ist eine HDF5-Datei, aber keine Sitzung von Underact.</translation>
+    </message>
+    <message>
+        <source>This session was recorded by a newer version of Underact. This one reads layout 1.</source>
+        <translation>Diese Sitzung wurde mit einer neueren Version von Underact aufgezeichnet. Diese hier liest Aufbau 1.</translation>
+    </message>
+    <message>
+        <source>This session does not say how fast the servo was: the file is damaged.</source>
+        <translation>Diese Sitzung sagt nicht, wie schnell der Servo war: Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The table "%1" of this session cannot be read: the file is damaged there.</source>
+        <translation>Die Tabelle „%1“ dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+    </message>
+    <message>
+        <source>The words of this session cannot be read: the file is damaged there.</source>
+        <translation>Die Wörter dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+    </message>
+    <message>
+        <source>The servo's memory at the beginning was recorded by a version that lays it out in another way.</source>
+        <translation>Der Speicher des Servos am Anfang wurde von einer Version aufgezeichnet, die ihn anders anordnet.</translation>
+    </message>
+    <message>
+        <source>The servo's memory at the beginning of this session cannot be read: the file is damaged there.</source>
+        <translation>Der Speicher des Servos am Anfang dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+    </message>
+    <message>
+        <source>The servo's memory at the beginning was not recorded whole.</source>
+        <translation>Der Speicher des Servos am Anfang wurde nicht vollständig aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The marks lie nearly on one line, %1 beside it: small errors turn the arm about it. Choose a mark farther beside the line.</source>
+        <translation>Die Messpunkte liegen fast auf einer Geraden, nur %1 daneben: Kleine Fehler drehen den Arm um sie. Wählen Sie einen Messpunkt, der weiter neben der Geraden liegt.</translation>
+    </message>
+    <message>
+        <source>The marks %1 are only %2 apart: small errors there turn everything. Choose marks that are farther apart.</source>
+        <translation>Die Messpunkte %1 sind nur %2 voneinander entfernt: Kleine Fehler dort drehen alles. Wählen Sie Messpunkte, die weiter auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The marks %1 were probably touched in exchange for each other. Touch them again in the order of their numbers.</source>
+        <translation>Die Messpunkte %1 wurden wahrscheinlich beim Berühren vertauscht. Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
+    </message>
+    <message>
+        <source>The marks were probably touched in another order: %1. Touch them again in the order of their numbers.</source>
+        <translation>Die Messpunkte wurden wahrscheinlich in einer anderen Reihenfolge berührt: %1. Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
+    </message>
+    <message>
+        <source>By these marks the arm hangs upside down below the desk. If it does not, the marks were touched in the order of a mirror: touch them again in the order of their numbers.</source>
+        <translation>Nach diesen Messpunkten hängt der Arm kopfüber unter dem Tisch. Tut er das nicht, so wurden die Messpunkte in gespiegelter Reihenfolge berührt: Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
+    </message>
+    <message>
+        <source>The points miss their marks by %1, which is much. Mark %2 fits worst: touch it again, and see that the sheet was printed at 100 % and the arm is calibrated.</source>
+        <translation>Die Punkte verfehlen ihre Messpunkte um %1, und das ist viel. Messpunkt %2 passt am schlechtesten: Berühren Sie ihn noch einmal, und prüfen Sie, ob das Blatt mit 100 % gedruckt wurde und der Arm kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>At mark %1 the tip moved by %2 while it was held. Touch it again, with the hand rested.</source>
+        <translation>Bei Messpunkt %1 bewegte sich die Spitze um %2, während sie gehalten wurde. Berühren Sie ihn noch einmal, mit aufgelegter Hand.</translation>
+    </message>
+    <message>
+        <source>Not all of the marks are finite points within 1 km.</source>
+        <translation>Nicht alle Messpunkte sind endliche Punkte innerhalb von 1 km.</translation>
+    </message>
+    <message>
+        <source>The marks %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
+        <translation>Die Messpunkte %1 und %2 sind ein und derselbe Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The marks lie on one line, so nothing says how the arm is turned about it. Choose a mark beside the line.</source>
+        <translation>Die Messpunkte liegen auf einer Geraden; nichts sagt daher, wie der Arm um sie gedreht ist. Wählen Sie einen Messpunkt neben der Geraden.</translation>
+    </message>
+    <message>
+        <source>Not all of the touched points are finite points within 1 km.</source>
+        <translation>Nicht alle berührten Punkte sind endliche Punkte innerhalb von 1 km.</translation>
+    </message>
+    <message>
+        <source>The touched points %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
+        <translation>Die berührten Punkte %1 und %2 sind ein und derselbe Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The touched points lie on one line, so nothing says how the arm is turned about it. Choose a mark beside the line.</source>
+        <translation>Die berührten Punkte liegen auf einer Geraden; nichts sagt daher, wie der Arm um sie gedreht ist. Wählen Sie einen Messpunkt neben der Geraden.</translation>
+    </message>
+    <message>
+        <source>A registration takes 3 to 8 marks; here there are %1.</source>
+        <translation>Eine Registrierung braucht 3 bis 8 Messpunkte; hier sind es %1.</translation>
+    </message>
+    <message>
+        <source>a mark</source>
+        <translation>ein Messpunkt</translation>
+    </message>
+    <message>
+        <source>This must lie within 0 and 1000 mm.</source>
+        <translation>Dies muss zwischen 0 und 1000 mm liegen.</translation>
+    </message>
+    <message>
+        <source>a list of 3 to 8 marks</source>
+        <translation>eine Liste von 3 bis 8 Messpunkten</translation>
+    </message>
+    <message>
+        <source>This must be a list of 3 to 8 marks; here there are %1.</source>
+        <translation>Dies muss eine Liste von 3 bis 8 Messpunkten sein; hier sind es %1.</translation>
+    </message>
+    <message>
+        <source>This must be four rows of four numbers, the last one 0, 0, 0, 1.</source>
+        <translation>Dies müssen vier Zeilen mit je vier Zahlen sein, die letzte 0, 0, 0, 1.</translation>
+    </message>
+    <message>
+        <source>a list of four rows</source>
+        <translation>eine Liste von vier Zeilen</translation>
+    </message>
+    <message>
+        <source>This is not what the marks give, %1. Leave X_DW out: it is made of them.</source>
+        <translation>Dies ist nicht, was die Messpunkte ergeben, nämlich %1. Lassen Sie X_DW weg: Es wird aus ihnen berechnet.</translation>
+    </message>
+    <message>
+        <source>a registration</source>
+        <translation>eine Registrierung</translation>
+    </message>
+    <message>
+        <source>This program reads version 1 of registrations.</source>
+        <translation>Dieses Programm liest Version 1 von Registrierungen.</translation>
+    </message>
+    <message>
+        <source>The registration cannot be kept. See that the folder is there and yours, and that the disk is not full.</source>
+        <translation>Die Registrierung lässt sich nicht speichern. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
+    </message>
+    <message>
+        <source>The registration cannot be kept: %1. See that the folder is there and yours, and that the disk is not full.</source>
+        <translation>Die Registrierung lässt sich nicht speichern: %1. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
+    </message>
+    <message>
+        <source>This is the registration of another arm, "%1". Register this one anew.</source>
+        <translation>Dies ist die Registrierung eines anderen Arms, „%1“. Registrieren Sie diesen neu.</translation>
+    </message>
+    <message>
+        <source>The registration cannot be forgotten: %1. See that the folder is there and yours, and that the disk is not full.</source>
+        <translation>Die Registrierung lässt sich nicht löschen: %1. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
+    </message>
+    <message>
+        <source>This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
+        <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
+    </message>
+    <message>
+        <source>The law %1 does not use this gain; the law %2 does. Change the law or take it away.</source>
+        <translation>Das Regelgesetz %1 benutzt diese Verstärkung nicht, wohl aber %2. Ändern Sie das Regelgesetz, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>PD (or PID)</source>
+        <translation>PD (oder PID)</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from %1 to %2; here it is %3.</source>
+        <translation>Dies muss eine ganze Zahl von %1 bis %2 sein; hier steht %3.</translation>
+    </message>
+    <message>
+        <source>This must be from %1 to %2; here it is %3.</source>
+        <translation>Dies muss zwischen %1 und %2 liegen; hier steht %3.</translation>
+    </message>
+    <message>
+        <source>The gain along %1 is %2 beside gains above it, so no point of the %3 is nearest in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis a gain.</source>
+        <translation>Die Verstärkung entlang %1 ist %2 neben größeren, also ist bei dieser Bindung (Typ „%3“) kein Punkt der nächste in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse eine Verstärkung.</translation>
+    </message>
+    <message>
+        <source>%1, next to nothing,</source>
+        <translation>%1, also fast nichts,</translation>
+    </message>
+    <message>
+        <source>The constraint has no name.</source>
+        <translation>Die Bindung hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>The name %1 is taken by %2; names must differ.</source>
+        <translation>Den Namen %1 hat schon %2; Namen müssen sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>A %1 has no influence.</source>
+        <translation>Eine Bindung vom Typ „%1“ hat keinen Einfluss.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (orientation only) to 1 (position only); here it is %1.</source>
+        <translation>Dies muss zwischen 0 (nur die Orientierung) und 1 (nur die Position) liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 to 30 degrees; here it is %1.</source>
+        <translation>Dies muss zwischen 0 und 30 Grad liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>A wall has no influence: where the stylus is free nothing draws it. Take "side" or "influence" away.</source>
+        <translation>Eine Wand hat keinen Einfluss: Wo der Stift frei ist, zieht ihn nichts. Entfernen Sie „side“ oder „influence“.</translation>
+    </message>
+    <message>
+        <source>With influence the target is not the nearest point of the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
+        <translation>Mit Einfluss ist das Ziel nicht der nächste Punkt in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse dasselbe kp.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (smooth) to %1; here it is %2.</source>
+        <translation>Dies muss zwischen 0 (glatt) und %1 liegen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 to the static share, %1; here it is %2.</source>
+        <translation>Dies muss zwischen 0 und dem Anteil der Haftreibung, %1, liegen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>A %1 has no inside and no outside.</source>
+        <translation>Eine Bindung vom Typ „%1“ hat kein Innen und kein Außen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to slide along.</source>
+        <translation>Hier gibt es nichts, woran man entlanggleiten kann.</translation>
+    </message>
+    <message>
+        <source>This must be from %1 to %2 us; here it is %3.</source>
+        <translation>Dies muss zwischen %1 und %2 us liegen; hier steht %3.</translation>
+    </message>
+    <message>
+        <source>The title is empty; a few words tell people what they will feel.</source>
+        <translation>Der Titel ist leer; ein paar Worte sagen, was man fühlen wird.</translation>
+    </message>
+    <message>
+        <source>The arm %1 is not known. There are %2.</source>
+        <translation>Der Arm %1 ist nicht bekannt. Es gibt %2.</translation>
+    </message>
+    <message>
+        <source>A scene has 1 to %1 constraints; here are %2.</source>
+        <translation>Eine Szene hat 1 bis %1 Bindungen; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>a guide</source>
+        <translation>eine Führung</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1.</source>
+        <translation>Dies muss zwischen 0 (nur zur Führung) und 1 (nur zum nächsten Punkt) liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be from -2000 to 2000 mm/s; here it is %1.</source>
+        <translation>Dies muss zwischen -2000 und 2000 mm/s liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be above 0 and at most 1000 mm; here it is %1.</source>
+        <translation>Dies muss über 0 liegen und höchstens 1000 mm sein; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>The curve %1 is not loaded.</source>
+        <translation>Die Kurve %1 ist nicht geladen.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not the one that the scene was made with: its content has another checksum. Bring that file back, or take "checksum" away to go on with this one.</source>
+        <translation>Das Dreiecksnetz %1 ist nicht das, mit dem die Szene gemacht wurde: Sein Inhalt hat eine andere Prüfsumme. Holen Sie jene Datei zurück, oder entfernen Sie „checksum“, um mit dieser weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>This must lie within %1; here it is %2.</source>
+        <translation>Dies darf höchstens %1 betragen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>This is no finite direction; a double holds at most about 1.8e308.</source>
+        <translation>Dies ist keine endliche Richtung; ein double fasst höchstens etwa 1.8e308.</translation>
+    </message>
+    <message>
+        <source>The lower limit %1 is above the upper one, %2; no value of the joint is left.</source>
+        <translation>Die untere Grenze %1 liegt über der oberen, %2; dem Gelenk bleibt kein Wert.</translation>
+    </message>
+    <message>
+        <source>Without a spring the joint has no rest; give it "%1", or take this away.</source>
+        <translation>Ohne Feder hat das Gelenk keine Ruhelage; geben Sie ihm „%1“, oder entfernen Sie dies.</translation>
+    </message>
+    <message>
+        <source>A virtual manipulator has 1 to %1 joints; here are %2.</source>
+        <translation>Ein virtueller Manipulator hat 1 bis %1 Gelenke; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>With the orientation "none" nothing uses this; set "orientation" to "axis", "angle" or "full", or take it away.</source>
+        <translation>Bei der Orientierung „none“ benutzt dies niemand; setzen Sie „orientation“ auf „axis“, „angle“ oder „full“, oder entfernen Sie dies.</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from 1 to 100.</source>
+        <translation>Dies muss eine ganze Zahl von 1 bis 100 sein.</translation>
+    </message>
+    <message>
+        <source>This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.</source>
+        <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
+    </message>
+    <message>
+        <source>A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. Set "space" to "cartesian".</source>
+        <translation>Ein virtueller Manipulator zieht die Spitze; eine Regelung, die auf die Gelenke des Arms wirkt, kann sie nicht halten. Setzen Sie „space“ auf „cartesian“.</translation>
+    </message>
+    <message>
+        <source>A virtual manipulator is held in the gains' own metric. Take "anisotropy" away, or give every axis the same kp.</source>
+        <translation>Ein virtueller Manipulator wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
+    </message>
+    <message>
+        <source>A %1 needs the name of its file.</source>
+        <translation>Eine Bindung vom Typ „%1“ braucht den Namen ihrer Datei.</translation>
+    </message>
+    <message>
+        <source>This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or as much below 0, which mirrors at the file's origin; here it is %1.</source>
+        <translation>Dies muss zwischen 1e-9 und 1e9 mm liegen (1: Die Datei ist in mm; 1000: in m; 25.4: in Zoll), oder ebenso weit unter 0: Das spiegelt am Ursprung der Datei; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>The nearest point of a %1 is not sought in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
+        <translation>Bei einer Bindung vom Typ „%1“ wird der nächste Punkt nicht in der eigenen Metrik der Verstärkungen gesucht. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse dasselbe kp.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (faces as they are) to %1 degrees that the force may lean, so that bends feel round; here it is %2.</source>
+        <translation>Dies muss zwischen 0 (Flächen, wie sie sind) und %1 Grad liegen, um die sich die Kraft neigen darf, damit sich Knicke rund anfühlen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>A wall's proxy follows the surface; it is not sought. Take "search" away.</source>
+        <translation>Der Proxy einer Wand folgt der Oberfläche; er wird nicht gesucht. Entfernen Sie „search“.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not loaded.</source>
+        <translation>Das Dreiecksnetz %1 ist nicht geladen.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 has holes or edges that do not fit together, so it has no inside and no outside. Take "side" away: the stylus is then held to its surface.</source>
+        <translation>Das Dreiecksnetz %1 hat Löcher oder Kanten, die nicht zusammenpassen, und damit kein Innen und kein Außen. Entfernen Sie „side“: Der Stift wird dann auf seiner Oberfläche gehalten.</translation>
+    </message>
+    <message>
+        <source>the number 1</source>
+        <translation>die Zahl 1</translation>
+    </message>
+    <message>
+        <source>The scene is of version %1, and this program, older than the scene, reads version 1. Use a newer Underact.</source>
+        <translation>Die Szene hat Version %1, und dieses Programm, älter als die Szene, liest Version 1. Benutzen Sie ein neueres Underact.</translation>
+    </message>
+    <message>
+        <source>This must be the number 1, the version of scene files.</source>
+        <translation>Dies muss die Zahl 1 sein, die Version von Szenendateien.</translation>
+    </message>
+    <message>
+        <source>a list of constraints</source>
+        <translation>eine Liste von Bindungen</translation>
+    </message>
+    <message>
+        <source>a simulation</source>
+        <translation>eine Simulation</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>eine Szene</translation>
+    </message>
+    <message>
+        <source>The type %1 is not known. There are %2.</source>
+        <translation>Der Typ %1 ist nicht bekannt. Es gibt %2.</translation>
+    </message>
+    <message>
+        <source>The type %1 is not known. Did you mean "%2"? There are %3.</source>
+        <translation>Der Typ %1 ist nicht bekannt. Meinten Sie „%2“? Es gibt %3.</translation>
+    </message>
+    <message>
+        <source>The name is empty; write one, or take the key away and one is made up.</source>
+        <translation>Der Name ist leer; schreiben Sie einen, oder entfernen Sie den Schlüssel, dann wird einer gebildet.</translation>
+    </message>
+    <message>
+        <source>A %1 has no inside and no outside; take "side" away.</source>
+        <translation>Eine Bindung vom Typ „%1“ hat kein Innen und kein Außen; entfernen Sie „side“.</translation>
+    </message>
+    <message>
+        <source>A %1 has no influence; a circle, a cylinder and a sphere have. Take it away.</source>
+        <translation>Eine Bindung vom Typ „%1“ hat keinen Einfluss; Kreis, Zylinder und Kugel haben einen. Entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>an influence</source>
+        <translation>ein Einfluss</translation>
+    </message>
+    <message>
+        <source>A %1 is nothing to slide along, so it has no friction. Take it away.</source>
+        <translation>An einer Bindung vom Typ „%1“ kann man nicht entlanggleiten, sie hat also keine Reibung. Entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>a friction</source>
+        <translation>eine Reibung</translation>
+    </message>
+    <message>
+        <source>This is a part of a constraint, as in %1.</source>
+        <translation>Dies gehört zu einer Bindung, wie in %1.</translation>
+    </message>
+    <message>
+        <source>a constraint</source>
+        <translation>eine Bindung</translation>
+    </message>
+    <message>
+        <source>a %1</source>
+        <translation>eine Bindung vom Typ „%1“</translation>
+    </message>
+    <message>
+        <source>A %1 is found by a formula, not by a search; a mesh and a curve have one. Take it away.</source>
+        <translation>Bei einer Bindung vom Typ „%1“ wird der nächste Punkt durch eine Formel gefunden, nicht durch eine Suche; Dreiecksnetz und Kurve haben eine. Entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>a number, or a list of 3 numbers for x, y and z</source>
+        <translation>eine Zahl oder eine Liste von 3 Zahlen für x, y und z</translation>
+    </message>
+    <message>
+        <source>This is a part of the control, as in %1.</source>
+        <translation>Dies gehört zur Regelung, wie in %1.</translation>
+    </message>
+    <message>
+        <source>a control</source>
+        <translation>eine Regelung</translation>
+    </message>
+    <message>
+        <source>a joint</source>
+        <translation>ein Gelenk</translation>
+    </message>
+    <message>
+        <source>A prismatic joint has a direction and no point; take it away.</source>
+        <translation>Ein Schubgelenk hat eine Richtung und keinen Punkt; entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The spring of a %1 joint is "%2".</source>
+        <translation>Die Feder eines Gelenks vom Typ „%1“ heißt „%2“.</translation>
+    </message>
+    <message>
+        <source>a solver</source>
+        <translation>ein Löser</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from 1 to 100; here it is %1.</source>
+        <translation>Dies muss eine ganze Zahl von 1 bis 100 sein; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>4 rows of 4 numbers</source>
+        <translation>eine Liste von 4 Zeilen mit je 4 Zahlen</translation>
+    </message>
+    <message>
+        <source>A pose has 4 rows of 4 numbers; here are %1.</source>
+        <translation>Eine Lage hat 4 Zeilen mit je 4 Zahlen; hier sind es %1.</translation>
+    </message>
+    <message>
+        <source>4 numbers</source>
+        <translation>eine Zeile von 4 Zahlen</translation>
+    </message>
+    <message>
+        <source>A row has 4 numbers; here are %1.</source>
+        <translation>Eine Zeile hat 4 Zahlen; hier sind es %1.</translation>
+    </message>
+    <message>
+        <source>a list of joints</source>
+        <translation>eine Liste von Gelenken</translation>
+    </message>
+    <message>
+        <source>The filter "%1" does not use this; %2 would. Change the filter or take it away.</source>
+        <translation>Der Filter „%1“ benutzt dies nicht, wohl aber %2. Ändern Sie den Filter, oder entfernen Sie dies.</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>This is no finite number; a double holds at most about 1.8e308.</source>
+        <translation>Dies ist keine endliche Zahl; ein double fasst höchstens etwa 1.8e308.</translation>
+    </message>
+    <message>
+        <source>A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.</source>
+        <translation>Eine Richtung darf nicht [0, 0, 0] sein, denn das zeigt nirgendwohin; jede Länge außer null ist recht.</translation>
+    </message>
+    <message>
+        <source>This must be above 0 mm; here it is %1.</source>
+        <translation>Dies muss über 0 mm liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This is too close to 0 mm; the least is 1e-100 mm.</source>
+        <translation>Dies ist zu nahe an 0 mm; das Kleinste ist 1e-100 mm.</translation>
+    </message>
+    <message>
+        <source>This must lie within 1e6 mm (1 km); here it is %1.</source>
+        <translation>Dies darf höchstens 1e6 mm (1 km) betragen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>A gain must be 0 or above, or the arm pushes away; here it is %1.</source>
+        <translation>Eine Verstärkung muss 0 oder größer sein, sonst drückt der Arm weg; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>A gain must be at most 1e12; here it is %1.</source>
+        <translation>Eine Verstärkung darf höchstens 1e12 betragen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This is no finite pose; a double holds at most about 1.8e308.</source>
+        <translation>Dies ist keine endliche Lage; ein double fasst höchstens etwa 1.8e308.</translation>
+    </message>
+    <message>
+        <source>The last row of a pose is [0, 0, 0, 1].</source>
+        <translation>Die letzte Zeile einer Lage ist [0, 0, 0, 1].</translation>
+    </message>
+    <message>
+        <source>The upper left 3 x 3 numbers are no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
+        <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
+    </message>
+    <message>
+        <source>The place must lie within 1e6 mm (1 km).</source>
+        <translation>Der Ort muss innerhalb von 1e6 mm (1 km) liegen.</translation>
+    </message>
+    <message>
+        <source>This is a folder; a scene needs a file name.</source>
+        <translation>Dies ist ein Ordner; eine Szene braucht einen Dateinamen.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be saved: %1.</source>
+        <translation>Die Szene lässt sich nicht speichern: %1.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be saved, what was there is untouched: %1.</source>
+        <translation>Die Szene lässt sich nicht speichern, was dort stand, ist unberührt: %1.</translation>
+    </message>
+    <message>
+        <source>what a scene teaches</source>
+        <translation>was eine Szene lehrt</translation>
+    </message>
+    <message>
+        <source>This arm keeps the rate that it was opened with.</source>
+        <translation>Dieser Arm behält die Taktrate, mit der er geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>this arm cannot be reached from outside the program</source>
+        <translation>Dieser Arm ist von außerhalb des Programms nicht zu erreichen</translation>
+    </message>
+    <message>
+        <source>underact-guard was not found</source>
+        <translation>underact-guard wurde nicht gefunden</translation>
+    </message>
+    <message>
+        <source>there is no guard on this system</source>
+        <translation>Auf diesem System gibt es keinen Wächter</translation>
+    </message>
+    <message>
+        <source>The servo ticks 100 to 10000 times a second, not %1.</source>
+        <translation>Der Servo macht 100 bis 10000 Takte je Sekunde, nicht %1.</translation>
+    </message>
+    <message>
+        <source>A session is recorded at one rate. Stop the recording, then change the rate.</source>
+        <translation>Eine Sitzung wird mit einer einzigen Taktrate aufgezeichnet. Stoppen Sie die Aufzeichnung, dann ändern Sie die Taktrate.</translation>
+    </message>
+    <message>
+        <source>The share of the force is from 0 to 1.</source>
+        <translation>Der Anteil der Kraft liegt zwischen 0 und 1.</translation>
+    </message>
+    <message>
+        <source>A session is recorded at one limit of the force. Stop the recording first.</source>
+        <translation>Eine Sitzung wird mit einer einzigen Kraftgrenze aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>by the arm's own clock</source>
+        <translation>nach der Uhr des Arms</translation>
+    </message>
+    <message>
+        <source>guarded by a process of its own</source>
+        <translation>von einem eigenen Prozess bewacht</translation>
+    </message>
+    <message>
+        <source>no guard: %1</source>
+        <translation>kein Wächter: %1</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>nicht begonnen</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>On macOS the servo has never been tried: what it reports of lateness is all that is known.</source>
+        <translation>Unter macOS wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+    </message>
+    <message>
+        <source>core %1 refused</source>
+        <translation>Kern %1 verweigert</translation>
+    </message>
+    <message>
+        <source>all cores</source>
+        <translation>alle Kerne</translation>
+    </message>
+    <message>
+        <source>memory not locked</source>
+        <translation>Speicher nicht gesperrt</translation>
+    </message>
+    <message>
+        <source>time constraint</source>
+        <translation>Zeitvorgabe</translation>
+    </message>
+    <message>
+        <source>untested</source>
+        <translation>nicht erprobt</translation>
+    </message>
+    <message>
+        <source>On Windows the servo has never been tried: what it reports of lateness is all that is known.</source>
+        <translation>Unter Windows wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+    </message>
+    <message>
+        <source>core %1</source>
+        <translation>Kern %1</translation>
+    </message>
+    <message>
+        <source>time critical</source>
+        <translation>zeitkritisch</translation>
+    </message>
+    <message>
+        <source>isolated core %1</source>
+        <translation>isolierter Kern %1</translation>
+    </message>
+    <message>
+        <source>rtkit: %1</source>
+        <translation>rtkit: %1</translation>
+    </message>
+    <message>
+        <source>The core that was asked for is not there, or not for this program.</source>
+        <translation>Den verlangten Kern gibt es nicht, oder nicht für dieses Programm.</translation>
+    </message>
+    <message>
+        <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
+        <translation>Echtzeit wurde nicht verlangt, also können Takte spät kommen, wenn der Rechner beschäftigt ist.</translation>
+    </message>
+    <message>
+        <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
+        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
+        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>Parts of the program may leave the memory, and a tick then waits for them. Put "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
+        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>On a machine that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md tells how.</source>
+        <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>memory locked</source>
+        <translation>Speicher gesperrt</translation>
+    </message>
+    <message>
+        <source>timer slack 1 ns</source>
+        <translation>Spielraum des Zeitgebers 1 ns</translation>
+    </message>
+    <message>
+        <source>timer slack as it was</source>
+        <translation>Spielraum des Zeitgebers wie zuvor</translation>
+    </message>
+    <message>
+        <source>stack in memory</source>
+        <translation>Stapel im Speicher</translation>
+    </message>
+    <message>
+        <source>no D-Bus: %1</source>
+        <translation>kein D-Bus: %1</translation>
+    </message>
+    <message>
+        <source>it does not answer: %1</source>
+        <translation>Es antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>it grants no priority</source>
+        <translation>Es gewährt keine Priorität</translation>
+    </message>
+    <message>
+        <source>RLIMIT_RTTIME cannot be set</source>
+        <translation>RLIMIT_RTTIME lässt sich nicht setzen</translation>
+    </message>
+    <message>
+        <source>it agreed, and nothing changed</source>
+        <translation>Es stimmte zu, und nichts änderte sich</translation>
+    </message>
+    <message>
+        <source>denormals flushed</source>
+        <translation>denormale Zahlen zu null gemacht</translation>
+    </message>
+    <message>
+        <source>denormals kept</source>
+        <translation>denormale Zahlen behalten</translation>
+    </message>
+    <message>
+        <source>The centre is not a finite point.</source>
+        <translation>Der Mittelpunkt ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>Every size must be above 0.</source>
+        <translation>Jede Größe muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The matrix is not a rotation.</source>
+        <translation>Die Matrix ist keine Rotationsmatrix.</translation>
+    </message>
+    <message>
+        <source>The axis has no direction.</source>
+        <translation>Die Achse hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The radius must be above 0.</source>
+        <translation>Der Radius muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The point on the axis is not a finite point.</source>
+        <translation>Der Punkt auf der Achse ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>The point is not a finite point.</source>
+        <translation>Der Punkt ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>The line has no direction.</source>
+        <translation>Die Gerade hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The normal has no direction.</source>
+        <translation>Die Normale hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The position is not a finite point.</source>
+        <translation>Die Position ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>This must lie within 0 and %1; here it is %2.</source>
+        <translation>Dies muss zwischen 0 und %1 liegen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>no finite number</source>
+        <translation>keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>This must be a list of six numbers, one for each joint.</source>
+        <translation>Dies muss eine Liste von sechs Zahlen sein, eine für jedes Gelenk.</translation>
+    </message>
+    <message>
+        <source>This must be a number of at least 1, or null where it was not measured.</source>
+        <translation>Dies muss eine Zahl von mindestens 1 sein, oder null, wo nicht gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Each coordinate must lie within 1e6 mm (1 km).</source>
+        <translation>Jede Koordinate darf höchstens 1e6 mm (1 km) betragen.</translation>
+    </message>
+    <message>
+        <source>where a model comes from</source>
+        <translation>woher ein Modell kommt</translation>
+    </message>
+    <message>
+        <source>This must be a whole number of ticks a second, at least 1.</source>
+        <translation>Dies muss eine ganze Zahl von Takten je Sekunde sein, mindestens 1.</translation>
+    </message>
+    <message>
+        <source>an uncertainty</source>
+        <translation>eine Unsicherheit</translation>
+    </message>
+    <message>
+        <source>This program reads version 1 of arm models.</source>
+        <translation>Dieses Programm liest Version 1 von Armmodellen.</translation>
+    </message>
+    <message>
+        <source>an arm model</source>
+        <translation>ein Armmodell</translation>
+    </message>
+    <message>
+        <source>There is no arm model %1; it must be %2, or a file of one (a name with a dot or a slash).</source>
+        <translation>Ein Armmodell %1 gibt es nicht; es muss %2 sein, oder eine Datei mit einem (ein Name mit einem Punkt oder Schrägstrich).</translation>
+    </message>
+    <message>
+        <source>There is no hand "%1". Hands: %2.</source>
+        <translation>Eine Hand „%1“ gibt es nicht. Hände: %2.</translation>
+    </message>
+    <message>
+        <source>This must not be below 0; here it is %1.</source>
+        <translation>Dies darf nicht unter 0 liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be above 0; here it is %1.</source>
+        <translation>Dies muss über 0 liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>a hand</source>
+        <translation>eine Hand</translation>
+    </message>
+    <message>
+        <source>Each time must be later than those before it.</source>
+        <translation>Jeder Zeitpunkt muss später sein als die davor.</translation>
+    </message>
+    <message>
+        <source>a point of a hand's path</source>
+        <translation>ein Punkt im Weg einer Hand</translation>
+    </message>
+    <message>
+        <source>a list of points</source>
+        <translation>eine Liste von Punkten</translation>
+    </message>
+    <message>
+        <source>A path needs at least one point.</source>
+        <translation>Ein Weg braucht mindestens einen Punkt.</translation>
+    </message>
+    <message>
+        <source>a hand file</source>
+        <translation>eine Handdatei</translation>
+    </message>
+    <message>
+        <source>This program reads version 1 only.</source>
+        <translation>Dieses Programm liest nur Version 1.</translation>
+    </message>
+    <message>
+        <source>Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt.</source>
+        <translation>Dort hält nichts die Spitze: Das Ziel geht überallhin, wohin die Spitze geht, also ist keine Steifigkeit zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The hand never touches what this is about.</source>
+        <translation>Die Hand berührt nie, worum es hier geht.</translation>
+    </message>
+    <message>
+        <source>The run ended in a fault, and what it did before says nothing.</source>
+        <translation>Der Lauf endete in einer Störung, und was davor geschah, sagt nichts.</translation>
+    </message>
+    <message>
+        <source>Simulated arm</source>
+        <translation>Simulierter Arm</translation>
+    </message>
+    <message>
+        <source>Touch, Omni (vendor's driver)</source>
+        <translation>Touch, Omni (Treiber des Herstellers)</translation>
+    </message>
+    <message>
+        <source>WoodenHaptics (HID)</source>
+        <translation>WoodenHaptics (HID)</translation>
+    </message>
+    <message>
+        <source>Arm over the network</source>
+        <translation>Arm über das Netz</translation>
+    </message>
+    <message>
+        <source>There is no arm of the kind "%1". There are: %2.</source>
+        <translation>Arme der Art „%1“ gibt es nicht. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice work all the same. Controllers need a screen with X11, or a Wayland desktop with Xwayland.</source>
+        <translation>Gamepads können hier nicht gelesen werden (%1). Maus, Tastatur und 3D-Mäuse funktionieren trotzdem. Gamepads brauchen einen Bildschirm mit X11 oder eine Wayland-Umgebung mit Xwayland.</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>a hand's map</source>
+        <translation>die Belegung einer Hand</translation>
+    </message>
+    <message>
+        <source>This must lie between %1 and %2.</source>
+        <translation>Dies muss zwischen %1 und %2 liegen.</translation>
+    </message>
+    <message>
+        <source>a number, as in 0</source>
+        <translation>eine Zahl wie 0</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from 0 to %1.</source>
+        <translation>Dies muss eine ganze Zahl von 0 bis %1 sein.</translation>
+    </message>
+    <message>
+        <source>a list of two, as in [4, 5]</source>
+        <translation>eine Liste von zweien wie [4, 5]</translation>
+    </message>
+    <message>
+        <source>This must be a list of two: the one that goes there, the one that goes back.</source>
+        <translation>Dies muss eine Liste von zweien sein: was hin bewegt und was zurück bewegt.</translation>
+    </message>
+    <message>
+        <source>Only one of "axis", "buttons" and "triggers" may stand.</source>
+        <translation>Von „axis“, „buttons“ und „triggers“ darf nur eines stehen.</translation>
+    </message>
+    <message>
+        <source>a way</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>a map</source>
+        <translation>eine Belegung</translation>
+    </message>
+    <message>
+        <source>the buttons of a map</source>
+        <translation>die Tasten einer Belegung</translation>
+    </message>
+    <message>
+        <source>You may not read %1.</source>
+        <translation>Sie dürfen %1 nicht lesen.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Wireless (cable)</source>
+        <translation>SpaceMouse Wireless (Kabel)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Wireless (receiver)</source>
+        <translation>SpaceMouse Wireless (Empfänger)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Pro Wireless (cable)</source>
+        <translation>SpaceMouse Pro Wireless (Kabel)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Pro Wireless (receiver)</source>
+        <translation>SpaceMouse Pro Wireless (Empfänger)</translation>
+    </message>
+    <message>
+        <source>left stick, right</source>
+        <translation>linker Stick, rechts</translation>
+    </message>
+    <message>
+        <source>left stick, down</source>
+        <translation>linker Stick, unten</translation>
+    </message>
+    <message>
+        <source>right stick, right</source>
+        <translation>rechter Stick, rechts</translation>
+    </message>
+    <message>
+        <source>right stick, down</source>
+        <translation>rechter Stick, unten</translation>
+    </message>
+    <message>
+        <source>left trigger</source>
+        <translation>linker Trigger</translation>
+    </message>
+    <message>
+        <source>right trigger</source>
+        <translation>rechter Trigger</translation>
+    </message>
+    <message>
+        <source>left bumper</source>
+        <translation>linke Schultertaste</translation>
+    </message>
+    <message>
+        <source>right bumper</source>
+        <translation>rechte Schultertaste</translation>
+    </message>
+    <message>
+        <source>left stick</source>
+        <translation>linker Stick</translation>
+    </message>
+    <message>
+        <source>right stick</source>
+        <translation>rechter Stick</translation>
+    </message>
+    <message>
+        <source>pad up</source>
+        <translation>Steuerkreuz oben</translation>
+    </message>
+    <message>
+        <source>pad right</source>
+        <translation>Steuerkreuz rechts</translation>
+    </message>
+    <message>
+        <source>pad down</source>
+        <translation>Steuerkreuz unten</translation>
+    </message>
+    <message>
+        <source>pad left</source>
+        <translation>Steuerkreuz links</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>zu Ihnen</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>tilt back</source>
+        <translation>nach hinten neigen</translation>
+    </message>
+    <message>
+        <source>tilt right</source>
+        <translation>nach rechts neigen</translation>
+    </message>
+    <message>
+        <source>twist right</source>
+        <translation>nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>Die Messung wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The arm is not calibrated, so it gives no force. Put the stylus into the inkwell.</source>
+        <translation>Der Arm ist nicht kalibriert und gibt deshalb keine Kraft. Stecken Sie den Stift in das Tintenfass.</translation>
+    </message>
+    <message>
+        <source>The arm is not calibrated, so it gives no force. Hold it in its reset position, as the vendor's manual shows, and press the stylus button nearer to the tip.</source>
+        <translation>Der Arm ist nicht kalibriert und gibt deshalb keine Kraft. Halten Sie ihn in seiner Nullstellung, wie es das Handbuch des Herstellers zeigt, und drücken Sie die Stifttaste, die näher an der Spitze ist.</translation>
+    </message>
+    <message>
+        <source>The arm is not calibrated, so it gives no force. Move the stylus about slowly until it is.</source>
+        <translation>Der Arm ist nicht kalibriert und gibt deshalb keine Kraft. Bewegen Sie den Stift langsam umher, bis er es ist.</translation>
+    </message>
+    <message>
+        <source>The arm does not say whether it is calibrated, so it gives no force. Run the vendor's setup.</source>
+        <translation>Der Arm sagt nicht, ob er kalibriert ist, und gibt deshalb keine Kraft. Führen Sie das Einrichtungsprogramm des Herstellers aus.</translation>
+    </message>
+    <message>
+        <source>The arm's driver refused a question that it should know. Report the arm's model.</source>
+        <translation>Der Treiber des Arms hat eine Anfrage abgelehnt, die er kennen sollte. Melden Sie das Modell des Arms.</translation>
+    </message>
+    <message>
+        <source>The arm's driver lost its place in a frame. Restart the servo.</source>
+        <translation>Der Treiber des Arms ist in einem Frame aus dem Tritt gekommen. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's driver does not know the arm any more. Restart the servo.</source>
+        <translation>Der Treiber des Arms kennt den Arm nicht mehr. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's motors are warm, so its driver cuts the force. Let the arm rest.</source>
+        <translation>Die Motoren des Arms sind warm; deshalb nimmt sein Treiber die Kraft weg. Lassen Sie den Arm ruhen.</translation>
+    </message>
+    <message>
+        <source>The force was more than the arm gives, so its driver cut it. Make the scene softer.</source>
+        <translation>Die Kraft war größer, als der Arm sie geben kann; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
+    </message>
+    <message>
+        <source>The force rose faster than the arm allows, so its driver cut it. Make it softer.</source>
+        <translation>Die Kraft stieg schneller an, als der Arm es zulässt; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
+    </message>
+    <message>
+        <source>The stylus moved faster than the arm allows, so its driver cut the force.</source>
+        <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft weggenommen.</translation>
+    </message>
+    <message>
+        <source>The arm's driver cut the force. Start again; if that lasts, restart the servo.</source>
+        <translation>Der Treiber des Arms hat die Kraft weggenommen. Drücken Sie noch einmal Start; bleibt es dabei, starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm reports a fault of its own. Switch it off and on, then restart the servo.</source>
+        <translation>Der Arm meldet eine eigene Störung. Schalten Sie ihn aus und wieder ein und starten Sie dann den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm is open already, here or in another program. Close that first.</source>
+        <translation>Der Arm ist schon geöffnet, hier oder in einem anderen Programm. Schließen Sie ihn dort zuerst.</translation>
+    </message>
+    <message>
+        <source>The arm does not answer. Check its cable and its power, then restart the servo.</source>
+        <translation>Der Arm antwortet nicht. Prüfen Sie Kabel und Stromversorgung und starten Sie dann den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm cannot be reached the way its driver is set up. Run the vendor's setup, then restart the servo.</source>
+        <translation>So, wie der Treiber eingerichtet ist, ist der Arm nicht zu erreichen. Führen Sie das Einrichtungsprogramm des Herstellers aus und starten Sie dann den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The clock of the arm's driver failed. Restart the servo.</source>
+        <translation>Der Taktgeber des Treibers ist ausgefallen. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's driver could not finish a frame. Restart the servo.</source>
+        <translation>Der Treiber des Arms konnte einen Frame nicht beenden. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's driver refused its clock to us. Restart the servo.</source>
+        <translation>Der Treiber des Arms hat uns seinen Taktgeber verweigert. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The clock of the arm's driver is full. Close other programs of it, restart the servo.</source>
+        <translation>Der Taktgeber des Treibers ist voll belegt. Schließen Sie andere Programme, die den Treiber nutzen, und starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's driver has no licence that is valid. Run the vendor's setup.</source>
+        <translation>Der Treiber des Arms hat keine gültige Lizenz. Führen Sie das Einrichtungsprogramm des Herstellers aus.</translation>
+    </message>
+    <message>
+        <source>The arm's driver reports errors without end. End the program and start again.</source>
+        <translation>Der Treiber des Arms meldet Fehler ohne Ende. Beenden Sie das Programm und starten Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The arm sends angles that are no numbers. Restart the servo.</source>
+        <translation>Der Arm sendet Winkel, die keine Zahlen sind. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's driver reports the unknown error %1. Restart the servo.</source>
+        <translation>Der Treiber des Arms meldet den unbekannten Fehler %1. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>In a terminal: "%1".</source>
+        <translation>In einem Terminal: „%1“.</translation>
+    </message>
+    <message>
+        <source>The library that was found is not OpenHaptics 3.0 to 3.4: it lacks %1.</source>
+        <translation>Die gefundene Bibliothek ist nicht OpenHaptics 3.0 bis 3.4: Ihr fehlt %1.</translation>
+    </message>
+    <message>
+        <source>The arm's driver cannot be loaded: %1.</source>
+        <translation>Der Treiber des Arms kann nicht geladen werden: %1.</translation>
+    </message>
+    <message>
+        <source>The vendor's driver, OpenHaptics, is not installed (%1 was not found). Get it for Linux from the maker of the arm, unpack it, and run its installer in its folder; then do the same with the arm's device driver.</source>
+        <translation>Der Treiber des Herstellers, OpenHaptics, ist nicht installiert (%1 wurde nicht gefunden). Beziehen Sie ihn für Linux vom Hersteller des Arms, entpacken Sie ihn und führen Sie in seinem Ordner das Installationsprogramm aus; verfahren Sie dann ebenso mit dem Gerätetreiber des Arms.</translation>
+    </message>
+    <message>
+        <source>The vendor's driver needs %1, of the old packages libncurses5 and libtinfo5, which are not installed.</source>
+        <translation>Der Treiber des Herstellers braucht %1 aus den alten Paketen libncurses5 und libtinfo5, die nicht installiert sind.</translation>
+    </message>
+    <message>
+        <source>The vendor's driver needs libusb, which is not installed.</source>
+        <translation>Der Treiber des Herstellers braucht libusb, das nicht installiert ist.</translation>
+    </message>
+    <message>
+        <source>OpenHaptics is there, but %1 of the arm's device driver is not, or the system has not noted it yet. Install the device driver.</source>
+        <translation>OpenHaptics ist da, aber %1 vom Gerätetreiber des Arms fehlt, oder das System hat es noch nicht bemerkt. Installieren Sie den Gerätetreiber.</translation>
+    </message>
+    <message>
+        <source>The vendor's driver needs %1, which is not there.</source>
+        <translation>Der Treiber des Herstellers braucht %1, und das ist nicht da.</translation>
+    </message>
+    <message>
+        <source>The system has not made %1 for the arm. Plug it in again.</source>
+        <translation>Das System hat %1 für den Arm nicht angelegt. Stecken Sie ihn neu an.</translation>
+    </message>
+    <message>
+        <source>You may not use %1, the arm's. This rule lets whoever sits at the machine do so; plug the arm in again after it.</source>
+        <translation>Sie dürfen %1, das zum Arm gehört, nicht benutzen. Diese Regel erlaubt es dem, der am Rechner sitzt; stecken Sie den Arm danach neu an.</translation>
+    </message>
+    <message>
+        <source>The vendor's driver has no settings: there is no folder config in %1 nor in %2, and GTDD_HOME does not name another. Run the vendor's Touch_Setup, or name the folder.</source>
+        <translation>Der Treiber des Herstellers hat keine Einstellungen: Weder in %1 noch in %2 gibt es einen Ordner config, und GTDD_HOME nennt keinen anderen. Führen Sie Touch_Setup des Herstellers aus, oder geben Sie den Ordner an.</translation>
+    </message>
+    <message>
+        <source>Touch or Omni on USB</source>
+        <translation>Touch oder Omni an USB</translation>
+    </message>
+    <message>
+        <source>Touch or Omni on USB, serial %1</source>
+        <translation>Touch oder Omni an USB, Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>No Touch or Omni is on USB. Plug it in and switch it on; one on FireWire or Ethernet is not seen from here, and may be opened all the same.</source>
+        <translation>An USB ist kein Touch oder Omni. Stecken Sie ihn an und schalten Sie ihn ein; einer an FireWire oder Ethernet ist von hier aus nicht zu sehen und lässt sich vielleicht trotzdem öffnen.</translation>
+    </message>
+    <message>
+        <source>The clock of the arm's driver stands still: it has not called for half a second. Restart the servo; if that does not help, end the program.</source>
+        <translation>Der Taktgeber des Treibers steht still: Er hat sich seit einer halben Sekunde nicht gemeldet. Starten Sie den Servo neu; hilft das nicht, beenden Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>A call of the arm's driver has not come back, and the force may still be on. Switch the arm off, end the program and start it again.</source>
+        <translation>Ein Aufruf des Treibers ist nicht zurückgekehrt, und die Kraft kann noch an sein. Schalten Sie den Arm aus, beenden Sie das Programm und starten Sie es neu.</translation>
+    </message>
+    <message>
+        <source>No arm could be opened.</source>
+        <translation>Es konnte kein Arm geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>No arm could be opened under the name "%1".</source>
+        <translation>Unter dem Namen „%1“ konnte kein Arm geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Its driver gives no reason.</source>
+        <translation>Sein Treiber nennt keinen Grund.</translation>
+    </message>
+    <message>
+        <source>Its driver says: %1.</source>
+        <translation>Sein Treiber sagt: %1.</translation>
+    </message>
+    <message>
+        <source>The arm's force cannot be switched on.</source>
+        <translation>Die Kraft des Arms lässt sich nicht einschalten.</translation>
+    </message>
+    <message>
+        <source>The arm's driver has one rate alone, %1 Hz.</source>
+        <translation>Der Treiber des Arms kennt nur eine Taktrate, %1 Hz.</translation>
+    </message>
+    <message>
+        <source>%1 (vendor's driver)</source>
+        <translation>%1 (Treiber des Herstellers)</translation>
+    </message>
+    <message>
+        <source>The arm's driver did not take the rate %1 Hz.</source>
+        <translation>Der Treiber des Arms hat die Taktrate %1 Hz nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>The arm's driver takes no rate at all. Restart the servo.</source>
+        <translation>Der Treiber des Arms nimmt gar keine Taktrate an. Starten Sie den Servo neu.</translation>
+    </message>
+    <message>
+        <source>The arm's driver ticks at %1 Hz, not at %2. Choose one of these.</source>
+        <translation>Der Treiber des Arms taktet mit %1 Hz, nicht mit %2. Wählen Sie eine dieser Taktraten.</translation>
+    </message>
+    <message>
+        <source>Another arm ticks by the same driver at %1 Hz, and there is one clock for both. Close one of them first.</source>
+        <translation>Ein anderer Arm taktet über denselben Treiber mit %1 Hz, und beide haben einen gemeinsamen Taktgeber. Schließen Sie zuerst einen von ihnen.</translation>
+    </message>
+    <message>
+        <source>The stylus is in the inkwell, so the arm gives no force. Take it out.</source>
+        <translation>Der Stift steckt im Tintenfass; deshalb gibt der Arm keine Kraft. Nehmen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it, so it gets no force: the force would point elsewhere. Choose the arm that it is.</source>
+        <translation>Nach eigener Angabe hat der Arm seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der es wirklich ist.</translation>
+    </message>
+    <message>
+        <source>%1 times so far.</source>
+        <translation>Bisher %1-mal.</translation>
+    </message>
+    <message>
+        <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it. Choose the arm that it is, or shapes are felt elsewhere than they are shown.</source>
+        <translation>Nach eigener Angabe hat der Arm seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der es wirklich ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Ticks %1 to %2 of this session are damaged; the arm stands still there.</source>
+        <translation>Die Takte %1 bis %2 dieser Sitzung sind beschädigt; dort steht der Arm still.</translation>
+    </message>
+    <message>
+        <source>Opening was ended before the whole session was read.</source>
+        <translation>Das Öffnen wurde beendet, bevor die ganze Sitzung gelesen war.</translation>
+    </message>
+    <message>
+        <source>There are no ticks in this session: nothing can be replayed.</source>
+        <translation>In dieser Sitzung sind keine Takte: Es gibt nichts wiederzugeben.</translation>
+    </message>
+    <message>
+        <source>"%1" is no address of a shared arm. It is HOST:PORT or HOST, as in 192.168.1.20:7878, arm-pc or [fe80::1]:7878.</source>
+        <translation>„%1“ ist keine Adresse eines freigegebenen Arms. Eine solche ist HOST:PORT oder HOST, wie 192.168.1.20:7878, arm-pc oder [fe80::1]:7878.</translation>
+    </message>
+    <message>
+        <source>The file of keys cannot be read.</source>
+        <translation>Die Schlüsseldatei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file of keys cannot be written: %1.</source>
+        <translation>Die Schlüsseldatei kann nicht geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>"%1" is no key. A key has 40 characters; "underact-cli share-arm --show-key" prints it. Put it in single quotes, since some of them mean something to a shell.</source>
+        <translation>„%1“ ist kein Schlüssel. Ein Schlüssel hat 40 Zeichen; „underact-cli share-arm --show-key“ gibt ihn aus. Setzen Sie ihn in einfache Anführungszeichen, denn manche der Zeichen haben für eine Shell eine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.</source>
+        <translation>Die ZeroMQ-Bibliothek dieses Rechners wurde ohne CURVE gebaut; deshalb kann kein Arm freigegeben werden.</translation>
+    </message>
+    <message>
+        <source>This is no pair of keys. "underact-cli share-arm --new-key" makes one in its place.</source>
+        <translation>Dies ist kein Schlüsselpaar. „underact-cli share-arm --new-key“ erzeugt eines an seiner Stelle.</translation>
+    </message>
+    <message>
+        <source>Others may read your secret key. Say chmod 600 '%1' and, if somebody may have done so, underact-cli share-arm --new-key.</source>
+        <translation>Andere dürfen Ihren geheimen Schlüssel lesen. Geben Sie chmod 600 '%1' ein und, falls ihn jemand gelesen haben kann, underact-cli share-arm --new-key.</translation>
+    </message>
+    <message>
+        <source>A line begins with a key of 40 characters.</source>
+        <translation>Eine Zeile beginnt mit einem Schlüssel aus 40 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The key of %1 in this file is none.</source>
+        <translation>Der Schlüssel von %1 in dieser Datei ist keiner.</translation>
+    </message>
+    <message>
+        <source>The arm at %1 is not shared with you: your key is not known there. Here, "underact-cli share-arm --show-key" prints the line to run there.</source>
+        <translation>Der Arm bei %1 ist nicht für Sie freigegeben: Ihr Schlüssel ist dort nicht bekannt. „underact-cli share-arm --show-key“ gibt hier die Zeile aus, die dort auszuführen ist.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line that "underact-cli share-arm" prints there; if it was not, somebody else answers in its place.</source>
+        <translation>Was bei %1 antwortet, ist nicht der Arm, dessen Schlüssel hier bekannt ist. Hat er einen neuen Schlüssel bekommen, führen Sie die Zeile aus, die „underact-cli share-arm“ dort ausgibt; wenn nicht, antwortet jemand anders an seiner Stelle.</translation>
+    </message>
+    <message>
+        <source>No arm is shared at %1. Is that computer on, does "underact-cli share-arm" run there, and is it listening for others (--listen)?</source>
+        <translation>Bei %1 ist kein Arm freigegeben. Ist jener Rechner an, läuft „underact-cli share-arm“ dort, und nimmt es Verbindungen anderer an (--listen)?</translation>
+    </message>
+    <message>
+        <source>It is shared with version %1 of the protocol, and this program speaks %2. Install the same release of Underact at both ends.</source>
+        <translation>Er ist mit Version %1 des Protokolls freigegeben, und dieses Programm spricht Version %2. Installieren Sie an beiden Enden dieselbe Version von Underact.</translation>
+    </message>
+    <message>
+        <source>The arm at %1: %2</source>
+        <translation>Der Arm bei %1: %2</translation>
+    </message>
+    <message>
+        <source>The arm at %1 does not answer, although its computer does. Start "underact-cli share-arm" anew there.</source>
+        <translation>Der Arm bei %1 antwortet nicht, obwohl sein Rechner antwortet. Starten Sie „underact-cli share-arm“ dort neu.</translation>
+    </message>
+    <message>
+        <source>The key of the arm at %1 is not known here. "underact-cli share-arm" prints, at the arm's computer, the line to run here once.</source>
+        <translation>Der Schlüssel des Arms bei %1 ist hier nicht bekannt. „underact-cli share-arm“ gibt am Rechner des Arms die Zeile aus, die hier einmal auszuführen ist.</translation>
+    </message>
+    <message>
+        <source>%1, shared at this computer</source>
+        <translation>%1, an diesem Rechner freigegeben</translation>
+    </message>
+    <message>
+        <source>%1, shared at this computer, without force</source>
+        <translation>%1, an diesem Rechner freigegeben, ohne Kraft</translation>
+    </message>
+    <message>
+        <source>The arm at %1 ticks at %2 Hz and not at %3 Hz.</source>
+        <translation>Der Arm bei %1 taktet mit %2 Hz und nicht mit %3 Hz.</translation>
+    </message>
+    <message>
+        <source>The line to the arm at %1 broke. Look after the network and the sharing program at its computer, then press Restart.</source>
+        <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the arm at %1 any more. Look after the network and the sharing program at its computer, then press Restart.</source>
+        <translation>Vom Arm bei %1 kommt nichts mehr. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
+    </message>
+    <message>
+        <source>The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then the rate, and open it again.</source>
+        <translation>Der Arm bei %1 behält die Taktrate, mit der er geöffnet wurde. Wählen Sie den simulierten Arm, dann die Taktrate, und öffnen Sie ihn wieder.</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the arm at %1. Look after the network and the sharing program at its computer.</source>
+        <translation>Vom Arm bei %1 kommt nichts. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2, without force</source>
+        <translation>%1 bei %2, ohne Kraft</translation>
+    </message>
+    <message>
+        <source>No line to %1: %2.</source>
+        <translation>Keine Verbindung zu %1: %2.</translation>
+    </message>
+    <message>
+        <source>Nobody can listen at %1: %2. Is an arm shared there already? Another port is chosen with --listen HOST:PORT.</source>
+        <translation>An %1 können keine Verbindungen angenommen werden: %2. Ist dort schon ein Arm freigegeben? Ein anderer Port wird mit --listen HOST:PORT gewählt.</translation>
+    </message>
+    <message>
+        <source>Recorded arm: %1</source>
+        <translation>Aufgezeichneter Arm: %1</translation>
+    </message>
+    <message>
+        <source>A recording is being replayed. Close it, then change the rate.</source>
+        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und ändern Sie dann die Taktrate.</translation>
+    </message>
+    <message>
+        <source>The simulated hand could not press the beam.</source>
+        <translation>Die simulierte Hand konnte den Balken nicht drücken.</translation>
+    </message>
+    <message>
+        <source>No WoodenHaptics arm is plugged in.</source>
+        <translation>Es ist kein WoodenHaptics-Arm angeschlossen.</translation>
+    </message>
+    <message>
+        <source>No WoodenHaptics arm with the serial number or path "%1" is plugged in.</source>
+        <translation>Es ist kein WoodenHaptics-Arm mit der Seriennummer oder dem Pfad „%1“ angeschlossen.</translation>
+    </message>
+    <message>
+        <source>What may be one, and is taken by name: %1.</source>
+        <translation>Was einer sein kann und über seinen Namen gewählt wird: %1.</translation>
+    </message>
+    <message>
+        <source>The WoodenHaptics arm was unplugged while it was opened. Plug it in again.</source>
+        <translation>Der WoodenHaptics-Arm wurde abgezogen, während er geöffnet wurde. Stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>%1 sends reports of %2 bytes; those of a WoodenHaptics arm have 8, 14 or 64.</source>
+        <translation>%1 sendet Berichte von %2 Bytes; die eines WoodenHaptics-Arms haben 8, 14 oder 64.</translation>
+    </message>
+    <message>
+        <source>The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew.</source>
+        <translation>Der WoodenHaptics-Arm an %1 sagt nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
+    </message>
+    <message>
+        <source>How the arm "%1" moves is not published, so it cannot be used. WoodenHaptics arms can.</source>
+        <translation>Wie sich der Arm „%1“ bewegt, ist nicht veröffentlicht; deshalb kann er nicht verwendet werden. WoodenHaptics-Arme können es.</translation>
+    </message>
+    <message>
+        <source>%1 is in use already, here or by another program of this kind.</source>
+        <translation>%1 ist schon in Gebrauch, hier oder durch ein anderes Programm dieser Art.</translation>
+    </message>
+    <message>
+        <source>You may not open %1. This, in a terminal, allows it: %2</source>
+        <translation>Sie dürfen %1 nicht öffnen. Dies, in einem Terminal, erlaubt es: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened. Unplug it and plug it in anew.</source>
+        <translation>%1 kann nicht geöffnet werden. Ziehen Sie das Gerät ab und stecken Sie es neu an.</translation>
+    </message>
+    <message>
+        <source>%1, serial %2</source>
+        <translation>%1, Seriennummer %2</translation>
+    </message>
+    <message>
+        <source>%1: perhaps a WoodenHaptics arm</source>
+        <translation>%1: vielleicht ein WoodenHaptics-Arm</translation>
+    </message>
+    <message>
+        <source>You may not open %1: the system's rules give it to nobody.</source>
+        <translation>Sie dürfen %1 nicht öffnen: Die Regeln des Systems geben es niemandem frei.</translation>
+    </message>
+    <message>
+        <source>Unplug it, put it in its home posture (upper arm upright, forearm level, straight ahead), plug it in and press Restart.</source>
+        <translation>Ziehen Sie ihn ab, bringen Sie ihn in seine Grundstellung (Oberarm senkrecht, Unterarm waagerecht, geradeaus), stecken Sie ihn an und drücken Sie „Servo neu starten“.</translation>
+    </message>
+    <message>
+        <source>Put it in its home posture (upper arm upright, forearm level, straight ahead) and press the calibration button of its board.</source>
+        <translation>Bringen Sie ihn in seine Grundstellung (Oberarm senkrecht, Unterarm waagerecht, geradeaus) und drücken Sie die Kalibriertaste seiner Platine.</translation>
+    </message>
+    <message>
+        <source>The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart.</source>
+        <translation>Der WoodenHaptics-Arm wurde abgezogen, oder seine Verbindung ist abgebrochen. Stecken Sie ihn an und drücken Sie „Servo neu starten“.</translation>
+    </message>
+    <message>
+        <source>The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of its board, or plug it in anew, and press Restart.</source>
+        <translation>Der WoodenHaptics-Arm ist angeschlossen, sendet aber nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an, und drücken Sie „Servo neu starten“.</translation>
+    </message>
+    <message>
+        <source>The WoodenHaptics arm does not know its posture, so it does not push.</source>
+        <translation>Der WoodenHaptics-Arm kennt seine Stellung nicht und drückt deshalb nicht.</translation>
+    </message>
+</context>
+<context>
     <name>scene text</name>
     <message>
         <source>Free space</source>
@@ -6844,7 +9723,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>A %1, untested. Its mapping is kept.</source>
-        <translation>%1, nicht erprobt. Die Zuordnung wird gespeichert.</translation>
+        <translation>%1, nicht erprobt. Die Belegung wird gespeichert.</translation>
     </message>
     <message>
         <source>Whatever is moved moves the simulated hand.</source>
