@@ -1,5 +1,5 @@
 #pragma once
-#include <string>
+#include "core/base/sentence.h"
 
 namespace underact::servo {
 

@@ -1,5 +1,6 @@
 #include "app/gui/sessions/csv_file.h"
 
+#include <QtGlobal>
 #include <filesystem>
 
 #include "core/record/csv_export.h"
