@@ -273,6 +273,24 @@ TEST(GuideWindowStory, EveryPageOpensAndIsNoWiderThanItsPlace) {
   }
 }
 
+TEST(GuideWindowStory, APageScrollsSidewaysWhereMoreThanItsMarginIsBeyondTheEdge) {
+  constexpr int kMargin = 16;
+  PageView page;
+  page.resize(900, 300);
+  page.showPage("    " + QString(60, 'x'), {});
+  page.show();
+  int still = 0, scrolled = 0;
+  for (int width = 900; width > 300; width -= 3) {
+    page.resize(width, 300);
+    QApplication::processEvents();
+    const int beyond = page.horizontalScrollBar()->maximum();
+    EXPECT_EQ(page.horizontalScrollBar()->isVisible(), beyond > kMargin) << width << ", " << beyond;
+    if (beyond > 0) ++(beyond > kMargin ? scrolled : still);
+  }
+  EXPECT_GT(still, 3);
+  EXPECT_GT(scrolled, 3);
+}
+
 TEST(GuideWindowStory, TextOfTwiceTheSizeIsNotCut) {
   const QFont usual = QApplication::font();
   QFont large = usual;

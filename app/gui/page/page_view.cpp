@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kPageMargin = 16, kRounding = 2;
+constexpr int kPageMargin = 16;
 constexpr qsizetype kShort = 3;  // letters of a word
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
@@ -62,9 +62,10 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
   document()->setDocumentMargin(kPageMargin);
-  // A table may come out a pixel too wide by rounding; that is nothing to scroll for.
+  // A table comes out some pixels too wide by rounding, with some fonts; while only the empty margin is beyond the edge
+  // there is nothing to scroll for.
   connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
-    setHorizontalScrollBarPolicy(most > kRounding ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(most > kPageMargin ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
   });
   setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
   connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
