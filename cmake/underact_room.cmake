@@ -1,9 +1,10 @@
 # underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
-#               [PROGRAM name [IN folder] [COMPONENT name]])
+#               [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
 # Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it; WITHOUT: those of
 # them that are rooms of their own. A LINKS
 # that is no target yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp
-# is left out of the room and becomes the program of that name, installed IN bin, another folder, or nowhere.
+# is left out of the room and becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other
+# programs that it starts; OPENS: targets that make files which it opens. Whoever builds it has them, too.
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not. Compiled with
@@ -26,7 +27,7 @@ endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/underact/version.h @ONLY)
 
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS;WITHOUT")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
@@ -51,6 +52,9 @@ function(underact_room folder)
     add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
     target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
     target_link_libraries(${room_PROGRAM} PRIVATE underact_${name})
+    if(room_STARTS OR room_OPENS)
+      add_dependencies(${room_PROGRAM} ${room_STARTS} ${room_OPENS})
+    endif()
     if(NOT room_IN)
       set(room_IN ${CMAKE_INSTALL_BINDIR})
     endif()
