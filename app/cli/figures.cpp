@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/python.h"
+#include "core/base/places.h"
 
 namespace underact::cli {
 
@@ -18,7 +19,7 @@ void addFigures(CLI::App& program, const Streams& streams, Exit& exit) {
                     "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 27, "
                     "\"figure\": \"4.2\"}");
   command->callback([out, only, progress_lines, &streams, &exit] {
-    const std::filesystem::path folder = programFolder();
+    const std::filesystem::path folder = standpoint().here;
     std::vector<std::string> arguments{
         "figures", "--cli", (folder / "underact-cli").string(), "--window", (folder / "underact").string(),
         "--out",   *out};

@@ -24,8 +24,13 @@ std::vector<std::string> builtInNames() {
 
 std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::string>& files, const Streams& streams,
                                                         Exit& exit) {
+  const Result<std::vector<std::string>> chosen = files.empty() ? shippedScenes() : files;
+  if (!chosen) {
+    exit = fail(chosen.problems(), Exit::File, streams);
+    return {};
+  }
   std::vector<trade::NamedScene> scenes;
-  for (const std::string& file : files.empty() ? shippedScenes() : files) {
+  for (const std::string& file : chosen.value()) {
     Result<LoadedScene> loaded = loadScene(file, streams);
     if (!loaded) {
       print(loaded.problems(), streams.err);

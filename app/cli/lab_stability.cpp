@@ -192,7 +192,9 @@ Result<std::vector<Step>> stepsOf(const StabilityOptions& options, const Streams
     if (isAsked(options, map.key)) addWallSteps(map, labels, steps);
   }
   if (!isAsked(options, "scenes") && options.scenes.empty()) return steps;
-  for (const std::string& file : options.scenes.empty() ? shippedScenes() : options.scenes) {
+  const Result<std::vector<std::string>> files = options.scenes.empty() ? shippedScenes() : options.scenes;
+  if (!files) return files.problems();
+  for (const std::string& file : files.value()) {
     Result<LoadedScene> loaded = loadScene(file, streams);
     if (!loaded) return loaded.problems();
     scene::Description& scene = loaded.value().description;

@@ -8,6 +8,7 @@
 #include "app/cli/lesson_try.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
+#include "core/base/places.h"
 #include "core/lesson/read.h"
 
 namespace underact::cli {
@@ -15,9 +16,12 @@ namespace {
 
 Exit check(const std::vector<std::string>& paths, const Streams& streams) {
   Exit exit = Exit::Well;
+  const Result<std::string> scenes = findResource(Resource::Scenes);
   for (const std::string& path : paths) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path);
-    const Problems problems = read ? lesson::checkScenes(read.value(), shippedSceneFolder()) : read.problems();
+    if (read && !scenes && namesShippedScene(read.value())) return fail(scenes.problems(), Exit::File, streams);
+    const Problems problems =
+        read ? lesson::checkScenes(read.value(), scenes ? scenes.value() : std::string()) : read.problems();
     if (problems.empty()) continue;
     const Exit now = exitOf(problems);
     print(problems, now == Exit::File ? streams.err : streams.out);
@@ -37,14 +41,9 @@ JsonObject listed(const std::string& path, const lesson::Lesson& lesson) {
 }
 
 Exit list(bool json, const Streams& streams) {
-  const std::vector<std::string> paths = shippedLessons();
-  if (paths.empty()) {
-    streams.err
-        << "The lessons that ship with Underact were not found beside the program. Set UNDERACT_DATA_DIR to the "
-           "folder that holds them.\n";
-    return Exit::File;
-  }
-  for (const std::string& path : paths) {
+  const Result<std::vector<std::string>> paths = shippedLessons();
+  if (!paths) return fail(paths.problems(), Exit::File, streams);
+  for (const std::string& path : paths.value()) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path);
     if (!read) {
       print(read.problems(), streams.err);

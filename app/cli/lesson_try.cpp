@@ -9,6 +9,7 @@
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
+#include "core/base/places.h"
 #include "core/lesson/read.h"
 #include "core/lesson/tell.h"
 #include "device/lesson_trial.h"
@@ -29,8 +30,12 @@ struct TryOptions {
 };
 
 /// A file, or the one of that name that ships.
-std::string lessonFile(const std::string& lesson) {
-  for (const std::string& path : shippedLessons()) {
+Result<std::string> lessonFile(const std::string& lesson) {
+  if (std::filesystem::path(lesson).extension() == ".json" || std::filesystem::path(lesson).has_parent_path())
+    return lesson;
+  const Result<std::vector<std::string>> shipped = shippedLessons();
+  if (!shipped) return shipped.problems();
+  for (const std::string& path : shipped.value()) {
     if (std::filesystem::path(path).stem() == lesson) return path;
   }
   return lesson;
@@ -67,8 +72,9 @@ void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome
 }
 
 Exit tryStep(const TryOptions& options, const Streams& streams) {
-  const std::string file = lessonFile(options.lesson);
-  const Result<lesson::Lesson> read = lesson::readLessonFile(file);
+  const Result<std::string> file = lessonFile(options.lesson);
+  if (!file) return fail(file.problems(), Exit::File, streams);
+  const Result<lesson::Lesson> read = lesson::readLessonFile(file.value());
   if (!read) return fail(read.problems(), streams);
   const lesson::Lesson& lesson = read.value();
   if (options.step < 1 || options.step > lesson.steps.size()) {
@@ -87,7 +93,10 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
   }
   attempt.hand = std::move(hand).value();
   attempt.seconds = options.seconds, attempt.answers = options.answers, attempt.starts = !options.stopped;
-  Result<LoadedScene> scene = loadScene(lesson::sceneFileOf(lesson, options.step - 1, shippedSceneFolder()), streams);
+  const Result<std::string> scenes = findResource(Resource::Scenes);
+  if (!scenes && namesShippedScene(lesson)) return fail(scenes.problems(), Exit::File, streams);
+  Result<LoadedScene> scene =
+      loadScene(lesson::sceneFileOf(lesson, options.step - 1, scenes ? scenes.value() : std::string()), streams);
   if (!scene) return fail(scene.problems(), streams);
   const lesson::Step& step = lesson.steps[options.step - 1];
   const Result<device::LessonOutcome> outcome = tryLessonStep(step, std::move(scene.value().description), attempt);

@@ -6,9 +6,6 @@
 
 namespace underact::cli {
 
-/// The folder of this program's own file; empty: the system does not say.
-std::string programFolder();
-
 /// Runs the Python package that ships with the program (app/python) with these arguments and waits for its end; what it
 /// prints goes where this program's own does. Python is UNDERACT_PYTHON, else the system's. Gives its exit status;
 /// where it cannot be started, a sentence on err and Exit::File.

@@ -1,51 +1,34 @@
 #include "app/cli/shipped.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
-#include "app/cli/python.h"
+#include "core/base/places.h"
 
 namespace underact::cli {
 namespace {
 
-/// name: of the folder where it is installed; in_sources: where it lies there.
-std::vector<std::string> filesOf(const char* name, const char* in_sources) {
-  namespace fs = std::filesystem;
-  std::vector<fs::path> folders;
-  if (const char* data = std::getenv("UNDERACT_DATA_DIR")) {
-    folders.push_back(fs::path(data) / name);
-    folders.push_back(fs::path(data) / in_sources);
-  }
-  folders.push_back(fs::path(programFolder()) / "../share/underact" / name);
-  folders.push_back(fs::path(programFolder()) / "../.." / in_sources);
+Result<std::vector<std::string>> filesOf(Resource resource) {
+  const Result<std::string> folder = findResource(resource);
+  if (!folder) return folder.problems();
+  std::vector<std::string> files;
   std::error_code error;
-  for (const fs::path& folder : folders) {
-    std::vector<std::string> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-      const fs::path& file = entry.path();
-      if (file.extension() == ".json" && file.stem().extension() != ".schema")
-        files.push_back(fs::weakly_canonical(file, error).string());
-    }
-    std::sort(files.begin(), files.end());
-    if (!files.empty()) return files;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder.value(), error)) {
+    const std::filesystem::path& file = entry.path();
+    if (file.extension() == ".json" && file.stem().extension() != ".schema") files.push_back(file.string());
   }
-  return {};
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace
 
-std::vector<std::string> shippedScenes() {
-  return filesOf("scenes", "scenes");
+Result<std::vector<std::string>> shippedScenes() {
+  return filesOf(Resource::Scenes);
 }
 
-std::vector<std::string> shippedLessons() {
-  return filesOf("lessons", "resources/lessons");
-}
-
-std::string shippedSceneFolder() {
-  const std::vector<std::string> scenes = shippedScenes();
-  return scenes.empty() ? "" : std::filesystem::path(scenes.front()).parent_path().string();
+Result<std::vector<std::string>> shippedLessons() {
+  return filesOf(Resource::Lessons);
 }
 
 }  // namespace underact::cli

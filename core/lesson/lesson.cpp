@@ -1,5 +1,6 @@
 #include "core/lesson/lesson.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace underact::lesson {
@@ -10,6 +11,12 @@ std::string sceneFileOf(const Lesson& lesson, std::size_t step, const std::strin
   if (scene.extension() != ".json") return (std::filesystem::path(scene_folder) / (scene.string() + ".json")).string();
   if (scene.is_absolute()) return scene.string();
   return (std::filesystem::path(lesson.file).parent_path() / scene).lexically_normal().string();
+}
+
+bool namesShippedScene(const Lesson& lesson) {
+  return std::any_of(lesson.steps.begin(), lesson.steps.end(), [](const Step& step) {
+    return !step.scene.empty() && std::filesystem::path(step.scene).extension() != ".json";
+  });
 }
 
 const std::string* questionOf(const Check& check) {

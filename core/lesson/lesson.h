@@ -106,6 +106,9 @@ struct Lesson {
 /// scenes that ship.
 std::string sceneFileOf(const Lesson& lesson, std::size_t step, const std::string& scene_folder);
 
+/// Whether one of its scenes is one that ships, so that their folder has to be found.
+bool namesShippedScene(const Lesson& lesson);
+
 /// A question of either kind; null: the check asks nothing.
 const std::string* questionOf(const Check& check);
 

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "core/base/program.h"
+#include "core/base/places.h"
 #include "core/base/translate.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
@@ -52,12 +52,11 @@ Sentence whyNone(const Answer& answer, const Errand& errand) {
 Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
   Errand errand;
-  errand.program = helperProgram(kReader, "UNDERACT_MESH_READER");
-  if (errand.program.empty()) {
-    return problem(
-        said(QT_TRANSLATE_NOOP("problem", "%1 was not found. It belongs beside this program: install Underact again."),
-             {std::string(kReader)}));
-  }
+  const Result<std::string> reader = findProgram(kReader, "UNDERACT_MESH_READER");
+  if (!reader)
+    return problem(oneAfterAnother({reader.problems().front().sentence,
+                                    said(QT_TRANSLATE_NOOP("problem", "It reads meshes: install Underact again."))}));
+  errand.program = reader.value();
   errand.argument = wordOf(input.format());
   errand.input_fd = input.rewound();
   errand.most_cpu_s = mostCpu_s(input.bytes());

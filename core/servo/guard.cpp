@@ -14,7 +14,7 @@
 #include <cerrno>
 #include <vector>
 
-#include "core/base/program.h"
+#include "core/base/places.h"
 #include "core/base/translate.h"
 #endif
 
@@ -76,9 +76,9 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
     why = said(QT_TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
     return nullptr;
   }
-  const std::string path = program.empty() ? helperProgram("underact-guard") : program;
-  if (path.empty()) {
-    why = said(QT_TRANSLATE_NOOP("problem", "underact-guard was not found"));
+  const Result<std::string> path = program.empty() ? findProgram("underact-guard") : program;
+  if (!path) {
+    why = path.problems().front().sentence;
     return nullptr;
   }
   std::unique_ptr<Guard> guard(new Guard);
@@ -97,7 +97,7 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
     return nullptr;
   }
   guard->line_ = new (memory) GuardLine;
-  guard->pid_ = spawn(path, closing.fds[1], closing.fds[2], closing.fds[3], limit_ns, word.bytes);
+  guard->pid_ = spawn(path.value(), closing.fds[1], closing.fds[2], closing.fds[3], limit_ns, word.bytes);
   if (guard->pid_ < 0) {
     why = std::strerror(-guard->pid_);
     return nullptr;

@@ -88,7 +88,9 @@ TEST(ReaderProcess, ThatIsNotThereIsSaid) {
   ::unsetenv("UNDERACT_MESH_READER");
   ASSERT_FALSE(raw);
   EXPECT_EQ(raw.problems()[0].sentence,
-            "underact-mesh-reader was not found. It belongs beside this program: install Underact again.");
+            "underact-mesh-reader was not found (it was looked for at /dev/null/nowhere/reader). It reads meshes: "
+            "install Underact "
+            "again.");
 }
 
 TEST(ReaderProcess, IsEndedAtOnceWhereItIsCancelled) {

@@ -1,0 +1,164 @@
+#include "core/base/places.h"
+
+#include <underact/folders.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/translate.h"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+
+#include <array>
+#include <cstdint>
+#endif
+
+namespace underact {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Row {
+  Resource resource;
+  const char* installed;   // below the folder of data
+  const char* in_sources;  // below that of the sources
+  const char* mark;        // a file in it; null: any of JSON that is no schema
+  const char* lost;        // what is said where there is none
+};
+
+constexpr Row kRows[] = {
+    {Resource::Scenes, "scenes", "scenes", nullptr,
+     QT_TRANSLATE_NOOP(
+         "problem",
+         "The scenes that come with Underact were not found. They were looked for in: %1. Install "
+         "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+    {Resource::Lessons, "lessons", "resources/lessons", nullptr,
+     QT_TRANSLATE_NOOP(
+         "problem",
+         "The lessons that come with Underact were not found. They were looked for in: %1. Install "
+         "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+    {Resource::Guide, "guide", "resources/guide", "contents.json",
+     QT_TRANSLATE_NOOP("problem",
+                       "The guide's pages were not found. They were looked for in: %1. Install Underact again, or set "
+                       "UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+    {Resource::Python, "python", "app/python", "underact/__main__.py",
+     QT_TRANSLATE_NOOP(
+         "problem",
+         "The Python package that comes with Underact was not found. It was looked for in: %1. Install "
+         "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+};
+
+const Row& rowOf(Resource resource) {
+  return *std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& row) { return row.resource == resource; });
+}
+
+bool isProgram(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+#if defined(__unix__) || defined(__APPLE__)
+  return ::access(path.c_str(), X_OK) == 0;
+#else
+  return true;
+#endif
+}
+
+/// The folder of the running program; empty: the system does not say.
+fs::path hereFolder() {
+  std::error_code ignored;
+#ifdef __APPLE__
+  std::array<char, 4096> path{};
+  auto size = static_cast<std::uint32_t>(path.size());
+  return _NSGetExecutablePath(path.data(), &size) == 0 ? fs::path(path.data()).parent_path() : fs::path();
+#else
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+#endif
+}
+
+bool holds(const fs::path& folder, const char* mark) {
+  std::error_code error;
+  if (mark != nullptr) return fs::is_regular_file(folder / mark, error);
+  const fs::directory_iterator entries(folder, error);
+  return !error && std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema";
+  });
+}
+
+std::string absoluteOr(const std::string& path, const std::string& other) {
+  return fs::path(path).is_absolute() ? path : other;
+}
+
+std::string listed(const std::vector<std::string>& places) {
+  std::string text;
+  for (const std::string& place : places) text += (text.empty() ? "" : ", ") + place;
+  return text;
+}
+
+}  // namespace
+
+Standpoint standpoint() {
+  Standpoint from;
+  if (const char* stated = std::getenv("UNDERACT_DATA_DIR")) from.stated = absoluteOr(stated, "");
+  from.here = hereFolder().string();
+  // Only beside the program itself: whoever may write there may change the program, too.
+  std::ifstream file(fs::path(from.here) / "underact-places");
+  std::string line;
+  if (std::getline(file, line)) from.sources = absoluteOr(line, "");
+  if (std::getline(file, line)) from.programs = absoluteOr(line, "");
+  return from;
+}
+
+std::vector<std::string> placesOf(Resource resource, const Standpoint& from) {
+  const Row& row = rowOf(resource);
+  std::vector<std::string> places;
+  const auto add = [&places](const std::string& folder, const fs::path& below) {
+    if (!folder.empty()) places.push_back((fs::path(folder) / below).lexically_normal().string());
+  };
+  add(from.stated, row.installed);
+  add(from.stated, row.in_sources);
+  if (resource == Resource::Python) {
+    add(from.here, kPythonFromPrograms);
+    add(from.here, "../lib/python3/dist-packages");  // where Debian has it
+  } else {
+    add(from.here, fs::path(kDataFromPrograms) / row.installed);
+  }
+  add(from.sources, row.in_sources);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+std::vector<std::string> placesOf(const std::string& program, const Standpoint& from) {
+  std::vector<std::string> places;
+  const auto add = [&](const fs::path& folder) { places.push_back((folder / program).lexically_normal().string()); };
+  if (!from.here.empty()) add(from.here);
+  if (!from.here.empty()) add(fs::path(from.here) / kHelpersFromPrograms);
+  if (!from.programs.empty() && from.programs != from.here) add(from.programs);
+  return places;
+}
+
+Result<std::string> findResource(Resource resource, const Standpoint& from) {
+  const Row& row = rowOf(resource);
+  const std::vector<std::string> places = placesOf(resource, from);
+  std::error_code error;
+  for (const std::string& place : places) {
+    if (holds(place, row.mark)) return fs::weakly_canonical(place, error).string();
+  }
+  return Problems{{said(row.lost, {listed(places)})}};
+}
+
+Result<std::string> findProgram(const std::string& program, const char* variable, const Standpoint& from) {
+  const char* const stated = variable == nullptr ? nullptr : std::getenv(variable);
+  const std::vector<std::string> places =
+      stated != nullptr && *stated != '\0' ? std::vector<std::string>{stated} : placesOf(program, from);
+  const auto found = std::find_if(places.begin(), places.end(), isProgram);
+  if (found != places.end()) return *found;
+  return Problems{
+      {said(QT_TRANSLATE_NOOP("problem", "%1 was not found (it was looked for at %2)."), {program, listed(places)})}};
+}
+
+}  // namespace underact
