@@ -8,11 +8,31 @@
 #include <cstring>
 #include <ostream>
 
-#include "app/cli/scene_file.h"
 #include "core/base/places.h"
 
 namespace underact::cli {
 namespace {
+
+/// Starts the package of the folder that is the first word. Python looks for modules in the folder one stands in ('',
+/// of -c and -m), where a session may lie beside a stranger's h5py.py; -P, which leaves that out, comes with 3.11, and
+/// -I would leave out what a person installed with pip --user. The package itself comes from its folder alone, which is
+/// not made a place for others: Debian's dist-packages would hide that person's. Matplotlib takes its settings, which
+/// can start a TeX, from a file in that folder, too.
+constexpr const char* kLauncher = R"(import sys
+sys.path[:] = [place for place in sys.path if place.startswith('/')]
+import importlib.machinery, importlib.util, os, runpy
+if os.path.exists('matplotlibrc'):
+    here = os.open('.', os.O_RDONLY)
+    os.chdir('/')
+    try: import matplotlib
+    except ImportError: pass
+    os.fchdir(here)
+    os.close(here)
+spec = importlib.machinery.PathFinder.find_spec('underact', [sys.argv.pop(1)])
+sys.argv[0] = '-m'
+sys.modules['underact'] = package = importlib.util.module_from_spec(spec)
+if spec.loader: spec.loader.exec_module(package)
+runpy.run_module('underact', run_name='__main__', alter_sys=True))";
 
 /// Debian's, where there is one: it is the one that has Debian's libraries.
 std::string interpreter() {
@@ -21,9 +41,9 @@ std::string interpreter() {
   return access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
 
-/// This program's environment, with the package where Python looks.
-std::vector<std::string> environmentWith(const std::string& package) {
-  std::vector<std::string> all{"PYTHONPATH=" + package};
+/// This program's environment, but for what would bring modules of other programs.
+std::vector<std::string> environmentOfPython() {
+  std::vector<std::string> all;
   for (char** one = environ; *one != nullptr; ++one) {
     if (std::strncmp(*one, "PYTHONPATH=", 11) != 0) all.emplace_back(*one);
   }
@@ -41,11 +61,14 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 
 Exit runPython(const std::vector<std::string>& arguments, const Streams& streams) {
   const Result<std::string> package = findResource(Resource::Python);
-  if (!package) return fail(package.problems(), Exit::File, streams);
+  if (!package) {
+    streams.err << package.problems().front().sentence << '\n';  // alone: a window shows the last line
+    return Exit::File;
+  }
   streams.out.flush();
-  std::vector<std::string> words{interpreter(), "-m", "underact"};
+  std::vector<std::string> words{interpreter(), "-c", kLauncher, package.value()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> environment = environmentWith(package.value());
+  std::vector<std::string> environment = environmentOfPython();
   pid_t child = 0;
   const int failed = posix_spawnp(&child, words.front().c_str(), nullptr, nullptr, pointersTo(words).data(),
                                   pointersTo(environment).data());

@@ -21,6 +21,7 @@
 #include "app/gui/spoken.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/options/window_options.h"
+#include "core/base/current_folder.h"
 #include "device/hands/controllers.h"
 #include "device/hands/space_mice.h"
 #include "device/wooden/hid_bus.h"
@@ -134,5 +135,6 @@ int run(int argc, char** argv) {
 }  // namespace underact::gui
 
 int main(int argc, char** argv) {
+  underact::keepOutCurrentFolder();
   return underact::gui::run(argc, argv);
 }

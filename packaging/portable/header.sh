@@ -9,6 +9,7 @@ sum=@SUM@
 name=@NAME@
 self=$0
 case $self in */*) ;; *) self=$(command -v -- "$self") ;; esac
+case :$PATH: in *:[!/]*) PATH=/usr/local/bin:/usr/bin:/bin ;; esac  # nothing is run from the folder one stands in
 home=${UNDERACT_BUNDLE_DIR:-${XDG_CACHE_HOME:-${HOME:-}}}
 [ -n "$home" ] || { echo "There is no home to unpack into: set UNDERACT_BUNDLE_DIR to a folder." >&2; exit 4; }
 folder=${UNDERACT_BUNDLE_DIR:-${XDG_CACHE_HOME:-${HOME:-}/.cache}/underact/bundle}

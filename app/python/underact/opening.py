@@ -52,6 +52,14 @@ def _open_for_following(path: Path) -> h5py.File:
     return h5py.File(h5py.h5f.open(bytes(path), flags, access))
 
 
+def _libraries_in(maps: list[str]) -> list[str]:
+    """The files of HDF5 among the lines of /proc/self/maps. A path may have spaces; what would be
+    looked for in the folder one stands in is none.
+    """
+    paths = {line.split(maxsplit=5)[-1] for line in maps if "libhdf5" in line}
+    return sorted(p for p in paths if p.startswith("/") and "_hl" not in Path(p).name)
+
+
 @functools.lru_cache(maxsize=1)
 def _library() -> ctypes.CDLL | None:
     """The HDF5 library that h5py uses; None where the system does not say which that is."""
@@ -59,8 +67,7 @@ def _library() -> ctypes.CDLL | None:
         maps = Path("/proc/self/maps").read_text(encoding="utf-8").splitlines()
     except OSError:
         return None
-    files = {line.split()[-1] for line in maps if "libhdf5" in line}
-    for file in sorted(file for file in files if "_hl" not in Path(file).name):
+    for file in _libraries_in(maps):
         try:
             library = ctypes.CDLL(file)
             if hasattr(library, "H5Pset_metadata_read_attempts"):

@@ -1,0 +1,55 @@
+#include "core/base/current_folder.h"
+
+#include <cstdlib>
+
+namespace underact {
+namespace {
+
+/// What programs, Python, Qt, VTK, HDF5, OpenGL and GTK (Qt's looks on some desktops) look into for code.
+constexpr const char* kLists[] = {"PATH",
+                                  "LD_LIBRARY_PATH",
+                                  "PYTHONPATH",
+                                  "PYTHONHOME",
+                                  "PYTHONUSERBASE",
+                                  "QT_PLUGIN_PATH",
+                                  "QT_QPA_PLATFORM_PLUGIN_PATH",
+                                  "VTK_AUTOLOAD_PATH",
+                                  "HDF5_PLUGIN_PATH",
+                                  "LIBGL_DRIVERS_PATH",
+                                  "GTK_PATH",
+                                  "GIO_EXTRA_MODULES"};
+constexpr const char* kPlainPath = "/usr/local/bin:/usr/bin:/bin";  // where nothing else is left of PATH
+
+}  // namespace
+
+std::string absoluteFolders(std::string_view list) {
+  std::string kept;
+  while (!list.empty()) {
+    const std::string_view folder = list.substr(0, list.find(':'));
+    list.remove_prefix(folder.size() == list.size() ? folder.size() : folder.size() + 1);
+    if (!folder.starts_with('/')) continue;
+    if (!kept.empty()) kept += ':';
+    kept += folder;
+  }
+  return kept;
+}
+
+void keepOutCurrentFolder() {
+#if defined(__unix__) || defined(__APPLE__)
+  for (const char* const name : kLists) {
+    const char* const list = std::getenv(name);
+    if (list == nullptr) continue;
+    const std::string kept = absoluteFolders(list);
+    if (!kept.empty() && kept == list) continue;
+    if (!kept.empty()) {
+      ::setenv(name, kept.c_str(), 1);
+    } else if (std::string_view(name) == "PATH") {
+      ::setenv(name, kPlainPath, 1);
+    } else {
+      ::unsetenv(name);
+    }
+  }
+#endif
+}
+
+}  // namespace underact
