@@ -45,6 +45,29 @@ double share(double part, double whole) noexcept UNDERACT_REAL_TIME {
   if (squared < best.squared) best = {p, squared, t == 0.0 ? at_a : t == 1.0 ? at_b : edge};
 }
 
+/// Twice the area of the foot p with the edge AB, times |normal|. Seen from the nearer end: what rounds is then p's way
+/// to that end, which is short where it matters most, beyond the tip of a needle.
+double areaWith(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& normal) noexcept UNDERACT_REAL_TIME {
+  const Vec3 ap = p - a, bp = p - b;
+  return (b - a).cross(ap.squaredNorm() <= bp.squaredNorm() ? ap : bp).dot(normal);
+}
+
+/// q's foot, and its shares.
+struct Foot {
+  Vec3 p;
+  double share_a, share_b, share_c;
+};
+
+/// Of a sliver over which q seems to be. Its shares are off by the rounding of its area, many times over; the way along
+/// a good normal is not. Nor do shares seen from q say whether the foot is inside: an ulp of |aq|, across, is length
+/// over width as much along (1e-10 of a needle of 2^-21, met from as far as it is long). So the foot itself is asked,
+/// and what is then inside lies within an ulp of the triangle across and along.
+[[gnu::noinline]] Foot footOnSliver(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& q,
+                                    const Vec3& normal) noexcept UNDERACT_REAL_TIME {
+  const Vec3 p = q - ((q - a).dot(normal) / normal.squaredNorm()) * normal;
+  return {p, areaWith(b, c, p, normal), areaWith(c, a, p, normal), areaWith(a, b, p, normal)};
+}
+
 }  // namespace
 
 OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, const Eigen::Vector3f& p_MC,
@@ -55,15 +78,18 @@ OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, 
   const bool is_thin = normal.squaredNorm() < kThin * ab.squaredNorm() * ac.squaredNorm();
   if (is_thin) normal = exactCross(ab, ac);
   // Twice the areas of q's foot with each edge, times |normal|: all above 0 where the foot is inside.
-  const double share_b = aq.cross(ac).dot(normal), share_c = ab.cross(aq).dot(normal);
+  double share_b = aq.cross(ac).dot(normal), share_c = ab.cross(aq).dot(normal);
   const double whole = normal.squaredNorm();
   // Of a needle, what is left over is the rounding of the two others, as long as its length over its width.
-  const double share_a = is_thin ? (c - b).cross(q - b).dot(normal) : whole - share_b - share_c;
+  double share_a = is_thin ? (c - b).cross(q - b).dot(normal) : whole - share_b - share_c;
   if (share_a > 0.0 && share_b > 0.0 && share_c > 0.0) {
-    // A sliver's shares are off by the rounding of its area, many times over; the way along a good normal is not.
-    const Vec3 p = is_thin ? Vec3(q - (aq.dot(normal) / whole) * normal)
-                           : Vec3(a + (share_b / whole) * ab + (share_c / whole) * ac);
-    return {p, (p - q).squaredNorm(), Part::Inside};
+    if (!is_thin) {
+      const Vec3 p = a + (share_b / whole) * ab + (share_c / whole) * ac;
+      return {p, (p - q).squaredNorm(), Part::Inside};
+    }
+    const Foot foot = footOnSliver(a, b, c, q, normal);
+    share_a = foot.share_a, share_b = foot.share_b, share_c = foot.share_c;
+    if (share_a > 0.0 && share_b > 0.0 && share_c > 0.0) return {foot.p, (foot.p - q).squaredNorm(), Part::Inside};
   }
   OnTriangle best{a, kInfinity, Part::CornerA};
   // The foot lies beyond an edge where its share is not above 0; the nearest point is on such an edge.
