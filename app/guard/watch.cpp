@@ -58,14 +58,15 @@ std::optional<Duty> readDuty(int argc, const char* const* argv) {
 }
 
 int watch(const Duty& duty) {
-  void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ, MAP_SHARED, servo::kGuardLineFd, 0);
+  void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED, servo::kGuardLineFd, 0);
   if (memory == MAP_FAILED) return 2;
-  const auto& line = *static_cast<const servo::GuardLine*>(memory);
+  auto& line = *static_cast<servo::GuardLine*>(memory);
   const int look_ms = static_cast<int>(std::clamp<std::int64_t>(duty.limit_ns / kLooksInLimit / 1'000'000, 1, 1000));
   std::int64_t seen = line.beats.load(std::memory_order_relaxed), seen_ns = now_ns();
   pollfd life{servo::kGuardLifeFd, POLLIN, 0};
   for (;;) {
     if (::poll(&life, 1, look_ms) > 0) return line.farewell == 0 ? sayLast(duty.word) : 0;
+    line.looks.fetch_add(1, std::memory_order_relaxed);
     const std::int64_t count = line.beats.load(std::memory_order_relaxed), time_ns = now_ns();
     if (count != seen) {
       seen = count;

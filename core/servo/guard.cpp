@@ -1,72 +1,51 @@
 #include "core/servo/guard.h"
 
-#include <cstring>
-#include <iterator>
+#include <utility>
+
+#include "core/base/translate.h"
 
 #ifdef __linux__
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
+#include <poll.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <vector>
+#include <cstring>
 
 #include "core/base/places.h"
-#include "core/base/translate.h"
+#include "core/servo/guard_process.h"
+#include "core/servo/platform.h"
 #endif
 
 namespace underact::servo {
 
+Sentence guardPhrase(const Guard* guard, const Sentence& why_none) {
+  const Sentence gap = guard == nullptr ? why_none : guard->gap();
+  if (guard == nullptr || !gap.empty()) return said(QT_TRANSLATE_NOOP("problem", "no guard: %1"), {gap});
+  if (guard->replaced() == 0) return said(QT_TRANSLATE_NOOP("problem", "guarded by a process of its own"));
+  return said(QT_TRANSLATE_NOOP("problem", "guarded by a process of its own (replaced so far: %1)"),
+              {std::to_string(guard->replaced())});
+}
+
+Sentence nothingGuards(const Sentence& gap) {
+  return said(QT_TRANSLATE_NOOP("problem",
+                                "Nothing guards the arm: %1. If this program died now, the arm could keep its last "
+                                "force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the "
+                                "force."),
+              {gap});
+}
+
 #ifdef __linux__
 namespace {
 
-std::string hexOf(const std::string& bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (const char byte : bytes) {
-    const auto value = static_cast<unsigned char>(byte);
-    text += {kDigits[value >> 4U], kDigits[value & 15U]};
-  }
-  return text;
-}
-
-/// The descriptors that are still to be closed here, whatever happens on the way.
-struct Closing {
-  ~Closing() {
-    for (const int fd : fds) {
-      if (fd >= 0) ::close(fd);
-    }
-  }
-  std::vector<int> fds;
-};
-
-/// Far above the numbers that the guard uses, so that no dup2() overwrites one that is still needed.
-int moveUp(int fd) {
-  return ::fcntl(fd, F_DUPFD_CLOEXEC, 64);
-}
-
-int spawn(const std::string& program, int line_fd, int life_fd, int device_fd, std::int64_t limit_ns,
-          const std::string& word) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, line_fd, kGuardLineFd);
-  posix_spawn_file_actions_adddup2(&actions, life_fd, kGuardLifeFd);
-  posix_spawn_file_actions_adddup2(&actions, device_fd, kGuardDeviceFd);
-  posix_spawn_file_actions_addclosefrom_np(&actions, kGuardDeviceFd + 1);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);  // a Ctrl+C or Ctrl+Z of the program is not the guard's
-  std::string name = program, limit = std::to_string(limit_ns), hex = hexOf(word);
-  std::array<char*, 4> arguments{name.data(), limit.data(), hex.data(), nullptr};
-  pid_t pid = -1;
-  const int error = posix_spawn(&pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return error == 0 ? pid : -error;
-}
+constexpr int kLookAfterGuard_ms = 250;
+// A busy machine may hold a guard up for a while; then another one would be held up, too.
+constexpr std::int64_t kGuardStands_ns = 2'000'000'000;
+constexpr int kLimitsInPatience = 10;  // in each of which it looks five times
 
 }  // namespace
 
@@ -81,44 +60,92 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
     why = path.problems().front().sentence;
     return nullptr;
   }
-  std::unique_ptr<Guard> guard(new Guard);
-  std::array<int, 2> life{-1, -1};
-  guard->memory_fd_ = ::memfd_create("underact-guard", MFD_CLOEXEC);
-  const bool has_memory = guard->memory_fd_ >= 0 && ::ftruncate(guard->memory_fd_, sizeof(GuardLine)) == 0;
-  if (!has_memory || ::pipe2(life.data(), O_CLOEXEC) != 0) {
-    why = std::strerror(errno);
+  auto process = std::make_unique<GuardProcess>(word, limit_ns, path.value());
+  const int wake_fd = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+  if (process->line() == nullptr || wake_fd < 0 || !process->start()) {
+    why = std::strerror(process->failure() != 0 ? process->failure() : errno);
+    if (wake_fd >= 0) ::close(wake_fd);
     return nullptr;
   }
-  guard->life_fd_ = life[1];
-  void* memory = ::mmap(nullptr, sizeof(GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED, guard->memory_fd_, 0);
-  const Closing closing{{life[0], moveUp(guard->memory_fd_), moveUp(life[0]), moveUp(word.fd)}};
-  if (memory == MAP_FAILED) {
-    why = std::strerror(errno);
-    return nullptr;
-  }
-  guard->line_ = new (memory) GuardLine;
-  guard->pid_ = spawn(path.value(), closing.fds[1], closing.fds[2], closing.fds[3], limit_ns, word.bytes);
-  if (guard->pid_ < 0) {
-    why = std::strerror(-guard->pid_);
-    return nullptr;
-  }
-  return guard;
+  return std::unique_ptr<Guard>(new Guard(std::move(process), limit_ns, wake_fd));
 }
 
+Guard::Guard(std::unique_ptr<GuardProcess> process, std::int64_t limit_ns, int wake_fd)
+    : process_(std::move(process)),
+      patience_ns_(std::max(kGuardStands_ns, kLimitsInPatience * limit_ns)),
+      wake_fd_(wake_fd),
+      thread_(&Guard::watch, this) {}
+
 Guard::~Guard() {
-  if (life_fd_ >= 0) {
-    if (line_ != nullptr) line_->farewell = 1;
-    ::close(life_fd_);
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = ::write(wake_fd_, &one, sizeof one);
+  thread_.join();
+  ::close(wake_fd_);
+}
+
+std::atomic<std::int64_t>& Guard::beats() {
+  return process_->line()->beats;
+}
+
+Sentence Guard::gap() const {
+  const std::scoped_lock lock(gap_mutex_);
+  return gap_;
+}
+
+void Guard::setGap(Sentence gap) {
+  const std::scoped_lock lock(gap_mutex_);
+  gap_ = std::move(gap);
+}
+
+void Guard::watch() {
+  platform::nameThread("underact-warden");
+  const sched_param normal{};
+  pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);  // whoever made it may be real-time
+  while (waitUntilItEnds()) {
+    setGap(said(QT_TRANSLATE_NOOP("problem", "the guard has ended, and is started again")));
+    if (!startAnother()) return;
+    replaced_.fetch_add(1, std::memory_order_relaxed);
+    setGap({});
   }
-  if (pid_ > 0) {
-    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+}
+
+/// true: the guard is gone, false: the watching is to end. One that stands still is no guard, and is killed.
+bool Guard::waitUntilItEnds() {
+  const std::atomic<std::int64_t>& looks = process_->line()->looks;
+  std::int64_t seen = looks.load(std::memory_order_relaxed), seen_ns = monotonicNow_ns();
+  for (;;) {
+    std::array ends{pollfd{wake_fd_, POLLIN, 0}, pollfd{process_->endFd(), POLLIN, 0}};
+    ::poll(ends.data(), ends.size(), kLookAfterGuard_ms);
+    if ((ends[0].revents & POLLIN) != 0) return false;
+    if (process_->hasEnded()) return true;
+    const std::int64_t count = looks.load(std::memory_order_relaxed), now_ns = monotonicNow_ns();
+    if (std::exchange(seen, count) != count) seen_ns = now_ns;
+    if (now_ns - seen_ns > patience_ns_) process_->kill();
   }
-  if (line_ != nullptr) ::munmap(line_, sizeof(GuardLine));
-  if (memory_fd_ >= 0) ::close(memory_fd_);
+}
+
+/// As soon as the pace allows; false: the watching is to end.
+bool Guard::startAnother() {
+  for (;;) {
+    if (isToldToEnd(pace_.next_ns(monotonicNow_ns()))) return false;
+    if (process_->start()) return true;
+    setGap(said(QT_TRANSLATE_NOOP("problem", "the guard has ended, and does not start again (%1)"),
+                {std::string(std::strerror(process_->failure()))}));
+  }
+}
+
+/// Waits until then, or until it is told to end.
+bool Guard::isToldToEnd(std::int64_t until_ns) const {
+  for (std::int64_t left_ns = 0; (left_ns = until_ns - monotonicNow_ns()) > 0;) {
+    pollfd end{wake_fd_, POLLIN, 0};
+    if (::poll(&end, 1, static_cast<int>(left_ns / 1'000'000 + 1)) > 0) return true;
+  }
+  return false;
 }
 
 #else
+
+class GuardProcess {};
 
 std::unique_ptr<Guard> Guard::start(const LastWord&, std::int64_t, const std::string&, Sentence& why) {
   why = said(QT_TRANSLATE_NOOP("problem", "there is no guard on this system"));
@@ -126,6 +153,10 @@ std::unique_ptr<Guard> Guard::start(const LastWord&, std::int64_t, const std::st
 }
 
 Guard::~Guard() = default;
+
+Sentence Guard::gap() const {
+  return {};
+}
 
 #endif
 

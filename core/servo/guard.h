@@ -2,16 +2,22 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "core/servo/device_port.h"
-#include "core/servo/guard_line.h"
+#include "core/servo/restart_pace.h"
 
 namespace underact::servo {
 
+class GuardProcess;
+
 /// A process beside the program that outlives it: when the program dies, however it dies, or its ticks stop, the guard
 /// writes the arm's last word. It holds a copy of the arm's file descriptor, sees the ticks in shared memory and the
-/// program's life at the other end of a pipe. Linux.
+/// program's life at the other end of a pipe. It is watched in turn, by a thread of its own: one that ends, or stands
+/// still, is replaced (see RestartPace). The force goes on meanwhile: gate and watchdog work without a guard, and an
+/// arm that lets go of a hand without need is no safer. Linux.
 class Guard {
  public:
   /// Starts it. program: where underact-guard is; empty: beside this program, or in libexec/underact. Null where there
@@ -22,15 +28,36 @@ class Guard {
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
 
-  /// What the servo counts up each tick; lives as long as the guard.
-  std::atomic<std::int64_t>& beats() { return line_->beats; }
+  /// What the servo counts up each tick; lives as long as this, whatever process looks at it.
+  std::atomic<std::int64_t>& beats();
+  /// Empty: it guards. Else why it does not just now, as a phrase. Any thread but the tick's.
+  Sentence gap() const;
+  /// How many times it was replaced. Any thread.
+  int replaced() const { return replaced_.load(std::memory_order_relaxed); }
 
  private:
-  Guard() = default;
-  GuardLine* line_ = nullptr;
-  int memory_fd_ = -1;
-  int life_fd_ = -1;
-  int pid_ = -1;
+  Guard(std::unique_ptr<GuardProcess> process, std::int64_t limit_ns, int wake_fd);
+  void watch();
+  bool waitUntilItEnds();
+  bool startAnother();
+  bool isToldToEnd(std::int64_t until_ns) const;
+  void setGap(Sentence gap);
+
+  const std::unique_ptr<GuardProcess> process_;
+  const std::int64_t patience_ns_;  // with a guard that does not look
+  const int wake_fd_;               // readable: the watching ends
+  RestartPace pace_;
+  mutable std::mutex gap_mutex_;
+  Sentence gap_;
+  std::atomic<int> replaced_{0};
+  std::thread thread_;
 };
+
+/// For the list of what the system granted: "guarded by a process of its own", or why not. guard: null where none was
+/// started, for the reason in why_none.
+Sentence guardPhrase(const Guard* guard, const Sentence& why_none);
+
+/// For a person, with a way out. gap: see Guard::gap(), or why no guard was started.
+Sentence nothingGuards(const Sentence& gap);
 
 }  // namespace underact::servo

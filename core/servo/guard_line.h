@@ -12,6 +12,7 @@ inline constexpr int kGuardDeviceFd = 5;  // the arm
 /// What both programs see.
 struct GuardLine {
   std::atomic<std::int64_t> beats{0};     // up by one each tick
+  std::atomic<std::int64_t> looks{0};     // up by one each time that the guard looks, so that one that hangs is missed
   std::atomic<std::int64_t> farewell{0};  // not 0: the program ends in order, say nothing
 };
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "two processes share it");

@@ -47,7 +47,12 @@ struct Host::Impl {
   }
   void begin() {
     const auto limit_ns = static_cast<std::int64_t>(1e9 * options.watchdog_s);
-    if (limit_ns > 0) guard = Guard::start(device->lastWord(), limit_ns, options.guard_program, no_guard);
+    const LastWord word = device->lastWord();
+    can_be_guarded = limit_ns > 0 && word.fd >= 0;
+    if (limit_ns > 0)
+      guard = Guard::start(word, limit_ns, options.guard_program, no_guard);
+    else
+      no_guard = said(QT_TRANSLATE_NOOP("problem", "the watchdog is switched off"));
     if (guard) loop.beatInto(&guard->beats());
     driven = Driven::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
@@ -143,7 +148,8 @@ struct Host::Impl {
   std::unique_ptr<DevicePort> device;
   Loop loop;
   std::unique_ptr<Guard> guard;
-  Sentence no_guard;             // why there is none
+  Sentence no_guard;  // why none was started
+  bool can_be_guarded = false;
   std::optional<Thread> thread;  // one of these two ticks
   std::unique_ptr<Driven> driven;
   std::optional<Watchdog> watchdog;
@@ -333,8 +339,7 @@ Scheduling Host::scheduling() const {
     Scheduling granted = impl_->thread
                              ? impl_->thread->scheduling()
                              : Scheduling{said(QT_TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
-    granted.also.push_back(impl_->guard ? said(QT_TRANSLATE_NOOP("problem", "guarded by a process of its own"))
-                                        : said(QT_TRANSLATE_NOOP("problem", "no guard: %1"), {impl_->no_guard}));
+    granted.also.push_back(guarding());
     return granted;
   }
   return {said(impl_->options.clock == Clock::Manual ? QT_TRANSLATE_NOOP("problem", "manual")
@@ -349,6 +354,16 @@ const SchedulingWanted& Host::schedulingWanted() const {
 
 int Host::maxLate() const {
   return impl_->options.max_late;
+}
+
+Sentence Host::guarding() const {
+  return impl_->ticksByItself() ? guardPhrase(impl_->guard.get(), impl_->no_guard) : Sentence();
+}
+
+Sentence Host::unguarded() const {
+  if (!impl_->ticksByItself() || !impl_->can_be_guarded) return {};
+  const Sentence gap = impl_->guard ? impl_->guard->gap() : impl_->no_guard;
+  return gap.empty() ? gap : nothingGuards(gap);
 }
 
 DeviceInfo Host::device() const {

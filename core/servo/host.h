@@ -110,6 +110,11 @@ class Host {
   int rateHz() const;
   Scheduling scheduling() const;
   const SchedulingWanted& schedulingWanted() const;
+  /// Whether a process guards the arm, or why none does: a phrase, as in Scheduling::also. Empty: no tick yet.
+  Sentence guarding() const;
+  /// Why nothing would tell the arm zero if the program died, with a way out, where an arm can be told: its guard has
+  /// ended or did not start. Empty: it is guarded, or there is no such way (the simulated arm), or no tick yet.
+  Sentence unguarded() const;
   /// After so many late ticks in a row the force is let go.
   int maxLate() const;
   DeviceInfo device() const;

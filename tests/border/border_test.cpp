@@ -1,118 +1,24 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <thread>
 
 #include "app/guard/watch.h"
-#include "tests/border/wire_port.h"
+#include "tests/border/wired_program.h"
+#include "tests/support/comes.h"
 
 namespace underact {
 namespace {
 
-using test::WirePort;
 using namespace std::chrono_literals;
+using test::comes;
 
-// No test here asks how fast: the machine may be busy. What must come is waited for this long.
-constexpr auto kPatience = 20s;
-
-/// The arm's side of the wire: it stands still, answers each force with where it is, and keeps what it was told.
-class Arm {
+/// The servo at work on the arm, which dies in that way.
+class Program : public test::WiredProgram {
  public:
-  explicit Arm(int fd) : fd_(fd), thread_(&Arm::run, this) {}
-  ~Arm() {
-    ends_ = true;
-    thread_.join();
-    ::close(fd_);
-  }
-  double last_N() const { return last_N_; }
-  std::int64_t frames() const { return frames_; }
-  std::int64_t pushes() const { return pushes_; }  // frames with a force
-
- private:
-  void run() {
-    const WirePort::Frame tip_m{0.0, 0.0, 0.05};
-    while (!ends_) {
-      (void)::send(fd_, tip_m.data(), sizeof(tip_m), MSG_NOSIGNAL | MSG_DONTWAIT);
-      pollfd ready{fd_, POLLIN, 0};
-      WirePort::Frame force_N{};
-      while (::poll(&ready, 1, 1) > 0 && ::recv(fd_, force_N.data(), sizeof(force_N), MSG_DONTWAIT) > 0) {
-        last_N_ = Vec3(force_N[0], force_N[1], force_N[2]).norm();
-        ++frames_;
-        pushes_ += last_N_ > 0.0 ? 1 : 0;
-      }
-    }
-  }
-  int fd_;
-  std::atomic<bool> ends_{false};
-  std::atomic<double> last_N_{0.0};
-  std::atomic<std::int64_t> frames_{0}, pushes_{0};
-  std::thread thread_;
-};
-
-template <class Condition>
-bool comes(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(2ms);
-  }
-  return true;
-}
-
-/// The program with the arm at the other end of a wire.
-class Program {
- public:
-  explicit Program(const std::string& way, const std::string& guard_program = UNDERACT_GUARD) {
-    int wire[2], out[2];
-    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, wire), 0);
-    EXPECT_EQ(::pipe2(out, O_CLOEXEC), 0);
-    ::fcntl(wire[0], F_SETFD, FD_CLOEXEC);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
-    std::string name = UNDERACT_DYING_PROGRAM, fd = std::to_string(wire[1]), guard = guard_program, how = way;
-    char* arguments[] = {name.data(), fd.data(), guard.data(), how.data(), nullptr};
-    EXPECT_EQ(posix_spawn(&pid_, name.c_str(), &actions, nullptr, arguments, environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(wire[1]);
-    ::close(out[1]);
-    out_ = out[0];
-    arm_ = std::make_unique<Arm>(wire[0]);
-  }
-  ~Program() {
-    ::kill(pid_, SIGCONT);
-    ::kill(pid_, SIGKILL);
-    while (!gone_ && ::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
-    ::close(out_);
-  }
-  Arm& arm() { return *arm_; }
-  void send(int signal) { ::kill(pid_, signal); }
-  /// Its next line, or what came until its patience or its life ended.
-  std::string line() {
-    std::string text;
-    pollfd ready{out_, POLLIN, 0};
-    for (char letter = 0; ::poll(&ready, 1, 20'000) > 0 && ::read(out_, &letter, 1) == 1 && letter != '\n';)
-      text += letter;
-    return text;
-  }
-  void waitUntilGone() {
-    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
-    gone_ = true;
-  }
-
- private:
-  pid_t pid_ = -1;
-  int out_ = -1;
-  bool gone_ = false;
-  std::unique_ptr<Arm> arm_;
+  explicit Program(const std::string& way, const std::string& guard = UNDERACT_GUARD)
+      : WiredProgram(UNDERACT_DYING_PROGRAM, {guard, way}) {}
 };
 
 void expectZeroAfterDeath(const std::string& way, int signal) {

@@ -1,0 +1,24 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace underact::servo {
+
+/// How soon a process that ended is started again: almost at once, then each time twice as late, and never more than
+/// kMost times within kWindow_ns, so that one that dies at once each time costs nothing. One that lasted is forgiven.
+class RestartPace {
+ public:
+  static constexpr int kMost = 6;
+  static constexpr std::int64_t kWindow_ns = 60'000'000'000;
+  static constexpr std::int64_t kFirst_ns = 20'000'000;
+
+  /// It ended at now_ns, or did not start: when to start it, on the same clock; it is taken to be started then.
+  std::int64_t next_ns(std::int64_t now_ns) noexcept;
+
+ private:
+  std::array<std::int64_t, kMost> starts_ns_{};  // a ring
+  std::size_t oldest_ = 0, count_ = 0;
+};
+
+}  // namespace underact::servo

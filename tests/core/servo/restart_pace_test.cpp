@@ -1,0 +1,37 @@
+#include "core/servo/restart_pace.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace underact::servo {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+}  // namespace
+
+TEST(RestartPace, TheFirstComesAlmostAtOnceAndEachNextTwiceAsLate) {
+  RestartPace pace;
+  EXPECT_EQ(pace.next_ns(5 * kSecond_ns), 5 * kSecond_ns + 20'000'000);
+  EXPECT_EQ(pace.next_ns(6 * kSecond_ns), 6 * kSecond_ns + 40'000'000);
+  EXPECT_EQ(pace.next_ns(7 * kSecond_ns), 7 * kSecond_ns + 80'000'000);
+}
+
+TEST(RestartPace, WhatDiesAtOnceIsStartedNoMoreThanSixTimesInAnyMinute) {
+  RestartPace pace;
+  std::vector<std::int64_t> starts_ns;
+  for (std::int64_t now_ns = 0; now_ns < 3600 * kSecond_ns; now_ns = starts_ns.back() + 1)
+    starts_ns.push_back(pace.next_ns(now_ns));
+  ASSERT_GT(starts_ns.size(), 300U) << "and it is not given up";
+  for (std::size_t at = RestartPace::kMost; at < starts_ns.size(); ++at)
+    ASSERT_GE(starts_ns[at] - starts_ns[at - RestartPace::kMost], RestartPace::kWindow_ns) << at;
+}
+
+TEST(RestartPace, WhatLastedAMinuteIsStartedAtOnceAgain) {
+  RestartPace pace;
+  for (int time = 0; time < 5; ++time) (void)pace.next_ns(time * kSecond_ns);
+  EXPECT_EQ(pace.next_ns(100 * kSecond_ns), 100 * kSecond_ns + RestartPace::kFirst_ns);
+}
+
+}  // namespace underact::servo
