@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -21,9 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
-constexpr const char* kKeyFile = "arm_key";
-constexpr const char* kClientsFile = "arm_clients";
-constexpr const char* kHostsFile = "arm_hosts";
+constexpr std::size_t kLongestFile = 1U << 20U;
 
 Problems problem(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
@@ -37,18 +35,61 @@ fs::path usersFolder() {
   return fs::path(home != nullptr ? home : "/") / ".config" / "Underact";
 }
 
-/// Its lines; none: there is no such file.
-Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return std::optional<std::vector<std::string>>{};
-  std::ifstream stream(file);
+Problems unreadable(const fs::path& file) {
+  return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), file);
+}
+
+/// Why a file of keys is not to be trusted: others may read or write it, or it is theirs. what_to_do: beside chmod.
+Problems notOursAlone(const struct stat& status, const Sentence& may, const Sentence& what_to_do,
+                      const fs::path& file) {
+  if (status.st_uid != ::geteuid() && status.st_uid != 0)
+    return problem(said(QT_TRANSLATE_NOOP("problem",
+                                          "This file of keys belongs to another user of this computer, so it is not "
+                                          "used. Delete it, and find out who put it there.")),
+                   file);
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return {};
+  return problem(said(QT_TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
+                      {may, file.string(), what_to_do}),
+                 file);
+}
+
+/// A file of keys: its name, what others could do with it, and what then is to be done.
+struct KeyFile {
+  const char *name, *may, *what_to_do;
+};
+constexpr KeyFile kOwn{"arm_key", QT_TRANSLATE_NOOP("problem", "Others may read your secret key."),
+                       QT_TRANSLATE_NOOP("problem", "underact-cli share-arm --new-key")};
+constexpr KeyFile kClients{"arm_clients",
+                           QT_TRANSLATE_NOOP("problem", "Others may read or change who may use your arm."),
+                           QT_TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
+constexpr KeyFile kHosts{"arm_hosts", QT_TRANSLATE_NOOP("problem", "Others may read or change which arms you trust."),
+                         QT_TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
+
+/// Its lines; none: there is no such file. Problems: it cannot be read, or is not this user's alone.
+Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, const KeyFile& which) {
+  const fs::path file = folder / which.name;
+  const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);  // a pipe in its place: no wait
+  if (fd < 0 && errno == ENOENT) return std::optional<std::vector<std::string>>{};
+  if (fd < 0) return unreadable(file);
+  struct stat status {};
+  std::string text;
+  ssize_t got =
+      ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) && status.st_size <= static_cast<off_t>(kLongestFile) ? 1
+                                                                                                                 : -1;
+  for (std::array<char, 4096> bytes{}; got > 0 && text.size() <= kLongestFile;) {
+    got = ::read(fd, bytes.data(), bytes.size());
+    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
+  }
+  ::close(fd);
+  if (got != 0) return unreadable(file);
+  Problems problems = notOursAlone(status, said(which.may), said(which.what_to_do), file);
+  if (!problems.empty()) return problems;
   std::vector<std::string> lines;
+  std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     lines.push_back(line);
   }
-  if (!stream.is_open() || stream.bad())
-    return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), file);
   return std::optional(std::move(lines));
 }
 
@@ -103,19 +144,19 @@ Result<KeyPair> KeyFolder::makeNew() const {
              "problem", "The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.")),
          {}}};
   const KeyPair pair{public_key.data(), secret_key.data()};
-  const Problems problems = writeFile(folder_ / kKeyFile, pair.public_key + "\n" + pair.secret_key + "\n");
+  const Problems problems = writeFile(folder_ / kOwn.name, pair.public_key + "\n" + pair.secret_key + "\n");
   if (!problems.empty()) return problems;
   return pair;
 }
 
 bool KeyFolder::hasOwn() const {
   std::error_code ignored;
-  return fs::exists(folder_ / kKeyFile, ignored);
+  return fs::exists(folder_ / kOwn.name, ignored);
 }
 
 Result<KeyPair> KeyFolder::own() const {
-  const fs::path file = folder_ / kKeyFile;
-  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  const fs::path file = folder_ / kOwn.name;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(folder_, kOwn);
   if (!lines) return lines.problems();
   if (!lines.value()) return makeNew();
   const std::vector<std::string>& text = *lines.value();
@@ -124,19 +165,12 @@ Result<KeyPair> KeyFolder::own() const {
         said(QT_TRANSLATE_NOOP(
             "problem", "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
         file);
-  struct stat status {};
-  if (::stat(file.c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
-    return problem(said(QT_TRANSLATE_NOOP("problem",
-                                          "Others may read your secret key. Say chmod 600 '%1' and, if somebody may "
-                                          "have done so, underact-cli share-arm --new-key."),
-                        {file.string()}),
-                   file);
   return KeyPair{text[0], text[1]};
 }
 
 Result<std::vector<std::string>> KeyFolder::clients() const {
-  const fs::path file = folder_ / kClientsFile;
-  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  const fs::path file = folder_ / kClients.name;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(folder_, kClients);
   if (!lines) return lines.problems();
   std::vector<std::string> keys;
   Problems problems;
@@ -158,8 +192,8 @@ Result<std::vector<std::string>> KeyFolder::clients() const {
 
 Problems KeyFolder::allow(const std::string& key, const std::string& words) const {
   if (!isKey(key)) return noKey(key);
-  const fs::path file = folder_ / kClientsFile;
-  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  const fs::path file = folder_ / kClients.name;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(folder_, kClients);
   if (!lines) return lines.problems();
   std::string text;
   for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
@@ -170,8 +204,8 @@ Problems KeyFolder::allow(const std::string& key, const std::string& words) cons
 }
 
 Result<std::string> KeyFolder::keyOf(const Address& address) const {
-  const fs::path file = folder_ / kHostsFile;
-  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  const fs::path file = folder_ / kHosts.name;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(folder_, kHosts);
   if (!lines) return lines.problems();
   for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {
     const auto [host, key] = wordsOf(line);
@@ -188,8 +222,8 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
 
 Problems KeyFolder::trust(const Address& address, const std::string& key) const {
   if (!isKey(key)) return noKey(key);
-  const fs::path file = folder_ / kHostsFile;
-  Result<std::optional<std::vector<std::string>>> lines = linesOf(file);
+  const fs::path file = folder_ / kHosts.name;
+  Result<std::optional<std::vector<std::string>>> lines = linesOf(folder_, kHosts);
   if (!lines) return lines.problems();
   std::string text;
   for (const std::string& line : lines.value().value_or(std::vector<std::string>{})) {

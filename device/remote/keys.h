@@ -19,7 +19,8 @@ bool isKey(std::string_view text);
 
 /// A user's keys, a folder of three files: arm_key (the pair of this user, for both ends), arm_clients (who may use an
 /// arm that is shared here: "KEY NAME" a line) and arm_hosts (at whose arms this user may push: "HOST:PORT KEY" a
-/// line).
+/// line). A file that others may read or write, or that is another user's, is a problem wherever it is needed, and is
+/// left as it is.
 class KeyFolder {
  public:
   /// The user's own: $UNDERACT_KEYS, or Underact in $XDG_CONFIG_HOME or ~/.config.

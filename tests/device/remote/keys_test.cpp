@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -67,9 +68,54 @@ TEST(RemoteKeys, ThatOthersMayReadAreNotUsed) {
   EXPECT_NE(own.problems().front().sentence.find("chmod 600"), std::string::npos);
 }
 
+TEST(RemoteKeys, OfOthersInAFileThatOthersMayReadOrWriteAreNotUsed) {
+  const test::ScratchFolder scratch;
+  const KeyFolder folder(scratch.path()), other(scratch.path() + "/other");
+  const std::string anna = other.own().value().public_key;
+  ASSERT_TRUE(folder.own());
+  ASSERT_TRUE(folder.allow(anna, "Anna").empty());
+  ASSERT_TRUE(folder.trust(addressOf("arm-pc"), anna).empty());
+  for (const unsigned mode : {0640U, 0620U, 0604U, 0602U, 0666U}) {
+    ASSERT_EQ(::chmod(scratch.file("arm_clients").c_str(), mode), 0);
+    ASSERT_EQ(::chmod(scratch.file("arm_hosts").c_str(), mode), 0);
+    const auto clients = folder.clients();
+    ASSERT_FALSE(clients) << mode;
+    EXPECT_EQ(clients.problems().front().sentence.find("Others may read or change who may use your arm. Say chmod 600"),
+              0U)
+        << clients.problems().front().sentence;
+    EXPECT_FALSE(folder.allow(folder.own().value().public_key, "").empty())
+        << "what others wrote would pass for one's own";
+    EXPECT_FALSE(folder.keyOf(addressOf("arm-pc")));
+    EXPECT_FALSE(folder.trust(addressOf("other-pc"), anna).empty());
+  }
+  ASSERT_EQ(::chmod(scratch.file("arm_clients").c_str(), 0600), 0);
+  EXPECT_EQ(folder.clients().value(), std::vector<std::string>{anna});
+}
+
+TEST(RemoteKeys, OfAnotherUsersFileAreNotUsed) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can make a file of another user's";
+  const test::ScratchFolder scratch;
+  const KeyFolder folder(scratch.path());
+  ASSERT_TRUE(folder.allow(KeyFolder(scratch.path() + "/other").own().value().public_key, "").empty());
+  ASSERT_EQ(::chown(scratch.file("arm_clients").c_str(), 65534, 65534), 0);
+  const auto clients = folder.clients();
+  ASSERT_FALSE(clients);
+  EXPECT_NE(clients.problems().front().sentence.find("another user"), std::string::npos);
+}
+
+TEST(RemoteKeys, InAPipeOrAnEndlessFileAreNotWaitedFor) {
+  const test::ScratchFolder scratch;
+  const KeyFolder folder(scratch.path());
+  ASSERT_EQ(::mkfifo(scratch.file("arm_clients").c_str(), 0600), 0);
+  EXPECT_FALSE(folder.clients());
+  ASSERT_EQ(::symlink("/dev/zero", scratch.file("arm_hosts").c_str()), 0);
+  EXPECT_FALSE(folder.keyOf(addressOf("arm-pc")));
+}
+
 TEST(RemoteKeys, FilesThatAreNoneAreRefusedWithTheirPlace) {
   const test::ScratchFolder scratch;
   const KeyFolder folder(scratch.path());
+  const mode_t before = ::umask(0077);
   scratch.write("arm_key", "hello\n");
   EXPECT_FALSE(folder.own());
   scratch.write("arm_clients", std::string(40, 'a') + " Anna\nhello\n");
@@ -77,6 +123,7 @@ TEST(RemoteKeys, FilesThatAreNoneAreRefusedWithTheirPlace) {
   ASSERT_FALSE(clients);
   EXPECT_EQ(clients.problems().front().place.line, 2);
   scratch.write("arm_hosts", "arm-pc:7878 hello\n");
+  ::umask(before);
   EXPECT_FALSE(folder.keyOf(addressOf("arm-pc")));
   EXPECT_FALSE(folder.allow("hello", "Anna").empty());
   EXPECT_FALSE(folder.trust(addressOf("arm-pc"), "hello").empty());
