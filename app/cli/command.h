@@ -17,6 +17,7 @@ struct Streams {
   std::ostream& out;
   std::ostream& err;
   bool progress = false;  // err is a terminal that a line of progress may move on
+  int out_fd = -1;        // behind out, for those who must not wait for its reader; below 0: there is none
 };
 
 /// Adds a command to the grammar of the command line; when it is chosen, it does its work and leaves its exit status.

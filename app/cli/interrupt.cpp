@@ -1,7 +1,5 @@
 #include "app/cli/interrupt.h"
 
-#include <csignal>
-
 namespace underact::cli {
 namespace {
 
@@ -11,17 +9,29 @@ void onSignal(int /*number*/) {
   signal_came = 1;
 }
 
+/// What the process was started with holds where it is to ignore the end of its terminal (nohup).
+void takeOver(int signal, void (*handler)(int), std::vector<std::pair<int, void (*)(int)>>& before) {
+  void (*const old)(int) = std::signal(signal, handler);
+  if (old == SIG_ERR) return;
+  before.emplace_back(signal, old);
+#ifdef SIGHUP
+  if (signal == SIGHUP && old == SIG_IGN) std::signal(signal, SIG_IGN);
+#endif
+}
+
 }  // namespace
 
-Interrupt::Interrupt() {
+Interrupt::Interrupt(Reader reader) {
   signal_came = 0;
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  for (const int signal : {SIGINT, SIGTERM}) takeOver(signal, onSignal, before_);
+#ifdef SIGHUP
+  for (const int signal : {SIGHUP, SIGQUIT}) takeOver(signal, onSignal, before_);
+  if (reader == Reader::MayGo) takeOver(SIGPIPE, SIG_IGN, before_);
+#endif
 }
 
 Interrupt::~Interrupt() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const auto& [signal, handler] : before_) std::signal(signal, handler);
 }
 
 bool Interrupt::came() const {

@@ -1,16 +1,27 @@
 #pragma once
+#include <csignal>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace underact::cli {
 
-/// While one lives, SIGINT and SIGTERM (Ctrl+C) set a flag in place of ending the program, so that results are still
-/// printed. One at a time.
+/// What happens when nobody reads the results any more (a pipe into head, a terminal that is gone). Needed: the program
+/// ends there and then. MayGo: it goes on, for it holds an arm, and what it says is lost.
+enum class Reader : std::uint8_t { Needed, MayGo };
+
+/// While one lives, what asks the program to end (Ctrl+C, Ctrl+\, SIGTERM, a terminal that is closed) sets a flag
+/// instead, so that forces are let go and results still printed. One at a time.
 class Interrupt {
  public:
-  Interrupt();
-  ~Interrupt();
+  explicit Interrupt(Reader reader = Reader::Needed);
+  ~Interrupt();  // as it was
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
   bool came() const;
+
+ private:
+  std::vector<std::pair<int, void (*)(int)>> before_;
 };
 
 }  // namespace underact::cli

@@ -81,7 +81,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   if (!arm) return arm.problems();
   Registration registration;
   registration.arm = device::armKey(options.device, arm.value()->info(), arm.value()->listing());
-  const Interrupt interrupt;
+  const Interrupt interrupt(Reader::MayGo);
   streams.err << "No force is sent. Marks are touched in the order of their numbers.\n";
   Result<std::vector<Touch>> touches =
       device::touchMarks(std::move(arm).value(), preset, kRate_hz, marks_D.value(),

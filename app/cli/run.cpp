@@ -108,10 +108,13 @@ void runFast(servo::Host& host, Run& run, const Interrupt& interrupt) {
   }
 }
 
-void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt) {
-  while (!run.isDone() && !interrupt.came()) {
+void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt, const Streams& streams) {
+  for (bool is_guarded = true; !run.isDone() && !interrupt.came();) {
     std::this_thread::sleep_for(kPause);
     run.take(host);
+    const Sentence unguarded = host.unguarded();
+    if (std::exchange(is_guarded, unguarded.empty()) != is_guarded)
+      streams.err << (is_guarded ? "The arm is guarded again." : unguarded) << '\n';
   }
 }
 
@@ -247,7 +250,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
-  const Interrupt interrupt;
+  const Interrupt interrupt(Reader::MayGo);
   Result<std::unique_ptr<servo::DevicePort>> arm = makeArm(options, *prepared);
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
   servo::Host host(std::move(arm).value(), {.rate_hz = options.rate_hz,
@@ -266,13 +269,14 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (exit != Exit::Well) return exit;
   host.begin();
   Run run(ticks, std::move(recording), std::move(live), streams);
-  options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt);
+  options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt, streams);
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
   }
   const Problems unkept = tellFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
-  streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling}).text() << '\n';
+  streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding()}).text()
+              << '\n';
   Problems unwritten = run.closeRecording();
   unwritten.insert(unwritten.end(), unkept.begin(), unkept.end());
   print(unwritten, streams.err);

@@ -64,6 +64,7 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addObject("lateness_us", percentilesObject(setting.fast ? kNoPercentiles : lateness_.percentiles()));
   object.addObject("tick_us", percentilesObject(tick_time_.percentiles()));
   object.addText("scheduling", setting.scheduling);
+  if (!setting.guard.empty()) object.addText("guard", setting.guard);
   return object;
 }
 

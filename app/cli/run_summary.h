@@ -25,6 +25,7 @@ class RunSummary {
     std::uint64_t seed = 0;
     bool fast = false;  // then no tick can be late
     std::string scheduling;
+    std::string guard;  // see servo::Host::guarding()
   };
   JsonObject json(const Setting& setting) const;
 

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <chrono>
-#include <mutex>
 #include <ostream>
 #include <thread>
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/lines.h"
 #include "app/cli/scene_file.h"
 #include "core/sim/arm_model.h"
 #include "device/catalogue.h"
@@ -68,20 +68,6 @@ Exit allow(const KeyFolder& folder, const std::string& words, const Streams& str
   return Exit::Well;
 }
 
-/// Lines from the main thread and the network's, whole and at once.
-class Lines {
- public:
-  explicit Lines(std::ostream& out) : out_(out) {}
-  void operator()(const std::string& sentence) {
-    const std::scoped_lock lock(mutex_);
-    out_ << sentence << std::endl;
-  }
-
- private:
-  std::ostream& out_;
-  std::mutex mutex_;
-};
-
 void sayWhatIsShared(const device::remote::ShareOptions& options, const Address& address, const std::string& title,
                      Lines& say) {
   say(title + " is shared at " + address.text() + ", " + std::to_string(options.rate_hz) + " Hz, joints of " +
@@ -108,12 +94,12 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
   if (!clients) return fail(clients.problems(), Exit::File, streams);
   device::remote::ShareOptions options{listen.value(), keys,        clients.value(),    *preset,
                                        asked.rate_hz,  asked.force, !asked.no_passivity};
-  const Interrupt interrupt;
+  const Interrupt interrupt(Reader::MayGo);
   Result<std::unique_ptr<servo::DevicePort>> arm =
       device::openDevice(asked.device, {*preset, *sim::findArmModel(sim::kDefaultArmModel), asked.rate_hz, {}});
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
   const std::string title = arm.value()->info().title;
-  Lines say(streams.out);
+  Lines say(streams.out, streams.out_fd);
   Result<std::unique_ptr<device::remote::Share>> shared = device::remote::Share::open(
       std::move(arm).value(), options, [&say](const std::string& sentence) { say(sentence); });
   if (!shared) return fail(shared.problems(), Exit::Fault, streams);

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace underact::cli {
+
+/// Lines for people, from threads that must never wait for whoever reads them: a terminal that was paused, a pipe that
+/// nobody empties. A thread of its own writes them, in order, whole and at once. What finds no room among kMost that
+/// wait is left out, and how many were is said once they are read again.
+class Lines {
+ public:
+  static constexpr std::size_t kMost = 64;
+
+  /// fd: behind out, see Streams::out_fd. out outlives it.
+  Lines(std::ostream& out, int fd);
+  /// What waits is written, as far as it is read within a second.
+  ~Lines();
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+
+  /// Any thread. Waits for no one.
+  void operator()(std::string line);
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;  // of this and of the thread, which may outlast it in a write that never returns
+  std::thread thread_;
+};
+
+}  // namespace underact::cli
