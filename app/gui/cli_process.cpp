@@ -1,6 +1,8 @@
 #include "app/gui/cli_process.h"
 
-#include <QCoreApplication>
+#include "app/gui/words.h"
+#include "core/base/places.h"
+
 #ifdef Q_OS_UNIX
 #include <sys/resource.h>
 #include <unistd.h>
@@ -13,11 +15,6 @@ namespace {
 
 constexpr int kWaitForEnd_ms = 2000;
 constexpr int kBehindTheWindow = 10;  // nice
-
-QString cliProgram() {
-  if (qEnvironmentVariableIsSet("UNDERACT_CLI")) return qEnvironmentVariable("UNDERACT_CLI");
-  return QCoreApplication::applicationDirPath() + "/underact-cli";
-}
 
 }  // namespace
 
@@ -49,7 +46,15 @@ CliProcess::~CliProcess() {
 }
 
 void CliProcess::start(const QStringList& words) {
-  process_.start(cliProgram(), words, QIODevice::ReadOnly);
+  const Result<std::string> program = findProgram("underact-cli", "UNDERACT_CLI");
+  if (program) {
+    process_.start(QString::fromStdString(program.value()), words, QIODevice::ReadOnly);
+    return;
+  }
+  last_words_ = sentencesOf(program.problems()) + " " + tr("Install Underact again.");
+  // Later: who starts it is not ready yet for its end.
+  QMetaObject::invokeMethod(
+      this, [this] { emit ended(std::nullopt); }, Qt::QueuedConnection);
 }
 
 void CliProcess::kill() {

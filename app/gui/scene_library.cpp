@@ -1,11 +1,11 @@
 #include "app/gui/scene_library.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "app/gui/data_words.h"
+#include "app/gui/shipped.h"
 #include "core/scene/read.h"
 
 namespace underact::gui {
@@ -24,14 +24,7 @@ SceneEntry sceneEntry(const QString& path) {
 }
 
 QString sceneFolder() {
-  QStringList folders;
-  if (qEnvironmentVariableIsSet("UNDERACT_DATA_DIR")) folders << qEnvironmentVariable("UNDERACT_DATA_DIR") + "/scenes";
-  folders << QCoreApplication::applicationDirPath() + "/../share/underact/scenes";
-  folders << QCoreApplication::applicationDirPath() + "/../../scenes";  // run from build/release of the source tree
-  for (const QString& folder : folders) {
-    if (QDir(folder).exists()) return QDir(folder).absolutePath();
-  }
-  return {};
+  return shippedFolder(Resource::Scenes);
 }
 
 QString scenePicture(const QString& path, bool dark) {
@@ -47,10 +40,8 @@ QString scenePicture(const QString& path, bool dark) {
 }
 
 std::vector<SceneEntry> shippedScenes() {
-  const QString folder = sceneFolder();
-  if (folder.isEmpty()) return {};
   std::vector<SceneEntry> scenes;
-  for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+  for (const QFileInfo& file : QDir(sceneFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
     if (!file.fileName().endsWith("schema.json")) scenes.push_back(sceneEntry(file.absoluteFilePath()));
   }
   return scenes;

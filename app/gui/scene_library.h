@@ -20,8 +20,7 @@ struct SceneEntry {
 /// What a file says of itself. One that cannot be read has its file name for a title: opening it tells why.
 SceneEntry sceneEntry(const QString& path);
 
-/// The folder of the scenes that come with the program: $UNDERACT_DATA_DIR/scenes, beside the installed program, or in
-/// the sources it was built from. Empty: none.
+/// The folder of the scenes that come with the program, as shippedFolder().
 QString sceneFolder();
 
 /// The small picture of a scene that comes with the program; empty: it has none.

@@ -164,7 +164,9 @@ TEST(FiguresStory, AMissingProgramIsTold) {
   Gallery gallery("B.1");
   const Surroundings cli("UNDERACT_CLI", "/dev/null/nowhere/underact-cli");
   ASSERT_TRUE(gallery.make());
-  EXPECT_TRUE(gallery.dialog->message().contains("The program /dev/null/nowhere/underact-cli could not be started."));
+  EXPECT_TRUE(gallery.dialog->message().contains(
+      "underact-cli was not found (it was looked for at /dev/null/nowhere/underact-cli). Install Underact again."))
+      << gallery.dialog->message().toStdString();
 }
 
 TEST(FiguresStory, CancelEndsItAndTheOldFiguresStay) {

@@ -21,13 +21,14 @@
 #include "app/gui/panels.h"
 #include "app/gui/settings.h"
 #include "app/page/style.h"
+#include "core/base/places.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
 namespace {
 
 const guide::Guide& theGuide() {
-  static const Result<guide::Guide> kGuide = guide::readGuide(guideFolder().toStdString());
+  static const Result<guide::Guide> kGuide = guide::readGuide(findResource(Resource::Guide).value());
   return kGuide.value();
 }
 

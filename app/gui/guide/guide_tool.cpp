@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDir>
-#include <QFileInfo>
 #include <QUrl>
 
 #include "app/gui/actions.h"
@@ -10,20 +9,9 @@
 #include "app/gui/guide/help_pages.h"
 #include "app/gui/problems_box.h"
 #include "app/gui/scene_library.h"
+#include "core/base/places.h"
 
 namespace underact::gui {
-
-QString guideFolder() {
-  QStringList folders;
-  const QString data = qEnvironmentVariable("UNDERACT_DATA_DIR");
-  if (!data.isEmpty()) folders << data + "/guide" << data + "/resources/guide";
-  folders << QCoreApplication::applicationDirPath() + "/../share/underact/guide";
-  folders << QCoreApplication::applicationDirPath() + "/../../resources/guide";  // run from the source tree
-  for (const QString& folder : folders) {
-    if (QFileInfo::exists(folder + "/contents.json")) return QDir(folder).absolutePath();
-  }
-  return {};
-}
 
 GuideTool::GuideTool(Actions& actions, QString place, int zoom, QWidget* window)
     : QObject(window), actions_(actions), place_(std::move(place)), zoom_(zoom), main_(window) {
@@ -54,10 +42,8 @@ int GuideTool::zoom() const {
 
 bool GuideTool::open(const QString& place) {
   if (window_ == nullptr) {
-    const QString folder = guideFolder();
-    Result<guide::Guide> read = folder.isEmpty()
-                                    ? Problems{{tr("The guide's pages are not beside the program.").toStdString()}}
-                                    : guide::readGuide(folder.toStdString());
+    const Result<std::string> folder = findResource(Resource::Guide);
+    Result<guide::Guide> read = folder ? guide::readGuide(folder.value()) : folder.problems();
     if (!read) {
       showProblemsBox("dialog.guide_problems", tr("Guide"), tr("The guide cannot be opened."), read.problems(), main_);
       return false;

@@ -32,7 +32,4 @@ class GuideTool : public QObject {
   QPointer<GuideWindow> window_;
 };
 
-/// The folder of the guide's pages: $UNDERACT_DATA_DIR/guide, beside the installed program, or in the sources.
-QString guideFolder();
-
 }  // namespace underact::gui

@@ -1,6 +1,5 @@
 #include "app/gui/lessons/lesson_library.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -9,6 +8,7 @@
 #include <algorithm>
 
 #include "app/gui/data_words.h"
+#include "app/gui/shipped.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {
@@ -27,24 +27,12 @@ QString keyOf(const QString& path) {
 }  // namespace
 
 QString lessonFolder() {
-  QStringList folders;
-  if (qEnvironmentVariableIsSet("UNDERACT_DATA_DIR")) {
-    const QString data = qEnvironmentVariable("UNDERACT_DATA_DIR");
-    folders << data + "/lessons" << data + "/resources/lessons";  // installed, or the sources
-  }
-  folders << QCoreApplication::applicationDirPath() + "/../share/underact/lessons";
-  folders << QCoreApplication::applicationDirPath() + "/../../resources/lessons";  // run from build/release
-  for (const QString& folder : folders) {
-    if (!folder.isEmpty() && QDir(folder).exists()) return QDir(folder).canonicalPath();
-  }
-  return {};
+  return shippedFolder(Resource::Lessons);
 }
 
 std::vector<lesson::Lesson> shippedLessons() {
-  const QString folder = lessonFolder();
   std::vector<lesson::Lesson> lessons;
-  if (folder.isEmpty()) return lessons;
-  for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+  for (const QFileInfo& file : QDir(lessonFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
     if (file.fileName().endsWith("schema.json")) continue;
     Result<lesson::Lesson> read = lesson::readLessonFile(file.absoluteFilePath().toStdString());
     if (read) lessons.push_back(translated(std::move(read).value()));

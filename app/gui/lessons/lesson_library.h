@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-/// The folder of the lessons that come with the program, as sceneFolder(). Empty: none.
+/// The folder of the lessons that come with the program, as shippedFolder().
 QString lessonFolder();
 
 /// The lessons of that folder that can be read, by their order.

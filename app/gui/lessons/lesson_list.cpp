@@ -10,6 +10,7 @@
 #include "app/gui/data_words.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/scene_library.h"
+#include "app/gui/shipped.h"
 #include "app/gui/told_label.h"
 #include "core/lesson/read.h"
 
@@ -48,6 +49,7 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
+  column->addWidget(notFoundLabel(Resource::Lessons, "panel.lessons.missing", tr("Why there are no lessons"), this));
   column->addWidget(list_, 1);
   column->addWidget(about_);
   column->addWidget(note_);
