@@ -59,7 +59,7 @@ MainWindow::~MainWindow() {
 void MainWindow::frame() {
   player_->look();
   hands_->look();
-  const servo::Snapshot& snapshot = parts_.host.snapshot();
+  const servo::Snapshot snapshot = parts_.host.snapshot();
   parts_.host.drain([this](const servo::TickRecord& record) {
     player_->add(record);
     ghost_->add(record);
@@ -74,8 +74,8 @@ void MainWindow::frame() {
   registration_->look(snapshot);
   faults_->look(snapshot);
   if (pacer_->isSeen()) showFrame(snapshot);
-  identify_->look(snapshot);  // last of all: it may put a scene into effect, and the snapshot is no longer there then
-  visitors_->present(parts_.host.snapshot());  // so may they
+  identify_->look(snapshot);  // last of all: it may put a scene into effect, which none of the others has seen
+  visitors_->present(parts_.host.snapshot());  // so may they, and they are to see what it did
 }
 
 void MainWindow::showFrame(const servo::Snapshot& snapshot) {

@@ -292,7 +292,7 @@ const Timing& Host::timing() const {
   return impl_->timing;
 }
 
-const Snapshot& Host::snapshot() {
+Snapshot Host::snapshot() {
   impl_->flush();
   return impl_->loop.snapshot();
 }

@@ -89,7 +89,8 @@ class Host {
   /// The oldest fault that was not taken yet.
   std::optional<FaultReport> takeFault();
 
-  const Snapshot& snapshot();
+  /// The newest, as a copy: it stays what it was whatever is called then.
+  Snapshot snapshot();
   /// Lateness and tick times of what drain() has seen, at the present rate.
   const Timing& timing() const;
   /// Calls row() for every tick since the last call, in order. Call it about 30 times a second, or rows drop (counted).

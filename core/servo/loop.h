@@ -56,6 +56,7 @@ class Loop {
   // The other side: one thread.
   bool send(const Command& command);  // false: no room; try again later
   void reap();                        // frees the instances that are out of use
+  /// Until the next call: whoever keeps it copies it.
   const Snapshot& snapshot() { return snapshots_.latest(); }
   void drain(const std::function<void(const TickRecord&)>& row);
   /// The history of the oldest fault that was not taken yet, or null; it is given back by giveBack().

@@ -129,7 +129,7 @@ TEST(ExperimentsStory, ATargetSticksToTheBracketUntilThePushLeavesTheCone) {
   const Vec3 before_W = story.snapshot().report.held[0].p_WP;
   double share = 0.0;
   for (int presses = 0; presses < 10; ++presses) {
-    const tick::TickReport& report = story.snapshot().report;
+    const tick::TickReport report = story.snapshot().report;
     const Vec3 p_PT_W = report.p_WT - report.held[0].p_WP;
     if ((report.held[0].p_WP - before_W).norm() > 1e-4) break;
     share = std::hypot(p_PT_W.x(), p_PT_W.y()) / -p_PT_W.z();

@@ -36,7 +36,7 @@ void openPath(Story& story) {
 
 /// How far the target is ahead of the tip, mm.
 double ahead_mm(Story& story) {
-  const tick::TickReport& report = story.snapshot().report;
+  const tick::TickReport report = story.snapshot().report;
   return 1e3 * (report.held[0].p_WP - report.p_WT).x();
 }
 

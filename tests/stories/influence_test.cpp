@@ -70,7 +70,7 @@ TEST(InfluenceStory, AKeyOnTheSliderTurnsTheTargetAndTheForceAtTheNextTick) {
   story.run(kArrived);
   expectThetaAt(story, 0.55);
   story.run(1000);  // the step of that edit has faded out of the force
-  const tick::TickReport& report = story.snapshot().report;
+  const tick::TickReport report = story.snapshot().report;
   EXPECT_LT((report.f_T_W - 500.0 * (heldOf(story).p_WP - report.p_WT)).norm(), 1e-9);
 }
 

@@ -38,7 +38,7 @@ class Story {
   }
   /// Ticks, with a frame now and then; not seconds.
   void run(int ticks);
-  const servo::Snapshot& snapshot() { return simulated_.host->snapshot(); }
+  servo::Snapshot snapshot() { return simulated_.host->snapshot(); }
   double force_N() { return snapshot().report.force.f_T_W().norm(); }
 
   MainWindow& window() { return *window_; }

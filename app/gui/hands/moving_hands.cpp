@@ -94,7 +94,7 @@ QString MovingHands::trouble() const {
 
 void MovingHands::look() {
   const bool is_new = takeSeen();
-  const servo::Snapshot& snapshot = host_.snapshot();
+  const servo::Snapshot snapshot = host_.snapshot();
   const std::int64_t time_ns = snapshot.report.sample.time_ns;
   const double dt_s = time_ns_ < 0 ? 0.0 : kSecondPerNanosecond * static_cast<double>(time_ns - time_ns_);
   time_ns_ = time_ns;
@@ -124,7 +124,7 @@ void MovingHands::look() {
 }
 
 void MovingHands::move(const Motion& motion, double dt_s) {
-  const servo::Snapshot& snapshot = host_.snapshot();
+  const servo::Snapshot snapshot = host_.snapshot();
   const bool moves = !motion.isAtRest() && snapshot.ticks > 0;
   if (moves) {
     const arm::Preset* preset = arm::findPreset(host_.scene().arm);

@@ -149,7 +149,7 @@ void SecondArm::moveHand() {
     simulated_.arm->wish(mirrored(hand->wished()));
     return;
   }
-  const tick::TickReport& report = first_.snapshot().report;
+  const tick::TickReport report = first_.snapshot().report;
   if (report.p_WT.allFinite()) simulated_.arm->wish(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}));
 }
 
@@ -158,7 +158,7 @@ void SecondArm::look() {
   takeScene();
   if (simulated_.host->holdToRun() != first_.holdToRun()) simulated_.host->setHoldToRun(first_.holdToRun());
   moveHand();
-  const servo::Snapshot& snapshot = simulated_.host->snapshot();
+  const servo::Snapshot snapshot = simulated_.host->snapshot();
   simulated_.host->drain([this](const servo::TickRecord& record) {
     if (listener_) listener_(record);
   });

@@ -189,7 +189,7 @@ void SecondPanel::tell(const QString& sentence) {
 
 void SecondPanel::present(const servo::Snapshot&) {
   if (!second_.isOn() || !isSeen()) return;
-  const servo::Snapshot& snapshot = second_.host().snapshot();
+  const servo::Snapshot snapshot = second_.host().snapshot();
   const servo::DeviceInfo info = second_.host().device();
   readout_->set(device_, sentenceText(info.title) + (info.untested ? tr(" (untested)") : QString()));
   readout_->set(mode_, modeText(snapshot.mode));

@@ -213,7 +213,7 @@ void VisitorMode::present(const servo::Snapshot& snapshot) {
   takeLoaded();
   time_s_ = static_cast<double>(snapshot.ticks) / parts_.host.rateHz();
   tellState(snapshot);
-  switch (carousel_.at(time_s_, isTouched(snapshot, time_s_))) {  // with another scene the snapshot is no longer there
+  switch (carousel_.at(time_s_, isTouched(snapshot, time_s_))) {
     case Carousel::Step::Stay:
       break;
     case Carousel::Step::Next:

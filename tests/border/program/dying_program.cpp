@@ -38,7 +38,7 @@ void follow(servo::Host& host, const std::string& way) {
   for (;;) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     host.drain([](const servo::TickRecord&) {});
-    const servo::Snapshot& snapshot = host.snapshot();
+    const servo::Snapshot snapshot = host.snapshot();
     if (const auto fault = host.takeFault()) {
       if (!told) host.start();  // a busy machine: not what is looked for
       if (told) say(std::string("fault ") + name(fault->fault.kind));

@@ -6,6 +6,7 @@
 
 #include "core/scene/edit.h"
 #include "tests/core/servo/scripted_port.h"
+#include "tests/support/comes.h"
 #include "tests/support/property.h"
 
 namespace underact::servo {
@@ -340,6 +341,26 @@ TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the t
     EXPECT_EQ(host.snapshot().dropped, 0);
   }
   EXPECT_EQ(seen.last_size_N, 0.0);
+}
+
+TEST(Host, ASnapshotStaysWhatItWasWhateverIsCalledThen) {
+  ScriptedPort::Seen seen;
+  Host host(std::make_unique<ScriptedPort>(seen), HostOptions{.max_late = 1'000'000});
+  ASSERT_TRUE(host.load(sphereScene(50)).empty());
+  host.start();
+  host.begin();
+  ASSERT_TRUE(test::comes([&] { return host.snapshot().mode == Mode::Running; }));
+  const Snapshot& kept = host.snapshot();
+  const Snapshot copy = kept;
+  for (int call = 0; call < 200; ++call) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    (void)host.running();
+    ASSERT_TRUE(host.edit(sphereScene(50, 0.02 + 1e-4 * call)).empty());  // asks which scenes are still in effect
+    ASSERT_EQ(kept.ticks, copy.ticks);
+    ASSERT_EQ(kept.revision, copy.revision);
+    ASSERT_EQ(kept.report.sample.time_ns, copy.report.sample.time_ns);
+  }
+  EXPECT_GT(host.snapshot().ticks, copy.ticks + 50) << "else nothing could have changed it";
 }
 
 }  // namespace underact::servo
