@@ -22,6 +22,11 @@ Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeade
   return program;
 }
 
+/// 0: its gate went by the arm's clock.
+std::int64_t periodOf(const SessionHeader& header) {
+  return header.gate_time == GateTime::Servo ? 1'000'000'000 / header.rate_hz : 0;
+}
+
 bool isMeasured(const Column& column) {
   return column.name == "lateness_us" || column.name == "tick_us";
 }
@@ -155,7 +160,7 @@ Result<servo::Rerun> rerunFromStart(Session& session) {
   if (!program) return program.problems();
   Result<tick::TickState> state = session.start(program.value());
   if (!state) return state.problems();
-  return servo::Rerun(std::move(program).value(), std::move(state).value());
+  return servo::Rerun(std::move(program).value(), std::move(state).value(), periodOf(session.info().header));
 }
 
 }  // namespace
@@ -185,7 +190,7 @@ Problems replayWith(Session& session, const scene::Description& scene,
                     const std::function<bool(double)>& progress) {
   Result<tick::TickProgram> program = programOf(scene, session.info().header);
   if (!program) return program.problems();
-  servo::Rerun rerun(std::move(program).value());
+  servo::Rerun rerun(std::move(program).value(), periodOf(session.info().header));
   ToldFaults faults(session.faults());
   bool begins = true, goes_on = true;
   return session.eachBlock(

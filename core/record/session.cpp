@@ -65,6 +65,7 @@ Problems Session::readInfo(const std::string& path) {
   header.rate_hz = file_.integer("rate_hz", 0);
   header.frozen_s = file_.real("frozen_s", 0.0);
   header.max_late = static_cast<int>(file_.integer("max_late", 20));
+  header.gate_time = file_.text("gate_time") == kServosTime ? GateTime::Servo : GateTime::Arm;
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
     return {
         {said(QT_TRANSLATE_NOOP("problem", "This session does not say how fast the servo was: the file is damaged.")),

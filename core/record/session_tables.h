@@ -14,6 +14,7 @@ namespace underact::record {
 enum TableIndex : std::size_t { kTicks, kChanges, kMarkers, kFaults, kEnd, kText, kStart, kTables };
 
 inline constexpr std::int64_t kSessionVersion = 1;
+inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
 inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
 

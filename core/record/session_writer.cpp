@@ -29,6 +29,7 @@ std::vector<Attribute> attributesOf(const SessionHeader& header) {
           {"rate_hz", header.rate_hz},
           {"frozen_s", header.frozen_s},
           {"max_late", std::int64_t{header.max_late}},
+          {"gate_time", std::string(header.gate_time == GateTime::Servo ? kServosTime : kArmsTime)},
           {"start_layout", stateLayout()}};
 }
 

@@ -18,6 +18,10 @@ struct SessionWords {
   std::string subject = {};
 };
 
+/// By which time the gate's ramps, slew, heat and frozen time went: the servo's own periods, or, as in version 0.1.0,
+/// the arm's clock.
+enum class GateTime : std::uint8_t { Servo, Arm };
+
 /// What is known when a session begins.
 struct SessionHeader {
   SessionWords words;
@@ -29,6 +33,7 @@ struct SessionHeader {
   std::int64_t rate_hz = 1000;
   double frozen_s = 0.0;
   int max_late = 20;
+  GateTime gate_time = GateTime::Servo;
   double block_s = kBlock_s;
 };
 

@@ -22,6 +22,11 @@ double moved(double level, bool up, double dt_s, double ramp_s) noexcept UNDERAC
 
 }  // namespace
 
+double wayTime_s(double by_arm_s, double by_servo_s) noexcept {
+  constexpr double kMost = 4.0;
+  return std::min(by_arm_s, kMost * by_servo_s);
+}
+
 Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept {
   if (!isFinite(f_T_W) || !(max_force_N > 0.0)) return Vec3::Zero();
   const double largest = largestOf(f_T_W);
@@ -58,18 +63,19 @@ Vec3 through(const Vec3& before_T_W, const Vec3& after_T_W, double& cut_N) noexc
 }
 
 Gated stopped(const Limits& limits, GateState next, const Asked& asked, const Fault& now,
-              double dt_s) noexcept UNDERACT_REAL_TIME {
+              double passed_s) noexcept UNDERACT_REAL_TIME {
   next.level = 0.0;
   next.late = 0;
   next.letting_go = {};
   next.f_T_W.setZero();
-  next.heat = heated(limits.thermal, next.heat, asked.motion.J_p, next.f_T_W, dt_s);
+  next.heat = heated(limits.thermal, next.heat, asked.motion.J_p, next.f_T_W, passed_s);
   return {GatedForce{}, next, {}, next.fault.kind != FaultKind::None ? next.fault : now};
 }
 
 }  // namespace
 
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept {
+  const double passed_s = dt_s + asked.waited_s;
   GateState next = state;
   if (asked.restart) {
     next = GateState{};
@@ -86,15 +92,17 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   watchLateness(limits, asked.late, next);
   if (next.letting_go.kind != FaultKind::None && next.level == 0.0 && next.fault.kind == FaultKind::None)
     next.fault = next.letting_go;
-  if (now.kind != FaultKind::None || next.fault.kind != FaultKind::None) return stopped(limits, next, asked, now, dt_s);
+  if (now.kind != FaultKind::None || next.fault.kind != FaultKind::None)
+    return stopped(limits, next, asked, now, passed_s);
 
   const Motion& motion = asked.motion;
   Cuts cuts;
-  next.still_s = motion.moved ? 0.0 : next.still_s + std::max(0.0, dt_s);
+  next.still_s = motion.moved ? 0.0 : next.still_s + std::max(0.0, passed_s);
   cuts.frozen = limits.frozen_s > 0.0 && next.still_s >= limits.frozen_s;
   const bool engage = asked.engage && !cuts.frozen && next.letting_go.kind == FaultKind::None;
-  next.level = moved(next.level, engage, dt_s, engage ? limits.rise_s : limits.fall_s);
-  next.v_WT = followVelocity(next.v_WT, motion.v_WT, dt_s);  // none after a Start
+  next.level =
+      engage ? moved(next.level, true, dt_s, limits.rise_s) : moved(next.level, false, passed_s, limits.fall_s);
+  next.v_WT = followVelocity(next.v_WT, motion.v_WT, passed_s);  // none after a Start
   Vec3 f_T_W = clampForce(asked.f_T_W, limits.max_force_N);
   if (f_T_W != asked.f_T_W) cuts.clamp_N = std::max(0.0, sizeOf(asked.f_T_W) - sizeOf(f_T_W));
   f_T_W = through(f_T_W, limitSpeed(limits, next.v_WT, f_T_W), cuts.speed_N);
@@ -104,8 +112,10 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   Vec3 last_T_W = next.f_T_W;
   if (last_T_W.squaredNorm() > limits.max_force_N * limits.max_force_N)
     last_T_W = clampForce(last_T_W, limits.max_force_N);  // another scene allows less
-  next.f_T_W = through(ramped_T_W, limitSlew(limits, last_T_W, ramped_T_W, dt_s), cuts.slew_N);
-  next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, dt_s);
+  next.f_T_W = ramped_T_W;
+  if (next.level > 0.0)  // a release ends with its ramp, whatever the slew limit would keep
+    next.f_T_W = through(ramped_T_W, limitSlew(limits, last_T_W, ramped_T_W, engage ? dt_s : passed_s), cuts.slew_N);
+  next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, passed_s);
   return {GatedForce{next.f_T_W}, next, cuts, Fault{}};
 }
 

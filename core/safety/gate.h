@@ -38,6 +38,7 @@ struct Asked {
   Fault fault = {};      // what is wrong with this tick's sample
   bool late = false;     // this tick started a whole period late
   Motion motion = {};
+  double waited_s = 0.0;  // beside dt_s: deadlines that passed without a tick, >= 0
 };
 
 struct Gated;
@@ -65,8 +66,15 @@ struct Gated {
 /// Finite check, then the limits in the order of Cuts, soft start and release between heat and slew. A sample that is
 /// missing or old gives zero force and, more than max_missed times in a row, a fault that lasts; a force or sample that
 /// is not a number, or a jump, gives such a fault at once; too many late ticks in a row let the force go first. dt_s:
-/// since the last tick, >= 0. Gives |force| <= max_force_N (1 + 4 ulp), finite whatever comes in. Cost: constant.
+/// a period of the servo, >= 0. What protects by being slow (soft start, slew) goes on by it alone, however late the
+/// tick; what protects by going on (release, heat, frozen time) counts what was waited, too. Gives |force| <=
+/// max_force_N (1 + 4 ulp), finite whatever comes in. Cost: constant.
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept UNDERACT_REAL_TIME;
+
+/// In what time the tip went its way since the last sample, s, for the limits on its speed. By the arm's clock, which
+/// knows best when a sample was taken; but no more than four times what the servo counted, which is what a read that
+/// waits two periods, twice over, may be off by: a clock that leaps ahead cannot make a leap of the tip look slow.
+double wayTime_s(double by_arm_s, double by_servo_s) noexcept UNDERACT_REAL_TIME;
 
 /// f_T_W cut to max_force_N with its direction kept, each coordinate within 4 ulp of the size; zero where it is not
 /// finite. No overflow up to 1e308. Source: Beckman 2007, code 3.4; erratum (test for a number first: NaN passes |F| >

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/real_time.h"
+
 namespace underact::servo {
 
 /// Why a tick started a whole period late, where it can be known.
@@ -22,6 +24,10 @@ struct Wake {
   std::int64_t left_out = 0;  // deadlines that had passed by then: they are not caught up
   LateCause cause = LateCause::Woken;
 };
+
+/// The time of the deadlines that passed before a tick that came so late, s: what Wake::left_out says, from numbers
+/// that a recording has. None is counted beyond an hour.
+double waited_s(std::int64_t lateness_ns, std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 
 /// Late ticks since the loop was made, or was given another period.
 struct LateTicks {

@@ -220,6 +220,8 @@ void Loop::tick(const Wake& wake) noexcept {
   tick::TickInput input;
   input.fault = faultOf(wake);
   input.late = wake.lateness_ns >= period_ns_;
+  input.period_s = kSecondPerNanosecond * static_cast<double>(period_ns_);
+  input.waited_s = waited_s(wake.lateness_ns, period_ns_);
   const std::int64_t asked_ns = monotonicNow_ns();
   input.has_sample = device_.read(input.sample);
   const bool held = !hold_to_run_ || (input.sample.buttons & 1U) != 0;

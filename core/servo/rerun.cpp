@@ -3,14 +3,16 @@
 #include <utility>
 
 #include "core/base/denormals.h"
+#include "core/base/units.h"
 #include "core/tick/step.h"
 
 namespace underact::servo {
 
-Rerun::Rerun(tick::TickProgram program, tick::TickState state)
-    : program_(std::move(program)), state_(std::move(state)) {}
+Rerun::Rerun(tick::TickProgram program, tick::TickState state, std::int64_t period_ns)
+    : program_(std::move(program)), state_(std::move(state)), period_ns_(period_ns) {}
 
-Rerun::Rerun(tick::TickProgram program) : program_(std::move(program)), state_(tick::makeState(program_)) {}
+Rerun::Rerun(tick::TickProgram program, std::int64_t period_ns)
+    : program_(std::move(program)), state_(tick::makeState(program_)), period_ns_(period_ns) {}
 
 void Rerun::replaceBy(tick::TickProgram program, tick::Carry carry) {
   tick::TickState state = tick::makeState(program);
@@ -29,6 +31,10 @@ const Snapshot& Rerun::tick(const TickRecord& recorded, const Fault& fault, bool
   input.restart = restart || (recorded.input & kRestarted) != 0;
   input.late = (recorded.input & kLate) != 0;
   input.fault = fault;
+  if (period_ns_ > 0) {  // as the loop does
+    input.period_s = kSecondPerNanosecond * static_cast<double>(period_ns_);
+    input.waited_s = waited_s(recorded.lateness_ns, period_ns_);
+  }
   {
     const FlushDenormals flush;  // as the servo thread does
     tick::step(program_, input, state_, snapshot_.report);

@@ -8,10 +8,13 @@ namespace underact::servo {
 /// with another program. It reckons what that servo would; nobody feels it. One thread.
 class Rerun {
  public:
-  Rerun(tick::TickProgram program, tick::TickState state);
+  /// period_ns: of that servo; 0: one of version 0.1.0, whose gate went by the arm's clock.
+  Rerun(tick::TickProgram program, tick::TickState state, std::int64_t period_ns);
   /// With no memory yet.
-  explicit Rerun(tick::TickProgram program);
+  Rerun(tick::TickProgram program, std::int64_t period_ns);
 
+  /// The servo ticks at another rate.
+  void setPeriod(std::int64_t period_ns) { period_ns_ = period_ns; }
   void replaceBy(tick::TickProgram program, tick::Carry carry);
   /// recorded: what went in, and when it was. fault: what the servo had found before the tick. restart: as if Start
   /// had been pressed. The mode is left as it was: it is the servo's, not the tick's.
@@ -22,6 +25,7 @@ class Rerun {
  private:
   tick::TickProgram program_;
   tick::TickState state_;
+  std::int64_t period_ns_;
   Snapshot snapshot_;
 };
 

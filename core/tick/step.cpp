@@ -69,6 +69,24 @@ void lookAtArm(const TickProgram& program, const arm::Sample& sample, TickReport
   if (program.needs.motors) motion.J_p = arm::positionJacobian(program.geometry, sample.q_rad);
 }
 
+/// What the gate goes by. before: the state at the tick's beginning, with the last sample that counted.
+struct GateTime {
+  double dt_s = 0.0;
+  double waited_s = 0.0;
+  double way_s = 0.0;  // in which the tip went its way since that sample
+};
+
+/// Ramps, slew, heat and frozen time go by the servo's periods, so that a sample's clock cannot hold a force. Nothing
+/// is pushed at the first sample, which says of no motion. by_arm_s: since the last sample by the arm's clock; what
+/// the laws go by is law_dt_s.
+GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_arm_s,
+                    double law_dt_s) noexcept UNDERACT_REAL_TIME {
+  if (!(input.period_s > 0.0)) return {law_dt_s, 0.0, law_dt_s};  // as in version 0.1.0: by the sample's clock
+  if (!before.has_time) return {};
+  const double since_s = (before.gate.missed + 1) * input.period_s + input.waited_s;
+  return {input.period_s, input.waited_s, safety::wayTime_s(by_arm_s, since_s)};
+}
+
 /// How the arm moved since the last sample, and how far its driven joints are from their stops. dt_s: 0 where there is
 /// no last sample to compare with.
 void lookAtMotion(const TickProgram& program, const arm::Sample& sample, const TickState& state, double dt_s,
@@ -250,14 +268,14 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   report.branch_changes = 0;
   report.out_of_reach = false;
   report.damping_m = 0.0;
-  double gate_dt_s = 0.0;
+  const bool is_good = fault.kind == FaultKind::None;
+  const double law_dt_s = is_good && dt_s <= kLongestTick_s ? dt_s : 0.0;
+  const GateTime time = gateTimeOf(input, state, dt_s, law_dt_s);
   safety::Motion motion;
-  if (fault.kind == FaultKind::None) {
-    const double law_dt_s = dt_s <= kLongestTick_s ? dt_s : 0.0;
+  if (is_good) {
     if (dt_s > kLongestTick_s) forget(state);
-    gate_dt_s = law_dt_s;
     lookAtArm(program, input.sample, report, motion);  // the targets are found from it
-    lookAtMotion(program, input.sample, state, law_dt_s, report.p_WT, motion);
+    lookAtMotion(program, input.sample, state, time.way_s, report.p_WT, motion);
     const Vec3 way_T_W = law_dt_s > 0.0 ? Vec3(report.p_WT - state.p_WT) : Vec3(Vec3::Zero());
     state.p_WT = report.p_WT;
     state.q_rad = input.sample.q_rad;
@@ -272,8 +290,8 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     state.has_time = true;
   }
   report.p_WT = state.p_WT;
-  const safety::Asked asked{report.f_T_W, input.engage, input.restart, fault, input.late, motion};
-  const safety::Gated gated = safety::gate(program.limits, state.gate, asked, gate_dt_s);
+  const safety::Asked asked{report.f_T_W, input.engage, input.restart, fault, input.late, motion, time.waited_s};
+  const safety::Gated gated = safety::gate(program.limits, state.gate, asked, time.dt_s);
   state.gate = gated.next;
   report.force = gated.force;
   report.level = gated.next.level;

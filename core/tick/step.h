@@ -13,6 +13,10 @@ struct TickInput {
   bool restart = false;    // Start was pressed in this tick: forget the last fault
   bool late = false;       // this tick started a whole period late
   Fault fault = {};        // what the servo found wrong before the tick; none: it is the sample that counts
+  // The servo's own time, by which the gate goes: a period, and beside it the deadlines that passed without a tick. A
+  // period of 0 says that whoever ticks keeps the sample's clock himself (a lab), or kept it (version 0.1.0).
+  double period_s = 0.0;
+  double waited_s = 0.0;
 };
 
 // Time constant of the way from the old gains' force to the new ones'. Three of them are 60 ms: felt as at once, but

@@ -32,6 +32,7 @@ void measure(benchmark::State& state, const tick::TickProgram& program) {
   tick::TickReport report;
   tick::TickInput input;
   input.engage = true;
+  input.period_s = 1e-3;  // as the servo says it
   std::size_t at = 0;
   for (auto _ : state) {
     input.sample.time_ns += 1'000'000;

@@ -74,6 +74,67 @@ TEST(Replay, OfASessionFullOfFaultsIsTheSameToTheBit) {
   EXPECT_EQ(verified.value().ticks, 5000) << verified.value().unknown;
 }
 
+// A session of 0.1.0 (of the golden one's day) names no time of its gate: it went by the arm's clock. In this one that
+// clock runs at half its rate, at 150 times it (Stop is asked meanwhile, and the force stays), and back; samples are
+// missing, one is no number, the arm begins anew, the servo stands still. It is not to be recorded anew.
+TEST(Replay, OfASessionOfTheFirstVersionIsTheSameToTheBit) {
+  Result<Session> session = Session::open(std::string(UNDERACT_TEST_DATA) + "/golden/session_0_1_0.h5");
+  ASSERT_TRUE(session) << session.problems().front().sentence;
+  EXPECT_EQ(session.value().info().header.gate_time, GateTime::Arm);
+  double stuck_N = 0.0;
+  const Problems problems = session.value().eachBlock(
+      [&stuck_N](const Block& block, std::int64_t) {
+        for (const servo::TickRecord& row : unpackTicks(block)) {
+          if (row.tick == 350 + 185) stuck_N = row.f_sent_T_W.norm();
+        }
+        return true;
+      },
+      [](const Gap&) {});
+  EXPECT_TRUE(problems.empty());
+  EXPECT_NEAR(stuck_N, 0.88, 1e-9) << "else it does not hold what it is kept for";
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified) << verified.problems().front().sentence;
+  EXPECT_FALSE(verified.value().differs.has_value())
+      << verified.value().differs->tick << ' ' << verified.value().differs->column;
+  EXPECT_EQ(verified.value().ticks, 400) << verified.value().unknown;
+}
+
+// Late ticks leave deadlines out, and the gate counts them: they have to come out of the file as they went in.
+TEST(Replay, OfASessionWithLateTicksCountsTheirDeadlinesToTheBit) {
+  const test::ScratchFolder folder;
+  test::ScriptedPort::Seen seen;
+  test::ScriptedPort port(seen);
+  servo::Loop loop(port, 333'333, 0);
+  servo::Tap tap(333'333);
+  port.period_ns = 333'333;
+  const scene::Description scene = test::sphereScene();
+  ASSERT_TRUE(loop.send({servo::Order::Load, instanceOf(scene, 1)}));
+  servo::Command record{servo::Order::Record};
+  record.tap = &tap;
+  ASSERT_TRUE(loop.send(record));
+  test::Random random(test::Seed{12});
+  for (int tick = 0; tick < 4000; ++tick) {
+    if (tick % 700 == 0) loop.send({servo::Order::Start});
+    if (tick % 700 == 600) loop.send({servo::Order::Stop});
+    const std::int64_t late_ns = random.below(5) == 0 ? static_cast<std::int64_t>(random.below(9'999'999)) : 12'345;
+    loop.tick({late_ns, late_ns / 333'333, servo::LateCause::Woken});
+  }
+  SessionHeader header;
+  header.rate_hz = 3000;
+  Result<SessionWriter> writer = SessionWriter::create(folder.file("s.h5"), header);
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.value().begin(tap.firstTick(), tap.firstRevision(), tap.start(), scene).empty());
+  for (servo::TickRecord row; tap.take(row);) ASSERT_TRUE(writer.value().add(row).empty());
+  ASSERT_TRUE(writer.value().end({}).empty());
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  EXPECT_EQ(session.value().info().header.gate_time, GateTime::Servo);
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified) << verified.problems().front().sentence;
+  EXPECT_FALSE(verified.value().differs.has_value())
+      << verified.value().differs->tick << ' ' << verified.value().differs->column;
+  EXPECT_EQ(verified.value().ticks, 4000) << verified.value().unknown;
+}
+
 // Recorded once by a release build; every other build, and every later one, must come to the same bits. Where the
 // tick's arithmetic or memory was changed on purpose: UNDERACT_UPDATE_GOLDEN=1 records it anew.
 TEST(Replay, OfTheSessionInTheRepositoryIsTheSameToTheBitInThisBuild) {

@@ -9,6 +9,10 @@ namespace {
 
 constexpr std::int64_t kBeforeJudged = 1000;  // ticks whose time is averaged
 
+std::int64_t periodOf(const servo::Host& host) {
+  return 1'000'000'000 / host.rateHz();
+}
+
 Problems refused(const char* sentence) {
   return {{QCoreApplication::translate("Beside", sentence).toStdString(), {}}};
 }
@@ -23,7 +27,7 @@ Problems Beside::setScene(const scene::Description& scene) {
   if (scene.arm != host_.scene().arm) return refused(kOtherArm);
   Result<tick::TickProgram> program = host_.programOf(scene);
   if (!program) return program.problems();
-  rerun_.emplace(std::move(program).value());
+  rerun_.emplace(std::move(program).value(), periodOf(host_));
   scene_ = scene;
   begins_ = true;
   ticks_ = 0;
@@ -47,6 +51,7 @@ Problems Beside::add(const servo::TickRecord& felt) {
     }
   }
   const auto begin = std::chrono::steady_clock::now();
+  rerun_->setPeriod(periodOf(host_));
   const tick::TickReport& report = rerun_->tick(felt, {}, std::exchange(begins_, false)).report;
   spent_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (felt.level >= 1.0 && report.level >= 1.0) {
