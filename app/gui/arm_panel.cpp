@@ -31,6 +31,10 @@ QString faultText(FaultKind kind) {
       return QObject::tr("too late");
     case FaultKind::StoodStill:
       return QObject::tr("stood still");
+    case FaultKind::OddClock:
+      return QObject::tr("odd clock");
+    case FaultKind::Asleep:
+      return QObject::tr("asleep");
   }
   return {};
 }

@@ -37,6 +37,11 @@ FaultSentence happenedSentence(const Fault& fault) {
       return {QT_TRANSLATE_NOOP("fault", "%1 ticks in a row came a whole period late."), {{{fault.seen, 0}}}};
     case FaultKind::StoodStill:
       return {QT_TRANSLATE_NOOP("fault", "The servo stood still for %1 s."), {{{fault.seen, 2}}}};
+    case FaultKind::OddClock:
+      return {QT_TRANSLATE_NOOP("fault", "The arm's clock advanced by %1 s while %2 s passed."),
+              {{{fault.seen, 2}, {fault.allowed, 2}}}};
+    case FaultKind::Asleep:
+      return {QT_TRANSLATE_NOOP("fault", "The computer was asleep for %1 s."), {{{fault.seen, 1}}}};
   }
   return {};
 }
@@ -65,7 +70,10 @@ const char* toDoSentence(const Fault& fault) {
     case FaultKind::TooLate:
       return QT_TRANSLATE_NOOP("fault", "Close what keeps the machine busy or choose a lower rate, then press Start.");
     case FaultKind::StoodStill:
+    case FaultKind::Asleep:
       return QT_TRANSLATE_NOOP("fault", "Press Start to go on.");
+    case FaultKind::OddClock:
+      return QT_TRANSLATE_NOOP("fault", "Restart the servo, which opens the arm again, then press Start.");
   }
   return "";
 }
@@ -95,6 +103,10 @@ const char* name(FaultKind kind) {
       return "too_late";
     case FaultKind::StoodStill:
       return "stood_still";
+    case FaultKind::OddClock:
+      return "odd_clock";
+    case FaultKind::Asleep:
+      return "asleep";
   }
   return "none";
 }

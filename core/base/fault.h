@@ -13,8 +13,10 @@ enum class FaultKind : std::uint8_t {
   TooFast,      // the tip went further in one tick than any hand moves it; seen: m/s
   TooLate,      // ticks in a row that started a whole period late; seen: how many
   StoodStill,   // no tick at all for longer than the watchdog waits; seen: seconds
+  OddClock,     // the arm's clock and the servo's disagree; seen: seconds by the arm's, allowed: by the servo's
+  Asleep,       // the machine was suspended while the servo pushed; seen: seconds
 };
-inline constexpr int kFaultKinds = 7;
+inline constexpr int kFaultKinds = 9;
 
 /// Numbers only, so that the tick can make one; describe() turns it into words, outside the tick.
 struct Fault {
@@ -32,7 +34,8 @@ std::string whatToDo(const Fault& fault);
 /// What happened, what it means for the hand, what to do. Empty for FaultKind::None.
 std::string describe(const Fault& fault);
 
-/// A word for logs: "none", "no_sample", "stale_sample", "not_finite", "too_fast", "too_late", "stood_still".
+/// A word for logs: "none", "no_sample", "stale_sample", "not_finite", "too_fast", "too_late", "stood_still",
+/// "odd_clock", "asleep".
 const char* name(FaultKind kind);
 
 }  // namespace underact

@@ -26,7 +26,7 @@ constexpr std::array kColumns{
     Column{"heat", "", "of motors 1 to 3; 1: what they bear for good", Kind::Real, 3},
     Column{"fault", "",
            "why the force is zero: 0 none, 1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, "
-           "5 too_late, 6 stood_still",
+           "5 too_late, 6 stood_still, 7 odd_clock, 8 asleep",
            Kind::Byte},
     Column{"alpha_beta_theta_rad", "rad", "angles of stylus, tip and target of the first influenced target", Kind::Real,
            3},

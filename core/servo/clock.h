@@ -9,4 +9,15 @@ namespace underact::servo {
 /// by the loop around a tick, never in it. Any thread.
 std::int64_t monotonicNow_ns() noexcept UNDERACT_REAL_TIME;
 
+/// The same, and beside it all the time in which the machine was suspended, during which the other stands still on
+/// Linux: CLOCK_BOOTTIME there. Any thread.
+std::int64_t withSleepNow_ns() noexcept UNDERACT_REAL_TIME;
+
+/// Both, for whoever puts others in their place: a test, which cannot put the machine to sleep.
+struct Clocks {
+  using Read = std::int64_t() noexcept UNDERACT_REAL_TIME;
+  Read* now_ns = monotonicNow_ns;
+  Read* with_sleep_ns = withSleepNow_ns;
+};
+
 }  // namespace underact::servo

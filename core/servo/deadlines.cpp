@@ -12,6 +12,7 @@ std::int64_t Deadlines::wakeAt_ns(std::int64_t now_ns) const noexcept {
 
 Wake Deadlines::begin(std::int64_t now_ns) noexcept {
   Wake wake;
+  wake.at_ns = now_ns;
   wake.lateness_ns = now_ns - next_ns_;
   wake.left_out = std::max<std::int64_t>(0, wake.lateness_ns / period_ns_);
   next_ns_ += (1 + wake.left_out) * period_ns_;

@@ -50,6 +50,7 @@ void Driven::tickOnce(std::int64_t now_ns) noexcept {
   if (is_ticking_.exchange(true, std::memory_order_acquire)) return;  // the other one is at it
   const FlushDenormals flush;  // the thread may be the arm's: as it was, afterwards
   Wake wake;
+  wake.at_ns = now_ns;
   if (before_ns_ != 0) {
     // Early by what the tick before was late.
     const std::int64_t lateness_ns = std::max<std::int64_t>(0, now_ns - before_ns_ - period_ns_);

@@ -28,7 +28,8 @@ struct Host::Impl {
   Impl(std::unique_ptr<DevicePort> port, const HostOptions& wanted)
       : options(wanted),
         device(std::move(port)),
-        loop(*device, 1'000'000'000 / wanted.rate_hz, static_cast<std::int64_t>(1e9 * wanted.watchdog_s)),
+        loop(*device, 1'000'000'000 / wanted.rate_hz, static_cast<std::int64_t>(1e9 * wanted.watchdog_s),
+             wanted.clocks),
         timing(wanted.rate_hz) {}
   ~Impl() {
     end();

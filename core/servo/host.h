@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/scene/description.h"
+#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
 #include "core/servo/scheduling.h"
 #include "core/servo/snapshot.h"
@@ -27,6 +28,7 @@ struct HostOptions {
   double watchdog_s = 0.1;  // no tick for so long: the arm gets zero force from outside the servo thread, and a fault
   int max_late = 20;        // ticks in a row a whole period late that are borne; more let the force go, and are a fault
   std::string guard_program = {};  // underact-guard, for an arm that has a last word; empty: it is looked for
+  Clocks clocks = {};
 };
 
 /// Everything a fault leaves behind.

@@ -23,6 +23,7 @@ struct Wake {
   std::int64_t lateness_ns = 0;
   std::int64_t left_out = 0;  // deadlines that had passed by then: they are not caught up
   LateCause cause = LateCause::Woken;
+  std::int64_t at_ns = 0;  // by the servo's clock; 0: it has none, and each tick is a period (Clock::Manual)
 };
 
 /// The time of the deadlines that passed before a tick that came so late, s: what Wake::left_out says, from numbers

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/units.h"
-#include "core/servo/clock.h"
 #include "core/servo/touch_pages.h"
 
 namespace underact::servo {
@@ -39,11 +38,12 @@ unsigned bitsOf(const tick::TickInput& input) noexcept UNDERACT_REAL_TIME {
 
 }  // namespace
 
-Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns)
+Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const Clocks& clocks)
     : device_(device),
       current_(new Instance),
       period_ns_(period_ns),
       watchdog_ns_(watchdog_ns),
+      clocks_(clocks),
       history_(&histories_[0]),
       commands_(kCommands),
       retired_(kRetired),
@@ -91,6 +91,7 @@ void Loop::giveBack(const History* history) {
 void Loop::setPeriod(std::int64_t period_ns) {
   period_ns_ = period_ns;
   late_ = {};
+  arm_clock_.forget();
   records_->consume_all([this](const TickRecord& record) { left_.push_back(record); });
   records_ = roomForRows(period_ns);
   *history_ = roomForASecond(period_ns);
@@ -175,14 +176,35 @@ Mode Loop::mode() const noexcept {
   return current_->state.gate.level > 0.0 ? Mode::Stopping : Mode::Idle;
 }
 
+bool Loop::pushes() const noexcept {
+  return engaged_ || current_->state.gate.level > 0.0;
+}
+
 /// A pause is told once: by the watchdog, or, where that was not fast enough either, by the lateness itself.
 Fault Loop::faultOf(const Wake& wake) noexcept {
   const std::int64_t told_ns = stood_still_ns_.exchange(0, std::memory_order_relaxed);
   const std::int64_t pause_ns = std::max(told_ns, wake.lateness_ns);
   if (watchdog_ns_ <= 0 || pause_ns < watchdog_ns_) return {};
-  if (!engaged_ && current_->state.gate.level == 0.0) return {};  // nothing was pushing
+  if (!pushes()) return {};
   return {FaultKind::StoodStill, kSecondPerNanosecond * static_cast<double>(pause_ns),
           kSecondPerNanosecond * static_cast<double>(watchdog_ns_)};
+}
+
+/// What the servo finds by other clocks than its own, with the sample in hand, now, and before any force follows from
+/// it. Where nothing pushes it is no fault, and said by none; where the servo's time is counted no machine sleeps.
+Fault Loop::faultOfClocks(const Wake& wake, const tick::TickInput& input, std::int64_t now_ns,
+                          std::int64_t with_sleep_ns) noexcept {
+  counted_ns_ += (1 + wake.left_out) * period_ns_;
+  const bool counts = wake.at_ns == 0;
+  Fault odd;
+  if (input.has_sample)
+    odd = arm_clock_.look(input.sample.time_ns, counts ? counted_ns_ : wake.at_ns, counts ? counted_ns_ : now_ns,
+                          period_ns_);
+  if (!counts) slept_ns_ += sleep_.look(clocks_, with_sleep_ns - now_ns);
+  const std::int64_t slept_ns = std::exchange(slept_ns_, 0);
+  if (!pushes()) return {};
+  if (slept_ns > 0) return {FaultKind::Asleep, kSecondPerNanosecond * static_cast<double>(slept_ns), 0.0};
+  return odd;
 }
 
 void Loop::countLate(const Wake& wake) noexcept {
@@ -222,7 +244,7 @@ void Loop::tick(const Wake& wake) noexcept {
   input.late = wake.lateness_ns >= period_ns_;
   input.period_s = kSecondPerNanosecond * static_cast<double>(period_ns_);
   input.waited_s = waited_s(wake.lateness_ns, period_ns_);
-  const std::int64_t asked_ns = monotonicNow_ns();
+  const std::int64_t asked_ns = clocks_.now_ns();
   input.has_sample = device_.read(input.sample);
   const bool held = !hold_to_run_ || (input.sample.buttons & 1U) != 0;
   input.engage = engaged_ && held && waiting_ == nullptr;
@@ -231,12 +253,20 @@ void Loop::tick(const Wake& wake) noexcept {
   input.restart = restart_ || (anew && mode() != Mode::Faulted);
   restart_ = false;
   Snapshot& snapshot = snapshots_.back();
-  const std::int64_t begin_ns = monotonicNow_ns();
+  const std::int64_t with_sleep_ns = wake.at_ns != 0 ? clocks_.with_sleep_ns() : 0;  // first: see SleepWatch
+  const std::int64_t begin_ns = clocks_.now_ns();
   read_ns_ = begin_ns - asked_ns;
+  if (input.restart) arm_clock_.forget();
+  const Fault by_clocks = faultOfClocks(wake, input, begin_ns, with_sleep_ns);
+  if (input.fault.kind == FaultKind::None) input.fault = by_clocks;
   if (tap_ != nullptr && input.fault.kind != FaultKind::None) tap_->add(FaultMark{ticks_ + 1, input.fault, true});
   tick::step(current_->program, input, current_->state, snapshot.report);
   device_.write(snapshot.report.force);
-  snapshot.tick_ns = monotonicNow_ns() - begin_ns;
+  snapshot.tick_ns = clocks_.now_ns() - begin_ns;
+  // A machine may be suspended between any two instructions: one that fell asleep since it was asked last wakes with
+  // this tick's force under its hands. That is taken back here; the next tick says why.
+  if (wake.at_ns != 0) slept_ns_ += sleep_.look(clocks_);
+  if (slept_ns_ > 0) device_.write(safety::GatedForce{});
   if (current_->state.gate.fault.kind != FaultKind::None) engaged_ = false;  // it takes a Start to push again
   snapshot.ticks = ++ticks_;
   snapshot.revision = current_->revision;
@@ -253,6 +283,8 @@ void Loop::tick(const Wake& wake) noexcept {
 
 void Loop::release() noexcept {
   device_.write(safety::GatedForce{});
+  sleep_.forget();  // until it ticks again a machine may sleep as it likes
+  slept_ns_ = 0;
 }
 
 #if defined(__clang__) && __clang_major__ >= 20

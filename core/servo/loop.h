@@ -7,8 +7,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/servo/arm_clock_watch.h"
+#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
 #include "core/servo/history.h"
+#include "core/servo/sleep_watch.h"
 #include "core/servo/slot.h"
 #include "core/servo/snapshot.h"
 #include "core/servo/tap.h"
@@ -39,7 +42,7 @@ struct Command {
 /// start.
 class Loop {
  public:
-  Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns);
+  Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const Clocks& clocks = {});
   ~Loop();
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -80,7 +83,10 @@ class Loop {
   void replaceBy(Instance* instance, tick::Carry carry) noexcept UNDERACT_REAL_TIME;
   void retire(Instance* instance) noexcept UNDERACT_REAL_TIME;
   Mode mode() const noexcept UNDERACT_REAL_TIME;
+  bool pushes() const noexcept UNDERACT_REAL_TIME;
   Fault faultOf(const Wake& wake) noexcept UNDERACT_REAL_TIME;
+  Fault faultOfClocks(const Wake& wake, const tick::TickInput& input, std::int64_t now_ns,
+                      std::int64_t with_sleep_ns) noexcept UNDERACT_REAL_TIME;
   void countLate(const Wake& wake) noexcept UNDERACT_REAL_TIME;
   void remember(const Snapshot& snapshot) noexcept UNDERACT_REAL_TIME;
 
@@ -94,6 +100,11 @@ class Loop {
   bool hold_to_run_ = false;
   bool was_faulted_ = false;
   std::int64_t period_ns_, watchdog_ns_;
+  Clocks clocks_;
+  SleepWatch sleep_;
+  std::int64_t slept_ns_ = 0;  // that no tick was told of yet
+  ArmClockWatch arm_clock_;
+  std::int64_t counted_ns_ = 0;  // the servo's time where it has no clock
   LateTicks late_;
   std::atomic<std::int64_t> own_beats_{0};
   std::atomic<std::int64_t>* beats_ = &own_beats_;

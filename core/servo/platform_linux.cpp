@@ -9,17 +9,29 @@
 
 namespace underact::servo {
 
-std::int64_t monotonicNow_ns() noexcept {
+namespace {
+
+std::int64_t read_ns(clockid_t clock) noexcept UNDERACT_REAL_TIME {
 #if defined(__clang__) && __clang_major__ >= 20
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wfunction-effects"
 #endif
   timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
+  clock_gettime(clock, &now);  // both without a system call
 #if defined(__clang__) && __clang_major__ >= 20
 #pragma clang diagnostic pop
 #endif
   return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
+}  // namespace
+
+std::int64_t monotonicNow_ns() noexcept {
+  return read_ns(CLOCK_MONOTONIC);
+}
+
+std::int64_t withSleepNow_ns() noexcept {
+  return read_ns(CLOCK_BOOTTIME);
 }
 
 namespace platform {

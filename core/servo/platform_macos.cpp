@@ -39,6 +39,10 @@ std::int64_t monotonicNow_ns() noexcept {
   return fromMach_ns(mach_absolute_time());
 }
 
+std::int64_t withSleepNow_ns() noexcept {
+  return fromMach_ns(mach_continuous_time());
+}
+
 namespace platform {
 
 void sleepUntil(std::int64_t deadline_ns) noexcept {

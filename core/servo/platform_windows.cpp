@@ -53,6 +53,15 @@ std::int64_t monotonicNow_ns() noexcept {
   return now.QuadPart / ticks * kSecond_ns + now.QuadPart % ticks * kSecond_ns / ticks;
 }
 
+// The counter above goes on in some kinds of sleep and not in others; how long there was any, these two know.
+std::int64_t withSleepNow_ns() noexcept {
+  ULONGLONG awake = 0;  // in steps of 100 ns
+  QueryUnbiasedInterruptTime(&awake);
+  const std::int64_t slept_ns =
+      static_cast<std::int64_t>(GetTickCount64()) * 1'000'000 - static_cast<std::int64_t>(awake) * 100;
+  return monotonicNow_ns() + slept_ns;
+}
+
 namespace platform {
 
 void sleepUntil(std::int64_t deadline_ns) noexcept {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arm/forward.h"
 #include "core/arm/jacobian.h"
@@ -53,6 +54,7 @@ void ArmSide::seat(bool is_taken) {
 void ArmSide::forget() noexcept {
   energy_ = control::EnergyState{};
   has_last_ = false;
+  arm_clock_.forget();
 }
 
 /// Whether the newest force may go out. Counts how long none came.
@@ -113,7 +115,34 @@ Vec3 ArmSide::keepPassive(const Vec3& way_T_W, double dt_s, const Vec3& f_T_W) n
   return kept_T_W;
 }
 
+/// The time beyond a period since the tick before began, s.
+double ArmSide::beginTick() noexcept {
+  const std::int64_t before_ns = at_ns_;
+  at_ns_ = options_.counts_time ? before_ns + options_.period_ns : options_.clocks.now_ns();
+  if (before_ns == 0) return 0.0;
+  return kSecondPerNanosecond * static_cast<double>(std::max<std::int64_t>(at_ns_ - before_ns - options_.period_ns, 0));
+}
+
+void ArmSide::noticeSleep() noexcept {
+  if (!options_.counts_time) slept_ns_ += sleep_.look(options_.clocks);
+}
+
+/// What other clocks than this machine's own say is wrong, as in the servo's loop, with the sample in hand and before
+/// a force goes out. Where nobody pushes there is nothing to stop.
+Fault ArmSide::faultOfClocks(bool has) noexcept {
+  const arm::Sample& sample = now_.sample.sample;
+  const std::int64_t now_ns = options_.counts_time ? at_ns_ : options_.clocks.now_ns();
+  Fault odd;
+  if (has) odd = arm_clock_.look(sample.time_ns, at_ns_, now_ns, options_.period_ns);
+  noticeSleep();
+  const std::int64_t slept_ns = std::exchange(slept_ns_, 0);
+  if (now_.f_T_W == Vec3::Zero() && gate_.level == 0.0) return {};
+  if (slept_ns > 0) return {FaultKind::Asleep, kSecondPerNanosecond * static_cast<double>(slept_ns), 0.0};
+  return odd;
+}
+
 void ArmSide::tick() noexcept {
+  const double waited_s = beginTick();
   SampleMessage& message = now_.sample;
   arm::Sample sample = message.sample;
   const bool has = port_.read(sample);
@@ -122,18 +151,22 @@ void ArmSide::tick() noexcept {
   ++message.sequence;
   const double since_s =
       has_last_ ? kSecondPerNanosecond * static_cast<double>(message.sample.time_ns - time_ns_) : 0.0;
-  Fault fault = judge(has, since_s);
+  const Fault by_clocks = faultOfClocks(has);
+  Fault fault = by_clocks.kind != FaultKind::None ? by_clocks : judge(has, since_s);
   message.has_sample = has && fault.kind != FaultKind::NotFinite;
   const double dt_s = fault.kind == FaultKind::None && since_s <= kLongestTick_s ? since_s : 0.0;
+  const double period_s = kSecondPerNanosecond * static_cast<double>(options_.period_ns);
+  since_s_ += period_s + waited_s;
 
   safety::Motion motion;
   Vec3 way_T_W = Vec3::Zero();
   if (fault.kind == FaultKind::None) {
     const Vec3 p_WT = arm::tipPosition(options_.geometry, message.sample.q_rad);
     motion.J_p = arm::positionJacobian(options_.geometry, message.sample.q_rad);
-    if (dt_s > 0.0) {
-      way_T_W = p_WT - p_WT_;
-      motion.v_WT = way_T_W / dt_s;
+    if (has_last_) {
+      const Vec3 gone_T_W = p_WT - p_WT_;
+      if (dt_s > 0.0) way_T_W = gone_T_W;
+      motion.v_WT = gone_T_W / safety::wayTime_s(since_s, since_s_);
       motion.moved = message.sample.q_rad != q_rad_;
     }
     for (std::size_t joint = 0; joint < 3; ++joint) {
@@ -145,6 +178,7 @@ void ArmSide::tick() noexcept {
     q_rad_ = message.sample.q_rad;
     time_ns_ = message.sample.time_ns;
     has_last_ = true;
+    since_s_ = 0.0;
   }
 
   const Came& came = came_.latest();
@@ -155,9 +189,11 @@ void ArmSide::tick() noexcept {
   const Vec3 kept_T_W = fault.kind == FaultKind::None ? keepPassive(way_T_W, dt_s, asked_T_W) : asked_T_W;
   if (fault.kind == FaultKind::None && !is_heard) fault = {FaultKind::StaleSample, 0.0, 0.0};  // zero, at once
   const safety::Gated gated =
-      safety::gate(options_.limits, gate_, {kept_T_W, true, restart, fault, false, motion}, dt_s);
+      safety::gate(options_.limits, gate_, {kept_T_W, true, restart, fault, false, motion, waited_s}, period_s);
   gate_ = gated.next;
   port_.write(gated.force);
+  noticeSleep();  // since it was looked for: this tick's force is taken back, and the next one says why
+  if (slept_ns_ > 0) port_.write({});
   now_.f_T_W = gated.force.f_T_W();
   if (now_.f_T_W != Vec3::Zero()) now_.most_unfresh = std::max(now_.most_unfresh, unfresh_);
   now_.fault = gate_.fault;

@@ -4,7 +4,10 @@
 
 #include "core/arm/preset.h"
 #include "core/control/passivity.h"
+#include "core/servo/arm_clock_watch.h"
+#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
+#include "core/servo/sleep_watch.h"
 #include "core/servo/slot.h"
 #include "device/remote/doorbell.h"
 #include "device/remote/message.h"
@@ -35,6 +38,8 @@ class ArmSide final : public servo::Ticks {
     safety::Limits limits;
     std::int64_t period_ns = 1'000'000;
     bool allows_force = false, is_passive = true;
+    bool counts_time = false;  // a tick is a period, whenever it comes: for who ticks it faster than real time
+    servo::Clocks clocks = {};
   };
   /// What a tick saw.
   struct Shown {
@@ -65,6 +70,9 @@ class ArmSide final : public servo::Ticks {
   };
   bool hears(const Came& came) noexcept UNDERACT_REAL_TIME;
   Fault judge(bool has, double dt_s) const noexcept UNDERACT_REAL_TIME;
+  double beginTick() noexcept UNDERACT_REAL_TIME;
+  Fault faultOfClocks(bool has) noexcept UNDERACT_REAL_TIME;
+  void noticeSleep() noexcept UNDERACT_REAL_TIME;
   Vec3 keepPassive(const Vec3& way_T_W, double dt_s, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
   void forget() noexcept UNDERACT_REAL_TIME;
 
@@ -88,6 +96,11 @@ class ArmSide final : public servo::Ticks {
   arm::JointAngles q_rad_{};
   std::int64_t time_ns_ = 0;
   bool has_last_ = false;
+  servo::SleepWatch sleep_;
+  servo::ArmClockWatch arm_clock_;
+  std::int64_t slept_ns_ = 0;  // that no tick was told of yet
+  double since_s_ = 0.0;       // by the time of this machine, since the last good sample
+  std::int64_t at_ns_ = 0;     // when this tick began, by the clock of this machine; 0: none did
 };
 
 /// The limits of an arm of that preset, as a scene for it has them.

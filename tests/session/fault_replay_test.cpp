@@ -21,14 +21,17 @@ servo::Instance* instanceOf(const scene::Description& scene, std::uint64_t revis
 }  // namespace
 
 // What goes wrong goes into the ticks, too: samples that are missing, old or no numbers, late ticks, a servo that stood
-// still, an arm that begins anew.
+// still, an arm that begins anew, a clock that runs away.
 TEST(Replay, OfASessionFullOfFaultsIsTheSameToTheBit) {
   const test::ScratchFolder folder;
   test::ScriptedPort::Seen seen;
   test::ScriptedPort port(seen);
   std::int64_t back_ns = 0;
   port.tip = [](std::int64_t read) { return Vec3(0.0, 0.0, 0.05 + 1e-5 * static_cast<double>(read % 400)); };
-  port.spoil = [&back_ns](std::int64_t read, arm::Sample& sample) {
+  std::int64_t ahead_ns = 0;
+  port.spoil = [&back_ns, &ahead_ns](std::int64_t read, arm::Sample& sample) {
+    if (read % 630 > 600) ahead_ns += 30'000'000;  // now and then its clock runs away
+    sample.time_ns += ahead_ns;
     if (read % 400 == 350) sample.q_rad[1] = kNotANumber;
     if (read % 2500 == 0) back_ns = sample.time_ns;  // unplugged: its clock begins again
     sample.epoch = static_cast<std::uint32_t>(read / 2500);
@@ -57,15 +60,17 @@ TEST(Replay, OfASessionFullOfFaultsIsTheSameToTheBit) {
   Result<SessionWriter> writer = SessionWriter::create(folder.file("s.h5"), {});
   ASSERT_TRUE(writer);
   ASSERT_TRUE(writer.value().begin(tap.firstTick(), tap.firstRevision(), tap.start(), scene).empty());
-  int told = 0, ended = 0;
+  int told = 0, ended = 0, odd = 0;
   for (servo::FaultMark fault; tap.take(fault);) {
     ++(fault.from_servo ? told : ended);
+    odd += fault.fault.kind == FaultKind::OddClock ? 1 : 0;
     ASSERT_TRUE(writer.value().add(fault).empty());
   }
   for (servo::TickRecord row; tap.take(row);) ASSERT_TRUE(writer.value().add(row).empty());
   ASSERT_TRUE(writer.value().end({}).empty());
   EXPECT_GT(told, 1) << "else the servo never stood still while it pushed";
   EXPECT_GT(ended, 10);
+  EXPECT_GT(odd, 1);
   Result<Session> session = Session::open(folder.file("s.h5"));
   const Result<Verified> verified = verifyReplay(session.value());
   ASSERT_TRUE(verified) << verified.problems().front().sentence;

@@ -39,7 +39,17 @@ TABLES: dict[str, dict[str, int]] = {
     "text": {"bytes": 1},
 }
 
-FAULTS = ("none", "no_sample", "stale_sample", "not_finite", "too_fast", "too_late", "stood_still")
+FAULTS = (
+    "none",
+    "no_sample",
+    "stale_sample",
+    "not_finite",
+    "too_fast",
+    "too_late",
+    "stood_still",
+    "odd_clock",
+    "asleep",
+)
 CARRIES = ("loaded", "gains", "targets")
 REASONS = ("stopped", "program ended", "disk full", "recovered")
 LIMITS = {1: "clamp", 2: "speed", 4: "workspace edge", 8: "motor heat", 16: "slew", 32: "frozen"}

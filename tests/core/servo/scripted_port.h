@@ -24,6 +24,7 @@ class ScriptedPort final : public servo::DevicePort {
   std::function<Vec3(std::int64_t)> tip = [](std::int64_t) { return Vec3(0.0, 0.0, 0.06); };
   std::function<bool(std::int64_t, arm::Sample&)> spoil;
   std::function<Problems()> opens_again;
+  std::function<void()> written;  // after each force
   std::int64_t period_ns = 1'000'000;
   double frozen_s = 0.0;
   bool takes_rates = false;
@@ -38,6 +39,7 @@ class ScriptedPort final : public servo::DevicePort {
     if (seen_.forces.size() < keep_) seen_.forces.push_back(force.f_T_W());
     seen_.last_size_N = force.f_T_W().norm();
     ++seen_.writes;
+    if (written) written();
   }
   void cut() noexcept override { ++seen_.cuts; }
   servo::DeviceInfo info() const override { return {"Scripted", true, false, frozen_s}; }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <deque>
 #include <optional>
 
@@ -85,6 +86,7 @@ ArmSide::Options optionsFor(bool is_passive, const char* preset = kPreset) {
   ArmSide::Options options = optionsOf(*arm::findPreset(preset), {}, 1000).value();
   options.allows_force = true;
   options.is_passive = is_passive;
+  options.counts_time = true;
   return options;
 }
 
@@ -140,6 +142,11 @@ struct Rig {
   ArmSide side;
   std::uint64_t number = 0;
 };
+
+std::atomic<std::int64_t> side_slept_ns{0};
+std::int64_t sideWithSleep_ns() noexcept {
+  return servo::monotonicNow_ns() + side_slept_ns;
+}
 
 }  // namespace
 
@@ -247,6 +254,46 @@ TEST(RemoteArmSide, NoForceGetsAroundTheGate) {
   EXPECT_EQ(rig.side.shown().fault.kind, FaultKind::None) << "until the far servo lets go, too";
   rig.push();
   EXPECT_NEAR(rig.arm.force_N().x(), 0.5, 1e-9);
+}
+
+// As at a servo of this machine's own: see tests/core/servo/clocks_test.cpp.
+TEST(RemoteArmSide, AClockOfTheArmThatIsNoneEndsTheForceUntilTheFarServoLetsGo) {
+  for (const std::int64_t step_ns : {10'000, 500'000, 2'000'000, 200'000'000}) {
+    Rig rig;
+    rig.push();
+    ASSERT_NEAR(rig.arm.force_N().x(), 0.5, 1e-9);
+    rig.arm.countTime(step_ns);
+    rig.push();
+    EXPECT_EQ(rig.arm.force_N(), Vec3(Vec3::Zero())) << step_ns;
+    EXPECT_EQ(rig.side.shown().fault.kind, FaultKind::OddClock) << step_ns;
+    rig.arm.countTime(1'000'000);
+    rig.push();
+    EXPECT_EQ(rig.arm.force_N(), Vec3(Vec3::Zero())) << "a fault lasts";
+    rig.answer(Vec3::Zero());
+    rig.advance();
+    rig.push();
+    EXPECT_NEAR(rig.arm.force_N().x(), 0.5, 1e-9);
+  }
+}
+
+TEST(RemoteArmSide, AMachineThatSleptPushesOnlyWhenTheFarServoHasLetGo) {
+  ArmSide::Options options = optionsFor(false, "omni-thesis");
+  options.counts_time = false;
+  options.clocks.with_sleep_ns = sideWithSleep_ns;
+  Rig rig(options);
+  rig.arm.countTime(0);  // by this machine's clock, as its ticks are
+  rig.push();
+  ASSERT_GT(rig.arm.force_N().x(), 0.1);
+  side_slept_ns += 3'600'000'000'000;
+  rig.advance();
+  EXPECT_EQ(rig.arm.force_N(), Vec3(Vec3::Zero())) << "no force before the fault";
+  EXPECT_EQ(rig.side.shown().fault.kind, FaultKind::Asleep);
+  rig.push();
+  EXPECT_EQ(rig.arm.force_N(), Vec3(Vec3::Zero()));
+  rig.answer(Vec3::Zero());
+  rig.advance();
+  rig.push();
+  EXPECT_GT(rig.arm.force_N().x(), 0.1);
 }
 
 TEST(RemoteArmSide, AnArmThatGivesNoSampleGetsZero) {
