@@ -44,7 +44,10 @@ StatusLine::StatusLine(servo::Host& host, double force_limit_N, QWidget* parent)
   late_ = field("status.late", tr("Lateness"), tr("99 of 100 ticks in the last 10 s started no later than this."),
                 tr("late p99 9999 µs"));
   scheduling_ = field("status.scheduling", tr("Scheduling"), {}, {});
+  guard_ = field("status.guard", tr("Guard"), {}, {});
+  guard_->setProperty("role", "amber-text");
   presentScheduling();
+  presentGuard();
   force_ = field("status.force", tr("Force"), tr("The force sent to the arm, and the most that it is ever sent."),
                  tr("force 0.00 / 0.00 N"));
   recording_ = field("status.recording", tr("Recording"), {}, {});
@@ -101,6 +104,7 @@ void StatusLine::present(const servo::Snapshot& snapshot) {
   if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) {
     presentRate(snapshot);
     presentScheduling();
+    presentGuard();
   }
 }
 
@@ -123,6 +127,20 @@ void StatusLine::presentScheduling() {
   QStringList lines{sentenceText(scheduling.hint), phrasesOf(scheduling.also)};
   lines.removeAll(QString());
   scheduling_->setToolTip(lines.join("\n"));
+}
+
+/// Said only where something is wrong: an arm that can be guarded and is not.
+void StatusLine::presentGuard() {
+  const Sentence unguarded = host_.unguarded();
+  const bool was_hidden = guard_->isHidden();
+  guard_->setVisible(!unguarded.empty());
+  if (unguarded.empty()) return;
+  putText(guard_, tr("not guarded"));
+  guard_->setToolTip(sentenceText(unguarded));
+  guard_->setAccessibleDescription(sentenceText(unguarded));
+  if (!was_hidden) return;
+  QAccessibleEvent alert(guard_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 void StatusLine::presentRate(const servo::Snapshot& snapshot) {

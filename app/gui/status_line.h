@@ -37,10 +37,11 @@ class StatusLine : public QWidget {
   void presentMode(const servo::Snapshot& snapshot);
   void presentRate(const servo::Snapshot& snapshot);
   void presentScheduling();
+  void presentGuard();
 
   servo::Host& host_;
   double force_limit_N_;
-  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *force_, *recording_, *live_, *tip_;
+  QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *guard_, *force_, *recording_, *live_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
   QString arm_model_, provenance_;
