@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "underact-guard is started by underact; by hand it does nothing.\n");
     return 2;
   }
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);  // it outlives the program
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
+    std::signal(signal, SIG_IGN);  // it outlives the program
   return underact::guard::watch(*duty);
 }

@@ -200,7 +200,7 @@ void ArmSide::tick() noexcept {
   now_.energy_J = energy_.energy_J;
   shown_.back() = now_;
   shown_.publish();
-  beats_.fetch_add(1, std::memory_order_relaxed);
+  beats_->fetch_add(1, std::memory_order_relaxed);
   bell_.ring();
 }
 

@@ -60,7 +60,10 @@ class ArmSide final : public servo::Ticks {
   void seat(bool is_taken);
   const Shown& shown() { return shown_.latest(); }
   // Any thread.
-  std::int64_t beats() const { return beats_.load(std::memory_order_relaxed); }
+  std::int64_t beats() const { return beats_->load(std::memory_order_relaxed); }
+
+  /// Where ticks are counted from now on; no tick is at work. Outlives them.
+  void beatInto(std::atomic<std::int64_t>& beats) { beats_ = &beats; }
 
  private:
   struct Came {
@@ -82,7 +85,8 @@ class ArmSide final : public servo::Ticks {
   servo::Slot<Came> came_;
   servo::Slot<Shown> shown_;
   std::atomic<std::uint32_t> seat_{0};  // counts who came and who went; odd: it is taken
-  std::atomic<std::int64_t> beats_{0};
+  std::atomic<std::int64_t> own_beats_{0};
+  std::atomic<std::int64_t>* beats_ = &own_beats_;
   // The network's.
   std::uint64_t arrivals_ = 0;
   // The tick's.

@@ -13,6 +13,7 @@ constexpr std::int64_t kSilent_ns = 200'000'000;       // then the arm is free f
 constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at what the arm says is wrong
 constexpr std::int64_t kStandsStill_ns = 100'000'000;  // as the servo's watchdog
 constexpr std::int64_t kFarewell_ns = 50'000'000;      // in which the last words get through
+constexpr std::int64_t kTellEvery_ns = 1'000'000'000;  // how many were turned away
 constexpr double kAlike_m = 1e-9;                      // one was read from mm
 
 }  // namespace
@@ -36,6 +37,7 @@ Result<std::unique_ptr<Share>> Share::open(std::unique_ptr<servo::DevicePort> po
   std::unique_ptr<Share> share(new Share(std::move(port), options, std::move(tell), std::move(hub).value()));
   const Problems problems = share->tickAt(options.rate_hz);
   if (!problems.empty()) return problems;
+  share->tellOfGuard();
   share->thread_ = std::thread(&Share::run, share.get());
   return share;
 }
@@ -74,13 +76,34 @@ Problems Share::tickAt(int rate_hz) {
   options.value().is_passive = options_.is_passive;
   clock_.reset();
   rate_hz_ = rate_hz;
+  guard_.reset();  // another arm may be in its place, with another descriptor
   side_ = std::make_unique<ArmSide>(*port_, options.value(), bell_);
+  guard_ = servo::Guard::start(port_->lastWord(), kStandsStill_ns, options_.guard_program, no_guard_);
+  if (guard_) side_->beatInto(guard_->beats());
+  is_guarded_ = guard_ != nullptr;
+  replaced_ = 0;
   shown_ = 0;
   pauses_ = 0;
   beats_ = 0;
   beat_ns_ = servo::monotonicNow_ns();
   clock_ = std::make_unique<ArmClock>(*port_, *side_, rate_hz);
   return {};
+}
+
+/// As it was before somebody asked for another; nobody has the arm.
+void Share::putBackRate() {
+  if (rate_hz_ == options_.rate_hz) return;
+  clock_.reset();
+  port_->setRate(options_.rate_hz);
+  const Problems problems = tickAt(options_.rate_hz);
+  if (!problems.empty()) tell_(problems.front().sentence);  // cannot be: it has ticked so
+}
+
+void Share::tellOfGuard() {
+  if (guard_)
+    tell_("A guard stands beside the arm: if this program dies, the arm is told zero all the same.");
+  else if (port_->lastWord().fd >= 0)
+    tell_(servo::nothingGuards(no_guard_));
 }
 
 void Share::run() {
@@ -96,7 +119,11 @@ void Share::run() {
     if (now_ns - looked_ns_ > kLookEvery_ns) {
       looked_ns_ = now_ns;
       look();
+      lookAfterStrangers(now_ns);
+      lookAfterGuard();
     }
+    const bool is_urgent = !seat_.empty() && !is_storm_;
+    if (std::exchange(is_hurried_, is_urgent) != is_urgent) hub_->hurry(is_urgent);
   }
 }
 
@@ -166,7 +193,10 @@ void Share::welcome(const std::string& from, const Hello& hello) {
     return;
   }
   const Problems problems = makeReady(hello);
-  if (!problems.empty()) return refuse(from, About::Refusal, problems.front().sentence);
+  if (!problems.empty()) {
+    if (seat_.empty()) putBackRate();
+    return refuse(from, About::Refusal, problems.front().sentence);
+  }
   if (seat_.empty() || seat_ != from)
     tell_("A program has the arm" + std::string(options_.allows_force ? "." : ", without force."));
   seat_ = from;
@@ -181,6 +211,11 @@ void Share::welcome(const std::string& from, const Hello& hello) {
 /// An arm that was lost is opened anew, since this is what Restart asks for there.
 Problems Share::makeReady(const Hello& hello) {
   const bool is_lost = !port_->trouble().empty();
+  if (hello.rate_hz < servo::kSlowest_hz || hello.rate_hz > servo::kFastest_hz)
+    return {{"A shared arm ticks " + std::to_string(servo::kSlowest_hz) + " to " + std::to_string(servo::kFastest_hz) +
+                 " times a second, and the program that asks wants " + std::to_string(hello.rate_hz) +
+                 ". Choose another rate there.",
+             {}}};
   if (hello.rate_hz != rate_hz_) {
     const std::string why = port_->refusesRate(hello.rate_hz);
     if (!why.empty())
@@ -200,6 +235,7 @@ Problems Share::makeReady(const Hello& hello) {
 void Share::leave(const std::string& sentence) {
   side_->seat(false);
   seat_.clear();
+  putBackRate();
   tell_(sentence + " Zero force, free for the next.");
 }
 
@@ -230,13 +266,45 @@ void Share::look() {
   const std::int64_t beats = side_->beats();
   if (std::exchange(beats_, beats) != beats) beat_ns_ = now_ns;
   if (now_ns - beat_ns_ > kStandsStill_ns) port_->cut();
-  for (int left = hub_->turnedAway(); left > 0; --left)
-    tell_("Somebody whose key is not allowed was turned away. With --allow KEY that one is let in.");
   std::string trouble = troubleNow();
   if (trouble == trouble_) return;
   if (!trouble.empty()) tell_(trouble);
   trouble_ = std::move(trouble);
   if (!seat_.empty()) refuse(seat_, About::Trouble, trouble_);
+}
+
+/// While too many come, turning them away is no urgent work either. A line a second at most tells of them.
+void Share::lookAfterStrangers(std::int64_t now_ns) {
+  knocks_.count(hub_->connections(), now_ns);
+  const bool is_storm = knocks_.areTooMany();
+  if (std::exchange(is_storm_, is_storm) != is_storm) {
+    if (is_storm) {
+      before_storm_ = ownUrgency();
+      setOwnUrgency({});
+    } else if (!setOwnUrgency(before_storm_)) {
+      servo::platform::askForRealTime({}, rate_hz_);  // it was another program's to grant
+    }
+  }
+  turned_away_ += hub_->turnedAway();
+  if (turned_away_ == 0 || now_ns - told_away_ns_ < kTellEvery_ns) return;
+  told_away_ns_ = now_ns;
+  const int times = std::exchange(turned_away_, 0);
+  tell_("Somebody whose key is not allowed was turned away" +
+        (times == 1 ? std::string() : ", " + std::to_string(times) + " times") +
+        ". With --allow KEY that one is let in.");
+}
+
+/// A gap may be over before it is seen here: then who was replaced says so.
+void Share::lookAfterGuard() {
+  if (guard_ == nullptr) return;
+  const Sentence gap = guard_->gap();
+  const int replaced = guard_->replaced();
+  if (!gap.empty()) {
+    if (std::exchange(is_guarded_, false)) tell_(servo::nothingGuards(gap));
+  } else if (std::exchange(replaced_, replaced) != replaced) {
+    is_guarded_ = true;
+    tell_("The arm's guard had ended, and another one has taken its place.");
+  }
 }
 
 }  // namespace underact::device::remote

@@ -8,11 +8,14 @@
 
 #include "core/arm/preset.h"
 #include "core/servo/device_port.h"
+#include "core/servo/guard.h"
 #include "device/remote/address.h"
 #include "device/remote/arm_clock.h"
 #include "device/remote/arm_side.h"
 #include "device/remote/keys.h"
+#include "device/remote/knocks.h"
 #include "device/remote/message.h"
+#include "device/remote/urgency.h"
 #include "device/remote/wire.h"
 
 namespace underact::device::remote {
@@ -22,13 +25,16 @@ struct ShareOptions {
   KeyPair keys;
   std::vector<std::string> clients;  // whose keys are let in
   arm::Preset arm;                   // whose joints the samples are
-  int rate_hz = 1000;                // until somebody asks for another
+  int rate_hz = 1000;                // while nobody who has the arm asks for another
   bool allows_force = false;
   bool is_passive = true;
+  std::string guard_program = {};  // underact-guard; empty: it is looked for
 };
 
 /// Shares an open arm: one program elsewhere at a time reads it and, where that was allowed, pushes with it. Every
-/// force goes through a gate here; it ends when none came for kQuietPeriods.
+/// force goes through a gate here; it ends when none came for kQuietPeriods. A guard stands beside an arm that has a
+/// last word. Strangers get no real time: what carries messages is as urgent as the servo only while somebody has the
+/// arm, and not while connections come faster than Knocks allows.
 class Share {
  public:
   /// tell: gets a sentence for people about what happens, from the network's thread. Problems: nobody can listen there;
@@ -44,6 +50,8 @@ class Share {
   Share(std::unique_ptr<servo::DevicePort> port, const ShareOptions& options,
         std::function<void(const std::string&)> tell, std::unique_ptr<Hub> hub);
   Problems tickAt(int rate_hz);
+  void putBackRate();
+  void tellOfGuard();
   void run();
   void hear();
   void answer(const std::string& from, const Message& message);
@@ -53,6 +61,8 @@ class Share {
   void leave(const std::string& sentence);
   void show();
   void look();
+  void lookAfterStrangers(std::int64_t now_ns);
+  void lookAfterGuard();
   std::string troubleNow();
   Welcome words() const;
 
@@ -62,6 +72,8 @@ class Share {
   std::unique_ptr<Hub> hub_;
   Doorbell bell_;
   int rate_hz_;
+  std::unique_ptr<servo::Guard> guard_;
+  Sentence no_guard_;  // why none was started
   std::unique_ptr<ArmSide> side_;
   std::unique_ptr<ArmClock> clock_;
   std::atomic<bool> ends_{false};
@@ -73,8 +85,16 @@ class Share {
   std::int64_t beats_ = 0, beat_ns_ = 0;
   std::uint64_t shown_ = 0;  // sequence of the sample that was sent last
   std::int64_t pauses_ = 0;
-  bool pushed_ = false;  // and told
-  std::string trouble_;  // as it was told
+  bool pushed_ = false;     // and told
+  std::string trouble_;     // as it was told
+  bool is_guarded_ = true;  // as it was told
+  int replaced_ = 0;        // of the guards that are told of
+  Knocks knocks_;
+  bool is_storm_ = false;  // too many connect
+  Urgency before_storm_;   // of this thread
+  bool is_hurried_ = false;
+  int turned_away_ = 0;  // and not yet told
+  std::int64_t told_away_ns_ = 0;
   std::thread thread_;
 };
 

@@ -1,17 +1,14 @@
 #include "device/remote/wire.h"
 
-#ifdef __linux__
-#include <pthread.h>
-#include <sched.h>
-#endif
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <thread>
 #include <zmq.hpp>
 
 #include "core/base/translate.h"
 #include "device/remote/message.h"
+#include "device/remote/urgency.h"
 
 namespace underact::device::remote {
 namespace {
@@ -19,29 +16,42 @@ namespace {
 constexpr const char* kEvents = "inproc://line";
 // What waits for a line that is slow is old: little of it is kept, here and in the system.
 constexpr int kMostWaiting = 5, kSystemBytes = 16384;
-constexpr int kPriority = 79;  // one less than the servo's
 constexpr int kHandshake_ms = 2000, kHeartbeat_ms = 1000, kSilence_ms = 3000;
 
 /// ZeroMQ carries messages in threads of its own: on a busy machine they must be as urgent as who waits for them.
 /// Asked for only where it is granted: the library ends the program where it is not.
 void hurry(zmq::context_t& context) {
-#ifdef __linux__
-  bool is_granted = false;
-  std::thread([&is_granted] {
-    sched_param wanted{};
-    wanted.sched_priority = kPriority;
-    is_granted = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0;
-  }).join();
-  if (!is_granted) return;
-  zmq_ctx_set(context.handle(), ZMQ_THREAD_SCHED_POLICY, SCHED_FIFO);
-  zmq_ctx_set(context.handle(), ZMQ_THREAD_PRIORITY, kPriority);
-#endif
+  const std::optional<Urgency> granted = urgencyGranted();
+  if (!granted) return;
+  zmq_ctx_set(context.handle(), ZMQ_THREAD_SCHED_POLICY, granted->policy);
+  zmq_ctx_set(context.handle(), ZMQ_THREAD_PRIORITY, granted->priority);
 }
 
 zmq::context_t hurried() {
   zmq::context_t context;
   hurry(context);
   return context;
+}
+
+/// A context whose threads can be told from all others of this program, by the number that their names begin with.
+zmq::context_t numbered(int number) {
+  zmq::context_t context;
+  zmq_ctx_set(context.handle(), ZMQ_THREAD_NAME_PREFIX, number);
+  return context;
+}
+
+int nextNumber() {
+  static std::atomic<int> made{0};
+  return ++made % 1000;  // a name has 15 characters
+}
+
+/// Takes all that has come to a line of events; how many.
+int countEvents(zmq::socket_t& events) {
+  int count = 0;
+  for (zmq::message_t message; events.recv(message, zmq::recv_flags::dontwait); ++count) {
+    if (message.more() && !events.recv(message, zmq::recv_flags::dontwait)) break;  // whose it is
+  }
+  return count;
 }
 
 LineState after(LineState state, const zmq_event_t& event) {
@@ -145,9 +155,11 @@ LineState Wire::state() {
 }
 
 struct Hub::Impl {
-  zmq::context_t context = hurried();
+  const int prefix = nextNumber();
+  zmq::context_t context = numbered(prefix);
   zmq::socket_t keeper{context, zmq::socket_type::rep};  // who is let in
   zmq::socket_t socket{context, zmq::socket_type::router};
+  zmq::socket_t events{context, zmq::socket_type::pair};
   std::vector<std::string> allowed;
   int turned_away = 0;
 
@@ -177,6 +189,11 @@ Result<std::unique_ptr<Hub>> Hub::open(const Address& address, const KeyPair& ow
     socket.set(zmq::sockopt::heartbeat_timeout, kSilence_ms);
     socket.set(zmq::sockopt::linger, 100);
     socket.set(zmq::sockopt::ipv6, address.isIpv6());
+    if (zmq_socket_monitor(socket.handle(), kEvents, ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_ACCEPT_FAILED) != 0)
+      throw zmq::error_t();
+    impl->events.set(zmq::sockopt::linger, 0);
+    impl->events.set(zmq::sockopt::rcvhwm, 0);  // else what carries messages would wait for who counts
+    impl->events.connect(kEvents);
     socket.bind("tcp://" +
                 (address.port == 0 ? address.text().substr(0, address.text().size() - 1) + "*" : address.text()));
     return std::unique_ptr<Hub>(new Hub(std::move(impl)));
@@ -260,6 +277,18 @@ bool Hub::send(const std::string& to, std::span<const std::uint8_t> bytes) {
 
 int Hub::turnedAway() {
   return std::exchange(impl_->turned_away, 0);
+}
+
+int Hub::connections() {
+  try {
+    return countEvents(impl_->events);
+  } catch (const zmq::error_t&) {
+    return 0;
+  }
+}
+
+void Hub::hurry(bool on) {
+  setUrgency(std::to_string(impl_->prefix) + "/ZMQbg/IO/0", on);
 }
 
 }  // namespace underact::device::remote

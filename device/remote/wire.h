@@ -65,6 +65,11 @@ class Hub {
   bool send(const std::string& to, std::span<const std::uint8_t> bytes);
   /// Those who were turned away for their key since the last call.
   int turnedAway();
+  /// Those who have connected since the last call, whoever they are.
+  int connections();
+  /// Whether messages are carried as urgently as the system grants, or as any program's. Not, by itself: whoever can
+  /// connect could else keep what is real-time here busy.
+  void hurry(bool on);
 
  private:
   struct Impl;

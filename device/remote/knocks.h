@@ -1,0 +1,28 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+namespace underact::device::remote {
+
+/// How often somebody connects: a bucket of kMost tokens that fills up with kASecond. A whole class that looks for arms
+/// stays within it; who connects again and again empties it, and strangers are too many until it is half full again.
+class Knocks {
+ public:
+  static constexpr double kMost = 100.0, kASecond = 50.0;
+
+  /// So many have connected since the last call. now_ns: of a clock that no one sets.
+  void count(int connections, std::int64_t now_ns) noexcept {
+    const double since_s = last_ns_ == 0 ? 0.0 : 1e-9 * static_cast<double>(now_ns - last_ns_);
+    last_ns_ = now_ns;
+    tokens_ = std::clamp(tokens_ + kASecond * since_s - connections, 0.0, kMost);
+    are_too_many_ = are_too_many_ ? tokens_ < 0.5 * kMost : tokens_ <= 0.0;
+  }
+  bool areTooMany() const noexcept { return are_too_many_; }
+
+ private:
+  double tokens_ = kMost;
+  std::int64_t last_ns_ = 0;
+  bool are_too_many_ = false;
+};
+
+}  // namespace underact::device::remote
