@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/named_file.h"
 #include "core/mesh_file/digest.h"
 #include "core/mesh_file/limits.h"
 
@@ -83,6 +84,12 @@ class Writing {
   const mesh::Watch& watch_;
 };
 
+/// Whether the file has so many bytes more.
+bool fills(const NamedFile& file, std::span<std::byte> into) {
+  const Result<std::size_t> count = file.read({reinterpret_cast<char*>(into.data()), into.size()});
+  return count && count.value() == into.size();
+}
+
 bool digestAll(Digest& digest, std::span<const std::byte> bytes, const mesh::Watch& watch) {
   for (; !bytes.empty() && !watch.isCancelled(); bytes = bytes.subspan(std::min(bytes.size(), kBlock))) {
     digest.add(bytes.first(std::min(bytes.size(), kBlock)));
@@ -98,23 +105,21 @@ Cache::Cache(std::string folder, std::uint64_t most_bytes)
 std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const mesh::Watch& watch) const {
   if (folder_.empty() || !isName(key)) return {};
   const fs::path path = fs::path(folder_) / (key + kExtension);
-  std::error_code error;
-  const std::uint64_t size = fs::file_size(path, error);
-  std::ifstream file(path, std::ios::binary);
+  const Result<NamedFile> file = NamedFile::open(path.string(), "a kept mesh");
   CacheHead head;
-  if (error || !file.read(reinterpret_cast<char*>(&head), sizeof head)) return {};
+  if (!file || !fills(file.value(), std::as_writable_bytes(std::span(&head, 1)))) return {};
   // The length is believed where the file has it.
-  if (head.magic != kCacheMagic || size != sizeof head + head.bytes) return {};
+  if (head.magic != kCacheMagic || file.value().bytes() != sizeof head + head.bytes) return {};
   std::vector<std::byte> bytes(head.bytes);
   for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
     if (watch.isCancelled()) return {};
-    const std::size_t count = std::min(kBlock, bytes.size() - at);
-    if (!file.read(reinterpret_cast<char*>(bytes.data() + at), static_cast<std::streamsize>(count))) return {};
+    if (!fills(file.value(), std::span(bytes).subspan(at, std::min(kBlock, bytes.size() - at)))) return {};
   }
   Digest digest;
   digest.add(std::as_bytes(std::span(key)));
   if (!digestAll(digest, bytes, watch)) return {};
   if (digest.text() != std::string_view(head.digest.data(), head.digest.size())) return {};
+  std::error_code error;
   fs::last_write_time(path, FileClock::now(), error);  // used last, now
   return bytes;
 }

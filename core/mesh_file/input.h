@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/named_file.h"
 #include "core/base/result.h"
 #include "core/mesh/watch.h"
 #include "core/mesh_file/format.h"
@@ -14,17 +15,9 @@ class Input {
  public:
   /// Problems: it is not there, no file, too large, or none of the formats, by its first bytes.
   static Result<Input> open(const std::string& path);
-  Input(Input&& other) noexcept
-      : path_(std::move(other.path_)),
-        fd_(std::exchange(other.fd_, -1)),
-        bytes_(other.bytes_),
-        format_(other.format_),
-        changed_ns_(other.changed_ns_) {}
-  Input& operator=(Input&&) = delete;
-  ~Input();
 
-  const std::string& path() const { return path_; }
-  std::uint64_t bytes() const { return bytes_; }
+  const std::string& path() const { return file_.path(); }
+  std::uint64_t bytes() const { return file_.bytes(); }
   Format format() const { return format_; }
   /// At its beginning; the descriptor is this object's.
   int rewound() const;
@@ -32,15 +25,12 @@ class Input {
   /// cancelled.
   Result<std::string> checksum(const mesh::Watch& watch) const;
   /// Somebody wrote into it since it was opened.
-  bool hasChanged() const;
+  bool hasChanged() const { return file_.hasChanged(); }
 
  private:
-  Input() = default;
-  std::string path_;
-  int fd_ = -1;
-  std::uint64_t bytes_ = 0;
-  Format format_ = Format::Obj;
-  std::int64_t changed_ns_ = 0;
+  Input(NamedFile file, Format format) : file_(std::move(file)), format_(format) {}
+  NamedFile file_;
+  Format format_;
 };
 
 }  // namespace underact::mesh_file

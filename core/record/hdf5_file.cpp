@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/named_file.h"
 #include "core/base/translate.h"
 #include "core/record/disk.h"
 #include "core/record/hdf5_store.h"
@@ -27,6 +28,15 @@ Problems problemAt(const std::string& path, Sentence sentence) {
 Sentence reason() {
   if (errno != 0) return std::strerror(errno);
   return said(QT_TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
+}
+
+/// None: there is a file of that name. The library would wait for whoever writes into a pipe.
+Problems notThere(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "There is no such file.")));
+  const Result<NamedFile> file = NamedFile::open(path, said(QT_TRANSLATE_NOOP("problem", "a session")));
+  return file ? Problems{} : file.problems();
 }
 
 constexpr Column kCrc{"crc32", "", "CRC-32 of a block of rows, column after column", Kind::Unsigned, 1};
@@ -152,9 +162,7 @@ Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> 
   quiet();
   auto impl = std::make_unique<Impl>();
   impl->path = path;
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "There is no such file.")));
+  if (Problems problems = notThere(path); !problems.empty()) return problems;
   const Id access = accessList();
   impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!impl->file.isGood()) {
@@ -181,6 +189,7 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->writes = true;
+  if (Problems problems = notThere(path); !problems.empty()) return problems;
   const Id access = accessList();
   if (killed) growToStatedSize(path);
   const hbool_t clear = killed;

@@ -13,6 +13,7 @@
 #include <optional>
 #include <sstream>
 
+#include "core/base/named_file.h"
 #include "core/base/translate.h"
 
 namespace underact::device::remote {
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
-constexpr std::size_t kLongestFile = 1U << 20U;
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a file of keys
 
 Problems problem(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
@@ -33,10 +34,6 @@ fs::path usersFolder() {
     return fs::path(config) / "Underact";
   const char* const home = std::getenv("HOME");
   return fs::path(home != nullptr ? home : "/") / ".config" / "Underact";
-}
-
-Problems unreadable(const fs::path& file) {
-  return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), file);
 }
 
 /// Why a file of keys is not to be trusted: others may read or write it, or it is theirs. what_to_do: beside chmod.
@@ -67,25 +64,20 @@ constexpr KeyFile kHosts{"arm_hosts", QT_TRANSLATE_NOOP("problem", "Others may r
 
 /// Its lines; none: there is no such file. Problems: it cannot be read, or is not this user's alone.
 Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, const KeyFile& which) {
-  const fs::path file = folder / which.name;
-  const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);  // a pipe in its place: no wait
-  if (fd < 0 && errno == ENOENT) return std::optional<std::vector<std::string>>{};
-  if (fd < 0) return unreadable(file);
+  const fs::path path = folder / which.name;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return std::optional<std::vector<std::string>>{};
+  const Result<NamedFile> file = NamedFile::open(path.string(), said(QT_TRANSLATE_NOOP("problem", "keys of arms")));
+  if (!file) return file.problems();
   struct stat status {};
-  std::string text;
-  ssize_t got =
-      ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) && status.st_size <= static_cast<off_t>(kLongestFile) ? 1
-                                                                                                                 : -1;
-  for (std::array<char, 4096> bytes{}; got > 0 && text.size() <= kLongestFile;) {
-    got = ::read(fd, bytes.data(), bytes.size());
-    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
-  }
-  ::close(fd);
-  if (got != 0) return unreadable(file);
-  Problems problems = notOursAlone(status, said(which.may), said(which.what_to_do), file);
+  if (::fstat(file.value().descriptor(), &status) != 0)
+    return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
+  Problems problems = notOursAlone(status, said(which.may), said(which.what_to_do), path);
   if (!problems.empty()) return problems;
+  const Result<std::string> text = file.value().readAll(kMostBytes);
+  if (!text) return text.problems();
   std::vector<std::string> lines;
-  std::istringstream stream(text);
+  std::istringstream stream(text.value());
   for (std::string line; std::getline(stream, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     lines.push_back(line);

@@ -1,5 +1,7 @@
 """What is written comes back; what is no session is told apart, in a sentence."""
 
+import os
+import signal
 import unittest
 
 import h5py
@@ -124,6 +126,17 @@ class NoSession(InFolder):
         self.refused("cannot be read: No such file", Unreadable)
 
     def test_that_is_a_folder(self):
+    def test_that_is_a_pipe_is_refused_at_once(self):
+        os.mkfifo(self.folder / "a.h5")
+        signal.alarm(20)  # a hang is a failure
+        self.refused("no regular file", Unreadable)
+        signal.alarm(0)
+
+    def test_says_what_was_agreed_to(self):
+        with Session(write_session(self.folder / "a.h5", 10)) as session:
+            self.assertEqual(session.attributes["consent"], "form 2.1")
+            self.assertEqual(info_of(session)["consent"], "form 2.1")
+
         (self.folder / "a.h5").mkdir()
         self.refused("cannot be read", Unreadable)
 

@@ -1,7 +1,6 @@
 #include "app/gui/lessons/lesson_library.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QSettings>
 #include <QUrl>
@@ -9,12 +8,13 @@
 
 #include "app/gui/data_words.h"
 #include "app/gui/shipped.h"
+#include "core/json/text_file.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr qint64 kLookedAt = 1 << 20;  // bytes; a longer file is no lesson
+constexpr std::size_t kLargestLesson = std::size_t{1} << 20;  // bytes; a longer file is none
 
 /// A key of the settings: a path has slashes, which part groups there. A lesson that ships counts wherever it lies.
 QString keyOf(const QString& path) {
@@ -43,9 +43,9 @@ std::vector<lesson::Lesson> shippedLessons() {
 }
 
 bool isLessonFile(const QString& path) {
-  QFile file(path);
-  if (!path.endsWith(".json", Qt::CaseInsensitive) || !file.open(QIODevice::ReadOnly)) return false;
-  return lesson::looksLikeLesson(file.read(kLookedAt).toStdString());
+  if (!path.endsWith(".json", Qt::CaseInsensitive)) return false;
+  const Result<std::string> text = json::readTextFile(path.toStdString(), "a lesson", kLargestLesson);
+  return text && lesson::looksLikeLesson(text.value());
 }
 
 QString lessonPath(const QString& name) {

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import os
+import stat
 from pathlib import Path
 
 import h5py
@@ -19,6 +21,9 @@ _FLAGS_AT, _BEING_WRITTEN = 11, 0x05  # of the superblock of version 3: open for
 def open_file(path: Path) -> h5py.File:
     """The file, open for reading. Raises Unreadable, or SessionError where it is no HDF5 file."""
     try:
+        kind = os.stat(path).st_mode
+        if not (stat.S_ISREG(kind) or stat.S_ISDIR(kind)):  # opening a pipe would wait for its writer
+            raise Unreadable(f"{path} cannot be read: it is no regular file.")
         with open(path, "rb") as file:
             start = file.read(16)
     except OSError as error:

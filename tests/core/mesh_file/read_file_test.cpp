@@ -245,7 +245,10 @@ TEST(ReadFile, WhatIsNoFileIsSaid) {
   EXPECT_EQ(readFile(folder.path()).problems()[0].sentence, "This is a folder, not a mesh file.");
   EXPECT_EQ(readFile(folder.path() + "/none.stl").problems()[0].sentence,
             "The file cannot be opened: No such file or directory.");
-  EXPECT_EQ(readFile("/dev/null").problems()[0].sentence, "This is no file that holds a mesh.");
+  EXPECT_EQ(
+      readFile("/dev/null").problems()[0].sentence,
+      "This is a pipe, a device or a socket, not a regular file, so a mesh is not read from it. Save what it gives "
+      "as a file, and name that.");
   const std::string path = folder.write("real.obj", obj(cube(1.0F)));
   std::filesystem::create_symlink(path, folder.path() + "/link.obj");
   EXPECT_TRUE(readFile(folder.path() + "/link.obj"));

@@ -1,0 +1,101 @@
+#include "core/base/private_file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+
+#include "tests/support/modes.h"
+#include "tests/support/odd_files.h"
+
+namespace underact {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(NewFile, IsItsOwnersAloneWhateverTheUmaskIs) {
+  const test::ScratchFolder folder;
+  for (const mode_t mask : {0, 022, 077, 0577}) {
+    const test::Umask umask(mask);
+    const NewFile file = NewFile::make(folder.file("new"), Existing::Replace);
+    ASSERT_TRUE(file.isGood());
+    EXPECT_EQ(test::modeOf(folder.file("new")) & 0077U, 0U) << mask;
+  }
+}
+
+TEST(NewFile, NothingOfThatNameIsTouchedUnlessItIsToBeReplaced) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.write("file", "mine"), link = folder.file("link"), dangling = folder.file("dangling");
+  fs::create_symlink(file, link);
+  fs::create_symlink(folder.file("nowhere"), dangling);
+  for (const std::string& path : {file, link, dangling}) {
+    EXPECT_EQ(checkNew(path, Existing::Refuse).at(0).sentence,
+              "There is a file or a link of this name already; it was left as it is. Give another name.");
+    EXPECT_FALSE(NewFile::make(path, Existing::Refuse).isGood());
+    EXPECT_EQ(errno, EEXIST);
+  }
+  EXPECT_EQ(contentOf(file), "mine");
+  EXPECT_FALSE(fs::exists(folder.file("nowhere")));
+}
+
+TEST(NewFile, ReplacingTakesALinkAwayAndNotWhatItLeadsTo) {
+  const test::ScratchFolder folder;
+  const std::string target = folder.write("target", "mine"), link = folder.file("link");
+  fs::create_symlink(target, link);
+  ASSERT_TRUE(checkNew(link, Existing::Replace).empty());
+  {
+    const NewFile made = NewFile::make(link, Existing::Replace);
+    ASSERT_TRUE(made.isGood());
+    EXPECT_EQ(::write(made.descriptor(), "new", 3), 3);
+  }
+  EXPECT_FALSE(fs::is_symlink(link));
+  EXPECT_EQ(contentOf(link), "new");
+  EXPECT_EQ(contentOf(target), "mine");
+}
+
+TEST(NewFile, FoldersPipesAndDevicesAreNeverReplaced) {
+  const test::ScratchFolder folder;
+  for (const test::OddFile& odd : test::oddFiles(folder, "")) {
+    if (odd.what == "no file" || odd.what == "1 TiB of nothing" || fs::is_symlink(odd.path)) continue;
+    ASSERT_EQ(checkNew(odd.path, Existing::Replace).size(), 1U) << odd.what;
+    EXPECT_FALSE(NewFile::make(odd.path, Existing::Replace).isGood()) << odd.what;
+    EXPECT_TRUE(fs::exists(odd.path)) << odd.what;
+  }
+}
+
+TEST(NewFile, SameFileOpensTheOneThatWasMadeAlsoWhereAnotherStandsAtItsName) {
+  const test::ScratchFolder folder;
+  const NewFile made = NewFile::make(folder.file("new"), Existing::Refuse);
+  const std::string same = made.sameFile(folder.file("new"));
+  if (same == folder.file("new")) GTEST_SKIP() << "this system has no /proc";
+  const std::string target = folder.write("target", "mine");
+  fs::remove(folder.file("new"));
+  fs::create_symlink(target, folder.file("new"));
+  std::ofstream(same) << "recorded";
+  EXPECT_EQ(contentOf(target), "mine");
+  EXPECT_EQ(contentOf(same), "recorded");
+}
+
+TEST(PrivateFolder, ThoseThatAreMadeAreTheirOwnersAlone) {
+  const test::ScratchFolder folder;
+  const test::Umask umask(0);
+  fs::create_directory(folder.file("open"));
+  fs::permissions(folder.file("open"), fs::perms(0755));
+  EXPECT_EQ(makePrivateFolder(folder.file("open/a/b")), 0);
+  EXPECT_EQ(test::modeOf(folder.file("open")), 0755U);
+  EXPECT_EQ(test::modeOf(folder.file("open/a")), 0700U);
+  EXPECT_EQ(test::modeOf(folder.file("open/a/b")), 0700U);
+  EXPECT_EQ(makePrivateFolder(folder.file("open/a/b/")), 0);
+  EXPECT_EQ(makePrivateFolder(folder.write("file", "") + "/below"), ENOTDIR);
+}
+
+}  // namespace
+}  // namespace underact
