@@ -4,11 +4,20 @@
 
 namespace underact::cli {
 
+Problems Recording::check(const std::string& path, Existing existing) {
+  if (path.empty()) return {};
+  Problems problems = checkNew(path, existing);
+  if (!problems.empty() && checkNew(path, Existing::Replace).empty())
+    problems.front().sentence =
+        oneAfterAnother({problems.front().sentence, "With --overwrite it is replaced; what a link leads to stays."});
+  return problems;
+}
+
 Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionWords& words,
                                    const record::RecorderOptions& options) {
   Recording recording;
   if (path.ends_with(".csv")) {
-    Result<record::CsvWriter> csv = record::CsvWriter::open(path);
+    Result<record::CsvWriter> csv = record::CsvWriter::create(path, options.existing);
     if (!csv) return csv.problems();
     recording.csv_ = std::move(csv).value();
     return recording;

@@ -11,7 +11,9 @@ namespace underact::cli {
 /// What `run --record FILE` writes: CSV where the name ends in .csv, else a session.
 class Recording {
  public:
-  /// Before the first tick. options: of a session. Problems: the file cannot be made.
+  /// Whether a file may be made at path, before anything runs. Problems: those of checkNew(), with the way out.
+  static Problems check(const std::string& path, Existing existing);
+  /// Before the first tick. options: of a session; existing of both. Problems: the file cannot be made.
   static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionWords& words,
                                  const record::RecorderOptions& options);
   /// Of a CSV file; a session has its own way to the ticks.

@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
+#include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
 #include "core/base/units.h"
 #include "core/record/csv.h"
@@ -22,11 +23,13 @@ namespace {
 
 struct ReplayOptions {
   std::string file, scene, record;
-  bool verify = false;
+  std::vector<std::string> files_in;
+  bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
   std::optional<scene::LawType> law;
   bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
 };
+  Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
 
 /// One side of the comparison.
 struct Side {
@@ -133,7 +136,7 @@ Exit compare(record::Session& session, const ReplayOptions& options, const Strea
   if (!scene) return fail(scene.problems(), streams);
   std::optional<record::CsvWriter> csv;
   if (!options.record.empty()) {
-    Result<record::CsvWriter> opened = record::CsvWriter::open(options.record);
+    Result<record::CsvWriter> opened = record::CsvWriter::create(options.record, options.existing());
     if (!opened) {
       print(opened.problems(), streams.err);
       return Exit::File;
@@ -177,6 +180,8 @@ Exit replay(const ReplayOptions& options, const Streams& streams) {
 }  // namespace
 
 void addReplay(CLI::App& program, const Streams& streams, Exit& exit) {
+  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
+    return fail(problems, Exit::File, streams);
   CLI::App* command = program.add_subcommand(
       "replay", "Run a recorded hand through the tick again: to the bit, or with other gains or another scene");
   const auto options = std::make_shared<ReplayOptions>();
@@ -192,7 +197,9 @@ void addReplay(CLI::App& program, const Streams& streams, Exit& exit) {
                                                                                 {"PD", scene::LawType::PD},
                                                                                 {"PID", scene::LawType::PID}})
                       .description("{P,PD,PID}"));
-  command->add_option("--record", options->record, "Write the ticks as they are now to this CSV file");
+  command->add_option("--record", options->record, "Write the ticks as they are now to this new CSV file");
+  command->add_flag("--overwrite", options->overwrite, "Replace the file of --record where there is one")
+      ->needs("--record");
   command->callback([options, &streams, &exit] { exit = replay(*options, streams); });
 }
 

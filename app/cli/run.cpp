@@ -45,6 +45,7 @@ struct RunOptions {
   bool fast = false;
   std::uint64_t seed = 1;
   std::string record;
+  bool overwrite = false;
   record::SessionWords words;  // of the recording
   double block_s = record::kBlock_s;
   std::string stream;  // empty: none
@@ -55,6 +56,7 @@ struct RunOptions {
   std::string device{kSimulated};
   servo::SchedulingWanted scheduling;
   bool isSimulated() const { return device == kSimulated; }
+  Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
 };
 
 /// "name: sentence" a line, for --help.
@@ -234,7 +236,8 @@ Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& 
   }
   if (!options.record.empty()) {
     Result<Recording> started =
-        Recording::start(host, options.record, wordsOf(options), {.most_ticks = ticks, .block_s = options.block_s});
+        Recording::start(host, options.record, wordsOf(options),
+                         {.most_ticks = ticks, .block_s = options.block_s, .existing = options.existing()});
     if (!started) return fail(started.problems(), Exit::File, streams);
     recording = std::move(started).value();
   }
@@ -247,6 +250,8 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
     return Exit::Usage;
   }
   Exit exit = Exit::Well;
+  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
+    return fail(problems, Exit::File, streams);
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
@@ -312,7 +317,9 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command->add_option("--record", options->record,
-                      "Write every tick to this file: CSV where its name ends in .csv, else a session");
+                      "Write every tick to this new file: CSV where its name ends in .csv, else a session");
+  command->add_flag("--overwrite", options->overwrite, "Replace the file of --record where there is one")
+      ->needs("--record");
   command->add_option("--record-block_s", options->block_s, "How much of a session is written at a time")
       ->capture_default_str()
       ->check(CLI::Range(record::kShortestBlock_s, record::kLongestBlock_s));

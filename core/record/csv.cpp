@@ -1,5 +1,9 @@
 #include "core/record/csv.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -50,10 +54,21 @@ class Row {
 }  // namespace
 
 Result<CsvWriter> CsvWriter::open(const std::string& path) {
-  std::FILE* file = std::fopen(path.c_str(), "wbe");
+  return into(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR), path);
+}
+
+Result<CsvWriter> CsvWriter::create(const std::string& path, Existing existing) {
+  if (Problems problems = checkNew(path, existing); !problems.empty()) return problems;
+  return into(NewFile::make(path, existing).release(), path);
+}
+
+Result<CsvWriter> CsvWriter::into(int fd, const std::string& path) {
+  std::FILE* const file = fd < 0 ? nullptr : ::fdopen(fd, "wb");
   if (file == nullptr) {
+    const int error = errno;
+    if (fd >= 0) ::close(fd);
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(errno)}), {path}}};
+        {said(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(error)}), {path}}};
   }
   CsvWriter writer(file, path);
   writer.write(header());

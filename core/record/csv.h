@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/private_file.h"
 #include "core/base/result.h"
 #include "core/servo/snapshot.h"
 
@@ -13,8 +14,12 @@ namespace underact::record {
 /// the same double. Not for the servo thread. Errors (a full disk) are kept and told by close().
 class CsvWriter {
  public:
-  /// Problems: the file cannot be made.
+  /// Over what is there, also where that is a pipe or the standard output: an export. A file that it makes is its
+  /// owner's alone; one that was there keeps who may read it. Problems: it cannot be made.
   static Result<CsvWriter> open(const std::string& path);
+  /// A file of its own that its owner alone may read and write: a recording. Problems: those of checkNew(); it cannot
+  /// be made.
+  static Result<CsvWriter> create(const std::string& path, Existing existing);
   /// After a failure nothing more is written.
   void add(const servo::TickRecord& record);
   /// Something could not be written; the sentence comes with close().
@@ -26,6 +31,8 @@ class CsvWriter {
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  /// fd: below 0: none, and errno says why.
+  static Result<CsvWriter> into(int fd, const std::string& path);
   CsvWriter(std::FILE* file, std::string path) : file_(file), path_(std::move(path)) {}
   void write(std::string_view text);
   std::unique_ptr<std::FILE, Closer> file_;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/base/private_file.h"
 #include "core/base/translate.h"
 #include "core/json/json.h"
 #include "core/record/columns.h"
@@ -179,8 +180,10 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
 
 Problems writeFaultFile(std::string_view text, const std::string& path) {
   const std::string part = path + ".part";
-  std::unique_ptr<std::FILE, Closer> file(std::fopen(part.c_str(), "wbe"));
+  NewFile made = NewFile::make(part, Existing::Replace);  // it says who felt what, and when: its owner's alone
+  std::unique_ptr<std::FILE, Closer> file(made.isGood() ? ::fdopen(made.descriptor(), "wb") : nullptr);
   if (file == nullptr) return cannotBeKept(path, errno);
+  made.release();  // to the file
   int error = 0;
   if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) error = errno;
   if (std::fclose(file.release()) != 0 && error == 0) error = errno;
@@ -191,9 +194,7 @@ Problems writeFaultFile(std::string_view text, const std::string& path) {
 }
 
 Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return cannotBeKept(folder, error.value());
+  if (const int reason = makePrivateFolder(folder); reason != 0) return cannotBeKept(folder, reason);
   std::string time = isoTime(report.unix_time_s);
   std::erase_if(time, [](char letter) { return letter == '-' || letter == ':'; });
   int number = 1;  // of the faults of that second

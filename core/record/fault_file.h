@@ -26,7 +26,8 @@ std::string isoTime(std::int64_t unix_time_s);
 /// the columns of a CSV recording. Numbers read back to the same double; one that is not finite is null.
 std::string faultText(const servo::FaultReport& report, const FaultWords& words);
 
-/// Writes text beside path and renames it over path. Problems: why it cannot be written; then nothing is left behind.
+/// Writes text beside path and renames it over path; its owner alone may read it. Problems: why it cannot be written;
+/// then nothing is left behind.
 Problems writeFaultFile(std::string_view text, const std::string& path);
 
 /// Keeps a fault as a new file of folder, which is made where it is not there, and removes the oldest faults beyond

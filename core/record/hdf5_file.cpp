@@ -137,23 +137,30 @@ Hdf5File::~Hdf5File() {
 }
 
 Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attribute> attributes,
-                                  std::span<const Table> tables) {
+                                  std::span<const Table> tables, Existing existing) {
   quiet();
   errno = 0;
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->writes = true;
-  if (Presence::isAt(path))
+  if (Problems problems = checkNew(path, existing); !problems.empty()) return problems;
+  if (existing == Existing::Replace && Presence::isAt(path))
     return problemAt(
         path, said(QT_TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
+  const NewFile made = NewFile::make(path, existing);  // the library would let others read it
+  if (!made.isGood()) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
   const Id access = accessList();
-  impl->file = Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-  if (!impl->file.isGood()) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
-  bool good = true;
+  impl->file = Id(H5Fcreate(made.sameFile(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+  bool good = impl->file.isGood();
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);
   for (const Table& table : tables) good = good && impl->createTable(table);
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
-  if (!good) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+  if (!good) {
+    Problems problems = impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);  // nothing is in it, and it would be in the next one's way
+    return problems;
+  }
   impl->presence = Presence(path);
   return Hdf5File(std::move(impl));
 }

@@ -186,7 +186,7 @@ Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::
                                                   const RecorderOptions& options) {
   SessionHeader header = headerOf(host, words);
   header.block_s = options.block_s;
-  Result<SessionWriter> writer = SessionWriter::create(path, header);
+  Result<SessionWriter> writer = SessionWriter::create(path, header, options.existing);
   if (!writer) return writer.problems();
   auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options);
   Impl* const running = impl.get();

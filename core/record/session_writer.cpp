@@ -52,9 +52,9 @@ SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
   packer_.begin(block_rows_);
 }
 
-Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header) {
+Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header, Existing existing) {
   const std::array tables = sessionTables(header.rate_hz, header.block_s);
-  Result<Hdf5File> file = Hdf5File::create(path, attributesOf(header), tables);
+  Result<Hdf5File> file = Hdf5File::create(path, attributesOf(header), tables, existing);
   if (!file) return file.problems();
   return SessionWriter(std::move(file).value(), header);
 }

@@ -1,6 +1,5 @@
 #include "device/remote/keys.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zmq.h>
@@ -14,6 +13,7 @@
 #include <sstream>
 
 #include "core/base/named_file.h"
+#include "core/base/private_file.h"
 #include "core/base/translate.h"
 
 namespace underact::device::remote {
@@ -87,11 +87,9 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
 
 /// The whole file or, where that fails, the one that was; nobody else may read it.
 Problems writeFile(const fs::path& file, const std::string& text) {
-  std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
+  makePrivateFolder(file.parent_path().string());
   const fs::path part = file.string() + ".part";
-  ::unlink(part.c_str());
-  const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  const int fd = NewFile::make(part.string(), Existing::Replace).release();
   bool is_well = fd >= 0 && ::write(fd, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   if (fd >= 0) is_well = ::close(fd) == 0 && is_well;
   if (is_well && ::rename(part.c_str(), file.c_str()) == 0) return {};

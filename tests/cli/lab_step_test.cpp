@@ -80,7 +80,7 @@ TEST(LabStep, WrongUsageIsToldInWords) {
 }
 
 TEST(LabStep, TheCurveOfAFunctionGoesIntoAFile) {
-  const ScratchFile file("", "step.csv");
+  const ScratchPath file("step.csv");
   ASSERT_EQ(step({"--den", "1,1", "--seconds", "5", "--csv", file.path()}).exit, Exit::Well);
   const auto rows = rowsOf(file.path(), "t_s,y");
   ASSERT_EQ(rows.size(), 1001U);
@@ -90,7 +90,7 @@ TEST(LabStep, TheCurveOfAFunctionGoesIntoAFile) {
 }
 
 TEST(LabStep, TheArmUnderASceneIsMeasuredBesideItsFitAndItsModel) {
-  const ScratchFile file("", "arm.csv");
+  const ScratchPath file("arm.csv");
   const std::vector<std::string> arguments{"--scene",         shipped("01_point.json"),
                                            "--law",           "PD",
                                            "--kd_N_s_per_mm", "0.004",

@@ -48,7 +48,7 @@ std::vector<std::string> rowsWithoutClock(const std::string& csv) {
 }  // namespace
 
 TEST(Log, InfoSaysWhatASessionHolds) {
-  const ScratchFile session("", "s.h5");
+  const ScratchPath session("s.h5");
   record(session.path(), "02_sphere.json", {"--name", "first", "--tags", "demo,sphere", "--subject", "S07"});
   const Outcome outcome = runCli({"log", "info", session.path(), "--json"});
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
@@ -69,7 +69,7 @@ TEST(Log, InfoSaysWhatASessionHolds) {
 }
 
 TEST(Log, ExportGivesTheRowsOfACsvRecordingOfTheSameRun) {
-  const ScratchFile session("", "s.h5"), csv("", "a.csv"), out("", "b.csv");
+  const ScratchPath session("s.h5"), csv("a.csv"), out("b.csv");
   record(session.path(), "14_circle_influence.json");
   record(csv.path(), "14_circle_influence.json");
   const Outcome outcome = runCli({"log", "export", session.path(), "--out", out.path()});
@@ -81,7 +81,7 @@ TEST(Log, ExportGivesTheRowsOfACsvRecordingOfTheSameRun) {
 }
 
 TEST(Log, VerifyFindsDamageAndSaysWhere) {
-  const ScratchFile session("", "s.h5");
+  const ScratchPath session("s.h5");
   record(session.path(), "02_sphere.json");
   const Outcome whole = runCli({"log", "verify", session.path()});
   EXPECT_EQ(whole.exit, Exit::Well) << whole.err;
@@ -92,13 +92,13 @@ TEST(Log, VerifyFindsDamageAndSaysWhere) {
   const Outcome damaged = runCli({"log", "verify", session.path()});
   EXPECT_EQ(damaged.exit, Exit::BadInput) << damaged.out;
   EXPECT_NE(damaged.err.find("damaged"), std::string::npos) << damaged.err;
-  const ScratchFile csv("", "a.csv");
+  const ScratchPath csv("a.csv");
   const Outcome exported = runCli({"log", "export", session.path(), "--out", csv.path()});
   EXPECT_EQ(exported.exit, Exit::BadInput) << "what is left out is said";
 }
 
 TEST(Log, RecoverLeavesAClosedSessionAsItIs) {
-  const ScratchFile session("", "s.h5");
+  const ScratchPath session("s.h5");
   record(session.path(), "02_sphere.json");
   const std::string before = textAtPath(session.path());
   const Outcome outcome = runCli({"log", "recover", session.path()});
@@ -118,7 +118,7 @@ TEST(Log, OfWhatIsNoSessionSaysSo) {
 }
 
 TEST(ReplayCommand, VerifiesToTheBitAndFindsAForgedForce) {
-  const ScratchFile session("", "s.h5");
+  const ScratchPath session("s.h5");
   record(session.path(), "20_scara.json");
   const Outcome outcome = runCli({"replay", session.path(), "--verify"});
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
@@ -129,7 +129,7 @@ TEST(ReplayCommand, VerifiesToTheBitAndFindsAForgedForce) {
 }
 
 TEST(ReplayCommand, ComparesOtherGainsWithWhatWasRecorded) {
-  const ScratchFile session("", "s.h5"), csv("", "now.csv");
+  const ScratchPath session("s.h5"), csv("now.csv");
   record(session.path(), "02_sphere.json");
   const Outcome same = runCli({"replay", session.path()});
   ASSERT_EQ(same.exit, Exit::Well) << same.err;

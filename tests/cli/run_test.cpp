@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/cli/session.h"
+#include "tests/support/full_disk.h"
 
 namespace underact::test {
 namespace {
@@ -47,7 +48,7 @@ std::string withoutTiming(const std::string& csv) {
 }
 
 TEST(Run, ARecordingOfAnInfluencedCircleHasItsAngles) {
-  const ScratchFile csv("", "angles.csv");
+  const ScratchPath csv("angles.csv");
   summary({"--hand", "probe", "--seconds", "0.5", "--fast", "--record", csv.path()}, "14_circle_influence.json");
   std::istringstream rows(textOf(csv.path()));
   std::string row;
@@ -138,9 +139,9 @@ TEST(Run, TicksAreSecondsTimesRate) {
 }
 
 TEST(Run, TheSameSeedGivesTheSameNumbersFastAndInRealTime) {
-  const ScratchFile fast("", "fast.csv"), again("", "again.csv"), real("", "real.csv");
+  const ScratchPath fast("fast.csv"), again("again.csv"), real("real.csv");
   const std::vector<std::string> common{"--hand", "tremor", "--seconds", "0.5", "--seed", "11", "--record"};
-  const auto with = [&](const ScratchFile& file, bool is_fast) {
+  const auto with = [&](const ScratchPath& file, bool is_fast) {
     std::vector<std::string> more = common;
     more.push_back(file.path());
     if (is_fast) more.emplace_back("--fast");
@@ -166,7 +167,7 @@ TEST(Run, AnotherSeedGivesAnotherTremor) {
 }
 
 TEST(Run, TheFirstTickIsEngaged) {
-  const ScratchFile csv("", "ramp.csv");
+  const ScratchPath csv("ramp.csv");
   summary({"--hand", "still", "--seconds", "0.4", "--fast", "--record", csv.path()});
   std::istringstream rows(textOf(csv.path()));
   std::string row;
@@ -237,14 +238,14 @@ TEST(Run, FilesThatCannotBeReadOrWrittenGiveStatus4) {
 }
 
 TEST(Run, AFullDiskIsToldAtOnceAndTheRunGoesOnToItsEnd) {
-  const std::filesystem::path link = std::filesystem::temp_directory_path() / "underact_full_disk.csv";
-  std::filesystem::remove(link);
-  std::filesystem::create_symlink("/dev/full", link);
-  const Outcome outcome = run({"--hand", "still", "--seconds", "2", "--fast", "--record", link.string()});
-  std::filesystem::remove(link);
+  const test::ScratchFolder folder;
+  const Outcome outcome = [&] {
+    const test::FullDisk full(1 << 16);
+    return run({"--hand", "still", "--seconds", "2", "--fast", "--record", folder.file("full.csv")});
+  }();
   EXPECT_EQ(outcome.exit, Exit::File);
   EXPECT_NE(outcome.err.find("The recording stopped"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("No space left"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("File too large"), std::string::npos) << outcome.err;
   EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 2000.0);
   EXPECT_TRUE(lines(outcome.out).at(0).find("faults") != nullptr);
 }

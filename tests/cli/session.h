@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "core/base/types.h"
 #include "core/json/json.h"
+#include "tests/support/scratch_folder.h"
 
 namespace underact::test {
 
@@ -49,6 +50,17 @@ class ScratchFile {
 
  private:
   std::filesystem::path path_;
+};
+
+/// The path of a file that is not there yet; what comes to be there is gone with the object.
+class ScratchPath {
+ public:
+  explicit ScratchPath(const std::string& name) : path_(folder_.file(name)) {}
+  std::string path() const { return path_; }
+
+ private:
+  ScratchFolder folder_;
+  std::string path_;
 };
 
 /// A scene of the constraints given as JSON; more: further members, each ending in a comma.

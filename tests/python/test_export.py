@@ -4,6 +4,7 @@ import csv
 import importlib
 import json
 import math
+import os
 import subprocess
 import unittest
 from unittest import mock
@@ -79,6 +80,15 @@ class Csv(InFolder):
         pandas.testing.assert_frame_equal(
             ours[same], theirs[same], check_dtype=False, check_exact=True
         )
+
+    def test_is_its_owners_alone(self):
+        umask = os.umask(0)
+        try:
+            with Session(write_session(self.folder / "a.h5", 10)) as session:
+                export.csv(session, self.folder / "a.csv")
+        finally:
+            os.umask(umask)
+        self.assertEqual((self.folder / "a.csv").stat().st_mode & 0o777, 0o600)
 
     def test_that_cannot_be_written_ends_with_4(self):
         path = write_session(self.folder / "a.h5", 100)

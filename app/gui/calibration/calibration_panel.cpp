@@ -131,8 +131,9 @@ bool CalibrationPanel::save(const QString& path) {
                           ? QStringLiteral("a person")
                           : QStringLiteral("a simulated hand of Weber share %1").arg(setup.weber);
   const std::string csv = calibration::csvOf(session_->run(), who.toStdString(), setup.seed);
-  QSaveFile file(path);  // whole or not at all
-  const bool saved = file.open(QIODevice::WriteOnly) && file.write(csv.c_str()) >= 0 && file.commit();
+  QSaveFile file(path);  // whole or not at all; what a person can tell apart is not for others' eyes
+  const bool saved = file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
+                     file.write(csv.c_str()) >= 0 && file.commit();
   result_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
                          : tr("Not saved: %1. Choose another place.").arg(file.errorString()));
   return saved;

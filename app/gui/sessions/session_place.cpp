@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QStandardPaths>
 
+#include "core/base/private_file.h"
+
 namespace underact::gui {
 namespace {
 
@@ -34,7 +36,8 @@ QString usualSessionFolder() {
 QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title) {
   const QString stem = QDir(folder).filePath(when.toString("yyyy-MM-dd_HH-mm-ss_") + plainName(scene_title));
   QString path = stem + ".underact.h5";  // by which the desktop knows it for a session
-  for (int another = 2; QFileInfo::exists(path); ++another) path = QString("%1_%2.underact.h5").arg(stem).arg(another);
+  const auto taken = [&path] { return QFileInfo::exists(path) || QFileInfo(path).isSymLink(); };
+  for (int another = 2; taken(); ++another) path = QString("%1_%2.underact.h5").arg(stem).arg(another);
   return path;
 }
 
@@ -42,7 +45,7 @@ QString prepareSessionFolder(const QString& folder) {
   const QFileInfo there(folder);
   if (there.exists() && !there.isDir())
     return QObject::tr("%1 is a file, not a folder. Choose another folder for the recordings.").arg(folder);
-  if (!there.exists() && !QDir().mkpath(folder))
+  if (!there.exists() && makePrivateFolder(folder.toStdString()) != 0)
     return QObject::tr("The folder %1 cannot be made. Choose another folder for the recordings.").arg(folder);
   if (!QFileInfo(folder).isWritable())
     return QObject::tr("Nothing can be written into the folder %1. Choose another folder for the recordings.")

@@ -11,8 +11,8 @@ QString usualSessionFolder();
 /// folder has yet.
 QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title);
 
-/// Makes the folder where it is missing. Gives a sentence with the way out where nothing can be written there; empty:
-/// all is well.
+/// Makes the folder where it is missing, for its owner alone. Gives a sentence with the way out where nothing can be
+/// written there; empty: all is well.
 QString prepareSessionFolder(const QString& folder);
 
 }  // namespace underact::gui

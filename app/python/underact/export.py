@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv as csv_module
 import json
 import math
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -86,10 +87,17 @@ def _word(value: object) -> str:
     return str(value)
 
 
+def _owners_alone(path: str, flags: int) -> int:
+    """Opens a file as open() does; one that is made here nobody else may read: it holds what a
+    person did.
+    """
+    return os.open(path, flags, 0o600)
+
+
 def csv(session: Session, out: str | Path) -> None:
     """The same columns as `underact-cli run --record F.csv`, read back to the same numbers."""
     columns = _flat(session)
-    with open(out, "w", encoding="utf-8", newline="") as file:
+    with open(out, "w", encoding="utf-8", newline="", opener=_owners_alone) as file:
         writer = csv_module.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(
@@ -109,9 +117,10 @@ def parquet(session: Session, out: str | Path) -> None:
     table = pyarrow.Table.from_pandas(session.frame(), preserve_index=False)
     words = {f"underact_{name}": str(value) for name, value in session.attributes.items()}
     words["underact_scene"] = json.dumps(session.scene)
-    pyarrow.parquet.write_table(
-        table.replace_schema_metadata({**(table.schema.metadata or {}), **words}), out
-    )
+    with open(out, "wb", opener=_owners_alone) as file:
+        pyarrow.parquet.write_table(
+            table.replace_schema_metadata({**(table.schema.metadata or {}), **words}), file
+        )
 
 
 _NUMBER, _TEXT = {"type": "number"}, {"type": "string"}
@@ -185,7 +194,7 @@ def mcap(session: Session, out: str | Path) -> None:
         raise _needs("mcap", "MCAP", error) from error
     attributes = session.attributes
     start_ns = int(attributes.get("started_unix_ns") or 0)
-    with open(out, "wb") as file:
+    with open(out, "wb", opener=_owners_alone) as file:
         writer = Writer(file)
         writer.start(profile="", library="underact")
         channels = {}

@@ -9,6 +9,8 @@
 
 #include "core/json/json.h"
 #include "core/record/columns.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/modes.h"
 
 namespace underact::record {
 namespace {
@@ -179,11 +181,33 @@ TEST(FaultFile, AFullDiskIsAProblemAndLeavesNothingBehind) {
   const Scratch scratch;
   fs::create_directories(scratch.path);
   const fs::path path = scratch.path / "fault.json";
-  fs::create_symlink("/dev/full", path.string() + ".part");
-  const Problems problems = writeFaultFile("{}", path);
+  const Problems problems = [&] {
+    const test::FullDisk full(1);
+    return writeFaultFile("{}", path);
+  }();
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].sentence.find("No space"), std::string::npos) << problems[0].sentence;
+  EXPECT_NE(problems[0].sentence.find("File too large"), std::string::npos) << problems[0].sentence;
   EXPECT_TRUE(scratch.names().empty());
+}
+
+TEST(FaultFile, IsItsOwnersAloneAndSoIsItsFolderWhateverTheUmaskIs) {
+  const Scratch scratch;
+  const test::Umask everybody(0);
+  const std::string folder = (scratch.path / "made/faults").string();
+  const Result<std::string> kept = keepFault(servo::FaultReport{}, {"k", "w", "d"}, folder);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(test::modeOf(kept.value()), 0600U);
+  EXPECT_EQ(test::modeOf(folder), 0700U);
+}
+
+TEST(FaultFile, ALinkAtTheNameOfItsPartIsNotFollowed) {
+  const Scratch scratch;
+  fs::create_directories(scratch.path);
+  const fs::path path = scratch.path / "fault.json", mine = scratch.path / "mine";
+  std::ofstream(mine) << "mine";
+  fs::create_symlink(mine, path.string() + ".part");
+  EXPECT_TRUE(writeFaultFile("{}", path).empty());
+  EXPECT_EQ(fs::file_size(mine), 4U);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class Programs:
             "--seed",
             "1",
         ]
-        return json.loads(self._call([*words, "--record", str(record)]))
+        return json.loads(self._call([*words, "--record", str(record), "--overwrite"]))
 
     def answers(self, words: list[str], questions: list[dict]) -> list[dict]:
         """A command that answers each JSON line with one: target, ik, fk."""
