@@ -78,15 +78,14 @@ std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t f
 }
 
 /// A scene whose mesh is gone stays, and says so where it is run.
-void loadMeshes(scene::Description& scene, const std::atomic<bool>* cancelled, Problems& damage) {
+void loadMeshes(scene::Description& scene, const LoadWatch& load, Problems& damage) {
   mesh::Watch watch;
-  watch.cancelled = cancelled;
-  const Problems problems = scene::loadMeshes(scene, watch);
+  watch.cancelled = load.cancelled;
+  const Problems problems = scene::loadRecordedMeshes(scene, load.files_in, watch);
   damage.insert(damage.end(), problems.begin(), problems.end());
 }
 
-void readScenes(record::Session& session, std::int64_t first_tick, const std::atomic<bool>* cancelled,
-                Recorded& recorded) {
+void readScenes(record::Session& session, std::int64_t first_tick, const LoadWatch& watch, Recorded& recorded) {
   for (const record::ChangeRow& change : session.changes()) {
     Result<scene::Description> scene = session.scene(change);
     if (!scene) {
@@ -94,7 +93,7 @@ void readScenes(record::Session& session, std::int64_t first_tick, const std::at
       continue;
     }
     if (scene.value().constraints.empty()) continue;
-    loadMeshes(scene.value(), cancelled, recorded.damage);
+    loadMeshes(scene.value(), watch, recorded.damage);
     recorded.scenes.push_back({std::max<std::int64_t>(change.tick - first_tick, 0), std::move(scene).value()});
   }
   std::stable_sort(recorded.scenes.begin(), recorded.scenes.end(),
@@ -155,7 +154,7 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
     return Problems{
         {said(QT_TRANSLATE_NOOP("problem", "There are no ticks in this session: nothing can be replayed.")), {path}}};
   recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
-  readScenes(session, rows.firstTick(), watch.cancelled, *recorded);
+  readScenes(session, rows.firstTick(), watch, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));
 }
 

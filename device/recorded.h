@@ -56,6 +56,7 @@ struct LoadWatch {
   std::function<void(double share)> progress;
   std::function<void(std::int64_t row, const servo::TickRecord&)> row;  // each that can be read, in order
   const std::atomic<bool>* cancelled = nullptr;
+  std::vector<std::string> files_in = {};  // folders where meshes and curves are looked for besides the session's
 };
 
 /// Reads a session whole. Where the arm gave no sample, or one that is no number, and where ticks are missing, the

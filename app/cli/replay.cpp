@@ -11,11 +11,13 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/shipped.h"
 #include "core/base/units.h"
 #include "core/record/csv.h"
 #include "core/record/tick_figures.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 
 namespace underact::cli {
@@ -27,9 +29,9 @@ struct ReplayOptions {
   bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
   std::optional<scene::LawType> law;
+  Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
   bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
 };
-  Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
 
 /// One side of the comparison.
 struct Side {
@@ -76,13 +78,21 @@ class Comparison {
   double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
 };
 
-Exit verify(record::Session& session, const Streams& streams) {
+/// Where the meshes and curves of a recording are looked for: where the person says, then in the scenes that ship.
+std::vector<std::string> foldersOf(const ReplayOptions& options) {
+  std::vector<std::string> folders = options.files_in;
+  folders.push_back(shippedSceneFolder());
+  return folders;
+}
+
+Exit verify(record::Session& session, const ReplayOptions& options, const Streams& streams) {
   const Interrupt interrupt;
   Progress progress(streams);
-  const Result<record::Verified> verified = record::verifyReplay(session, [&](double share) {
+  const auto goes_on = [&](double share) {
     progress.show(share);
     return !interrupt.came();
-  });
+  };
+  const Result<record::Verified> verified = record::verifyReplay(session, goes_on, foldersOf(options));
   if (!verified) return fail(verified.problems(), streams);
   JsonObject object;
   object.addInteger("ticks", session.info().ticks);
@@ -113,6 +123,8 @@ Result<scene::Description> wantedScene(const ReplayOptions& options, record::Ses
     Result<scene::Description> recorded = session.scene(session.changes().front());
     if (!recorded) return recorded;
     scene = recorded.value();
+    Problems unfound = scene::loadRecordedMeshes(scene, foldersOf(options));
+    if (!unfound.empty()) return unfound;
   }
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     scene::Control control = scene::controlOf(scene, index);
@@ -168,26 +180,31 @@ Exit replay(const ReplayOptions& options, const Streams& streams) {
     streams.err << "--verify compares with the scene as it was recorded; leave --scene and the gains out.\n";
     return Exit::Usage;
   }
+  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
+    return fail(problems, Exit::File, streams);
   Result<record::Session> session = record::Session::open(options.file);
   if (!session) return fail(session.problems(), streams);
   if (session.value().info().ticks == 0) {
     streams.err << "There is no tick in this session.\n";
     return Exit::BadInput;
   }
-  return options.verify ? verify(session.value(), streams) : compare(session.value(), options, streams);
+  return options.verify ? verify(session.value(), options, streams) : compare(session.value(), options, streams);
 }
 
 }  // namespace
 
 void addReplay(CLI::App& program, const Streams& streams, Exit& exit) {
-  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
-    return fail(problems, Exit::File, streams);
   CLI::App* command = program.add_subcommand(
       "replay", "Run a recorded hand through the tick again: to the bit, or with other gains or another scene");
   const auto options = std::make_shared<ReplayOptions>();
   command->add_option("file", options->file, "Session file")->required();
   command->add_flag("--verify", options->verify, "Compare every tick with the recording to the last bit");
   command->add_option("--scene", options->scene, "Another scene for the recorded hand");
+  command
+      ->add_option("--files", options->files_in,
+                   "Folders of the recorded scene's meshes and curves, where they are not beside the session")
+      ->expected(1, -1)
+      ->type_name("FOLDER");
   command->add_option("--kp", options->kp_N_per_mm, "Another stiffness, N/mm")->check(CLI::NonNegativeNumber);
   command->add_option("--kd", options->kd_N_s_per_mm, "Another damping, N s/mm")->check(CLI::NonNegativeNumber);
   command->add_option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)")->check(CLI::NonNegativeNumber);

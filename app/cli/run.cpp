@@ -217,8 +217,9 @@ record::SessionWords wordsOf(const RunOptions& options) {
   record::SessionWords words = options.words;
   if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
   if (words.notes.empty() && options.isSimulated()) {
-    words.notes =
-        "Hand " + options.hand + ", seed " + std::to_string(options.seed) + ", arm model " + options.arm_model + ".";
+    const auto named = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+    words.notes = "Hand " + named(options.hand) + ", seed " + std::to_string(options.seed) + ", arm model " +
+                  named(options.arm_model) + ".";  // files by their names: nobody's folders are in a session
   }
   return words;
 }

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -90,6 +91,8 @@ MainWindow::MainWindow(const WindowParts& parts)
   resize(1280, 800);
   setMinimumSize(800, 560);
   recent_->set(settings_.recent);
+  // At once: a replay looks for its files beside the scenes opened lately.
+  connect(recent_, &RecentFiles::changed, this, [this] { QSettings().setValue("files/recent", recent_->paths()); });
   parts_.theme.choose(settings_.theme);
   view_->setLayers(settings_.layers);
   addActions();

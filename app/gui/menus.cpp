@@ -105,7 +105,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   QMenu* replay = named(bar->addMenu(tr("&Replay")), "menu.replay");
   fill(replay, actions,
        {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
-        "replay.loop_out", "-", "replay.what_if", "-", "replay.close", "-", "ghost.open"});
+        "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
   fill(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
        {"ghost.play", "ghost.restart", "ghost.close"});
   fill(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,

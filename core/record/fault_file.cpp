@@ -171,7 +171,7 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
   member(text, "scheduling",
          object(Members{{"name", json::quoted(report.scheduling.name)}, {"also", listText(report.scheduling.also)}}));
   member(text, "late_ticks", lateText(report.late));
-  member(text, "scene", scene::writeScene(scene::withWholePaths(report.scene)));
+  member(text, "scene", scene::writeScene(scene::withoutFolders(report.scene)));
   while (text.back() == '\n') text.pop_back();  // of the scene's own file
   member(text, "columns", listText(columns));
   member(text, "rows", rowsText(report.last_second));

@@ -5,17 +5,21 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"
 #include "core/servo/rerun.h"
 
 namespace underact::record {
 namespace {
 
-Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeader& header) {
+Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeader& header,
+                                    const std::vector<std::string>& files_in) {
   tick::TickProgram bare;  // of a servo that was given no scene yet
   bare.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   if (scene.constraints.empty()) return bare;
-  Result<tick::TickProgram> program = scene::loadAndCompile(scene);
+  Problems problems = scene::loadRecordedMeshes(scene, files_in);
+  if (!problems.empty()) return problems;
+  Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return program;
   program.value().limits.frozen_s = header.frozen_s;
   program.value().limits.max_late = header.max_late;
@@ -68,8 +72,12 @@ class ToldFaults {
 
 class Verification {
  public:
-  Verification(Session& session, servo::Rerun rerun)
-      : session_(session), rerun_(std::move(rerun)), faults_(session.faults()), packer_(tickColumns()) {}
+  Verification(Session& session, servo::Rerun rerun, const std::vector<std::string>& files_in)
+      : session_(session),
+        rerun_(std::move(rerun)),
+        faults_(session.faults()),
+        packer_(tickColumns()),
+        files_in_(files_in) {}
 
   /// false: it is decided.
   bool compare(const Block& recorded) {
@@ -117,7 +125,7 @@ class Verification {
       const ChangeRow& change = session_.changes()[next_change_];
       Result<scene::Description> scene = session_.scene(change);
       if (!scene) return fail(scene.problems());
-      Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header);
+      Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header, files_in_);
       if (!program) return fail(program.problems());
       rerun_.replaceBy(std::move(program).value(), change.carry);
     }
@@ -143,6 +151,7 @@ class Verification {
   servo::Rerun rerun_;
   ToldFaults faults_;
   Packer packer_;
+  const std::vector<std::string>& files_in_;
   std::size_t next_change_ = 1;  // the first is what the rerun began with
   std::int64_t last_tick_ = -1;
   Verified result_;
@@ -150,13 +159,13 @@ class Verification {
 };
 
 /// The servo as it was at the first row.
-Result<servo::Rerun> rerunFromStart(Session& session) {
+Result<servo::Rerun> rerunFromStart(Session& session, const std::vector<std::string>& files_in) {
   if (session.changes().empty())
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "This session does not say which scene it began with.")),
                      {session.info().path}}};
   Result<scene::Description> scene = session.scene(session.changes().front());
   if (!scene) return scene.problems();
-  Result<tick::TickProgram> program = programOf(scene.value(), session.info().header);
+  Result<tick::TickProgram> program = programOf(scene.value(), session.info().header, files_in);
   if (!program) return program.problems();
   Result<tick::TickState> state = session.start(program.value());
   if (!state) return state.problems();
@@ -165,11 +174,12 @@ Result<servo::Rerun> rerunFromStart(Session& session) {
 
 }  // namespace
 
-Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress) {
+Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress,
+                              const std::vector<std::string>& files_in) {
   if (session.info().ticks == 0) return Verified{};
-  Result<servo::Rerun> rerun = rerunFromStart(session);
+  Result<servo::Rerun> rerun = rerunFromStart(session, files_in);
   if (!rerun) return rerun.problems();
-  Verification verification(session, std::move(rerun).value());
+  Verification verification(session, std::move(rerun).value(), files_in);
   bool goes_on = true;
   const Problems problems = session.eachBlock(
       [&](const Block& block, std::int64_t) {
@@ -188,7 +198,7 @@ Result<Verified> verifyReplay(Session& session, const std::function<bool(double)
 Problems replayWith(Session& session, const scene::Description& scene,
                     const std::function<void(const servo::TickRecord&, const servo::TickRecord&)>& tick,
                     const std::function<bool(double)>& progress) {
-  Result<tick::TickProgram> program = programOf(scene, session.info().header);
+  Result<tick::TickProgram> program = programOf(scene, session.info().header, {});
   if (!program) return program.problems();
   servo::Rerun rerun(std::move(program).value(), periodOf(session.info().header));
   ToldFaults faults(session.faults());

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/record/session.h"
 
@@ -22,9 +23,11 @@ struct Verified {
 
 /// Runs what went into each recorded tick through the recorded scenes again, from the servo's memory at the beginning
 /// on, with every edit where it was, and compares all that came of it, column by column, to the last bit. Only what a
-/// clock measured (lateness_us, tick_us) is left out. progress: 0 to 1; false: stop. Problems: the file cannot be read,
-/// or was recorded by a version with another memory.
-Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress = {});
+/// clock measured (lateness_us, tick_us) is left out. progress: 0 to 1; false: stop. files_in: folders where meshes and
+/// curves are looked for besides that of the session. Problems: the file cannot be read, or was recorded by a version
+/// with another memory; a mesh or a curve is not found.
+Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress = {},
+                              const std::vector<std::string>& files_in = {});
 
 /// The recorded hand with another scene: the same joints, buttons, starts and stops at the same times, as if that scene
 /// had been loaded just before. Calls tick() with each tick as it was recorded and as it is now. Damaged blocks are

@@ -71,7 +71,7 @@ Problems SessionWriter::addScene(std::int64_t tick, std::uint64_t revision, tick
                                  const scene::Description& scene) {
   Problems problems;
   const Words words =
-      addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene::withWholePaths(scene)), problems);
+      addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene::withoutFolders(scene)), problems);
   keep(problems, file_.append(kChanges, blockOf(ChangeRow{tick, revision, carry, words})));
   if (const arm::Preset* const preset = arm::findPreset(scene.arm)) geometry_ = preset->geometry;
   return problems;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "core/base/translate.h"
 #include "core/curve/points.h"
@@ -82,7 +83,9 @@ Problems load(Mesh& mesh, const Description& scene, const Place& place, const me
   if (!loaded) {
     Problems problems = loaded.problems();
     for (Problem& problem : problems) {
-      if (!place.file.empty()) problem.place = place;
+      if (place.file.empty()) continue;
+      problem.sentence = said(QT_TRANSLATE_NOOP("problem", "The mesh %1: %2"), {path, problem.sentence});
+      problem.place = place;
     }
     return problems;
   }
@@ -92,11 +95,59 @@ Problems load(Mesh& mesh, const Description& scene, const Place& place, const me
   return checked(mesh, place);
 }
 
-Problems load(Curve& curve, const Description& scene, const mesh::Watch& watch) {
+Problems load(Curve& curve, const Description& scene, const Place&, const mesh::Watch& watch) {
   Result<std::vector<Vec3>> points = curve::readPoints(pathOf(curve.file, scene), watch);
   if (!points) return points.problems();  // each with its line
   curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
   return {};
+}
+
+/// The files of that name beside the session and in the folders.
+std::vector<std::string> foundOf(const std::string& name, const Description& scene,
+                                 const std::vector<std::string>& folders) {
+  const fs::path file(name), beside = fs::path(scene.file).parent_path();
+  std::vector<fs::path> places{file.is_absolute() ? file : beside / file, beside / file.filename()};
+  for (const fs::path folder : folders) {
+    if (folder.empty()) continue;
+    if (!file.is_absolute()) places.push_back(folder / file);
+    places.push_back(folder / file.filename());
+  }
+  std::vector<std::string> found;
+  std::error_code error;
+  for (const fs::path& place : places) {
+    if (fs::exists(place, error)) found.push_back(place.string());
+  }
+  return found;
+}
+
+Problems notFound(const std::string& name, const Description& scene, const std::vector<std::string>& folders) {
+  std::vector<std::string> looked{fs::path(scene.file).parent_path().string()};
+  for (const std::string& folder : folders) {
+    if (!folder.empty() && std::find(looked.begin(), looked.end(), folder) == looked.end()) looked.push_back(folder);
+  }
+  return {{said(QT_TRANSLATE_NOOP("problem",
+                                  "The file %1 was not found. A recording keeps the names of its meshes and curves and "
+                                  "not their folders; it was looked for in %2. Put it beside the session, or name its "
+                                  "folder: in the window with Replay, Folder of its files; on the command line with "
+                                  "--files FOLDER."),
+                {json::shown(name), json::listed(looked, "and")}),
+           {scene.file}}};
+}
+
+template <class FromFile>
+Problems loadFound(FromFile& shape, const Description& scene, const Place& place,
+                   const std::vector<std::string>& folders, const mesh::Watch& watch) {
+  const std::string name = shape.file;
+  Problems first = notFound(name, scene, folders);
+  bool any = false;
+  for (const std::string& path : foundOf(name, scene, folders)) {
+    shape.file = fs::absolute(path).string();
+    Problems problems = load(shape, scene, place, watch);
+    if (problems.empty() || watch.isCancelled()) return problems;
+    if (!std::exchange(any, true)) first = std::move(problems);
+    shape.file = name;
+  }
+  return first;
 }
 
 bool lacksFile(const Shape& shape) {
@@ -105,10 +156,33 @@ bool lacksFile(const Shape& shape) {
   return (mesh != nullptr && mesh->surface == nullptr) || (curve != nullptr && curve->points == nullptr);
 }
 
-std::string wholePath(const std::string& file, const Description& scene) {
-  std::error_code error;
-  const fs::path whole = fs::absolute(pathOf(file, scene), error);
-  return error ? file : whole.lexically_normal().string();
+/// load(shape, place, watch) of each mesh and each curve that lacks its file, with its share of the whole.
+template <class Load>
+Problems loadEach(Description& scene, const mesh::Watch& watch, const Load& load_one) {
+  Problems problems;
+  double count = 0.0, done = 0.0;
+  for (const Constraint& constraint : scene.constraints) {
+    count += lacksFile(constraint.shape) ? 1.0 : 0.0;
+  }
+  for (Constraint& constraint : scene.constraints) {
+    if (!lacksFile(constraint.shape)) continue;
+    auto* const mesh = std::get_if<Mesh>(&constraint.shape);
+    auto* const curve = std::get_if<Curve>(&constraint.shape);
+    mesh::Watch part = watch;
+    part.progress = [&](const char* step, double share) { watch.tell(step, (done + share) / count); };
+    const Problems found =
+        mesh != nullptr ? load_one(*mesh, constraint.place, part) : load_one(*curve, constraint.place, part);
+    problems.insert(problems.end(), found.begin(), found.end());
+    if (watch.isCancelled()) break;
+    done += 1.0;
+  }
+  return problems;
+}
+
+std::string withoutFolder(const std::string& name) {
+  const fs::path file(name);
+  const bool is_below = file.is_relative() && std::find(file.begin(), file.end(), fs::path("..")) == file.end();
+  return is_below ? name : file.filename().string();
 }
 
 }  // namespace
@@ -124,23 +198,15 @@ bool lacksMeshes(const Description& scene) {
 }
 
 Problems loadMeshes(Description& scene, const mesh::Watch& watch) {
-  Problems problems;
-  double count = 0.0, done = 0.0;
-  for (const Constraint& constraint : scene.constraints) {
-    count += lacksFile(constraint.shape) ? 1.0 : 0.0;
-  }
-  for (Constraint& constraint : scene.constraints) {
-    if (!lacksFile(constraint.shape)) continue;
-    auto* const mesh = std::get_if<Mesh>(&constraint.shape);
-    auto* const curve = std::get_if<Curve>(&constraint.shape);
-    mesh::Watch part = watch;
-    part.progress = [&](const char* step, double share) { watch.tell(step, (done + share) / count); };
-    const Problems found = mesh != nullptr ? load(*mesh, scene, constraint.place, part) : load(*curve, scene, part);
-    problems.insert(problems.end(), found.begin(), found.end());
-    if (watch.isCancelled()) break;
-    done += 1.0;
-  }
-  return problems;
+  return loadEach(scene, watch, [&](auto& shape, const Place& place, const mesh::Watch& part) {
+    return load(shape, scene, place, part);
+  });
+}
+
+Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const mesh::Watch& watch) {
+  return loadEach(scene, watch, [&](auto& shape, const Place& place, const mesh::Watch& part) {
+    return loadFound(shape, scene, place, folders, part);
+  });
 }
 
 Result<tick::TickProgram> loadAndCompile(Description& scene, const mesh::Watch& watch) {
@@ -149,12 +215,12 @@ Result<tick::TickProgram> loadAndCompile(Description& scene, const mesh::Watch& 
   return compile(scene);
 }
 
-Description withWholePaths(Description scene) {
+Description withoutFolders(Description scene) {
   for (Constraint& constraint : scene.constraints) {
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);
-    if (mesh != nullptr) mesh->file = wholePath(mesh->file, scene);
-    if (curve != nullptr) curve->file = wholePath(curve->file, scene);
+    if (mesh != nullptr) mesh->file = withoutFolder(mesh->file);
+    if (curve != nullptr) curve->file = withoutFolder(curve->file);
     if (mesh != nullptr && !mesh->loaded_checksum.empty()) mesh->checksum = mesh->loaded_checksum;
   }
   return scene;

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/mesh/watch.h"
@@ -18,14 +19,21 @@ std::string pathOf(const std::string& file, const Description& scene);
 /// the checksum.
 Problems loadMeshes(Description& scene, const mesh::Watch& watch = {});
 
+/// The same of a recorded scene, which names its meshes and curves without their folders: they are looked for beside
+/// the session, then in each of the folders, by their whole name and by the last part of it. Of several that are there
+/// the first that can be read and has the checksum is taken, and its path put in place of the name. Problems: as
+/// loadMeshes(); a file that is in none of them, with the way out.
+Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const mesh::Watch& watch = {});
+
 /// Whether a mesh of the scene has no surface yet, or a curve no points.
 bool lacksMeshes(const Description& scene);
 
 /// loadMeshes() and compile() in one.
 Result<tick::TickProgram> loadAndCompile(Description& scene, const mesh::Watch& watch = {});
 
-/// The scene with each mesh's file as an absolute path and with its checksum: what a recording keeps, so that it finds
-/// the same mesh from wherever it is replayed.
-Description withWholePaths(Description scene);
+/// The scene as a recording keeps it: each mesh with its checksum, and no folder of the person's disk in it. A file
+/// below the scene's own folder keeps its way from there; of any other the name alone is kept. A replay finds it by
+/// pathOf().
+Description withoutFolders(Description scene);
 
 }  // namespace underact::scene

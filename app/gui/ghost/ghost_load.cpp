@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/gui/replay/recorded_files.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "core/arm/preset.h"
 #include "core/scene/edit.h"
@@ -41,6 +42,7 @@ void takeNames(scene::Shape& shape, const scene::Shape& recorded) {
 Result<LoadedGhost> loadGhost(const std::string& path, const mesh::Watch& watch) {
   device::LoadWatch reading;
   reading.cancelled = watch.cancelled;
+  reading.files_in = recordedFilesFolders();
   if (watch.progress) reading.progress = [&watch](double share) { watch.progress("", share); };
   Result<std::shared_ptr<const device::Recorded>> read = device::loadRecorded(path, reading);
   if (!read) return read.problems();

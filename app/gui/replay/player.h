@@ -24,6 +24,8 @@ class Player : public QObject {
 
   /// Begins to read a session; opened() or failed() tells how it went. false: the arm cannot replay.
   bool open(const QString& path);
+  /// The session that was opened, or tried, last; empty: none.
+  QString path() const { return path_; }
   bool isLoading() const { return load_ != nullptr; }
   double share() const { return load_ ? load_->share() : 1.0; }
   void cancelLoading();

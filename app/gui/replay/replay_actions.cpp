@@ -1,11 +1,14 @@
 #include "app/gui/replay/replay_actions.h"
 
 #include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <functional>
 
 #include "app/gui/actions.h"
 #include "app/gui/file_question.h"
 #include "app/gui/replay/player.h"
+#include "app/gui/replay/recorded_files.h"
 #include "app/gui/scene_files.h"
 #include "app/gui/words.h"
 
@@ -70,6 +73,24 @@ void addPlaying(Actions& actions, Player& player) {
               });
 }
 
+void chooseFolder(Actions& actions, QWidget* window) {
+  auto* dialog = new QFileDialog(window, tr("Folder of the recordings' meshes and curves"));
+  dialog->setObjectName("dialog.replay_files");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  QObject::connect(dialog, &QFileDialog::fileSelected, &actions,
+                   [&actions](const QString& path) { actions.perform("replay.files", path); });
+  dialog->open();
+}
+
+/// Remembers the folder, and opens the session again that asked for it.
+bool setFolder(Player& player, const QString& folder) {
+  if (!QFileInfo(folder).isDir()) return false;
+  rememberRecordedFiles(QFileInfo(folder).absoluteFilePath());
+  return player.path().isEmpty() || player.open(player.path());
+}
+
 void addCommands(Actions& actions, Player& player) {
   actions.addCommand("replay.seek", [&player](const QVariantList& seconds) {
     bool is_number = false;
@@ -104,6 +125,16 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                 if (player.isOpen() && !files.settleEdits()) return false;  // what was tried in the one before
                 actions.perform("calibration.cancel");
                 return player.open(path.first().toString());
+              });
+  actions.add({"replay.files", tr("&Folder of its files…"), QKeySequence("Ctrl+Alt+Shift+F"),
+               tr("Where the meshes and curves of recordings are, which keep only their names.")},
+              [&actions, &player, &files, window](const QVariantList& folder) {
+                if (folder.isEmpty()) {
+                  chooseFolder(actions, window);
+                  return true;
+                }
+                if (player.isOpen() && !files.settleEdits()) return false;
+                return setFolder(player, folder.first().toString());
               });
   addPlaying(actions, player);
   actions.add({"replay.what_if",

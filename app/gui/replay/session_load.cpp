@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/gui/replay/recorded_files.h"
 #include "app/gui/view/drawn_mesh.h"
 
 namespace underact::gui {
@@ -15,6 +16,7 @@ Result<LoadedSession> loadSession(const std::string& path, WorkState& state) {
   watch.progress = [&](double share) { state.share = share; };
   watch.row = [&](std::int64_t row, const servo::TickRecord& record) { data->add(row, rate_hz, record); };
   watch.cancelled = &state.cancelled;
+  watch.files_in = recordedFilesFolders();
   Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(session.value(), watch);
   if (!recorded) return recorded.problems();
   mesh::Watch pictures;
