@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 #include <filesystem>
@@ -108,6 +109,30 @@ TEST(SessionListStory, DeletingAsksAndMovesToTheBin) {
   desk.story->click(desk.story->find("dialog.delete_session.move"));
   ASSERT_TRUE(desk.listed(0));
   EXPECT_FALSE(QFile::exists(path));
+}
+
+TEST(SessionListStory, DeletingSaysThatTheBinKeepsItAndOffersToRemoveForGoodWhichAsksOnceMore) {
+  Desk desk;
+  const QString path = desk.session(200);
+  ASSERT_TRUE(desk.choose(path));
+  ASSERT_TRUE(desk.story->perform("sessions.delete"));
+  auto* first = desk.story->find<QMessageBox>("dialog.delete_session");
+  EXPECT_TRUE(first->informativeText().contains("The bin keeps it until it is emptied"));
+  EXPECT_EQ(first->defaultButton()->objectName(), "dialog.delete_session.cancel");
+  desk.story->click(desk.story->find("dialog.delete_session.remove"));
+  desk.story->settle();
+  EXPECT_TRUE(QFile::exists(path));
+  auto* second = desk.story->find<QMessageBox>("dialog.remove_session");
+  EXPECT_TRUE(second->informativeText().startsWith("This cannot be undone"));
+  EXPECT_EQ(second->defaultButton()->objectName(), "dialog.remove_session.cancel");
+  EXPECT_EQ(desk.story->find("dialog.remove_session.remove")->accessibleName(), "Remove for good");
+  desk.story->click(desk.story->find("dialog.remove_session.cancel"));
+  desk.story->settle();
+  EXPECT_TRUE(QFile::exists(path));
+  ASSERT_TRUE(desk.story->perform("sessions.remove", true));
+  ASSERT_TRUE(desk.listed(0));
+  EXPECT_FALSE(QFile::exists(path));
+  EXPECT_TRUE(QDir(QFileInfo(path).absolutePath()).entryList(QDir::Files | QDir::Hidden).isEmpty());
 }
 
 TEST(SessionListStory, AFileThatIsNoSessionIsListedWithTheReason) {

@@ -45,6 +45,7 @@ class SessionsPanel : public Panel {
   bool recoverChosen();
   bool editChosen();
   bool deleteChosen(bool asked);
+  bool removeChosen(bool asked);
   void chooseFile(const QString& title, const QString& suffix, const QString& action);
   void chooseFolder();
   bool setFolder(const QString& folder);

@@ -6,13 +6,13 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMetaMethod>
 #include <QPushButton>
 #include <QUrl>
 
 #include "app/gui/actions.h"
 #include "app/gui/push_button.h"
+#include "app/gui/sessions/delete_question.h"
 #include "app/gui/sessions/job_strip.h"
 #include "app/gui/sessions/recording.h"
 #include "app/gui/sessions/session_list.h"
@@ -58,13 +58,17 @@ void SessionsPanel::addListActions() {
         return QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(list_->chosen()->path).absolutePath()));
       });
   add("sessions.edit", tr("&Edit words…"), "Ctrl+Alt+E",
-      tr("Changes the chosen session's name, notes, tags and subject."),
+      tr("Changes the chosen session's name, notes, tags, subject and consent."),
       [this](const QVariantList&) { return editChosen(); });
   add("sessions.recover", tr("Rec&over"), "Ctrl+Alt+U",
       tr("Makes a session whole that the program could not close, so that every program opens it."),
       [this](const QVariantList&) { return recoverChosen(); });
-  add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del", tr("Moves the chosen session to the bin."),
+  add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del",
+      tr("Moves the chosen session to the bin, or removes it for good."),
       [this](const QVariantList& asked) { return deleteChosen(asked.value(0).toBool()); });
+  parts_.actions.addCommand("sessions.remove", [this](const QVariantList& asked) {
+    return list_->chosen() != nullptr && removeChosen(asked.value(0).toBool());
+  });
   add("sessions.folder", tr("C&hoose folder…"), "Ctrl+Alt+C", tr("Where recordings go, and which are listed."),
       [this](const QVariantList& path) {
         if (!path.isEmpty()) return setFolder(path.first().toString());
@@ -158,26 +162,41 @@ bool SessionsPanel::deleteChosen(bool asked) {
   const SessionEntry& chosen = *list_->chosen();
   const QString path = chosen.path;
   if (!asked) {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Delete a session"),
-                                tr("Move “%1” to the bin?").arg(titleOf(chosen)), QMessageBox::Cancel, window());
-    box->setObjectName("dialog.delete_session");
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(tr("The file is %1. The bin gives it back.").arg(QFileInfo(path).fileName()));
-    QPushButton* move = box->addButton(tr("Move to the bin"), QMessageBox::AcceptRole);
-    move->setObjectName("dialog.delete_session.move");
-    connect(move, &QPushButton::clicked, this, [this, path] {
+    DeleteQuestion* question = askToDelete(titleOf(chosen), path, window());
+    connect(question, &DeleteQuestion::binWanted, this, [this, path] {
       if (list_->choose(path)) parts_.actions.perform("sessions.delete", true);
     });
-    box->open();
+    connect(question, &DeleteQuestion::removalWanted, this, [this, path] {
+      if (list_->choose(path)) parts_.actions.perform("sessions.remove");
+    });
     return true;
   }
   const bool moved = QFile::moveToTrash(path);
-  job_->say(moved ? tr("%1 is in the bin.").arg(QFileInfo(path).fileName())
-                  : tr("The session cannot be moved to the bin: this folder has none, or may not be changed. Show in "
-                       "folder, and delete it there."),
+  job_->say(moved ? tr("%1 is in the bin, which keeps it until it is emptied.").arg(QFileInfo(path).fileName())
+                  : tr("The session cannot be moved to the bin: this folder has none, or may not be changed. Remove it "
+                       "for good, or show it in its folder and delete it there."),
             !moved);
   list_->refresh();
   return moved;
+}
+
+bool SessionsPanel::removeChosen(bool asked) {
+  const SessionEntry& chosen = *list_->chosen();
+  const QString path = chosen.path;
+  if (!asked) {
+    DeleteQuestion* question = askToRemove(titleOf(chosen), path, window());
+    connect(question, &DeleteQuestion::removalWanted, this, [this, path] {
+      if (list_->choose(path)) parts_.actions.perform("sessions.remove", true);
+    });
+    return true;
+  }
+  const bool removed = QFile::remove(path);
+  job_->say(removed ? tr("%1 was removed for good.").arg(QFileInfo(path).fileName())
+                    : tr("The session cannot be removed: its folder may not be changed. Show in folder, and ask whose "
+                         "folder it is."),
+            !removed);
+  list_->refresh();
+  return removed;
 }
 
 void SessionsPanel::chooseFile(const QString& title, const QString& suffix, const QString& action) {

@@ -1,0 +1,67 @@
+#include "app/gui/sessions/delete_question.h"
+
+#include <QFileInfo>
+#include <QPushButton>
+
+namespace underact::gui {
+namespace {
+
+DeleteQuestion* makeQuestion(const char* name, const QString& title, const QString& text, const QString& more,
+                             QWidget* window) {
+  auto* box = new DeleteQuestion(QMessageBox::Question, title, text, QMessageBox::Cancel, window);
+  box->setObjectName(name);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setInformativeText(more);
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->setEscapeButton(QMessageBox::Cancel);
+  box->button(QMessageBox::Cancel)->setObjectName(QString(name) + ".cancel");
+  return box;
+}
+
+QPushButton* addAnswer(DeleteQuestion* box, const char* name, const QString& text, const QString& spoken,
+                       QMessageBox::ButtonRole role) {
+  QPushButton* button = box->addButton(text, role);
+  button->setObjectName(box->objectName() + "." + name);
+  button->setAccessibleName(spoken);
+  return button;
+}
+
+}  // namespace
+
+DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* window) {
+  DeleteQuestion* box =
+      makeQuestion("dialog.delete_session", DeleteQuestion::tr("Delete a session"),
+                   DeleteQuestion::tr("Move “%1” to the bin?").arg(title),
+                   DeleteQuestion::tr(
+                       "The file is %1. The bin keeps it until it is emptied: whoever can open the bin can read it and "
+                       "put it back. Where a person asks for their data to be erased, remove it for good.")
+                       .arg(QFileInfo(path).fileName()),
+                   window);
+  QPushButton* move = addAnswer(box, "move", DeleteQuestion::tr("&Move to the bin"),
+                                DeleteQuestion::tr("Move to the bin"), QMessageBox::AcceptRole);
+  QPushButton* remove =
+      addAnswer(box, "remove", DeleteQuestion::tr("&Remove for good…"),
+                DeleteQuestion::tr("Remove for good, after one more question"), QMessageBox::DestructiveRole);
+  QObject::connect(move, &QPushButton::clicked, box, &DeleteQuestion::binWanted);
+  QObject::connect(remove, &QPushButton::clicked, box, &DeleteQuestion::removalWanted);
+  box->open();
+  return box;
+}
+
+DeleteQuestion* askToRemove(const QString& title, const QString& path, QWidget* window) {
+  DeleteQuestion* box = makeQuestion(
+      "dialog.remove_session", DeleteQuestion::tr("Remove a session for good"),
+      DeleteQuestion::tr("Remove “%1” for good?").arg(title),
+      DeleteQuestion::tr(
+          "This cannot be undone: the file %1 is not in the bin afterwards. Exports, plots and backups of it "
+          "stay where they are.")
+          .arg(QFileInfo(path).fileName()),
+      window);
+  QPushButton* remove = addAnswer(box, "remove", DeleteQuestion::tr("&Remove for good"),
+                                  DeleteQuestion::tr("Remove for good"), QMessageBox::DestructiveRole);
+  QObject::connect(remove, &QPushButton::clicked, box, &DeleteQuestion::removalWanted);
+  box->open();
+  return box;
+}
+
+}  // namespace underact::gui
