@@ -250,9 +250,9 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
     streams.err << wrong << '\n';
     return Exit::Usage;
   }
-  Exit exit = Exit::Well;
   if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
     return fail(problems, Exit::File, streams);
+  Exit exit = Exit::Well;
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
@@ -328,6 +328,8 @@ void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
   command->add_option("--notes", options->words.notes, "On the session");
   command->add_option("--tags", options->words.tags, "Of the session: words with commas between");
   command->add_option("--subject", options->words.subject, "Whose hand it is: a code, and nothing personal");
+  command->add_option("--consent", options->words.consent,
+                      "What that person agreed to, and how: the consent form's version and date");
   command
       ->add_option("--stream", options->stream,
                    "Send ticks as JSON over UDP (PlotJuggler): PORT, HOST or HOST:PORT; this machine's 9870 by itself")

@@ -42,6 +42,7 @@ void printAsJson(record::Session& session, std::ostream& out) {
   object.addText("notes", info.header.words.notes);
   object.addText("tags", info.header.words.tags);
   object.addText("subject", info.header.words.subject);
+  object.addText("consent", info.header.words.consent);
   object.addText("started_utc", startedAt(info));
   object.addInteger("ticks", info.ticks);
   object.addNumber("duration_s", info.duration_s);
@@ -83,6 +84,7 @@ void printAsTable(record::Session& session, std::ostream& out) {
   words("notes", info.header.words.notes);
   words("tags", info.header.words.tags);
   words("subject", info.header.words.subject);
+  row("consent") << (info.header.words.consent.empty() ? "not recorded" : info.header.words.consent) << '\n';
   row("started") << startedAt(info) << '\n';
   row("ticks") << info.ticks << " at " << info.header.rate_hz << " Hz\n";
   row("duration") << info.duration_s << " s\n";

@@ -56,7 +56,8 @@ Problems Session::readInfo(const std::string& path) {
   info_.path = path;
   info_.program_version = file_.text("program_version");
   SessionHeader& header = info_.header;
-  header.words = {file_.text("name"), file_.text("notes"), file_.text("tags"), file_.text("subject")};
+  header.words = {file_.text("name"), file_.text("notes"), file_.text("tags"), file_.text("subject"),
+                  file_.text("consent")};
   header.scene_title = file_.text("scene_title");
   header.arm = file_.text("arm");
   header.device = file_.text("device");

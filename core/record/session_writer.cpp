@@ -20,6 +20,7 @@ std::vector<Attribute> attributesOf(const SessionHeader& header) {
           {"notes", header.words.notes},
           {"tags", header.words.tags},
           {"subject", header.words.subject},
+          {"consent", header.words.consent},
           {"scene_title", header.scene_title},
           {"arm", header.arm},
           {"arm_file", std::string(arm::fileOf(header.arm))},
@@ -133,8 +134,9 @@ Problems rewriteWords(const std::string& path, const SessionWords& words) {
   Result<Hdf5File> file = Hdf5File::reopen(path, {}, false);
   if (!file) return file.problems();
   Problems problems;
-  for (const auto& [name, text] : {std::pair{"name", &words.name}, std::pair{"notes", &words.notes},
-                                   std::pair{"tags", &words.tags}, std::pair{"subject", &words.subject}}) {
+  for (const auto& [name, text] :
+       {std::pair{"name", &words.name}, std::pair{"notes", &words.notes}, std::pair{"tags", &words.tags},
+        std::pair{"subject", &words.subject}, std::pair{"consent", &words.consent}}) {
     keep(problems, file.value().set({name, *text}));
   }
   keep(problems, file.value().close());

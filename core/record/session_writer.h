@@ -16,6 +16,7 @@ struct SessionWords {
   std::string notes = {};
   std::string tags = {};  // words with commas between
   std::string subject = {};
+  std::string consent = {};  // what the person agreed to, and how: a form's version and date; empty: not recorded
 };
 
 /// By which time the gate's ramps, slew, heat and frozen time went: the servo's own periods, or, as in version 0.1.0,

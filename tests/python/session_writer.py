@@ -102,6 +102,7 @@ class Writer:
             "notes": b"",
             "tags": b"",
             "subject": b"",
+            "consent": b"form 2.1",
             "scene_title": scene["title"].encode(),
             "arm": b"omni-thesis",
             "arm_file": b"{}",

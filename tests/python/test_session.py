@@ -9,6 +9,7 @@ import numpy as np
 from session_writer import SCENE, TICKS, Writer, sphere_ticks, write_session
 from support import ROOT, InFolder
 from underact import Change, End, Fault, Marker, Session, SessionError, Unreadable, layout
+from underact.info import info_of
 
 
 class ASession(InFolder):
@@ -125,7 +126,6 @@ class NoSession(InFolder):
     def test_that_is_not_there(self):
         self.refused("cannot be read: No such file", Unreadable)
 
-    def test_that_is_a_folder(self):
     def test_that_is_a_pipe_is_refused_at_once(self):
         os.mkfifo(self.folder / "a.h5")
         signal.alarm(20)  # a hang is a failure
@@ -137,6 +137,7 @@ class NoSession(InFolder):
             self.assertEqual(session.attributes["consent"], "form 2.1")
             self.assertEqual(info_of(session)["consent"], "form 2.1")
 
+    def test_that_is_a_folder(self):
         (self.folder / "a.h5").mkdir()
         self.refused("cannot be read", Unreadable)
 

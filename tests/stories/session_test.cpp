@@ -1,6 +1,7 @@
 #include "core/record/session.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QAbstractButton>
 #include <QAction>
@@ -88,6 +89,44 @@ TEST(SessionStory, WordsTypedWhileItRecordsAreInTheFileTagsAndSubjectStayForTheN
   desk.story.reset();
   EXPECT_EQ(QSettings().value("recording/subject").toString(), "S02");
   EXPECT_EQ(QSettings().value("recording/tags").toString(), "pilot");
+}
+
+TEST(SessionStory, ConsentIsOfOnePersonAndNotCarriedToTheNext) {
+  Desk desk;
+  const auto recordedConsent = [&desk] {
+    EXPECT_TRUE(desk.record(true));
+    desk.story->run(200);
+    EXPECT_TRUE(desk.record(false));
+    QStringList files = desk.files();
+    files.sort();
+    return readSessionEntry(desk.file(files.last())).info.header.words.consent;
+  };
+  desk.fill("panel.sessions.subject", "S01");
+  desk.fill("panel.sessions.consent", "form 2.1, in writing");
+  EXPECT_EQ(recordedConsent(), "form 2.1, in writing");
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.consent")->text(), "form 2.1, in writing");  // a second trial
+  EXPECT_EQ(recordedConsent(), "form 2.1, in writing");
+  desk.fill("panel.sessions.subject", "S02");
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.consent")->text(), "");
+  EXPECT_EQ(recordedConsent(), "");
+  EXPECT_EQ(desk.story->find<QLineEdit>("panel.sessions.consent")->accessibleName(), "Consent");
+}
+
+TEST(SessionStory, RecordingsAndTheirFolderAreTheirOwnersAlone) {
+  const mode_t before = ::umask(0);
+  Desk desk;
+  const QString folder = desk.file("made") + "/sessions";
+  ASSERT_TRUE(desk.story->perform("sessions.folder", folder));
+  ASSERT_TRUE(desk.record(true));
+  desk.story->run(200);
+  ASSERT_TRUE(desk.record(false));
+  ::umask(before);
+  const QFile::Permissions others =
+      QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther | QFile::WriteOther | QFile::ExeOther;
+  for (const QFileInfo& one : QDir(folder).entryInfoList({"*.h5"}, QDir::Files))
+    EXPECT_FALSE(one.permissions() & others) << one.fileName().toStdString();
+  EXPECT_FALSE(QFileInfo(folder).permissions() & others);
+  EXPECT_EQ(QDir(folder).entryList({"*.h5"}).size(), 1);
 }
 
 TEST(SessionStory, KeyMMarksButNotWhereOneTypes) {

@@ -78,7 +78,10 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
   column->addWidget(section);
   words_->setWords(recording_.words());
   connect(record_, &QPushButton::clicked, this, [this] { actions_.perform("session.record"); });
-  connect(words_, &WordsForm::edited, this, [this] { recording_.setWords(words_->words()); });
+  connect(words_, &WordsForm::edited, this, [this] {
+    recording_.setWords(words_->words());
+    if (recording_.words().consent.empty()) words_->clearConsent();
+  });
   connect(&recording_, &Recording::changed, this, &RecordSection::present);
 }
 

@@ -18,7 +18,8 @@ constexpr const char* kSubject = "recording/subject";
 constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; with less left a recording ends in order
 
 bool isSame(const record::SessionWords& a, const record::SessionWords& b) {
-  return std::tie(a.name, a.notes, a.tags, a.subject) == std::tie(b.name, b.notes, b.tags, b.subject);
+  return std::tie(a.name, a.notes, a.tags, a.subject, a.consent) ==
+         std::tie(b.name, b.notes, b.tags, b.subject, b.consent);
 }
 
 }  // namespace
@@ -76,6 +77,7 @@ bool Recording::stop(record::EndReason reason) {
   }
   words_.name.clear();  // they were about this one
   words_.notes.clear();
+  recorded_subject_ = words_.subject;
   remember();
   notice_ = sentencesOf(problems);
   emit changed();
@@ -100,7 +102,13 @@ void Recording::look() {
 }
 
 void Recording::setWords(const record::SessionWords& words) {
+  const bool is_another = recorded_subject_ && words.subject != *recorded_subject_;
+  const bool is_carried = words.consent == words_.consent;
   words_ = words;
+  if (is_another) {
+    recorded_subject_.reset();
+    if (is_carried) words_.consent.clear();  // what one person agreed to is nothing that the next one did
+  }
   remember();
 }
 

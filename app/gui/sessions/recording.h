@@ -2,6 +2,8 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "core/record/recorder.h"
 
@@ -29,7 +31,8 @@ class Recording : public QObject {
   /// Why it did not begin, ended by itself, or is not whole; empty: all is well.
   QString notice() const { return notice_; }
 
-  /// Of the recording that runs, or of the next one. Its end forgets name and notes; tags and subject are remembered.
+  /// Of the recording that runs, or of the next one. Its end forgets name and notes; tags and subject are
+  /// remembered. Consent stays until the subject of the last recording is changed, and is not kept for another day.
   const record::SessionWords& words() const { return words_; }
   void setWords(const record::SessionWords& words);
   QString folder() const { return folder_; }
@@ -49,7 +52,8 @@ class Recording : public QObject {
   std::unique_ptr<record::Recorder> recorder_;
   record::RecorderOptions options_;
   record::RecorderStatus status_;
-  record::SessionWords words_, written_;  // as they are now; as they stand in the file
+  record::SessionWords words_, written_;         // as they are now; as they stand in the file
+  std::optional<std::string> recorded_subject_;  // whose consent words_ still hold
   QString folder_, path_, notice_;
   int marks_ = 0;
 };

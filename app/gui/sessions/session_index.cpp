@@ -53,7 +53,7 @@ bool fitsSearch(const SessionEntry& entry, const QString& text) {
   QStringList said{QFileInfo(entry.path).fileName(),
                    QDateTime::fromMSecsSinceEpoch(entry.began_ms()).toString("d MMM yyyy yyyy-MM-dd hh:mm")};
   for (const std::string& one : {header.words.name, header.words.notes, header.words.tags, header.words.subject,
-                                 header.scene_title, header.arm, header.device})
+                                 header.words.consent, header.scene_title, header.arm, header.device})
     said << textOf(one);
   for (const record::Marker& marker : entry.markers) said << textOf(marker.label);
   const QString all = said.join('\n');

@@ -87,6 +87,7 @@ QString detailsOf(const SessionEntry& entry) {
       << QObject::tr("Scene %1").arg(header.scene_title.empty() ? QObject::tr("none") : shownText(header.scene_title)) +
              kBetween + shownText(header.device) + kBetween + QObject::tr("%1 Hz").arg(header.rate_hz);
   if (!header.words.subject.empty()) lines << QObject::tr("Subject %1").arg(shownText(header.words.subject));
+  if (!header.words.consent.empty()) lines << QObject::tr("Consent %1").arg(shownText(header.words.consent));
   if (!header.words.tags.empty()) lines << QObject::tr("Tags %1").arg(shownText(header.words.tags));
   if (!entry.markers.empty()) lines << QObject::tr("Markers %1").arg(markersOf(entry));
   if (!header.words.notes.empty()) lines << shownText(header.words.notes);

@@ -17,7 +17,8 @@ WordsForm::WordsForm(const QString& prefix, QWidget* parent)
       name_(new QLineEdit(this)),
       notes_(new QPlainTextEdit(this)),
       tags_(new QLineEdit(this)),
-      subject_(new QLineEdit(this)) {
+      subject_(new QLineEdit(this)),
+      consent_(new QLineEdit(this)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setSpacing(4);
@@ -28,12 +29,16 @@ WordsForm::WordsForm(const QString& prefix, QWidget* parent)
   addRow(form, tr("Su&bject"), subject_, prefix + "subject",
          tr("Whose hand it is, as a code that only your own list resolves."));
   form->addRow(quietLabel(prefix + "subject_hint", tr("A code, not a name: whoever reads the file can see it."), this));
+  addRow(form, tr("&Consent"), consent_, prefix + "consent",
+         tr("What that person agreed to, and how: the consent form's version and date. Empty: not recorded."));
   tags_->setPlaceholderText(tr("pilot, left hand"));
+  consent_->setPlaceholderText(tr("form 2.1, in writing, 2026-11-20"));
   notes_->setTabChangesFocus(true);
   notes_->setAcceptDrops(false);  // a scene is dropped on the window
   notes_->setFixedHeight(kLinesOfNotes * fontMetrics().lineSpacing() + 2 * notes_->frameWidth() +
                          2 * static_cast<int>(notes_->document()->documentMargin()));
-  for (QLineEdit* line : {name_, tags_, subject_}) connect(line, &QLineEdit::textEdited, this, &WordsForm::edited);
+  for (QLineEdit* line : {name_, tags_, subject_, consent_})
+    connect(line, &QLineEdit::textEdited, this, &WordsForm::edited);
   connect(notes_, &QPlainTextEdit::textChanged, this, &WordsForm::edited);
 }
 
@@ -50,7 +55,8 @@ void WordsForm::addRow(QFormLayout* form, const QString& label, QWidget* field, 
 
 record::SessionWords WordsForm::words() const {
   return {name_->text().trimmed().toStdString(), notes_->toPlainText().trimmed().toStdString(),
-          tags_->text().trimmed().toStdString(), subject_->text().trimmed().toStdString()};
+          tags_->text().trimmed().toStdString(), subject_->text().trimmed().toStdString(),
+          consent_->text().trimmed().toStdString()};
 }
 
 void WordsForm::setWords(const record::SessionWords& words) {
@@ -59,6 +65,11 @@ void WordsForm::setWords(const record::SessionWords& words) {
   notes_->setPlainText(QString::fromStdString(words.notes));
   tags_->setText(QString::fromStdString(words.tags));
   subject_->setText(QString::fromStdString(words.subject));
+  consent_->setText(QString::fromStdString(words.consent));
+}
+
+void WordsForm::clearConsent() {
+  if (!consent_->text().trimmed().isEmpty()) consent_->clear();
 }
 
 }  // namespace underact::gui

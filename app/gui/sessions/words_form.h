@@ -10,7 +10,7 @@ class QPlainTextEdit;
 
 namespace underact::gui {
 
-/// What a person says of a session: name, notes, tags, subject.
+/// What a person says of a session: name, notes, tags, subject, consent.
 class WordsForm : public QWidget {
   Q_OBJECT
  public:
@@ -18,6 +18,7 @@ class WordsForm : public QWidget {
   explicit WordsForm(const QString& prefix, QWidget* parent = nullptr);
   record::SessionWords words() const;
   void setWords(const record::SessionWords& words);  // says nothing
+  void clearConsent();                               // nor does this
 
  signals:
   void edited();
@@ -27,7 +28,7 @@ class WordsForm : public QWidget {
 
   QLineEdit* name_;
   QPlainTextEdit* notes_;
-  QLineEdit *tags_, *subject_;
+  QLineEdit *tags_, *subject_, *consent_;
 };
 
 }  // namespace underact::gui

@@ -24,6 +24,8 @@ def info_of(session: Session) -> dict:
         "rate_hz": attributes.get("rate_hz"),
         "started": started.isoformat(timespec="seconds") if started else None,
         "name": attributes.get("name"),
+        "subject": attributes.get("subject"),
+        "consent": attributes.get("consent"),
         "changes": len(session.changes),
         "markers": [{"tick": mark.tick, "label": mark.label} for mark in session.markers],
         "faults": [{"tick": fault.tick, "kind": fault.kind} for fault in session.faults],
