@@ -173,7 +173,9 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
 Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchState& state) noexcept {
   const Vec3 low = surface.low_M.cast<double>(), high = surface.high_M.cast<double>();
   const Vec3 far = Vec3::Constant(kFar * std::max((high - low).norm(), 1e-30));
-  const Vec3 at = q_M.cwiseMax(low - far).cwiseMin(high + far);
+  const Vec3 least = low - far, most = high + far;
+  const Vec3 at(std::clamp(q_M.x(), least.x(), most.x()), std::clamp(q_M.y(), least.y(), most.y()),
+                std::clamp(q_M.z(), least.z(), most.z()));
   const bool knows = state.face >= 0 && state.face < static_cast<std::int32_t>(surface.triangles.faces.size());
   Hit hit;
   bool is_near = false;
