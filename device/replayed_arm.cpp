@@ -120,21 +120,11 @@ void ReplayedArm::setLoop(const std::optional<std::pair<std::int64_t, std::int64
   send();
 }
 
-// Clang cannot see that push() keeps off the heap; it does by its contract, and tests/malloc counts.
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wfunction-effects"
-#endif
-
 void ReplayedArm::tell(std::int64_t time_ns, bool moves) noexcept {
   row_.store(at_, std::memory_order_relaxed);
   playing_.store(plays_, std::memory_order_relaxed);
   places_.push({time_ns, at_, moves});
 }
-
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic pop
-#endif
 
 void ReplayedArm::jumpTo(std::int64_t row) noexcept {
   at_ = static_cast<double>(row);

@@ -103,12 +103,6 @@ void Loop::setPeriod(std::int64_t period_ns) {
   }
 }
 
-// Clang cannot see that push() and pop() keep off the heap; they do by their contract, and tests/malloc counts.
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wfunction-effects"
-#endif
-
 void Loop::retire(Instance* instance) noexcept {
   retired_.push(instance);
 }
@@ -286,9 +280,5 @@ void Loop::release() noexcept {
   sleep_.forget();  // until it ticks again a machine may sleep as it likes
   slept_ns_ = 0;
 }
-
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic pop
-#endif
 
 }  // namespace underact::servo

@@ -5,6 +5,7 @@
 
 #include <ctime>
 
+#include "core/base/excepted.h"
 #include "core/servo/platform.h"
 
 namespace underact::servo {
@@ -12,15 +13,8 @@ namespace underact::servo {
 namespace {
 
 std::int64_t read_ns(clockid_t clock) noexcept UNDERACT_REAL_TIME {
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wfunction-effects"
-#endif
   timespec now{};
-  clock_gettime(clock, &now);  // both without a system call
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic pop
-#endif
+  UNDERACT_EXCEPTED("reads a page the kernel shares: no lock, no heap", clock_gettime(clock, &now));
   return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/excepted.h"
 #include "core/servo/touch_pages.h"
 
 namespace underact::servo {
@@ -37,15 +38,8 @@ Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
   makeRoom(start_.followers);
 }
 
-// Clang cannot see that a vector with room for kMaxConstraints keeps off the heap, nor that push() does; tests/malloc
-// counts.
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wfunction-effects"
-#endif
-
 void Tap::begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state) noexcept {
-  start_ = state;
+  UNDERACT_EXCEPTED("vectors with their room from the start: tests/malloc counts", start_ = state);
   first_tick_ = tick;
   first_revision_ = revision;
   begun_.store(true, std::memory_order_release);
@@ -64,10 +58,6 @@ void Tap::add(const Change& change) noexcept {
 void Tap::add(const FaultMark& fault) noexcept {
   if (listens() && !faults_.push(fault)) drop();
 }
-
-#if defined(__clang__) && __clang_major__ >= 20
-#pragma clang diagnostic pop
-#endif
 
 void Tap::announce(std::uint64_t revision, const scene::Description& scene) {
   const std::scoped_lock lock(scenes_mutex_);

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <ctime>
 
+#include "core/base/excepted.h"
 #include "core/servo/platform.h"
 
 namespace underact::device {
@@ -22,20 +23,26 @@ Bell::~Bell() {
 }
 
 void Bell::ring() noexcept {
-  ::sem_post(&semaphore_);
+  UNDERACT_EXCEPTED("one atomic add, and a wake where one waits: never waits", ::sem_post(&semaphore_));
+}
+
+/// Takes one ring, where there is one.
+bool Bell::isHeard() noexcept {
+  return UNDERACT_EXCEPTED("one atomic step: never waits", ::sem_trywait(&semaphore_)) == 0;
 }
 
 bool Bell::waitFor(std::int64_t time_ns) noexcept {
-  if (::sem_trywait(&semaphore_) != 0) {
+  if (!isHeard()) {
     const std::int64_t end_ns = servo::monotonicNow_ns() + std::max<std::int64_t>(time_ns, 0);
     const timespec end{static_cast<std::time_t>(end_ns / 1'000'000'000), static_cast<long>(end_ns % 1'000'000'000)};
     int result = 0;
     do {
-      result = ::sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &end);
-    } while (result != 0 && errno == EINTR);
+      result =
+          UNDERACT_EXCEPTED("the wait for a sample: until `end`", ::sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &end));
+    } while (result != 0 && UNDERACT_EXCEPTED("reads a word of this thread alone", errno) == EINTR);
     if (result != 0) return false;
   }
-  for (int ring = 0; ring < kMostHeard && ::sem_trywait(&semaphore_) == 0; ++ring) {
+  for (int ring = 0; ring < kMostHeard && isHeard(); ++ring) {
   }
   return true;
 }

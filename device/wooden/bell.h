@@ -25,6 +25,8 @@ class Bell {
 
  private:
 #ifdef __linux__
+  bool isHeard() noexcept UNDERACT_REAL_TIME;
+
   sem_t semaphore_;
 #else
   std::atomic<bool> rung_{false};
