@@ -47,6 +47,14 @@
         <translation>stand still</translation>
     </message>
     <message>
+        <source>odd clock</source>
+        <translation>falsche Uhr</translation>
+    </message>
+    <message>
+        <source>asleep</source>
+        <translation>im Ruhezustand</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -595,6 +603,10 @@ z [mm]</translation>
         <translation>Person %1</translation>
     </message>
     <message>
+        <source>Consent %1</source>
+        <translation>Einwilligung %1</translation>
+    </message>
+    <message>
         <source>Tags %1</source>
         <translation>Tags %1</translation>
     </message>
@@ -1088,6 +1100,14 @@ z [mm]</translation>
         <translation>Der Servo stand %1 s lang still.</translation>
     </message>
     <message>
+        <source>The arm's clock advanced by %1 s while %2 s passed.</source>
+        <translation>Die Uhr des Arms ging um %1 s weiter, während %2 s vergingen.</translation>
+    </message>
+    <message>
+        <source>The computer was asleep for %1 s.</source>
+        <translation>Der Rechner war %1 s lang im Ruhezustand.</translation>
+    </message>
+    <message>
         <source>Check the cable, then press Start.</source>
         <translation>Kabel prüfen, dann Start drücken.</translation>
     </message>
@@ -1102,6 +1122,10 @@ z [mm]</translation>
     <message>
         <source>Press Start to go on.</source>
         <translation>Start drücken, um weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>Restart the servo, which opens the arm again, then press Start.</source>
+        <translation>Den Servo neu starten, was auch den Arm neu öffnet, dann Start drücken.</translation>
     </message>
 </context>
 <context>
@@ -3194,6 +3218,58 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Armdatei</translation>
     </message>
     <message>
+        <source>This is a folder, not %1 file.</source>
+        <translation>Dies ist ein Ordner; hier wird eine Datei erwartet (%1).</translation>
+    </message>
+    <message>
+        <source>This is a pipe, a device or a socket, not a regular file, so %1 is not read from it. Save what it gives as a file, and name that.</source>
+        <translation>Dies ist eine Pipe, ein Gerät oder ein Socket und keine gewöhnliche Datei; %1 wird daraus nicht gelesen. Speichern Sie den Inhalt als Datei und geben Sie diese an.</translation>
+    </message>
+    <message>
+        <source>The file cannot be opened: %1.</source>
+        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1.</source>
+        <translation>Die Datei lässt sich nicht lesen: %1.</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 MiB; %2 is far smaller.</source>
+        <translation>Die Datei ist größer als %1 MiB; so groß wird keine Datei dieser Art (%2).</translation>
+    </message>
+    <message>
+        <source>Another program wrote into the file while it was read. Open it again once that program has saved it.</source>
+        <translation>Ein anderes Programm hat in die Datei geschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal, sobald jenes Programm sie gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>The scenes that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Die Szenen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>The lessons that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Die Lektionen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>The guide's pages were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Die Seiten des Handbuchs wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>The Python package that comes with Underact was not found. It was looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Das Python-Paket, das zu Underact gehört, wurde nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>%1 was not found (it was looked for at %2).</source>
+        <translation>%1 wurde nicht gefunden (gesucht wurde %2).</translation>
+    </message>
+    <message>
+        <source>A folder, a pipe or a device has this name and is not replaced. Give another name.</source>
+        <translation>Ein Ordner, eine Pipe oder ein Gerät heißt schon so und wird nicht ersetzt. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>There is a file or a link of this name already; it was left as it is. Give another name.</source>
+        <translation>Eine Datei oder eine Verknüpfung dieses Namens gibt es schon; sie wurde gelassen, wie sie ist. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -3662,22 +3738,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>This is a folder, not %1 file.</source>
-        <translation>Dies ist ein Ordner; hier wird eine Datei erwartet (%1).</translation>
-    </message>
-    <message>
-        <source>The file cannot be opened: %1.</source>
-        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
-    </message>
-    <message>
-        <source>The file is larger than %1 MiB; %2 is far smaller.</source>
-        <translation>Die Datei ist größer als %1 MiB; so groß wird keine Datei dieser Art (%2).</translation>
-    </message>
-    <message>
-        <source>The file cannot be read: %1.</source>
-        <translation>Die Datei lässt sich nicht lesen: %1.</translation>
-    </message>
-    <message>
         <source>Mass, damping and gains must be numbers from 0 on.</source>
         <translation>Masse, Dämpfung und Verstärkungen müssen Zahlen ab 0 sein.</translation>
     </message>
@@ -4006,12 +4066,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei enthält keine Flächen.</translation>
     </message>
     <message>
-        <source>This is a folder, not a mesh file.</source>
-        <translation>Dies ist ein Ordner, keine Datei mit einem Dreiecksnetz.</translation>
-    </message>
-    <message>
-        <source>This is no file that holds a mesh.</source>
-        <translation>Dies ist keine Datei, die ein Dreiecksnetz enthält.</translation>
+        <source>a mesh</source>
+        <translation>ein Dreiecksnetz</translation>
     </message>
     <message>
         <source>The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.</source>
@@ -4106,8 +4162,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 kann nicht gestartet werden: %2.</translation>
     </message>
     <message>
-        <source>%1 was not found. It belongs beside this program: install Underact again.</source>
-        <translation>%1 wurde nicht gefunden. Es gehört neben dieses Programm: Installieren Sie Underact noch einmal.</translation>
+        <source>It reads meshes: install Underact again.</source>
+        <translation>Es liest Netze: Installieren Sie Underact neu.</translation>
     </message>
     <message>
         <source>The file is damaged: what its reader made of it is no mesh.</source>
@@ -4314,6 +4370,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die HDF5-Bibliothek nennt keinen Grund</translation>
     </message>
     <message>
+        <source>There is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>a session</source>
+        <translation>eine Sitzung</translation>
+    </message>
+    <message>
         <source>This is no whole session: there is no table "%1" in it.</source>
         <translation>Dies ist keine vollständige Sitzung: Es ist keine Tabelle „%1“ darin.</translation>
     </message>
@@ -4324,10 +4388,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Another program is recording into this file. Give another name.</source>
         <translation>Ein anderes Programm zeichnet in diese Datei auf. Geben Sie einen anderen Namen an.</translation>
-    </message>
-    <message>
-        <source>There is no such file.</source>
-        <translation>Diese Datei gibt es nicht.</translation>
     </message>
     <message>
         <source>This file is cut off: %1 of %2 bytes are there. Copy it again from where it came.</source>
@@ -4650,6 +4710,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Dreiecksnetz %1 ist nicht das, mit dem die Szene gemacht wurde: Sein Inhalt hat eine andere Prüfsumme. Holen Sie jene Datei zurück, oder entfernen Sie „checksum“, um mit dieser weiterzumachen.</translation>
     </message>
     <message>
+        <source>The mesh %1: %2</source>
+        <translation>Das Dreiecksnetz %1: %2</translation>
+    </message>
+    <message>
+        <source>The file %1 was not found. A recording keeps the names of its meshes and curves and not their folders; it was looked for in %2. Put it beside the session, or name its folder: in the window with Replay, Folder of its files; on the command line with --files FOLDER.</source>
+        <translation>Die Datei %1 wurde nicht gefunden. Eine Aufnahme behält die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner; gesucht wurde in %2. Legen Sie die Datei neben die Sitzung oder nennen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner ihrer Dateien; auf der Befehlszeile mit --files ORDNER.</translation>
+    </message>
+    <message>
         <source>This must lie within %1; here it is %2.</source>
         <translation>Dies darf höchstens %1 betragen; hier steht %2.</translation>
     </message>
@@ -4914,16 +4982,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dieser Arm behält die Taktrate, mit der er geöffnet wurde.</translation>
     </message>
     <message>
+        <source>no guard: %1</source>
+        <translation>kein Wächter: %1</translation>
+    </message>
+    <message>
+        <source>guarded by a process of its own</source>
+        <translation>von einem eigenen Prozess bewacht</translation>
+    </message>
+    <message>
+        <source>guarded by a process of its own (replaced so far: %1)</source>
+        <translation>von einem eigenen Prozess bewacht (bisher ersetzt: %1)</translation>
+    </message>
+    <message>
+        <source>Nothing guards the arm: %1. If this program died now, the arm could keep its last force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the force.</source>
+        <translation>Nichts bewacht den Arm: %1. Stürbe dieses Programm jetzt, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder schalten Sie die Kraft ab.</translation>
+    </message>
+    <message>
         <source>this arm cannot be reached from outside the program</source>
         <translation>Dieser Arm ist von außerhalb des Programms nicht zu erreichen</translation>
     </message>
     <message>
-        <source>underact-guard was not found</source>
-        <translation>underact-guard wurde nicht gefunden</translation>
+        <source>the guard has ended, and is started again</source>
+        <translation>der Wächter ist beendet und wird neu gestartet</translation>
+    </message>
+    <message>
+        <source>the guard has ended, and does not start again (%1)</source>
+        <translation>der Wächter ist beendet und startet nicht wieder (%1)</translation>
     </message>
     <message>
         <source>there is no guard on this system</source>
         <translation>Auf diesem System gibt es keinen Wächter</translation>
+    </message>
+    <message>
+        <source>the watchdog is switched off</source>
+        <translation>die Überwachung der Takte ist abgeschaltet</translation>
     </message>
     <message>
         <source>The servo ticks 100 to 10000 times a second, not %1.</source>
@@ -4944,14 +5036,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>by the arm's own clock</source>
         <translation>nach der Uhr des Arms</translation>
-    </message>
-    <message>
-        <source>guarded by a process of its own</source>
-        <translation>von einem eigenen Prozess bewacht</translation>
-    </message>
-    <message>
-        <source>no guard: %1</source>
-        <translation>kein Wächter: %1</translation>
     </message>
     <message>
         <source>manual</source>
@@ -5626,6 +5710,38 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>„%1“ ist keine Adresse eines freigegebenen Arms. Eine solche ist HOST:PORT oder HOST, wie 192.168.1.20:7878, arm-pc oder [fe80::1]:7878.</translation>
     </message>
     <message>
+        <source>This file of keys belongs to another user of this computer, so it is not used. Delete it, and find out who put it there.</source>
+        <translation>Diese Schlüsseldatei gehört einem anderen Benutzer dieses Rechners und wird deshalb nicht benutzt. Löschen Sie sie, und stellen Sie fest, wer sie dort abgelegt hat.</translation>
+    </message>
+    <message>
+        <source>%1 Say chmod 600 '%2' and, if somebody may have done so, %3.</source>
+        <translation>%1 Geben Sie chmod 600 &apos;%2&apos; ein und, falls es jemand getan haben könnte: %3.</translation>
+    </message>
+    <message>
+        <source>Others may read your secret key.</source>
+        <translation>Andere können Ihren geheimen Schlüssel lesen.</translation>
+    </message>
+    <message>
+        <source>underact-cli share-arm --new-key</source>
+        <translation>underact-cli share-arm --new-key</translation>
+    </message>
+    <message>
+        <source>Others may read or change who may use your arm.</source>
+        <translation>Andere können lesen oder ändern, wer Ihren Arm benutzen darf.</translation>
+    </message>
+    <message>
+        <source>delete each line in it that you do not know</source>
+        <translation>löschen Sie darin jede Zeile, die Sie nicht kennen</translation>
+    </message>
+    <message>
+        <source>Others may read or change which arms you trust.</source>
+        <translation>Andere können lesen oder ändern, welchen Armen Sie vertrauen.</translation>
+    </message>
+    <message>
+        <source>keys of arms</source>
+        <translation>Schlüssel von Armen</translation>
+    </message>
+    <message>
         <source>The file of keys cannot be read.</source>
         <translation>Die Schlüsseldatei kann nicht gelesen werden.</translation>
     </message>
@@ -5644,10 +5760,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>This is no pair of keys. "underact-cli share-arm --new-key" makes one in its place.</source>
         <translation>Dies ist kein Schlüsselpaar. „underact-cli share-arm --new-key“ erzeugt eines an seiner Stelle.</translation>
-    </message>
-    <message>
-        <source>Others may read your secret key. Say chmod 600 '%1' and, if somebody may have done so, underact-cli share-arm --new-key.</source>
-        <translation>Andere dürfen Ihren geheimen Schlüssel lesen. Geben Sie chmod 600 '%1' ein und, falls ihn jemand gelesen haben kann, underact-cli share-arm --new-key.</translation>
     </message>
     <message>
         <source>A line begins with a key of 40 characters.</source>
@@ -7043,12 +7155,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Spielt immer weiter: vom Anfang der Schleife bis zu ihrem Ende.</translation>
     </message>
     <message>
+        <source>Folder of the recordings' meshes and curves</source>
+        <translation>Ordner der Dreiecksnetze und Kurven von Aufnahmen</translation>
+    </message>
+    <message>
         <source>&amp;Open session…</source>
         <translation>Sitzung ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Opens a recorded session and replays it.</source>
         <translation>Öffnet eine aufgezeichnete Sitzung und gibt sie wieder.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of its files…</source>
+        <translation>&amp;Ordner ihrer Dateien…</translation>
+    </message>
+    <message>
+        <source>Where the meshes and curves of recordings are, which keep only their names.</source>
+        <translation>Wo die Dreiecksnetze und Kurven von Aufnahmen liegen, die nur deren Namen behalten.</translation>
     </message>
     <message>
         <source>&amp;What if</source>
@@ -7930,6 +8054,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <source>The program %1 could not be started. Install Underact whole.</source>
         <translation>Das Programm %1 ließ sich nicht starten. Installieren Sie Underact vollständig.</translation>
     </message>
+    <message>
+        <source>Install Underact again.</source>
+        <translation>Installieren Sie Underact neu.</translation>
+    </message>
 </context>
 <context>
     <name>underact::gui::CompareStrip</name>
@@ -8250,6 +8378,57 @@ und %2 weitere</translation>
     <message>
         <source>Adding %1</source>
         <translation>%1 wird hinzugefügt</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DeleteQuestion</name>
+    <message>
+        <source>Delete a session</source>
+        <translation>Sitzung löschen</translation>
+    </message>
+    <message>
+        <source>Move “%1” to the bin?</source>
+        <translation>„%1“ in den Papierkorb verschieben?</translation>
+    </message>
+    <message>
+        <source>The file is %1. The bin keeps it until it is emptied: whoever can open the bin can read it and put it back. Where a person asks for their data to be erased, remove it for good.</source>
+        <translation>Die Datei heißt %1. Der Papierkorb behält sie, bis er geleert wird: Wer ihn öffnen kann, kann sie lesen und zurückholen. Verlangt eine Person, dass ihre Daten gelöscht werden, so entfernen Sie die Datei endgültig.</translation>
+    </message>
+    <message>
+        <source>&amp;Move to the bin</source>
+        <translation>In den &amp;Papierkorb</translation>
+    </message>
+    <message>
+        <source>Move to the bin</source>
+        <translation>In den Papierkorb</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good…</source>
+        <translation>&amp;Endgültig entfernen…</translation>
+    </message>
+    <message>
+        <source>Remove for good, after one more question</source>
+        <translation>Endgültig entfernen, nach einer weiteren Frage</translation>
+    </message>
+    <message>
+        <source>Remove a session for good</source>
+        <translation>Sitzung endgültig entfernen</translation>
+    </message>
+    <message>
+        <source>Remove “%1” for good?</source>
+        <translation>„%1“ endgültig entfernen?</translation>
+    </message>
+    <message>
+        <source>This cannot be undone: the file %1 is not in the bin afterwards. Exports, plots and backups of it stay where they are.</source>
+        <translation>Das lässt sich nicht rückgängig machen: Die Datei %1 liegt danach nicht im Papierkorb. Exporte, Diagramme und Sicherungskopien davon bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove for good</source>
+        <translation>&amp;Endgültig entfernen</translation>
+    </message>
+    <message>
+        <source>Remove for good</source>
+        <translation>Endgültig entfernen</translation>
     </message>
 </context>
 <context>
@@ -9593,10 +9772,6 @@ und %2 weitere</translation>
         <translation>Handbuch</translation>
     </message>
     <message>
-        <source>The guide's pages are not beside the program.</source>
-        <translation>Die Seiten des Handbuchs liegen nicht neben dem Programm.</translation>
-    </message>
-    <message>
         <source>The guide cannot be opened.</source>
         <translation>Das Handbuch lässt sich nicht öffnen.</translation>
     </message>
@@ -10556,6 +10731,10 @@ und %2 weitere</translation>
     <message>
         <source>Open a lesson file</source>
         <translation>Eine Lektionsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Why there are no lessons</source>
+        <translation>Warum es keine Lektionen gibt</translation>
     </message>
     <message>
         <source>✓ %1</source>
@@ -12786,6 +12965,10 @@ und %2 weitere</translation>
         <translation>Szenendatei öffnen</translation>
     </message>
     <message>
+        <source>Why there are no scenes</source>
+        <translation>Warum es keine Szenen gibt</translation>
+    </message>
+    <message>
         <source>&amp;Find a scene</source>
         <translation>Szene s&amp;uchen</translation>
     </message>
@@ -13392,8 +13575,8 @@ und %2 weitere</translation>
         <translation>Anga&amp;ben ändern …</translation>
     </message>
     <message>
-        <source>Changes the chosen session's name, notes, tags and subject.</source>
-        <translation>Ändert Name, Notizen, Tags und Person der gewählten Sitzung.</translation>
+        <source>Changes the chosen session's name, notes, tags, subject and consent.</source>
+        <translation>Ändert Name, Notizen, Tags, Person und Einwilligung der gewählten Sitzung.</translation>
     </message>
     <message>
         <source>Rec&amp;over</source>
@@ -13408,8 +13591,8 @@ und %2 weitere</translation>
         <translation>&amp;Löschen …</translation>
     </message>
     <message>
-        <source>Moves the chosen session to the bin.</source>
-        <translation>Verschiebt die gewählte Sitzung in den Papierkorb.</translation>
+        <source>Moves the chosen session to the bin, or removes it for good.</source>
+        <translation>Verschiebt die gewählte Sitzung in den Papierkorb oder entfernt sie endgültig.</translation>
     </message>
     <message>
         <source>C&amp;hoose folder…</source>
@@ -13452,28 +13635,20 @@ und %2 weitere</translation>
         <translation>Die Sitzung ist bis auf ihre letzte Zehntelsekunde vollständig: %1 Takte.</translation>
     </message>
     <message>
-        <source>Delete a session</source>
-        <translation>Sitzung löschen</translation>
+        <source>%1 is in the bin, which keeps it until it is emptied.</source>
+        <translation>%1 liegt im Papierkorb, der die Datei behält, bis er geleert wird.</translation>
     </message>
     <message>
-        <source>Move “%1” to the bin?</source>
-        <translation>„%1“ in den Papierkorb verschieben?</translation>
+        <source>The session cannot be moved to the bin: this folder has none, or may not be changed. Remove it for good, or show it in its folder and delete it there.</source>
+        <translation>Die Sitzung lässt sich nicht in den Papierkorb legen: Dieser Ordner hat keinen oder darf nicht verändert werden. Entfernen Sie sie endgültig, oder zeigen Sie sie in ihrem Ordner und löschen Sie sie dort.</translation>
     </message>
     <message>
-        <source>The file is %1. The bin gives it back.</source>
-        <translation>Die Datei ist %1. Der Papierkorb gibt sie zurück.</translation>
+        <source>%1 was removed for good.</source>
+        <translation>%1 wurde endgültig entfernt.</translation>
     </message>
     <message>
-        <source>Move to the bin</source>
-        <translation>In den Papierkorb</translation>
-    </message>
-    <message>
-        <source>%1 is in the bin.</source>
-        <translation>%1 ist im Papierkorb.</translation>
-    </message>
-    <message>
-        <source>The session cannot be moved to the bin: this folder has none, or may not be changed. Show in folder, and delete it there.</source>
-        <translation>Die Sitzung lässt sich nicht in den Papierkorb verschieben: Dieser Ordner hat keinen oder darf nicht geändert werden. Wählen Sie „Im Ordner zeigen“ und löschen Sie sie dort.</translation>
+        <source>The session cannot be removed: its folder may not be changed. Show in folder, and ask whose folder it is.</source>
+        <translation>Die Sitzung lässt sich nicht entfernen: Ihr Ordner darf nicht verändert werden. Zeigen Sie sie im Ordner und fragen Sie, wem er gehört.</translation>
     </message>
     <message>
         <source>Folder of the recordings</source>
@@ -13769,6 +13944,10 @@ und %2 weitere</translation>
         <translation>Zeitplanung</translation>
     </message>
     <message>
+        <source>Guard</source>
+        <translation>Wächter</translation>
+    </message>
+    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -13819,6 +13998,10 @@ und %2 weitere</translation>
     <message>
         <source> limited: %1</source>
         <translation> begrenzt: %1</translation>
+    </message>
+    <message>
+        <source>not guarded</source>
+        <translation>nicht bewacht</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -14950,8 +15133,20 @@ und %2 weitere</translation>
         <translation>Ein Code, kein Name: Wer die Datei liest, kann ihn sehen.</translation>
     </message>
     <message>
+        <source>&amp;Consent</source>
+        <translation>&amp;Einwilligung</translation>
+    </message>
+    <message>
+        <source>What that person agreed to, and how: the consent form's version and date. Empty: not recorded.</source>
+        <translation>Worin diese Person eingewilligt hat und wie: Fassung und Datum der Einwilligungserklärung. Leer: nicht festgehalten.</translation>
+    </message>
+    <message>
         <source>pilot, left hand</source>
         <translation>Vorversuch, linke Hand</translation>
+    </message>
+    <message>
+        <source>form 2.1, in writing, 2026-11-20</source>
+        <translation>Formular 2.1, schriftlich, 2026-11-20</translation>
     </message>
 </context>
 <context>
