@@ -11,7 +11,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/shipped.h"
+#include "core/base/places.h"
 #include "core/base/units.h"
 #include "core/record/csv.h"
 #include "core/record/tick_figures.h"
@@ -81,7 +81,8 @@ class Comparison {
 /// Where the meshes and curves of a recording are looked for: where the person says, then in the scenes that ship.
 std::vector<std::string> foldersOf(const ReplayOptions& options) {
   std::vector<std::string> folders = options.files_in;
-  folders.push_back(shippedSceneFolder());
+  const Result<std::string> shipped = findResource(Resource::Scenes);
+  if (shipped) folders.push_back(shipped.value());
   return folders;
 }
 
