@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arm/planar.h"
+#include "core/base/sound.h"
 #include "core/base/units.h"
 
 namespace underact::arm {
@@ -35,6 +36,12 @@ void choose(Solution& one, const JointAngles& last_rad) noexcept UNDERACT_REAL_T
 }
 
 }  // namespace
+
+bool isSound(const FollowerState& state) noexcept {
+  const auto isSide = [](std::int8_t side) { return side == 1 || side == -1; };
+  return isFlag(state.begun) && isSide(state.branch.shoulder) && isSide(state.branch.elbow) &&
+         isSide(state.branch.wrist);
+}
 
 Followed follow(const Geometry& geometry, const JointLimits& limits, const FollowerState& state,
                 const Pose& X_WT) noexcept {

@@ -11,6 +11,9 @@ struct FollowerState {
   bool begun = false;
 };
 
+/// Of bytes from a file.
+bool isSound(const FollowerState& state) noexcept;
+
 struct Followed {
   FollowerState next;
   bool reachable = false;  // false: next is the last state

@@ -60,6 +60,11 @@ void rest(LawState& state, bool lost) noexcept UNDERACT_REAL_TIME;
 /// As on a first tick.
 void forget(LawState& state) noexcept UNDERACT_REAL_TIME;
 
+/// Of bytes from a file. Its forces may be no numbers, as those that were asked for may: the gate takes none of them.
+inline bool isSound(const LawState& state) noexcept {
+  return isSound(state.velocity);
+}
+
 /// The quantities a law needs beyond the error itself.
 bool needsRate(const Law& law);
 bool needsIntegral(const Law& law);

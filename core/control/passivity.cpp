@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/sound.h"
+
 namespace underact::control {
 namespace {
 
@@ -45,6 +47,10 @@ double clampedEnergy(double spring_J, double force_N, double max_force_N) noexce
   if (!(force_N > max_force_N)) return spring_J;
   const double share = max_force_N / force_N;
   return spring_J * share * (2.0 - share);
+}
+
+bool isSound(const EnergyState& state) noexcept {
+  return isFlag(state.pulled) && isFlag(state.untouched) && isFlag(state.begun);
 }
 
 void observe(EnergyState& state, const Passage& passage) noexcept {

@@ -31,6 +31,9 @@ struct EnergyState {
   bool begun = false;               // there was a tick before
 };
 
+/// Of bytes from a file.
+bool isSound(const EnergyState& state) noexcept;
+
 /// A tick as one constraint sees it.
 struct Passage {
   Vec3 way_T_W = Vec3::Zero();  // of the tip since the last tick, m

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sound.h"
+
 namespace underact::control {
 namespace {
 
@@ -139,6 +141,12 @@ void forget(VelocityState& state) noexcept {
   state.spread[0] = 1.0;
   state.spread[1] = state.spread[2] = 0.0;
   state.window.count = 0;
+}
+
+bool isSound(const VelocityState& state) noexcept {
+  const Window& window = state.window;
+  return isFlag(state.has_last) && state.filter < std::variant_size_v<Velocity> && window.newest >= 0 &&
+         window.newest <= kLongestWindow && window.count >= 0 && window.count <= kLongestWindow + 1;
 }
 
 }  // namespace underact::control

@@ -77,4 +77,7 @@ void standAtZero(VelocityState& state) noexcept UNDERACT_REAL_TIME;
 /// Nothing is known any more, as on a first tick.
 void forget(VelocityState& state) noexcept UNDERACT_REAL_TIME;
 
+/// Of bytes from a file: its counts and places are such that a filter keeps within its memory.
+bool isSound(const VelocityState& state) noexcept;
+
 }  // namespace underact::control

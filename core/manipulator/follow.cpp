@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/base/sound.h"
 #include "core/base/units.h"
 #include "core/manipulator/closed_form.h"
 #include "core/manipulator/global.h"
@@ -128,6 +129,12 @@ bool isFinite(const Pose& X_WT) noexcept UNDERACT_REAL_TIME {
 }
 
 }  // namespace
+
+bool isSound(const State& state) noexcept {
+  const Watch& watch = state.watch;
+  return isFlag(state.begun) && isFlag(state.lost) && isFlag(watch.begun) && watch.steps >= 0 &&
+         watch.steps <= kStepsAStart && watch.ticks >= 0 && watch.ticks <= kTicksAStep;
+}
 
 Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& state) noexcept {
   Followed followed;

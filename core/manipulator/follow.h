@@ -23,6 +23,9 @@ struct State {
   Watch watch;
 };
 
+/// Of bytes from a file.
+bool isSound(const State& state) noexcept;
+
 /// Where the tip is this tick, and what was found out.
 struct Followed {
   Vec3 p_WP = Vec3::Zero();  // the target: the tip, or on the way to it

@@ -69,6 +69,11 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
     next += sizeof part;
   });
+  // A changed byte may say anything, and its checksum may have been put right.
+  if (!isSound(state, program))
+    return Problems{{said(QT_TRANSLATE_NOOP("problem",
+                                            "The servo's memory at the beginning of this session is none that a servo "
+                                            "can have: the file is damaged, or was changed."))}};
   return state;
 }
 

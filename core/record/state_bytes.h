@@ -15,7 +15,8 @@ std::vector<std::byte> bytesOfState(const tick::TickState& state);
 /// "1:..." with the sizes of all parts: equal layouts can read each other's bytes.
 std::string stateLayout();
 
-/// program: that the state was made for. Problems: the bytes are not of such a state.
+/// program: that the state was made for. Problems: the bytes are not of such a state,
+/// or of one that no servo can be in.
 Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const tick::TickProgram& program);
 
 }  // namespace underact::record

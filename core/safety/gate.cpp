@@ -74,6 +74,13 @@ Gated stopped(const Limits& limits, GateState next, const Asked& asked, const Fa
 
 }  // namespace
 
+bool isSound(const GateState& state) noexcept {
+  const auto isKind = [](const Fault& fault) { return static_cast<int>(fault.kind) < kFaultKinds; };
+  return state.level >= 0.0 && state.level <= 1.0 && state.missed >= 0 && state.late >= 0 && state.still_s >= 0.0 &&
+         std::isfinite(state.still_s) && state.v_WT.allFinite() && state.f_T_W.allFinite() && state.heat.allFinite() &&
+         isKind(state.letting_go) && isKind(state.fault);
+}
+
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept {
   const double passed_s = dt_s + asked.waited_s;
   GateState next = state;

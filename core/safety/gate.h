@@ -21,6 +21,9 @@ struct GateState {
   Fault fault = {};           // what stopped the servo; stays until it is started again
 };
 
+/// Of bytes from a file: what the gate keeps is finite, a share is one, a fault one that there is.
+bool isSound(const GateState& state) noexcept;
+
 /// How the arm stands and moves in this tick.
 struct Motion {
   Vec3 v_WT = Vec3::Zero();  // of the tip since the last sample, m/s

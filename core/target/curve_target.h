@@ -22,6 +22,9 @@ struct CurveState {
   curve::GuideState guide;
 };
 
+/// Of bytes from a file. curve: that the state is for; null: there is none, and the state serves nobody.
+bool isSound(const CurveState& state, const curve::Curve* curve) noexcept;
+
 /// The point of the curve that the guide leads to; without a guide the nearest one. dt_s: since the last tick, 0:
 /// unknown. Where two far-apart points are as near it is the one of the last tick, so it is never degenerate.
 Target curveTarget(const CurvePath& path, const Vec3& p_WT, double dt_s, CurveState& state) noexcept UNDERACT_REAL_TIME;

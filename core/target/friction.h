@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/real_time.h"
+#include "core/base/sound.h"
 #include "core/base/types.h"
 
 namespace underact::target {
@@ -16,6 +17,11 @@ struct Grip {
   bool holds = false;
   Vec3 p_WG = Vec3::Zero();
 };
+
+/// Of bytes from a file.
+inline bool isSound(const Grip& grip) noexcept {
+  return isFlag(grip.holds);
+}
 
 /// Whether the grip slides in this tick; it is moved then, to where the dynamic share lets it be: beside the surface by
 /// its bend, so the caller puts it back onto it. p_WT: the tip; p_WP: the target without friction. The share is that of

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/real_time.h"
+#include "core/base/sound.h"
 #include "core/shape/shape.h"
 
 namespace underact::target {
@@ -39,6 +40,11 @@ struct InfluenceState {
   Vec3 n_W = Vec3::Zero();  // from the arc's centre to the last target, unit
   bool aims = false;        // there was one
 };
+
+/// Of bytes from a file.
+inline bool isSound(const InfluenceState& state) noexcept {
+  return isFlag(state.begun) && isFlag(state.aims);
+}
 
 /// Past half a turn the target goes on along the arc it is on by as much as this, so that a tremble about the tie does
 /// not throw it to the other side.

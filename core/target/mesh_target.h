@@ -27,6 +27,9 @@ struct MeshState {
   mesh::TouchState touch;    // of a wall's proxy
 };
 
+/// Of bytes from a file. surface: that the state is for; null: there is none, and the state serves nobody.
+bool isSound(const MeshState& state, const mesh::Surface* surface) noexcept;
+
 inline Vec3 toMesh(const MeshPlace& place, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
   return place.R_WM.transpose() * (p_W - place.p_WM) / place.scale_m;
 }

@@ -1,6 +1,10 @@
 #include "core/tick/program.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "core/base/sound.h"
 
 namespace underact::tick {
 namespace {
@@ -47,6 +51,23 @@ TickState makeState(const TickProgram& program) {
   if (program.needs.energy) state.energies.resize(program.entries.size());
   if (program.needs.joints) state.followers.resize(program.entries.size());
   return state;
+}
+
+bool isSound(const TickState& state, const TickProgram& program) {
+  const auto all = [](const auto& parts) {
+    return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return isSound(part); });
+  };
+  for (std::size_t index = 0; index < program.entries.size(); ++index) {
+    const target::Constraint& constraint = program.entries[index].constraint;
+    const mesh::Surface* const surface = constraint.mesh ? constraint.mesh->surface.get() : nullptr;
+    const curve::Curve* const curve = constraint.curve ? constraint.curve->curve.get() : nullptr;
+    if (index < state.meshes.size() && !isSound(state.meshes[index], surface)) return false;
+    if (index < state.curves.size() && !isSound(state.curves[index], curve)) return false;
+  }
+  const auto isNumber = [](double angle_rad) { return std::isfinite(angle_rad); };
+  return isFlag(state.has_time) && isFlag(state.limited) && isFlag(state.retuned) && state.p_WT.allFinite() &&
+         std::all_of(state.q_rad.begin(), state.q_rad.end(), isNumber) && isSound(state.gate) && all(state.laws) &&
+         all(state.influences) && all(state.robots) && all(state.grips) && all(state.energies) && all(state.followers);
 }
 
 std::size_t bytesOf(const TickState& state) {

@@ -81,6 +81,10 @@ struct TickState {
 
 TickState makeState(const TickProgram& program);
 
+/// Of bytes from a file: no index, count, word or flag in it leads the tick of this program out of its memory, and what
+/// only finite numbers come of is finite. What a servo was in the midst of always is sound.
+bool isSound(const TickState& state, const TickProgram& program);
+
 /// Of the state, all of it.
 std::size_t bytesOf(const TickState& state);
 
