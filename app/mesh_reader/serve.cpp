@@ -11,8 +11,9 @@
 #include <span>
 
 #include "app/mesh_reader/open_mesh.h"
-#include "app/mesh_reader/seal.h"
+#include "app/seal/seal.h"
 #include "core/base/translate.h"
+#include "core/helper/run.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
 #include "core/mesh_file/scan.h"
@@ -28,7 +29,7 @@ constexpr int kNice = 5;
 
 bool write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), std::min(bytes.size(), mesh_file::kBlock));
+    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), std::min(bytes.size(), helper::kBlock));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(written));
@@ -49,7 +50,7 @@ std::string readAll(std::uint64_t bytes) {
   std::string all(bytes, '\0');
   std::size_t at = 0;
   while (at < all.size()) {
-    const ssize_t count = ::read(STDIN_FILENO, all.data() + at, std::min(all.size() - at, mesh_file::kBlock));
+    const ssize_t count = ::read(STDIN_FILENO, all.data() + at, std::min(all.size() - at, helper::kBlock));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
     at += static_cast<std::size_t>(count);
@@ -80,7 +81,7 @@ Message read(Format format, std::uint64_t file_bytes) {
     }
     unsigned char told = 0;
     OpenMeshResult result = readWithOpenMesh(format, prepared, [&told](double share) {
-      const auto percent = static_cast<unsigned char>(share * mesh_file::kMostProgress);
+      const auto percent = static_cast<unsigned char>(share * helper::kMostProgress);
       if (percent <= told) return;
       told = percent;
       write(std::as_bytes(std::span(&told, 1)));
@@ -111,7 +112,8 @@ int serve(const std::string& word) {
   const auto bytes = static_cast<std::uint64_t>(file.st_size);
   [[maybe_unused]] const int nice_now = ::nice(kNice);
   const int status_fd = ::open("/proc/self/status", O_RDONLY | O_CLOEXEC);
-  seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes));
+  seal::endWithStarter();  // who asked is gone: nobody waits
+  if (!seal::seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
   Message message = read(*format, bytes);
   message.raw.peak_bytes = peakBytes(status_fd);
   return mesh_file::writeMessage(message, write) ? 0 : 1;

@@ -6,16 +6,16 @@
 #include <cstring>
 #include <string_view>
 #include <type_traits>
-#include <vector>
+#include <utility>
 
+#include "core/helper/words.h"
 #include "core/mesh_file/limits.h"
 
 namespace underact::mesh_file {
 namespace {
 
 constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '1', '\r', '\n'};  // the first is no progress
-constexpr std::uint64_t kLongestProblem = 500;
-constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 27;  // as a surface takes them
+constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 27;                               // as a surface takes them
 
 struct MessageHead {
   std::array<char, 8> magic = kMessageMagic;
@@ -25,33 +25,6 @@ struct MessageHead {
 };
 static_assert(std::is_trivially_copyable_v<MessageHead>);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(mesh::Face) == 12);
-
-// Of a sentence: how many places it has, its pattern, the end of the line; then those in its places, likewise.
-constexpr char kEnd = '\n';
-constexpr int kMostPlaces = 9;
-
-std::string plain(std::string text) {
-  for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
-  return text;
-}
-
-std::string lettersOf(const Sentence& sentence) {
-  std::string text(1, static_cast<char>('0' + sentence.places().size()));
-  text += plain(sentence.pattern().empty() ? std::string(sentence) : sentence.pattern()) + kEnd;
-  for (const Sentence& place : sentence.places()) text += lettersOf(place);
-  return text;
-}
-
-/// The first sentence of the letters, which are taken off: each call takes a line, so that it comes to an end.
-Sentence takeSentence(std::string_view& letters) {
-  if (letters.empty()) return {};
-  const std::string line(letters.substr(0, letters.find(kEnd)));
-  letters.remove_prefix(std::min(line.size() + 1, letters.size()));
-  const int places = line.empty() ? 0 : std::clamp(line.front() - '0', 0, kMostPlaces);
-  std::vector<Sentence> in_places;
-  for (int place = 0; place < places; ++place) in_places.push_back(takeSentence(letters));
-  return said(plain(line.substr(std::min<std::size_t>(1, line.size()))), std::move(in_places));
-}
 
 bool isWhole(const Raw& raw) {
   const auto count = static_cast<std::int32_t>(raw.triangles.p_MV.size());
@@ -75,8 +48,7 @@ bool isWhole(const Raw& raw) {
 
 bool writeMessage(const Message& message, const std::function<bool(std::span<const std::byte>)>& write) {
   const Raw& raw = message.raw;
-  const std::string problem =
-      message.problem.empty() ? std::string() : lettersOf(message.problem).substr(0, kLongestProblem);
+  const std::string problem = helper::lettersOf(message.problem);
   MessageHead head;
   head.problem_bytes = problem.size();
   head.corners = raw.triangles.p_MV.size();
@@ -96,7 +68,7 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   MessageHead head;
   if (bytes.size() < sizeof head) return {};
   std::memcpy(&head, bytes.data(), sizeof head);
-  if (head.magic != kMessageMagic || head.problem_bytes > kLongestProblem || head.faces > kMostFaces ||
+  if (head.magic != kMessageMagic || head.problem_bytes > helper::kMostLetters || head.faces > kMostFaces ||
       head.corners > 3 * kMostFaces) {
     return {};
   }
@@ -104,7 +76,9 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   Message message;
   bytes = bytes.subspan(sizeof head);
   std::string_view letters{reinterpret_cast<const char*>(bytes.data()), head.problem_bytes};
-  message.problem = takeSentence(letters);
+  std::optional<Sentence> problem = helper::sentenceOf(letters);
+  if (!problem) return {};
+  message.problem = std::move(*problem);
   bytes = bytes.subspan(head.problem_bytes);
   Raw& raw = message.raw;
   raw.triangles.p_MV.resize(head.corners);

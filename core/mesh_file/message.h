@@ -10,9 +10,7 @@
 
 namespace underact::mesh_file {
 
-/// What the reading program writes to its standard output: bytes of progress, 1 to 100, then one message.
-inline constexpr unsigned char kMostProgress = 100;
-
+/// What the reading program writes to its standard output: bytes of progress, see helper/run.h, then one message.
 struct Message {
   Sentence problem;  // empty: the file was read
   Raw raw;
@@ -21,7 +19,7 @@ struct Message {
 /// Writes it part by part, of the problem the pattern and the words in its places; false: what writes said so.
 bool writeMessage(const Message& message, const std::function<bool(std::span<const std::byte>)>& write);
 
-/// bytes: from the first that is no progress. Trusts nothing: counts against the length, indexes, coordinates, letters.
+/// bytes: from the first that is no progress. Trusts nothing: counts against the length, indexes, coordinates, words.
 /// None: it is no message.
 std::optional<Message> readMessage(std::span<const std::byte> bytes);
 

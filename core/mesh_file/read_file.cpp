@@ -1,27 +1,19 @@
 #include "core/mesh_file/read_file.h"
 
-#include <cstring>
-#include <system_error>
-
 #include "core/base/places.h"
 #include "core/base/translate.h"
+#include "core/helper/run.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
-#include "core/mesh_file/process.h"
 
 namespace underact::mesh_file {
 namespace {
 
 constexpr const char* kReader = "underact-mesh-reader";
 
-std::string seconds(double s) {
-  return s < 10.0 ? std::to_string(static_cast<int>(s * 10.0) / 10) + "." +
-                        std::to_string(static_cast<int>(s * 10.0) % 10) + " s"
-                  : std::to_string(static_cast<int>(s)) + " s";
-}
-
 /// Why there is no mesh; empty: there is an answer.
-Sentence whyNone(const Answer& answer, const Errand& errand) {
+Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
+  using helper::Ending;
   switch (answer.ending) {
     case Ending::Exited:
       return answer.code == 0 ? Sentence()
@@ -34,15 +26,15 @@ Sentence whyNone(const Answer& answer, const Errand& errand) {
       return said(QT_TRANSLATE_NOOP("problem",
                                     "The file is damaged, or has very large faces: reading it took longer than %1, "
                                     "which is enough for a file of its size."),
-                  {seconds(errand.most_cpu_s)});
+                  {helper::secondsText(errand.most_cpu_s)});
     case Ending::WroteTooMuch:
       return said(
           QT_TRANSLATE_NOOP("problem", "The file is damaged: it gives more faces than a file of its size can hold."));
     case Ending::Cancelled:
       return kCancelled;
     case Ending::NotStarted:
-      return said(QT_TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
-                  {std::string(kReader), std::generic_category().message(answer.code)});
+    case Ending::NotSealed:
+      return helper::whyNoHelper(answer.ending, kReader, answer.code);
   }
   return {};
 }
@@ -51,11 +43,11 @@ Sentence whyNone(const Answer& answer, const Errand& errand) {
 
 Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
-  Errand errand;
   const Result<std::string> reader = findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
     return problem(oneAfterAnother({reader.problems().front().sentence,
                                     said(QT_TRANSLATE_NOOP("problem", "It reads meshes: install Underact again."))}));
+  helper::Errand errand;
   errand.program = reader.value();
   errand.argument = wordOf(input.format());
   errand.input_fd = input.rewound();
@@ -65,7 +57,7 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   errand.progress = [&watch](unsigned char percent) {
     watch.tell(QT_TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
   };
-  const Answer answer = run(errand, watch);
+  const helper::Answer answer = run(errand, watch);
   const Sentence why = whyNone(answer, errand);
   if (!why.empty()) return problem(why);
   std::optional<Message> message = readMessage(answer.output);

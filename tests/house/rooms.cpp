@@ -50,7 +50,7 @@ const std::vector<Library>& libraries() {
       {"systemd", std::regex("systemd/"), {"core/servo"}, false},
       {"CLI11", std::regex("CLI/"), {"app/cli", "app/describe", "app/options", "app/sweeper"}, true},
       {"MPI", std::regex("mpi\\.h"), {"app/sweeper"}, false},
-      {"sockets", std::regex("sys/socket|netinet|arpa/"), {}, false},
+      {"sockets", std::regex("sys/socket|netinet|arpa/"), {"core/helper"}, false},
   };
   return kLibraries;
 }

@@ -1,5 +1,6 @@
-#include "app/mesh_reader/seal.h"
+#include "app/seal/seal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -23,12 +24,16 @@
 #define UNDERACT_SANITIZED 1  // their shadow takes terabytes of addresses, and they ask more of the system
 #endif
 
-namespace underact::mesh_reader {
+namespace underact::seal {
 namespace {
 
 #if defined(__unix__) || defined(__APPLE__)
 bool limit(int resource, rlim_t most) {
-  const rlimit both{most, most};
+  // Where somebody has set less already, that is well, too: more may not be asked for.
+  rlimit both{};
+  if (::getrlimit(static_cast<decltype(RLIMIT_CORE)>(resource), &both) != 0) return false;
+  both.rlim_max = std::min(both.rlim_max, most);
+  both.rlim_cur = both.rlim_max;
   return ::setrlimit(static_cast<decltype(RLIMIT_CORE)>(resource), &both) == 0;
 }
 
@@ -59,6 +64,7 @@ constexpr std::uint32_t kMachine = 0;
 // What reading, writing, memory and the end take; by the C library of Debian 12 and its kin.
 constexpr std::initializer_list<long> kAllowed{
     SYS_read,
+    SYS_pread64,
     SYS_write,
     SYS_writev,
     SYS_lseek,
@@ -72,6 +78,7 @@ constexpr std::initializer_list<long> kAllowed{
     SYS_futex,
     SYS_getrandom,
     SYS_clock_gettime,
+    SYS_clock_nanosleep,  // the HDF5 library waits for a writer that is just changing what it reads
     SYS_exit,
     SYS_exit_group,
     SYS_rt_sigreturn,
@@ -91,8 +98,9 @@ constexpr std::initializer_list<long> kAllowed{
     SYS_prlimit64,
 #endif
 };
-// OpenMesh opens the materials that an OBJ file names, and goes on where there are none.
-constexpr std::initializer_list<long> kRefused{SYS_openat, SYS_newfstatat, SYS_close, SYS_ioctl};
+// OpenMesh opens the materials that an OBJ file names, HDF5 what a link or a filter names; both go on where there are
+// none.
+constexpr std::initializer_list<long> kRefused{SYS_openat, SYS_newfstatat, SYS_close, SYS_ioctl, SYS_getcwd};
 
 bool setFilter() {
   if (kMachine == 0) return false;
@@ -132,11 +140,16 @@ bool seal(std::uint64_t most_bytes, double most_cpu_s) {
   static_cast<void>(most_cpu_s);
 #endif
 #ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // who asked is gone: nobody waits
-  ::prctl(PR_SET_DUMPABLE, 0);
+  is_well = ::prctl(PR_SET_DUMPABLE, 0) == 0 && is_well;
   is_well = setFilter() && is_well;
 #endif
   return is_well;
 }
 
-}  // namespace underact::mesh_reader
+void endWithStarter() {
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+}
+
+}  // namespace underact::seal

@@ -1,13 +1,16 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "core/mesh/watch.h"
+#include "core/base/watch.h"
+#include "core/helper/child.h"
 
-namespace underact::mesh_file {
+namespace underact::helper {
+
+/// What a helper tells of how far it is: bytes of 1 to this, before its answer.
+inline constexpr unsigned char kMostProgress = 100;
 
 /// A program that is started for one answer.
 struct Errand {
@@ -19,8 +22,6 @@ struct Errand {
   std::function<void(unsigned char percent)> progress = {};  // told by bytes up to kMostProgress before the answer
 };
 
-enum class Ending : std::uint8_t { Exited, Crashed, TookTooLong, WroteTooMuch, Cancelled, NotStarted };
-
 struct Answer {
   Ending ending = Ending::NotStarted;
   int code = 0;                   // exit status, or the signal that ended it, or errno
@@ -30,6 +31,6 @@ struct Answer {
 
 /// Runs it to its end, whatever that is: it does not outlive the call, and a cancelled one ends within 50 ms. It
 /// inherits no file but its input. Where there are no processes of POSIX, NotStarted.
-Answer run(const Errand& errand, const mesh::Watch& watch);
+Answer run(const Errand& errand, const Watch& watch);
 
-}  // namespace underact::mesh_file
+}  // namespace underact::helper

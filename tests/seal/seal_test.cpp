@@ -1,4 +1,4 @@
-#include "app/mesh_reader/seal.h"
+#include "app/seal/seal.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <functional>
 #include <new>
 
-namespace underact::mesh_reader {
+namespace underact::seal {
 namespace {
 
 /// What waitpid() says of a sealed process that did this; what it gives is its exit status.
@@ -80,4 +80,4 @@ TEST(Seal, NoMoreTimeThanGiven) {
 }
 
 }  // namespace
-}  // namespace underact::mesh_reader
+}  // namespace underact::seal

@@ -1,0 +1,63 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/helper/child.h"
+
+namespace underact::helper {
+
+/// How long one answer may take, s: of the processor, and in all, on a busy machine and a slow disk. And how long it
+/// may be.
+struct Bounds {
+  double most_cpu_s = 2.0, most_time_s = 30.0;
+  std::size_t most_bytes = std::size_t{1} << 20;
+};
+
+/// A helper that answers one question after another. One thread at a time. After a question that was not answered it is
+/// gone, and so is each later answer.
+class Talk {
+ public:
+  Talk() = default;
+  /// file_fd: becomes the helper's descriptor kFile; stays the caller's.
+  Talk(const std::string& program, int file_fd);
+  Talk(Talk&& other) noexcept
+      : child_(std::move(other.child_)),
+        fd_(std::exchange(other.fd_, -1)),
+        ending_(other.ending_),
+        code_(other.code_) {}
+  Talk& operator=(Talk&& other) noexcept {
+    std::swap(child_, other.child_);
+    std::swap(fd_, other.fd_);
+    std::swap(ending_, other.ending_);
+    std::swap(code_, other.code_);
+    return *this;
+  }
+  ~Talk();
+
+  /// Sends the question as it stands and gives the answer, before which the helper writes its length: eight bytes.
+  /// None: why, ending() says.
+  std::optional<std::vector<std::byte>> ask(std::span<const std::byte> question, const Bounds& bounds);
+  Ending ending() const { return ending_; }
+  int code() const { return code_; }  // exit status, the signal that ended it, or errno
+
+ private:
+  bool send(std::span<const std::byte> bytes);
+  bool receive(std::span<std::byte> bytes, const Bounds& bounds, double from_cpu_s, double until_s);
+  bool fail(Ending ending);
+
+  Child child_;
+  int fd_ = -1;
+  Ending ending_ = Ending::NotStarted;
+  int code_ = 0;
+};
+
+/// The helper's side of it, on its standard input and output. The next question, of just so many bytes; false: there is
+/// none, and nobody asks any more.
+bool nextQuestion(std::span<std::byte> question);
+/// false: nobody reads it.
+bool answer(std::span<const std::span<const std::byte>> parts);
+
+}  // namespace underact::helper
