@@ -11,24 +11,38 @@
 namespace underact::device {
 namespace {
 
-// A file whose numbers of ticks are damaged must not ask for all memory: four hours at 10 kHz.
+// A file whose numbers of ticks are damaged must not ask for all memory: four hours at 10 kHz. Nor may one ask for much
+// more than it holds: the ticks that are missing between two are shown as that many rows, up to as many as there are
+// and a minute of them at 10 kHz.
 constexpr std::int64_t kMostRows = 144'000'000;
+constexpr std::int64_t kMostMissing = 600'000;
+constexpr std::int64_t kReserved = 1 << 20;
+constexpr std::size_t kMostDamage = 1000;  // sentences
 
 bool isFinite(const arm::JointAngles& q_rad) {
   return std::all_of(q_rad.begin(), q_rad.end(), [](double angle_rad) { return std::isfinite(angle_rad); });
 }
 
+/// From one tick to another, as far as rows go: the difference of any two numbers.
+std::int64_t ticksFrom(std::int64_t first, std::int64_t tick) {
+  if (tick <= first) return 0;
+  const std::uint64_t ticks = static_cast<std::uint64_t>(tick) - static_cast<std::uint64_t>(first);
+  return static_cast<std::int64_t>(std::min(ticks, static_cast<std::uint64_t>(kMostRows)));
+}
+
 /// Rows in the order of the file, with one for each tick that is missing.
 class Rows {
  public:
-  explicit Rows(std::vector<RecordedRow>& rows) : rows_(rows) {}
+  /// most_missing: rows for ticks that are not there.
+  Rows(std::vector<RecordedRow>& rows, std::int64_t most_missing) : rows_(rows), missing_left_(most_missing) {}
 
   std::int64_t firstTick() const { return first_tick_; }
   /// Gives the row of this tick.
   std::int64_t add(const servo::TickRecord& record) {
     if (rows_.empty()) first_tick_ = record.tick;
     const std::int64_t missing =
-        std::clamp<std::int64_t>(record.tick - first_tick_ - size(), 0, kMostRows - std::min(size(), kMostRows));
+        std::clamp<std::int64_t>(ticksFrom(first_tick_, record.tick) - size(), 0, missing_left_);
+    missing_left_ -= missing;
     for (std::int64_t row = 0; row < missing && size() > 0; ++row) repeat();
     RecordedRow row;
     const bool has_sample = (record.input & servo::kHadSample) != 0 && isFinite(record.q_rad);
@@ -65,10 +79,11 @@ class Rows {
   bool had_one_ = false;
   std::int64_t first_tick_ = 0, time_ns_ = 0;
   FaultKind fault_ = FaultKind::None;
+  std::int64_t missing_left_;
 };
 
 std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t first_tick, std::int64_t rows) {
-  const auto rowOf = [&](std::int64_t tick) { return std::clamp<std::int64_t>(tick - first_tick, 0, rows - 1); };
+  const auto rowOf = [&](std::int64_t tick) { return std::min(ticksFrom(first_tick, tick), rows - 1); };
   std::vector<RecordedMark> marks;
   for (const record::Marker& marker : session.markers()) marks.push_back({rowOf(marker.tick), marker.label, false});
   for (const servo::FaultMark& fault : session.faults())
@@ -94,7 +109,7 @@ void readScenes(record::Session& session, std::int64_t first_tick, const LoadWat
     }
     if (scene.value().constraints.empty()) continue;
     loadMeshes(scene.value(), watch, recorded.damage);
-    recorded.scenes.push_back({std::max<std::int64_t>(change.tick - first_tick, 0), std::move(scene).value()});
+    recorded.scenes.push_back({ticksFrom(first_tick, change.tick), std::move(scene).value()});
   }
   std::stable_sort(recorded.scenes.begin(), recorded.scenes.end(),
                    [](const auto& a, const auto& b) { return a.row < b.row; });
@@ -126,19 +141,23 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
   recorded->frozen_s = header.frozen_s;
   recorded->arm = header.arm;
   recorded->damage = session.info().damage;
-  recorded->rows.reserve(static_cast<std::size_t>(std::clamp<std::int64_t>(session.info().ticks, 0, kMostRows)));
-  Rows rows(recorded->rows);
-  bool is_cancelled = false;
+  const std::int64_t ticks = std::min(session.info().ticks, kMostRows);
+  recorded->rows.reserve(static_cast<std::size_t>(std::min(ticks, kReserved)));
+  Rows rows(recorded->rows, ticks + kMostMissing);
+  bool is_cancelled = false, is_full = false;
   const Problems problems = session.eachBlock(
       [&](const record::Block& block, std::int64_t) {
         for (const servo::TickRecord& record : record::unpackTicks(block)) {
+          is_full = is_full || static_cast<std::int64_t>(recorded->rows.size()) >= kMostRows;
+          if (is_full) break;
           const std::int64_t row = rows.add(record);
           if (watch.row) watch.row(row, record);
         }
         is_cancelled = watch.cancelled != nullptr && watch.cancelled->load();
-        return !is_cancelled;
+        return !is_cancelled && !is_full;
       },
       [&](const record::Gap& gap) {
+        if (recorded->damage.size() >= kMostDamage) return;
         recorded->damage.push_back(
             {said(QT_TRANSLATE_NOOP("problem",
                                     "Ticks %1 to %2 of this session are damaged; the arm stands still there."),

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -72,12 +73,28 @@ std::int64_t sizeOf(const std::string& path) {
   return error ? 0 : static_cast<std::int64_t>(size);
 }
 
+bool areTheSame(int fd, int other_fd) {
+  struct stat one {
+  }, other{};
+  return fstat(fd, &one) == 0 && fstat(other_fd, &other) == 0 && one.st_dev == other.st_dev &&
+         one.st_ino == other.st_ino;
+}
+
+std::string nameOf(int fd, const std::string& path) {
+  std::string name = "/proc/self/fd/" + std::to_string(fd);
+  return access(name.c_str(), F_OK) == 0 ? name : path;
+}
+
+std::int64_t lengthToGrowTo(std::int64_t size, std::int64_t stated) {
+  // A beginning without the rest is worth no more, and what a file says of itself must not fill a disk.
+  constexpr std::int64_t kTimes = 16, kAtLeast = std::int64_t{1} << 26;
+  return stated > size && stated / kTimes <= std::max(size, kAtLeast / kTimes) ? stated : size;
+}
+
 void growToStatedSize(const std::string& path) {
-  constexpr std::int64_t kLongest = std::int64_t{1} << 44;
-  const std::int64_t stated = statedSize(path);
+  const std::int64_t size = sizeOf(path), wanted = lengthToGrowTo(size, statedSize(path));
   std::error_code ignored;
-  if (sizeOf(path) < stated && stated < kLongest)
-    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(stated), ignored);
+  if (wanted > size) std::filesystem::resize_file(path, static_cast<std::uintmax_t>(wanted), ignored);
 }
 
 }  // namespace underact::record

@@ -46,6 +46,16 @@ std::int64_t sizeOf(const std::string& path);  // 0 where there is none
 /// What an HDF5 file says its size is; 0: it does not say.
 std::int64_t statedSize(const std::string& path);
 
+/// Both are open on one file.
+bool areTheSame(int fd, int other_fd);
+
+/// A name for what is open there that leads to nothing else, whatever is moved or put in its place meanwhile; path,
+/// where the system has no such names.
+std::string nameOf(int fd, const std::string& path);
+
+/// How long a file that was cut off is made again: as long as it says, within reason; else as long as it is.
+std::int64_t lengthToGrowTo(std::int64_t size, std::int64_t stated);
+
 /// A file that was cut off gets its length back, empty: what is missing then shows by its checksums.
 void growToStatedSize(const std::string& path);
 

@@ -10,6 +10,7 @@
 
 #include "core/base/named_file.h"
 #include "core/base/translate.h"
+#include "core/record/descriptor_driver.h"
 #include "core/record/disk.h"
 #include "core/record/hdf5_store.h"
 
@@ -46,6 +47,7 @@ struct OpenTable {
   std::vector<Store> stores;
   Store crc;
   std::int64_t block_rows = 1;
+  bool is_packed = false;
 };
 
 Id accessList() {
@@ -54,6 +56,8 @@ Id accessList() {
   H5Pset_file_locking(access, true, true);                         // not where the file system knows no locks
   return access;
 }
+
+constexpr std::uint64_t kCrcChunk = 64;
 
 std::string namesOf(std::span<const Column> columns) {
   std::string names;
@@ -64,7 +68,10 @@ std::string namesOf(std::span<const Column> columns) {
 }  // namespace
 
 struct Hdf5File::Impl {
-  std::string path;
+  std::string path;    // as the user knows it
+  std::string opened;  // and as the system does
+  bool by_descriptor = false;
+  std::int64_t at_least = 0;  // see accessThrough()
   Presence presence;
   Id file;
   std::vector<OpenTable> tables;
@@ -100,32 +107,72 @@ struct Hdf5File::Impl {
       table.stores.push_back(createStore(group, column, static_cast<std::uint64_t>(wanted.chunk_rows)));
       if (!table.stores.back().id.isGood()) return false;
     }
-    table.crc = createStore(group, kCrc, 64);
+    table.crc = createStore(group, kCrc, kCrcChunk);
     return table.crc.id.isGood() && writeAttribute(group, {"columns", namesOf(wanted.columns)}) &&
            writeAttribute(group, {"block_rows", wanted.block_rows});
   }
+  /// Of the file, now.
+  std::int64_t bytes() const { return by_descriptor ? std::max(lengthAt(descriptor()), at_least) : sizeOf(opened); }
+  /// What rows there can be: each takes its bytes. What a writer is just adding counts before it is there.
+  std::int64_t mostRows(const OpenTable& table) const {
+    const std::int64_t most = bytes() / static_cast<std::int64_t>(rowBytes(Table{{}, table.columns}));
+    return (table.is_packed ? kMostPacked * most : most) + table.block_rows;
+  }
+  bool openTable(Handle group, const Table& wanted) {
+    OpenTable& table = tables.emplace_back();
+    table.columns.assign(wanted.columns.begin(), wanted.columns.end());
+    table.block_rows = integerAttribute(group, "block_rows").value_or(0);
+    const bool is_fixed = wanted.most_block_rows == 0;
+    if (is_fixed ? table.block_rows != wanted.block_rows
+                 : table.block_rows < 1 || table.block_rows > wanted.most_block_rows)
+      return false;
+    const auto chunk_rows = static_cast<std::uint64_t>(is_fixed ? wanted.chunk_rows : table.block_rows);
+    table.crc = openStore(group, kCrc, kCrcChunk);
+    bool good = table.crc.id.isGood();
+    for (const Column& column : wanted.columns) {
+      const Store& store = table.stores.emplace_back(openStore(group, column, chunk_rows));
+      good = good && store.id.isGood();
+      table.is_packed = table.is_packed || store.is_packed;
+    }
+    // To write into what others have packed, it would have to be unpacked in this process.
+    if (!good || (writes && (table.is_packed || table.crc.is_packed))) return false;
+    const auto most = static_cast<std::uint64_t>(mostRows(table));
+    return rowsOf(table.crc) <= most && std::all_of(table.stores.begin(), table.stores.end(),
+                                                    [most](const Store& store) { return rowsOf(store) <= most; });
+  }
   Problems openTables(std::span<const Table> wanted_tables) {
     for (const Table& wanted : wanted_tables) {
-      const Id group(H5Gopen2(file, std::string(wanted.name).c_str(), H5P_DEFAULT), H5Gclose);
       const std::string name(wanted.name);
+      const Id group(isOwn(file, name) ? H5Gopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Gclose);
       if (!group.isGood())
         return problemAt(
             path,
             said(QT_TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
-      OpenTable& table = tables.emplace_back();
-      table.columns.assign(wanted.columns.begin(), wanted.columns.end());
-      table.block_rows = integerAttribute(group, "block_rows").value_or(0);
-      table.crc = openStore(group, kCrc);
-      bool good = table.crc.id.isGood() && table.block_rows > 0 && table.block_rows <= 1'000'000;
-      for (const Column& column : wanted.columns) {
-        table.stores.push_back(openStore(group, column));
-        good = good && table.stores.back().id.isGood();
-      }
-      if (!good)
+      if (!openTable(group, wanted))
         return problemAt(
             path, said(QT_TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
     }
     return {};
+  }
+  /// Opened for reading, as one that is closed or else as one that is being written. access: made ready.
+  Problems openToRead(const char* name, Handle access, std::int64_t there, std::int64_t stated) {
+    file = Id(H5Fopen(name, H5F_ACC_RDONLY, access), H5Fclose);
+    if (!file.isGood()) {
+      H5Pset_metadata_read_attempts(access, kAttempts);
+      file = Id(H5Fopen(name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose);
+      elsewhere = true;
+    }
+    return file.isGood() ? Problems{} : whyNoSession(there, stated);
+  }
+  Problems whyNoSession(std::int64_t there, std::int64_t stated) const {
+    if (there < stated)
+      return problemAt(
+          path,
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
+               {std::to_string(there), std::to_string(stated)}));
+    return problemAt(
+        path, said(QT_TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
   }
 };
 
@@ -141,7 +188,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   quiet();
   errno = 0;
   auto impl = std::make_unique<Impl>();
-  impl->path = path;
+  impl->path = impl->opened = path;
   impl->writes = true;
   if (Problems problems = checkNew(path, existing); !problems.empty()) return problems;
   if (existing == Existing::Replace && Presence::isAt(path))
@@ -168,46 +215,52 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
 Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> tables) {
   quiet();
   auto impl = std::make_unique<Impl>();
-  impl->path = path;
+  impl->path = impl->opened = path;
   if (Problems problems = notThere(path); !problems.empty()) return problems;
-  const Id access = accessList();
-  impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-  if (!impl->file.isGood()) {
-    H5Pset_metadata_read_attempts(access, kAttempts);
-    impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose);
-    impl->elsewhere = true;
-  }
-  if (!impl->file.isGood() && sizeOf(path) < statedSize(path))
-    return problemAt(
-        path, said(QT_TRANSLATE_NOOP(
-                       "problem", "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
-                   {std::to_string(sizeOf(path)), std::to_string(statedSize(path))}));
-  if (!impl->file.isGood())
-    return problemAt(
-        path, said(QT_TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
-  Problems problems = impl->openTables(tables);
+  Problems problems = impl->openToRead(path.c_str(), accessList(), sizeOf(path), statedSize(path));
+  if (problems.empty()) problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
 }
 
-Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table> tables, bool killed) {
+Result<Hdf5File> Hdf5File::openAt(int fd, std::span<const Table> tables, std::int64_t at_least) {
+  quiet();
+  auto impl = std::make_unique<Impl>();
+  impl->by_descriptor = true;
+  impl->at_least = at_least;
+  const Id access = accessList();
+  const std::int64_t there = std::max(lengthAt(fd), at_least);
+  Problems problems = accessThrough(access, fd, at_least)
+                          ? impl->openToRead(kGivenFile, access, there, statedLength(fd))
+                          : impl->whyNoSession(0, 0);
+  if (problems.empty()) problems = impl->openTables(tables);
+  if (!problems.empty()) return problems;
+  return Hdf5File(std::move(impl));
+}
+
+Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table> tables, bool killed, int fd) {
   quiet();
   errno = 0;
   auto impl = std::make_unique<Impl>();
-  impl->path = path;
+  impl->path = impl->opened = path;
+  if (fd >= 0) impl->opened = nameOf(fd, path);
   impl->writes = true;
   if (Problems problems = notThere(path); !problems.empty()) return problems;
   const Id access = accessList();
-  if (killed) growToStatedSize(path);
+  if (killed) growToStatedSize(impl->opened);
   const hbool_t clear = killed;
   H5Pset(access, "clear_status_flags", &clear);  // as h5clear does
-  impl->file = Id(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
+  impl->file = Id(H5Fopen(impl->opened.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   if (!impl->file.isGood()) {
     if (errno == EWOULDBLOCK)
       return problemAt(path,
                        said(QT_TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
     return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
+  if (fd >= 0 && !areTheSame(fd, impl->descriptor()))
+    return problemAt(path, said(QT_TRANSLATE_NOOP("problem",
+                                                  "Another file was put in this one's place meanwhile: nothing was "
+                                                  "changed. Try again.")));
   // A killed writer's file is longer than it says; what comes now must not be written over its end.
   if (killed && H5Fincrement_filesize(impl->file, 0) < 0)
     return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
@@ -296,7 +349,7 @@ Problems Hdf5File::close() {
   }
   impl_->tables.clear();
   good = impl_->file.close() && good;
-  impl_->set_aside.giveBack(impl_->path);
+  impl_->set_aside.giveBack(impl_->opened);
   if (good || !impl_->writes || impl_->failed) return {};
   return impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording is not whole: %1."));
 }
@@ -305,7 +358,7 @@ std::int64_t Hdf5File::rows(std::size_t table) {
   const OpenTable& open = impl_->tables[table];
   std::uint64_t rows = rowsOf(open.crc) * static_cast<std::uint64_t>(open.block_rows);
   for (const Store& store : open.stores) rows = std::min(rows, rowsOf(store));
-  return static_cast<std::int64_t>(rows);
+  return std::min(static_cast<std::int64_t>(std::min<std::uint64_t>(rows, INT64_MAX)), impl_->mostRows(open));
 }
 
 std::int64_t Hdf5File::blockRows(std::size_t table) const {
@@ -315,10 +368,8 @@ std::int64_t Hdf5File::blockRows(std::size_t table) const {
 Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first, std::int64_t count) {
   quiet();
   const OpenTable& open = impl_->tables[table];
-  const std::int64_t all = rows(table), block_rows = open.block_rows;
-  if (first < 0 || count <= 0) return std::vector<Block>{};
-  const std::int64_t begin = std::min(first * block_rows, all);
-  const std::int64_t end = std::min(all, (first + count) * block_rows);
+  const std::int64_t block_rows = open.block_rows;
+  const auto [begin, end] = rangeOf(first, count, block_rows, rows(table));
   if (end <= begin) return std::vector<Block>{};
   const auto blocks = static_cast<std::size_t>((end - begin + block_rows - 1) / block_rows);
   std::vector<std::uint32_t> crcs(blocks);

@@ -14,7 +14,8 @@
 namespace underact::record {
 
 /// Tables in an HDF5 file, written by one and read by many at the same time (SWMR). Any one thread at a time. Sentences
-/// of problems are the user's; their place is the file.
+/// of problems are the user's; their place is the file. Tables that this program would not write so are refused: their
+/// layout (see openStore()), rows beyond what a file of its length can hold. Files of strangers: see ForeignFile.
 class Hdf5File {
  public:
   ~Hdf5File();
@@ -28,9 +29,12 @@ class Hdf5File {
   /// For reading, also while another program writes it or after that one was killed. tables: those that must be there
   /// with just these columns; their block_rows are read from the file. Problems: no such file, not HDF5, damaged.
   static Result<Hdf5File> open(const std::string& path, std::span<const Table> tables);
-  /// For writing on, alone. killed: the mark that a killed writer left is taken away. Problems: also where another
-  /// program is recording into it.
-  static Result<Hdf5File> reopen(const std::string& path, std::span<const Table> tables, bool killed);
+  /// The same of a file that is open at a descriptor, which outlives this object; no other file is opened, whatever it
+  /// says. at_least: see accessThrough().
+  static Result<Hdf5File> openAt(int fd, std::span<const Table> tables, std::int64_t at_least = 0);
+  /// For writing on, alone. killed: the mark that a killed writer left is taken away. fd: where not below 0, the file
+  /// at path must be the one that is open there. Problems: also where another program is recording into it.
+  static Result<Hdf5File> reopen(const std::string& path, std::span<const Table> tables, bool killed, int fd = -1);
 
   /// Writer: a block at the end of a table, all those before it being full; to a table of one column any number of
   /// them. Problems: the disk takes no more; then nothing further is written, and each call says so.

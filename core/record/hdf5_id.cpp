@@ -9,6 +9,10 @@ namespace underact::record {
 
 static_assert(std::is_same_v<Handle, hid_t>);
 
+bool startHdf5() {
+  return H5open() >= 0 && H5PLset_loading_state(0) >= 0;
+}
+
 void quiet() {
   thread_local const herr_t once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   (void)once;
@@ -16,7 +20,7 @@ void quiet() {
 
 namespace {
 
-constexpr std::size_t kLongestText = std::size_t{1} << 24;
+constexpr std::size_t kLongestText = std::size_t{1} << 20;
 
 bool writeText(hid_t object, const std::string& name, const std::string& text) {
   const Id type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -55,6 +59,11 @@ std::optional<Number> numberOf(hid_t object, std::string_view name, H5T_class_t 
 }
 
 }  // namespace
+
+bool isOwn(Handle group, std::string_view name) {
+  H5L_info_t link{};
+  return H5Lget_info(group, std::string(name).c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
+}
 
 bool writeAttribute(Handle object, const Attribute& attribute) {
   if (const auto* text = std::get_if<std::string>(&attribute.value)) return writeText(object, attribute.name, *text);

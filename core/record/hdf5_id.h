@@ -11,6 +11,10 @@ namespace underact::record {
 // What the sources that speak with HDF5 share. The library's own header is in none of ours: its hid_t is this.
 using Handle = std::int64_t;
 
+/// Makes the library ready, which it does by itself when it is first used: for a process that may do less later on. It
+/// loads no plugins then. false: it is not to be had.
+bool startHdf5();
+
 /// One identifier of the library's, closed at the end.
 class Id {
  public:
@@ -45,9 +49,12 @@ struct Attribute {
   std::variant<std::string, std::int64_t, double> value;
 };
 
+/// Whether a name in a group is the object itself, and no link to one that may be in another file.
+bool isOwn(Handle group, std::string_view name);
+
 bool writeAttribute(Handle object, const Attribute& attribute);
 
-// None where it is not there, or of another kind.
+// None where it is not there, of another kind, or a text of more than a mebibyte.
 std::optional<std::string> textAttribute(Handle object, std::string_view name);
 std::optional<std::int64_t> integerAttribute(Handle object, std::string_view name);
 std::optional<double> realAttribute(Handle object, std::string_view name);

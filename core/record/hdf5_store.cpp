@@ -23,6 +23,32 @@ hid_t typeOf(Kind kind) {
   return -1;
 }
 
+/// Of a dataset: 0 without filters, 1 with those that copies have which h5repack packs, -1 with any other. None is a
+/// plugin.
+int packingOf(hid_t made) {
+  const int filters = H5Pget_nfilters(made);
+  for (int index = 0; index < filters; ++index) {
+    unsigned flags = 0, settings = 0;
+    std::size_t count = 0;
+    const H5Z_filter_t filter =
+        H5Pget_filter2(made, static_cast<unsigned>(index), &flags, &count, nullptr, 0, nullptr, &settings);
+    if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE) return -1;
+  }
+  return filters < 0 ? -1 : filters > 0 ? 1 : 0;
+}
+
+/// Whether its numbers stand in this file, in chunks as createStore() has them.
+bool isLaidOutAsOurs(Store& store, hsize_t chunk_rows) {
+  const Id made(H5Dget_create_plist(store.id), H5Pclose);
+  hsize_t chunk[2] = {0, store.width};
+  H5D_fill_value_t fill = H5D_FILL_VALUE_ERROR;
+  const int packing = made.isGood() ? packingOf(made) : -1;
+  store.is_packed = packing == 1;
+  return packing >= 0 && H5Pget_layout(made) == H5D_CHUNKED && H5Pget_external_count(made) == 0 &&
+         H5Pfill_value_defined(made, &fill) >= 0 && fill == H5D_FILL_VALUE_DEFAULT &&
+         H5Pget_chunk(made, 2, chunk) == store.rank() && chunk[0] == chunk_rows && chunk[1] == store.width;
+}
+
 /// Rows of a store selected, and memory for as many.
 struct Selection {
   Selection(const Store& store, hsize_t first, hsize_t rows) : file(H5Dget_space(store.id), H5Sclose) {
@@ -63,19 +89,20 @@ Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows) 
   return store;
 }
 
-Store openStore(Handle group, const Column& column) {
+Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows) {
   Store store;
   store.kind = column.kind;
   store.width = static_cast<hsize_t>(column.width);
+  if (!isOwn(group, column.name)) return store;
   store.id = Id(H5Dopen2(group, std::string(column.name).c_str(), H5P_DEFAULT), H5Dclose);
   if (!store.id.isGood()) return store;
   const Id type(H5Dget_type(store.id), H5Tclose);
   const Id space(H5Dget_space(store.id), H5Sclose);
-  hsize_t size[2] = {0, 1};
+  hsize_t size[2] = {0, 1}, most[2] = {0, 1};
   const bool same = H5Tequal(type, typeOf(column.kind)) > 0 && H5Sget_simple_extent_ndims(space) == store.rank() &&
-                    H5Sget_simple_extent_dims(space, size, nullptr) == store.rank() &&
-                    (store.rank() == 1 || size[1] == store.width);
-  if (!same) store.id = Id();
+                    H5Sget_simple_extent_dims(space, size, most) == store.rank() && most[0] == H5S_UNLIMITED &&
+                    (store.rank() == 1 || (size[1] == store.width && most[1] == store.width));
+  if (!same || !isLaidOutAsOurs(store, chunk_rows)) store.id = Id();
   return store;
 }
 

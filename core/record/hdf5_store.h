@@ -12,11 +12,14 @@ struct Store {
   Id id;  // not good: it is not there, or of another kind
   Kind kind = Kind::Real;
   std::uint64_t width = 1;
+  bool is_packed = false;  // shuffled or compressed by zlib, as h5repack makes copies; never by this program
   int rank() const { return width > 1 ? 2 : 1; }
 };
 
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
-Store openStore(Handle group, const Column& column);
+/// As createStore() makes it, with chunks of so many rows; not good where it is otherwise in any way: another type, a
+/// link, packed by another filter, laid out by another program, its numbers in another file.
+Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows);
 std::uint64_t rowsOf(const Store& store);  // 0 where it does not say
 
 // false: the library refused, for a full disk or a damaged file.

@@ -141,7 +141,7 @@ struct Recorder::Impl {
     }
     if (!in_order) {
       writer.abandon();
-      const Result<std::int64_t> whole = recover(path);
+      const Result<std::int64_t> whole = makeWhole(path);
       Sentence& sentence = problems.front().sentence;
       if (whole)
         sentence =

@@ -54,9 +54,13 @@ class Recorder {
   std::unique_ptr<Impl> impl_;
 };
 
+/// A file of this program's own that could not be ended in order: as recover(), without looking at it first.
+Result<std::int64_t> makeWhole(const std::string& path);
+
 /// A file that a killed program left: made whole up to the last block that all tables have, marked as recovered, so
 /// that every program opens it. In place. A session that ended in order stays as it is. Gives how many ticks it holds.
-/// Problems: no session; being recorded; it cannot be written.
+/// Problems: no session, or one that no recording could be, see ForeignFile; a link; being recorded; it cannot be
+/// written.
 Result<std::int64_t> recover(const std::string& path);
 
 }  // namespace underact::record

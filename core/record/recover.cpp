@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <memory>
 
+#include "core/record/descriptor_driver.h"
+#include "core/record/disk.h"
 #include "core/record/recorder.h"
 #include "core/record/session.h"
 
@@ -20,16 +23,10 @@ Result<std::int64_t> wholeRows(Hdf5File& file, std::size_t table) {
   return rows;
 }
 
-}  // namespace
-
-Result<std::int64_t> recover(const std::string& path) {
-  {
-    const Result<Session> session = Session::open(path);  // it may be cut off: then it cannot be opened so
-    if (session && session.value().info().isComplete() && !session.value().isOpenElsewhere())
-      return session.value().info().ticks;
-  }  // closed here: HDF5 knows a file that is open in the same process
+/// fd: see Hdf5File::reopen().
+Result<std::int64_t> makeWholeAt(const std::string& path, int fd) {
   const std::array tables = sessionTables(1000);
-  Result<Hdf5File> file = Hdf5File::reopen(path, tables, true);
+  Result<Hdf5File> file = Hdf5File::reopen(path, tables, true, fd);
   if (!file) return file.problems();
   EndRow end;
   end.reason = EndReason::Recovered;
@@ -49,6 +46,29 @@ Result<std::int64_t> recover(const std::string& path) {
   if (problems.empty()) problems = file.value().close();
   if (!problems.empty()) return problems;
   return ticks;
+}
+
+}  // namespace
+
+Result<std::int64_t> makeWhole(const std::string& path) {
+  return makeWholeAt(path, -1);
+}
+
+Result<std::int64_t> recover(const std::string& path) {
+  // It may be anybody's. So it is looked at from a distance first, as far as it goes, and then just that file is
+  // changed.
+  Result<ForeignInput> opened = ForeignInput::open(path, false);
+  if (!opened) return opened.problems();
+  const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());
+  const std::int64_t length = lengthToGrowTo(input->bytes(), statedLength(input->fd()));
+  {
+    const Result<Session> session = Session::open(input, length);
+    if (!session) return session.problems();
+    if (length == input->bytes() && session.value().info().isComplete() && !session.value().isOpenElsewhere())
+      return session.value().info().ticks;
+  }  // closed here: it is opened for writing now
+  input->unlock();
+  return makeWholeAt(path, input->fd());
 }
 
 }  // namespace underact::record

@@ -110,11 +110,14 @@ class Verification {
 
  private:
   bool isNext(const servo::TickRecord& record) {
-    const bool next = last_tick_ < 0 || record.tick == last_tick_ + 1;
+    const bool next = !last_tick_ || (record.tick > *last_tick_ && record.tick - 1 == *last_tick_);
     if (!next) {
+      // A file may give any two numbers: their difference is taken where it cannot overflow.
+      const auto missing = static_cast<std::int64_t>(static_cast<std::uint64_t>(record.tick) -
+                                                     static_cast<std::uint64_t>(*last_tick_) - 1);
       result_.unknown = said(
           QT_TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what comes after them cannot be replayed."),
-          {std::to_string(record.tick - last_tick_ - 1), std::to_string(last_tick_)});
+          {std::to_string(missing), std::to_string(*last_tick_)});
     }
     last_tick_ = record.tick;
     return next;
@@ -153,7 +156,7 @@ class Verification {
   Packer packer_;
   const std::vector<std::string>& files_in_;
   std::size_t next_change_ = 1;  // the first is what the rerun began with
-  std::int64_t last_tick_ = -1;
+  std::optional<std::int64_t> last_tick_;
   Verified result_;
   Problems problems_;
 };

@@ -1,6 +1,7 @@
 #include "core/record/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -12,20 +13,29 @@
 namespace underact::record {
 namespace {
 
+constexpr std::int64_t kBytesAtOnce = 8LL << 20;  // one block at least
 constexpr std::int64_t kBlocksAtOnce = 64;
 constexpr std::int64_t kRowsAtOnce = 4096;          // of a small table
+constexpr std::int64_t kMostRows = 1LL << 20;       // of a small table
+constexpr std::int64_t kMostMarkers = 1LL << 16;    // each of which has words to be read
 constexpr std::int64_t kLongestWords = 64LL << 20;  // bytes of one text
+constexpr std::int64_t kLongestStart = 16LL << 20;
+constexpr std::int64_t kMostLate = 1'000'000;
+constexpr std::int64_t kMostGaps = 100'000;  // blocks that are damaged, one after the other or not
 
 Problems damagedAt(const std::string& path, Sentence what) {
   return {{std::move(what), {path}}};
 }
 
-std::string textOf(const std::vector<Block>& blocks, std::size_t skip, std::size_t bytes) {
-  std::string text;
-  for (const Block& block : blocks) {
-    for (const std::byte one : block.bytes) text.push_back(static_cast<char>(one));
+/// Words stand one after the other in their table, so all together are no more than it. What is not so gets no place.
+void keepWithin(std::int64_t all, std::int64_t& left, Words& words) {
+  const bool is_within = words.bytes >= 0 && words.bytes <= kLongestWords && words.at >= 0 && words.at <= all &&
+                         words.bytes <= all - words.at && words.bytes <= left;
+  if (is_within) {
+    left -= words.bytes;
+  } else {
+    words = {-1, -1};
   }
-  return skip < text.size() ? text.substr(skip, bytes) : std::string();
 }
 
 bool isAnyDamaged(const std::vector<Block>& blocks) {
@@ -35,8 +45,15 @@ bool isAnyDamaged(const std::vector<Block>& blocks) {
 }  // namespace
 
 Result<Session> Session::open(const std::string& path) {
-  const std::array tables = sessionTables(1000);  // how many rows a block has is read from the file
-  Result<Hdf5File> file = Hdf5File::open(path, tables);
+  Result<ForeignInput> input = ForeignInput::open(path);
+  if (!input) return input.problems();
+  return open(std::make_shared<const ForeignInput>(std::move(input).value()));
+}
+
+Result<Session> Session::open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least) {
+  const std::string path = input->path();
+  const std::array tables = sessionTables(1000);  // how many rows a block of ticks has is read from the file
+  Result<ForeignFile> file = ForeignFile::open(std::move(input), tables, at_least);
   if (!file) return file.problems();
   Session session(std::move(file).value());
   Problems problems = session.readInfo(path);
@@ -65,7 +82,8 @@ Problems Session::readInfo(const std::string& path) {
   header.started_unix_ns = file_.integer("started_unix_ns", 0);
   header.rate_hz = file_.integer("rate_hz", 0);
   header.frozen_s = file_.real("frozen_s", 0.0);
-  header.max_late = static_cast<int>(file_.integer("max_late", 20));
+  if (!(header.frozen_s >= 0.0 && std::isfinite(header.frozen_s))) header.frozen_s = 0.0;
+  header.max_late = static_cast<int>(std::clamp<std::int64_t>(file_.integer("max_late", 20), 0, kMostLate));
   header.gate_time = file_.text("gate_time") == kServosTime ? GateTime::Servo : GateTime::Arm;
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
     return {
@@ -79,7 +97,8 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
   std::vector<Row> rows;
   for (std::int64_t at = 0;; at += kRowsAtOnce) {
     Result<std::vector<Block>> blocks = file_.read(table, at, kRowsAtOnce);
-    if (!blocks || isAnyDamaged(blocks.value())) {
+    const bool are_too_many = at >= (table == kMarkers ? kMostMarkers : kMostRows) && blocks && !blocks.value().empty();
+    if (!blocks || are_too_many || isAnyDamaged(blocks.value())) {
       const Problems problems =
           damagedAt(info_.path,
                     said(QT_TRANSLATE_NOOP(
@@ -87,7 +106,7 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
                          {std::string(sessionTables(1000)[table].name)}));
       info_.damage.insert(info_.damage.end(), problems.begin(), problems.end());
     }
-    if (!blocks || blocks.value().empty()) return rows;
+    if (!blocks || are_too_many || blocks.value().empty()) return rows;
     for (const Block& block : blocks.value()) {
       if (block.bytes.empty()) continue;
       const std::vector<Row> more = unpack(block);
@@ -102,10 +121,14 @@ void Session::readSmallTables() {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(info_.path, error);
   info_.bytes = error ? 0 : static_cast<std::int64_t>(bytes);
+  const std::int64_t all_words = file_.rows(kText);
+  std::int64_t words_left = all_words;
   changes_ = rowsOf(kChanges, unpackChanges);
+  for (ChangeRow& change : changes_) keepWithin(all_words, words_left, change.scene);
   faults_ = rowsOf(kFaults, unpackFaults);
   markers_.clear();
-  for (const MarkerRow& row : rowsOf(kMarkers, unpackMarkers)) {
+  for (MarkerRow& row : rowsOf(kMarkers, unpackMarkers)) {
+    keepWithin(all_words, words_left, row.label);
     Result<std::string> label = words(row.label);
     if (!label) info_.damage.push_back(label.problems().front());
     markers_.push_back({row.tick, label ? label.value() : std::string("?")});
@@ -120,27 +143,39 @@ void Session::readSmallTables() {
   info_.duration_s = by_count_s;
   if (!first || !last || isAnyDamaged(first.value()) || isAnyDamaged(last.value())) return;
   const double by_clock_s =
-      kSecondPerNanosecond * static_cast<double>(unpackTicks(last.value().back()).back().time_ns -
-                                                 unpackTicks(first.value().front()).front().time_ns);
+      kSecondPerNanosecond * (static_cast<double>(unpackTicks(last.value().back()).back().time_ns) -
+                              static_cast<double>(unpackTicks(first.value().front()).front().time_ns));
   if (by_clock_s > by_count_s) info_.duration_s = by_clock_s;  // it is less where an arm was opened anew
 }
 
+/// Of a table of bytes. Problems: some of them are damaged.
+Result<std::vector<std::byte>> Session::bytesOf(TableIndex table, std::int64_t begin, std::int64_t end) {
+  std::vector<std::byte> bytes;
+  const std::int64_t block_rows = file_.blockRows(table), from = begin / block_rows;
+  for (std::int64_t at = from; at * block_rows < end; at += kRowsAtOnce) {
+    const std::int64_t blocks = std::min(kRowsAtOnce, (end - at * block_rows + block_rows - 1) / block_rows);
+    Result<std::vector<Block>> read = file_.read(table, at, blocks);
+    if (!read) return read.problems();
+    if (read.value().empty() || isAnyDamaged(read.value()))
+      return damagedAt(info_.path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    for (const Block& block : read.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
+  }
+  const auto skip = static_cast<std::size_t>(begin - from * block_rows), count = static_cast<std::size_t>(end - begin);
+  if (bytes.size() < skip || bytes.size() - skip < count)
+    return damagedAt(info_.path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+  const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(skip);
+  return std::vector<std::byte>(first, first + static_cast<std::ptrdiff_t>(count));
+}
+
 Result<std::string> Session::words(const Words& words) {
-  const auto damaged = [this] {
+  if (words.bytes == 0) return std::string();
+  Result<std::vector<std::byte>> bytes = Problems{};
+  if (words.at >= 0 && words.bytes > 0) bytes = bytesOf(kText, words.at, words.at + words.bytes);
+  if (!bytes)
     return damagedAt(
         info_.path,
         said(QT_TRANSLATE_NOOP("problem", "The words of this session cannot be read: the file is damaged there.")));
-  };
-  if (words.bytes == 0) return std::string();
-  if (words.at < 0 || words.bytes < 0 || words.bytes > kLongestWords || words.at > file_.rows(kText)) return damaged();
-  const std::int64_t first = words.at / kTextBlock;
-  const std::int64_t last = (words.at + words.bytes - 1) / kTextBlock;
-  Result<std::vector<Block>> blocks = file_.read(kText, first, last - first + 1);
-  if (!blocks || isAnyDamaged(blocks.value())) return damaged();
-  std::string text = textOf(blocks.value(), static_cast<std::size_t>(words.at - first * kTextBlock),
-                            static_cast<std::size_t>(words.bytes));
-  if (text.size() != static_cast<std::size_t>(words.bytes)) return damaged();
-  return text;
+  return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
 }
 
 Result<std::string> Session::sceneText(const ChangeRow& change) {
@@ -161,17 +196,18 @@ Result<tick::TickState> Session::start(const tick::TickProgram& program) {
              "problem",
              "The servo's memory at the beginning was recorded by a version that lays it out in another way.")),
          {info_.path}}};
-  const std::int64_t all = (file_.rows(kStart) + kStartBlock - 1) / kStartBlock;
-  Result<std::vector<Block>> blocks = file_.read(kStart, 0, all);
-  if (!blocks || isAnyDamaged(blocks.value()))
+  const std::int64_t all = file_.rows(kStart);
+  const Result<std::vector<std::byte>> bytes =
+      all <= kLongestStart ? bytesOf(kStart, 0, all) : Result<std::vector<std::byte>>(Problems{});
+  if (!bytes)
     return damagedAt(
         info_.path,
         said(QT_TRANSLATE_NOOP(
             "problem",
             "The servo's memory at the beginning of this session cannot be read: the file is damaged there.")));
-  std::vector<std::byte> bytes;
-  for (const Block& block : blocks.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
-  return stateOfBytes(bytes, program);
+  Result<tick::TickState> state = stateOfBytes(bytes.value(), program);
+  if (!state) return damagedAt(info_.path, state.problems().front().sentence);
+  return state;
 }
 
 Result<std::vector<Block>> Session::readTicks(std::int64_t first_block, std::int64_t count) {
@@ -182,19 +218,25 @@ Problems Session::eachBlock(const std::function<bool(const Block&, std::int64_t)
                             const std::function<void(const Gap&)>& damaged,
                             const std::function<void(double)>& progress) {
   const std::int64_t all = blocks();
-  for (std::int64_t first = 0; first < all; first += kBlocksAtOnce) {
-    Result<std::vector<Block>> read = readTicks(first, kBlocksAtOnce);
+  const std::int64_t block_bytes = blockRows() * static_cast<std::int64_t>(rowBytes(sessionTables(1000)[kTicks]));
+  const std::int64_t at_once = std::clamp<std::int64_t>(kBytesAtOnce / block_bytes, 1, kBlocksAtOnce);
+  std::int64_t gaps = 0;
+  for (std::int64_t first = 0; first < all; first += at_once) {
+    Result<std::vector<Block>> read = readTicks(first, at_once);
     if (!read) return read.problems();
     std::int64_t row = first * blockRows();
     for (const Block& block : read.value()) {
       if (block.bytes.empty()) {
+        if (++gaps > kMostGaps)
+          return damagedAt(info_.path,
+                           said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
         damaged({row, block.rows});
       } else if (!visit(block, row)) {
         return {};
       }
       row += block.rows;
     }
-    if (progress) progress(std::min(1.0, static_cast<double>(first + kBlocksAtOnce) / static_cast<double>(all)));
+    if (progress) progress(std::min(1.0, static_cast<double>(first + at_once) / static_cast<double>(all)));
   }
   return {};
 }

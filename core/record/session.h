@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/record/foreign_file.h"
 #include "core/record/session_tables.h"
 #include "core/record/session_writer.h"
 #include "core/scene/description.h"
@@ -38,11 +39,15 @@ struct Gap {
   std::int64_t rows = 0;
 };
 
-/// A recorded session, for reading; also one that is still growing, and one whose writer was killed.
+/// A recorded session, for reading; also one that is still growing, and one whose writer was killed. It may come from
+/// anybody: see ForeignFile, and whatever numbers it holds are only those that a recording can have.
 class Session {
  public:
-  /// Problems: no such file; no session; another version of the layout; damaged at its beginning.
+  /// Problems: no such file; no session; another version of the layout; damaged at its beginning; as
+  /// ForeignFile::open().
   static Result<Session> open(const std::string& path);
+  /// The same of a file that is open already. at_least: see accessThrough().
+  static Result<Session> open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least = 0);
 
   const SessionInfo& info() const { return info_; }
   const std::vector<ChangeRow>& changes() const { return changes_; }
@@ -68,14 +73,15 @@ class Session {
   bool isOpenElsewhere() const { return file_.isOpenElsewhere(); }
 
  private:
-  explicit Session(Hdf5File file) : file_(std::move(file)) {}
+  explicit Session(ForeignFile file) : file_(std::move(file)) {}
   Problems readInfo(const std::string& path);
   void readSmallTables();
+  Result<std::vector<std::byte>> bytesOf(TableIndex table, std::int64_t begin, std::int64_t end);
   Result<std::string> words(const Words& words);
   template <class Row>
   std::vector<Row> rowsOf(TableIndex table, std::vector<Row> (*unpack)(const Block&));
 
-  Hdf5File file_;
+  ForeignFile file_;
   SessionInfo info_;
   std::vector<ChangeRow> changes_;
   std::vector<Marker> markers_;

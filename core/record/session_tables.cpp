@@ -61,9 +61,13 @@ Words unpackWords(Unpacker& unpacker) {
 
 }  // namespace
 
+// Of the longest block at the highest rate that a session may have.
+constexpr std::int64_t kMostBlockRows = 200'000;
+static_assert(kMostBlockRows >= kLongestBlock_s * 1e6);
+
 std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
   const std::int64_t ticks = std::max<std::int64_t>(std::llround(block_s * static_cast<double>(rate_hz)), 1);
-  return {Table{"ticks", tickColumns(), ticks, ticks},
+  return {Table{"ticks", tickColumns(), ticks, ticks, kMostBlockRows},
           Table{"changes", kChangeColumns},
           Table{"markers", kMarkerColumns},
           Table{"faults", kFaultColumns},

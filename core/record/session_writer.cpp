@@ -3,9 +3,11 @@
 #include <underact/version.h>
 
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "core/arm/model.h"
+#include "core/record/foreign_file.h"
 #include "core/record/state_bytes.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/write.h"
@@ -131,7 +133,17 @@ Problems SessionWriter::end(const EndRow& row) {
 }
 
 Problems rewriteWords(const std::string& path, const SessionWords& words) {
-  Result<Hdf5File> file = Hdf5File::reopen(path, {}, false);
+  // It may be anybody's: looked at from a distance first, and then just that file is changed.
+  Result<ForeignInput> opened = ForeignInput::open(path);
+  if (!opened) return opened.problems();
+  const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());
+  const std::array tables = sessionTables(1000);
+  {
+    const Result<ForeignFile> checked = ForeignFile::open(input, tables);
+    if (!checked) return checked.problems();
+  }
+  input->unlock();
+  Result<Hdf5File> file = Hdf5File::reopen(path, {}, false, input->fd());
   if (!file) return file.problems();
   Problems problems;
   for (const auto& [name, text] :

@@ -25,6 +25,12 @@ std::uint32_t crcOf(std::span<const std::byte> bytes) {
   return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
+RowRange rangeOf(std::int64_t first, std::int64_t count, std::int64_t block_rows, std::int64_t all) {
+  if (first < 0 || count <= 0 || first > all / block_rows) return {};
+  const std::int64_t begin = first * block_rows;
+  return {begin, count > (all - begin) / block_rows ? all : begin + count * block_rows};
+}
+
 namespace {
 
 std::vector<std::size_t> offsetsOf(std::span<const Column> columns, std::int64_t rows) {

@@ -26,6 +26,7 @@ struct Table {
   std::span<const Column> columns;
   std::int64_t block_rows = 1;
   std::int64_t chunk_rows = 64;
+  std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: block_rows and chunk_rows alone
 };
 
 std::size_t rowBytes(const Table& table);
@@ -38,6 +39,18 @@ struct Block {
 
 /// As zlib and PNG compute it.
 std::uint32_t crcOf(std::span<const std::byte> bytes);
+
+/// How many times more rows than its bytes hold a file may have that others have packed: of an arm that stands still,
+/// in the longest blocks.
+inline constexpr std::int64_t kMostPacked = 256;
+
+/// Rows of a table from one on, up to another.
+struct RowRange {
+  std::int64_t begin = 0, end = 0;
+  std::int64_t blocks(std::int64_t block_rows) const { return (end - begin + block_rows - 1) / block_rows; }
+};
+/// Of blocks from first on, at most count; of a table that has so many rows in all. None where first is beyond them.
+RowRange rangeOf(std::int64_t first, std::int64_t count, std::int64_t block_rows, std::int64_t all);
 
 /// Writes rows into a block, number by number: row by row, each row column by column. For at most as many rows as
 /// begin() was told.

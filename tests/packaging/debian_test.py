@@ -16,7 +16,8 @@ TOOLS = ["dpkg-buildpackage", "dh", "lintian", "desktop-file-validate", "appstre
 PACKAGES = {"underact", "underact-cli", "underact-data", "python3-underact"}
 MOST_BYTES = 15e6  # of the package without what it depends on
 PROGRAMS = ["usr/bin/underact", "usr/bin/underact-cli", "usr/bin/underact-sweep",
-            "usr/libexec/underact/underact-guard", "usr/libexec/underact/underact-mesh-reader"]
+            "usr/libexec/underact/underact-guard", "usr/libexec/underact/underact-mesh-reader",
+            "usr/libexec/underact/underact-session-reader"]
 
 missing = [tool for tool in TOOLS if not shutil.which(tool)]
 if missing:

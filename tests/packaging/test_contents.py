@@ -76,6 +76,7 @@ class Contents(unittest.TestCase):
         self.assertIn("underact-cli", self.carried)
         self.assertIn("underact-guard", self.carried)
         self.assertIn("underact-mesh-reader", self.carried)
+        self.assertIn("underact-session-reader", self.carried)
         self.assertNotIn("underact-sweep", self.carried)
 
 

@@ -16,6 +16,8 @@
 #include <string>
 
 #include "core/mesh_file/read_file.h"
+#include "core/record/session.h"
+#include "core/record/session_writer.h"
 #include "tests/support/scratch_folder.h"
 
 namespace underact {
@@ -72,6 +74,18 @@ TEST(NotSealed, AMeshIsNotRead) {
     return raw ? Problems{} : raw.problems();
   });
   EXPECT_EQ(words.substr(0, words.find(',')), refusalOf("underact-mesh-reader"));
+}
+
+TEST(NotSealed, ASessionIsNotRead) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("s.h5");
+  ASSERT_TRUE(record::SessionWriter::create(path, {}));
+  EXPECT_TRUE(record::Session::open(path)) << "where it is shut off, it reads";
+  const std::string words = saidThere([&] {
+    const Result<record::Session> session = record::Session::open(path);
+    return session ? Problems{} : session.problems();
+  });
+  EXPECT_EQ(words.substr(0, words.find(',')), refusalOf("underact-session-reader"));
 }
 
 }  // namespace underact

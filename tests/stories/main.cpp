@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   qputenv("UNDERACT_DATA_DIR", UNDERACT_SOURCE);
   qputenv("UNDERACT_CLI", UNDERACT_CLI);
   qputenv("UNDERACT_MESH_READER", UNDERACT_MESH_READER);
+  qputenv("UNDERACT_SESSION_READER", UNDERACT_SESSION_READER);
   qputenv("UNDERACT_CACHE_DIR", settings.filePath("meshes").toUtf8());
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   QSurfaceFormat format;

@@ -1,0 +1,219 @@
+#include "core/record/foreign_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "core/base/places.h"
+#include "core/base/translate.h"
+#include "core/helper/talk.h"
+#include "core/helper/words.h"
+#include "core/record/foreign_protocol.h"
+#include "core/record/hdf5_file.h"
+
+namespace underact::record {
+namespace {
+
+constexpr const char* kSessionReader = "underact-session-reader";
+constexpr std::size_t kLongestAttribute = (std::size_t{1} << 20) + 1;
+
+#if defined(__linux__)
+constexpr bool kIsSealed = true;
+#else
+constexpr bool kIsSealed = false;
+#endif
+
+/// An attribute's name in a question; an empty one is of no attribute.
+Question questionOf(Asks what, std::string_view name) {
+  Question question;
+  question.what = what;
+  if (name.size() < question.name.size()) std::copy(name.begin(), name.end(), question.name.begin());
+  return question;
+}
+
+template <class Number>
+std::optional<Number> numberIn(std::span<const std::byte> bytes) {
+  Number number{};
+  if (bytes.size() != sizeof number) return {};
+  std::memcpy(&number, bytes.data(), sizeof number);
+  return number;
+}
+
+/// A helper is believed as little as the file that it reads.
+bool fits(const Shape& shape, std::span<const Table> tables, std::int64_t bytes) {
+  for (std::size_t index = 0; index < tables.size(); ++index) {
+    const Table& table = tables[index];
+    const std::int64_t rows = shape.rows[index], block_rows = shape.block_rows[index];
+    const bool is_block = table.most_block_rows == 0 ? block_rows == table.block_rows
+                                                     : block_rows >= 1 && block_rows <= table.most_block_rows;
+    if (!is_block || rows < 0 || rows > kMostPacked * (bytes / static_cast<std::int64_t>(rowBytes(table))) + block_rows)
+      return false;
+  }
+  return shape.is_open_elsewhere == 0 || shape.is_open_elsewhere == 1;
+}
+
+}  // namespace
+
+struct ForeignFile::Impl {
+  std::shared_ptr<const ForeignInput> input;
+  std::vector<Table> tables;
+  std::int64_t at_least = 0;
+  helper::Talk talk;
+  Shape shape;
+  std::optional<Hdf5File> here;  // where there are no sealed processes
+
+  Problems problem(Sentence sentence) const { return {{std::move(sentence), {input->path()}}}; }
+  Problems unreadable() const {
+    return problem(said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+  }
+  /// Why there was no answer.
+  Problems whySilent(const helper::Bounds& bounds) const {
+    using helper::Ending;
+    switch (talk.ending()) {
+      case Ending::Crashed:
+        return problem(said(QT_TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+                            {std::to_string(talk.code())}));
+      case Ending::TookTooLong:
+        return problem(said(QT_TRANSLATE_NOOP("problem",
+                                              "The file is damaged: reading a part of it took longer than %1, which "
+                                              "is enough for any session."),
+                            {helper::secondsText(bounds.most_cpu_s)}));
+      case Ending::NotStarted:
+      case Ending::NotSealed:
+        return problem(helper::whyNoHelper(talk.ending(), kSessionReader, talk.code()));
+      default:
+        return unreadable();
+    }
+  }
+  /// What follows a yes. Problems: what follows a no, and why there was no answer.
+  Result<std::vector<std::byte>> ask(const Question& question, std::size_t most_bytes) {
+    helper::Bounds bounds;
+    bounds.most_bytes = std::max(most_bytes, helper::kMostLetters) + 1;
+    std::optional<std::vector<std::byte>> answer = talk.ask(std::as_bytes(std::span(&question, 1)), bounds);
+    if (!answer) return whySilent(bounds);
+    if (answer->empty()) return unreadable();
+    const std::byte yes = answer->front();
+    answer->erase(answer->begin());
+    if (yes == kYes) return std::move(*answer);
+    const std::optional<Sentence> why =
+        helper::sentenceOf({reinterpret_cast<const char*>(answer->data()), answer->size()});
+    return why && !why->empty() ? problem(*why) : unreadable();
+  }
+  Problems look(Asks what) {
+    Question question;
+    question.what = what;
+    question.at_least = at_least;
+    const Result<std::vector<std::byte>> answer = ask(question, sizeof(Shape));
+    if (!answer) return answer.problems();
+    const std::optional<Shape> now = numberIn<Shape>(answer.value());
+    if (!now || !fits(*now, tables, std::max(input->bytes(), at_least))) return unreadable();
+    shape = *now;
+    return {};
+  }
+};
+
+ForeignFile::ForeignFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ForeignFile::ForeignFile(ForeignFile&&) noexcept = default;
+ForeignFile& ForeignFile::operator=(ForeignFile&&) noexcept = default;
+ForeignFile::~ForeignFile() = default;
+
+Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input, std::span<const Table> tables,
+                                      std::int64_t at_least) {
+  auto impl = std::make_unique<Impl>();
+  impl->input = std::move(input);
+  impl->tables.assign(tables.begin(), tables.end());
+  impl->at_least = at_least;
+  if constexpr (kIsSealed) {
+    const Result<std::string> program = findProgram(kSessionReader, "UNDERACT_SESSION_READER");
+    if (!program)
+      return impl->problem(
+          oneAfterAnother({program.problems().front().sentence,
+                           said(QT_TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
+    impl->talk = helper::Talk(program.value(), impl->input->fd());
+    const Problems problems = impl->look(Asks::Open);
+    if (!problems.empty()) return problems;
+  } else {
+    Result<Hdf5File> file = Hdf5File::openAt(impl->input->fd(), tables, at_least);
+    if (!file) return impl->problem(file.problems().front().sentence);
+    impl->here = std::move(file).value();
+  }
+  ForeignFile file(std::move(impl));
+  if (file.isOpenElsewhere()) file.impl_->input->unlock();  // its writer may go on
+  return file;
+}
+
+std::int64_t ForeignFile::rows(std::size_t table) const {
+  return impl_->here ? impl_->here->rows(table) : impl_->shape.rows[table];
+}
+
+std::int64_t ForeignFile::blockRows(std::size_t table) const {
+  return impl_->here ? impl_->here->blockRows(table) : impl_->shape.block_rows[table];
+}
+
+Result<std::vector<Block>> ForeignFile::read(std::size_t table, std::int64_t first, std::int64_t count) {
+  if (impl_->here) return impl_->here->read(table, first, count);
+  const std::int64_t block_rows = blockRows(table);
+  const RowRange wanted = rangeOf(first, count, block_rows, rows(table));
+  const auto blocks = static_cast<std::size_t>(wanted.blocks(block_rows));
+  if (blocks == 0) return std::vector<Block>{};
+  const std::size_t row_bytes = rowBytes(impl_->tables[table]);
+  Question question;
+  question.what = Asks::Read;
+  question.table = table;
+  question.first = first;
+  question.count = count;
+  const Result<std::vector<std::byte>> answer =
+      impl_->ask(question, blocks + static_cast<std::size_t>(wanted.end - wanted.begin) * row_bytes);
+  if (!answer) return answer.problems();
+  std::span<const std::byte> bytes = answer.value();
+  if (bytes.size() < blocks) return impl_->unreadable();
+  const std::span<const std::byte> whole = bytes.first(blocks);
+  bytes = bytes.subspan(blocks);
+  std::vector<Block> read(blocks);
+  for (std::size_t index = 0; index < blocks; ++index) {
+    Block& block = read[index];
+    block.rows = std::min(block_rows, wanted.end - wanted.begin - static_cast<std::int64_t>(index) * block_rows);
+    if (whole[index] != kYes) continue;
+    const std::size_t size = static_cast<std::size_t>(block.rows) * row_bytes;
+    if (bytes.size() < size) return impl_->unreadable();
+    block.bytes.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    bytes = bytes.subspan(size);
+  }
+  if (!bytes.empty()) return impl_->unreadable();
+  return read;
+}
+
+void ForeignFile::refresh() {
+  if (impl_->here) return impl_->here->refresh();
+  (void)impl_->look(Asks::Refresh);  // where that fails, what was there stays, and reading it says why
+}
+
+std::string ForeignFile::text(std::string_view attribute) {
+  if (impl_->here) return impl_->here->text(attribute);
+  const Result<std::vector<std::byte>> answer = impl_->ask(questionOf(Asks::Text, attribute), kLongestAttribute);
+  if (!answer) return {};
+  return {reinterpret_cast<const char*>(answer.value().data()), answer.value().size()};
+}
+
+std::int64_t ForeignFile::integer(std::string_view attribute, std::int64_t fallback) {
+  if (impl_->here) return impl_->here->integer(attribute, fallback);
+  Question question = questionOf(Asks::Integer, attribute);
+  question.fallback = fallback;
+  const Result<std::vector<std::byte>> answer = impl_->ask(question, sizeof fallback);
+  return answer ? numberIn<std::int64_t>(answer.value()).value_or(fallback) : fallback;
+}
+
+double ForeignFile::real(std::string_view attribute, double fallback) {
+  if (impl_->here) return impl_->here->real(attribute, fallback);
+  Question question = questionOf(Asks::Real, attribute);
+  question.real_fallback = fallback;
+  const Result<std::vector<std::byte>> answer = impl_->ask(question, sizeof fallback);
+  return answer ? numberIn<double>(answer.value()).value_or(fallback) : fallback;
+}
+
+bool ForeignFile::isOpenElsewhere() const {
+  return impl_->here ? impl_->here->isOpenElsewhere() : impl_->shape.is_open_elsewhere == 1;
+}
+
+}  // namespace underact::record

@@ -1,0 +1,65 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/record/table.h"
+
+namespace underact::record {
+
+/// A file of a stranger's, open for reading: what is checked and what is then worked on are one, whatever is put in its
+/// place meanwhile.
+class ForeignInput {
+ public:
+  /// follows: also where path is a link to another file. Problems: it is not there, no regular file, or another program
+  /// has it open for writing without letting others read.
+  static Result<ForeignInput> open(const std::string& path, bool follows = true);
+  ForeignInput(ForeignInput&& other) noexcept;
+  ForeignInput& operator=(ForeignInput&& other) noexcept;
+  ~ForeignInput();
+  int fd() const { return fd_; }
+  const std::string& path() const { return path_; }
+  std::int64_t bytes() const;
+  /// Others may write it from here on.
+  void unlock() const;
+
+ private:
+  ForeignInput(std::string path, int fd) : path_(std::move(path)), fd_(fd) {}
+  std::string path_;
+  int fd_ = -1;
+};
+
+/// The reading side of Hdf5File for files that may come from anybody. The HDF5 library does not look at them in this
+/// process but in underact-session-reader, which is shut off from all else: whatever a file does to it, it ends there,
+/// and is a sentence here. Of each answer every count and length is checked. Where there are no sealed processes (not
+/// on Linux), Hdf5File itself, with the same checks of what the file says. Any one thread at a time.
+class ForeignFile {
+ public:
+  /// at_least: see accessThrough(). Problems: as Hdf5File::open(); the reader is missing (UNDERACT_SESSION_READER says
+  /// where it is), could not be shut off, broke off, took too long.
+  static Result<ForeignFile> open(std::shared_ptr<const ForeignInput> input, std::span<const Table> tables,
+                                  std::int64_t at_least = 0);
+  ForeignFile(ForeignFile&&) noexcept;
+  ForeignFile& operator=(ForeignFile&&) noexcept;
+  ~ForeignFile();
+
+  // As those of Hdf5File.
+  std::int64_t rows(std::size_t table) const;
+  std::int64_t blockRows(std::size_t table) const;
+  Result<std::vector<Block>> read(std::size_t table, std::int64_t first, std::int64_t count);
+  void refresh();
+  std::string text(std::string_view attribute);
+  std::int64_t integer(std::string_view attribute, std::int64_t fallback);
+  double real(std::string_view attribute, double fallback);
+  bool isOpenElsewhere() const;
+
+ private:
+  struct Impl;
+  explicit ForeignFile(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace underact::record
