@@ -132,5 +132,42 @@ class AnyFile(InFolder):
         self.judge(data, 1000 if SOAK else 60, 20070602)
 
 
+class AStrangersFile(InFolder):
+    """Its tables and columns are in itself, or it is refused: a link may lead to any file."""
+
+    def refused(self, change) -> None:
+        path = write_session(self.folder / "a.h5", 250)
+        write_session(self.folder / "b.h5", 250)
+        with h5py.File(path, "r+") as file:
+            change(file)
+        with self.assertRaises(SessionError):
+            with Session(path) as session:
+                session.frame()
+
+    def test_that_borrows_a_column_by_a_link(self):
+        def change(file):
+            del file["ticks/q_rad"]
+            file["ticks/q_rad"] = h5py.ExternalLink("b.h5", "/ticks/q_rad")
+
+        self.refused(change)
+
+    def test_that_borrows_a_table_by_a_link(self):
+        def change(file):
+            del file["ticks"]
+            file["ticks"] = h5py.ExternalLink("b.h5", "/ticks")
+
+        self.refused(change)
+
+    def test_that_borrows_the_numbers_of_a_column(self):
+        def change(file):
+            shape = file["ticks/q_rad"].shape
+            del file["ticks/q_rad"]
+            layout = h5py.VirtualLayout(shape=shape, dtype="<f8")
+            layout[:] = h5py.VirtualSource("b.h5", "/ticks/q_rad", shape=shape)
+            file["ticks"].create_virtual_dataset("q_rad", layout)
+
+        self.refused(change)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -33,6 +33,16 @@ def _columns_of(group: h5py.Group) -> list[str]:
     return [name for name in names if name != "crc32"]
 
 
+def _is_own(group: h5py.Group, name: str) -> bool:
+    """Whether what has this name stands in the file itself: a link may lead to any other file, and
+    so may where a dataset has its numbers.
+    """
+    if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+        return False
+    found = group[name]
+    return not isinstance(found, h5py.Dataset) or not (found.external or found.is_virtual)
+
+
 class Table(Mapping):
     """The columns of a table by name, each a numpy array cut to the rows that all columns have.
 
@@ -44,12 +54,12 @@ class Table(Mapping):
 
     def __init__(self, file: h5py.File, name: str, wanted: dict[str, int], damaged: str):
         self.name = name
-        group = file.get(name)
+        group = file.get(name) if _is_own(file, name) else None
         where = f"{file.filename}: the table /{name}"
         if not isinstance(group, h5py.Group):
             raise SessionError(f"{where} is missing. The file is no whole session: record it anew.")
         order = _columns_of(group)
-        lost = sorted(set(wanted) - set(order) | {c for c in [*order, "crc32"] if c not in group})
+        lost = sorted(set(wanted) - set(order) | {c for c in [*order, "crc32"] if not _is_own(group, c)})
         if lost:
             raise SessionError(f"{where} lacks {', '.join(lost)}. The file is no whole session.")
         self._datasets = {column: group[column] for column in order}
