@@ -3422,6 +3422,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Datei mit Punkten</translation>
     </message>
     <message>
+        <source>%1 cannot be started: %2.</source>
+        <translation>%1 kann nicht gestartet werden: %2.</translation>
+    </message>
+    <message>
+        <source>The file was not opened: %1 could not be shut off from the rest of this computer, which protects you from what a damaged or malicious file may do. Run the program where system calls may be filtered (seccomp).</source>
+        <translation>Die Datei wurde nicht geöffnet: %1 ließ sich nicht vom Rest dieses Rechners abschotten, was vor dem schützt, was eine beschädigte oder bösartige Datei anrichten kann. Starten Sie das Programm dort, wo Systemaufrufe gefiltert werden dürfen (seccomp).</translation>
+    </message>
+    <message>
         <source>The tip hardly moved, so that nothing can be told of it. Look that the hand has let go, that nothing stands in the way, and that the arm has mass.</source>
         <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts über sie sagen lässt. Prüfen Sie, dass die Hand losgelassen hat, dass nichts im Weg steht und dass der Arm Masse hat.</translation>
     </message>
@@ -4158,10 +4166,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt: Sie gibt mehr Flächen an, als eine Datei ihrer Größe fassen kann.</translation>
     </message>
     <message>
-        <source>%1 cannot be started: %2.</source>
-        <translation>%1 kann nicht gestartet werden: %2.</translation>
-    </message>
-    <message>
         <source>It reads meshes: install Underact again.</source>
         <translation>Es liest Netze: Installieren Sie Underact neu.</translation>
     </message>
@@ -4366,12 +4370,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Störung kann nicht in eine Datei geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>the HDF5 library gives no reason</source>
-        <translation>Die HDF5-Bibliothek nennt keinen Grund</translation>
+        <source>The file is damaged and cannot be read on.</source>
+        <translation>Die Datei ist beschädigt und kann nicht weiter gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: reading a part of it took longer than %1, which is enough for any session.</source>
+        <translation>Die Datei ist beschädigt: Einen Teil davon zu lesen dauerte länger als %1, was für jede Sitzung genügt.</translation>
+    </message>
+    <message>
+        <source>It reads sessions: install Underact again.</source>
+        <translation>Es liest Sitzungen: Installieren Sie Underact neu.</translation>
     </message>
     <message>
         <source>There is no such file.</source>
         <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This is a link to another file, which would be changed in its place. Give that file's own name.</source>
+        <translation>Dies ist eine Verknüpfung mit einer anderen Datei, die an ihrer Stelle geändert würde. Geben Sie den Namen jener Datei selbst an.</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a session.</source>
+        <translation>Dies ist ein Ordner, keine Sitzung.</translation>
+    </message>
+    <message>
+        <source>This is no file that holds a session.</source>
+        <translation>Dies ist keine Datei, die eine Sitzung enthält.</translation>
+    </message>
+    <message>
+        <source>Another program has this file open. Close it there first.</source>
+        <translation>Ein anderes Programm hat diese Datei offen. Schließen Sie sie zuerst dort.</translation>
+    </message>
+    <message>
+        <source>the HDF5 library gives no reason</source>
+        <translation>Die HDF5-Bibliothek nennt keinen Grund</translation>
     </message>
     <message>
         <source>a session</source>
@@ -4386,10 +4418,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies ist keine vollständige Sitzung: Die Tabelle „%1“ ist beschädigt.</translation>
     </message>
     <message>
-        <source>Another program is recording into this file. Give another name.</source>
-        <translation>Ein anderes Programm zeichnet in diese Datei auf. Geben Sie einen anderen Namen an.</translation>
-    </message>
-    <message>
         <source>This file is cut off: %1 of %2 bytes are there. Copy it again from where it came.</source>
         <translation>Diese Datei ist abgeschnitten: %1 von %2 Bytes sind da. Kopieren Sie sie noch einmal von dort, wo sie herkam.</translation>
     </message>
@@ -4398,12 +4426,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies ist keine Sitzung, oder eine, die am Anfang beschädigt ist.</translation>
     </message>
     <message>
-        <source>Another program has this file open. Close it there first.</source>
-        <translation>Ein anderes Programm hat diese Datei offen. Schließen Sie sie zuerst dort.</translation>
+        <source>Another program is recording into this file. Give another name.</source>
+        <translation>Ein anderes Programm zeichnet in diese Datei auf. Geben Sie einen anderen Namen an.</translation>
     </message>
     <message>
         <source>The file cannot be opened for writing: %1.</source>
         <translation>Die Datei kann nicht zum Schreiben geöffnet werden: %1.</translation>
+    </message>
+    <message>
+        <source>Another file was put in this one's place meanwhile: nothing was changed. Try again.</source>
+        <translation>Inzwischen wurde eine andere Datei an die Stelle dieser gesetzt: Nichts wurde geändert. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The disk is full: the recording was stopped and is whole. Free some space, or record into another folder.</source>
@@ -4420,10 +4452,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The file takes no change: %1.</source>
         <translation>Die Datei nimmt keine Änderung an: %1.</translation>
-    </message>
-    <message>
-        <source>The file is damaged and cannot be read on.</source>
-        <translation>Die Datei ist beschädigt und kann nicht weiter gelesen werden.</translation>
     </message>
     <message>
         <source>The recording's file is gone: somebody moved or deleted it. The recording stopped.</source>
@@ -4488,6 +4516,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The servo's memory at the beginning was not recorded whole.</source>
         <translation>Der Speicher des Servos am Anfang wurde nicht vollständig aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The servo's memory at the beginning of this session is none that a servo can have: the file is damaged, or was changed.</source>
+        <translation>Das Gedächtnis des Servos am Anfang dieser Sitzung ist keines, das ein Servo haben kann: Die Datei ist beschädigt oder wurde verändert.</translation>
     </message>
     <message>
         <source>The marks lie nearly on one line, %1 beside it: small errors turn the arm about it. Choose a mark farther beside the line.</source>
@@ -5715,7 +5747,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 Say chmod 600 '%2' and, if somebody may have done so, %3.</source>
-        <translation>%1 Geben Sie chmod 600 &apos;%2&apos; ein und, falls es jemand getan haben könnte: %3.</translation>
+        <translation>%1 Geben Sie chmod 600 '%2' ein und, falls es jemand getan haben könnte: %3.</translation>
     </message>
     <message>
         <source>Others may read your secret key.</source>

@@ -278,7 +278,7 @@ TEST(GuideWindowStory, APageScrollsSidewaysWhereMoreThanItsMarginIsBeyondTheEdge
   constexpr int kMargin = 16;
   PageView page;
   page.resize(900, 300);
-  page.showPage("    " + QString(60, 'x'), {});
+  page.showPage(QString("| %1 | %1 | %1 |\n|---|---|---|\n| a | b | c |\n").arg(QString(20, 'x')), {});
   page.show();
   int still = 0, scrolled = 0;
   for (int width = 900; width > 300; width -= 3) {
