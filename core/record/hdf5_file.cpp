@@ -12,7 +12,7 @@
 #include "core/base/translate.h"
 #include "core/record/descriptor_driver.h"
 #include "core/record/disk.h"
-#include "core/record/hdf5_store.h"
+#include "core/record/hdf5_table.h"
 
 namespace underact::record {
 namespace {
@@ -40,29 +40,11 @@ Problems notThere(const std::string& path) {
   return file ? Problems{} : file.problems();
 }
 
-constexpr Column kCrc{"crc32", "", "CRC-32 of a block of rows, column after column", Kind::Unsigned, 1};
-
-struct OpenTable {
-  std::vector<Column> columns;
-  std::vector<Store> stores;
-  Store crc;
-  std::int64_t block_rows = 1;
-  bool is_packed = false;
-};
-
 Id accessList() {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // what SWMR takes
   H5Pset_file_locking(access, true, true);                         // not where the file system knows no locks
   return access;
-}
-
-constexpr std::uint64_t kCrcChunk = 64;
-
-std::string namesOf(std::span<const Column> columns) {
-  std::string names;
-  for (const Column& column : columns) names.append(names.empty() ? "" : ",").append(column.name);
-  return names;
 }
 
 }  // namespace
@@ -97,49 +79,8 @@ struct Hdf5File::Impl {
   void letBe() const {
     if (writes && descriptor() >= 0) writeIntoNothing(descriptor());
   }
-  bool createTable(const Table& wanted) {
-    const Id group(H5Gcreate2(file, std::string(wanted.name).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-    if (!group.isGood()) return false;
-    OpenTable& table = tables.emplace_back();
-    table.block_rows = wanted.block_rows;
-    table.columns.assign(wanted.columns.begin(), wanted.columns.end());
-    for (const Column& column : wanted.columns) {
-      table.stores.push_back(createStore(group, column, static_cast<std::uint64_t>(wanted.chunk_rows)));
-      if (!table.stores.back().id.isGood()) return false;
-    }
-    table.crc = createStore(group, kCrc, kCrcChunk);
-    return table.crc.id.isGood() && writeAttribute(group, {"columns", namesOf(wanted.columns)}) &&
-           writeAttribute(group, {"block_rows", wanted.block_rows});
-  }
   /// Of the file, now.
   std::int64_t bytes() const { return by_descriptor ? std::max(lengthAt(descriptor()), at_least) : sizeOf(opened); }
-  /// What rows there can be: each takes its bytes. What a writer is just adding counts before it is there.
-  std::int64_t mostRows(const OpenTable& table) const {
-    const std::int64_t most = bytes() / static_cast<std::int64_t>(rowBytes(Table{{}, table.columns}));
-    return (table.is_packed ? kMostPacked * most : most) + table.block_rows;
-  }
-  bool openTable(Handle group, const Table& wanted) {
-    OpenTable& table = tables.emplace_back();
-    table.columns.assign(wanted.columns.begin(), wanted.columns.end());
-    table.block_rows = integerAttribute(group, "block_rows").value_or(0);
-    const bool is_fixed = wanted.most_block_rows == 0;
-    if (is_fixed ? table.block_rows != wanted.block_rows
-                 : table.block_rows < 1 || table.block_rows > wanted.most_block_rows)
-      return false;
-    const auto chunk_rows = static_cast<std::uint64_t>(is_fixed ? wanted.chunk_rows : table.block_rows);
-    table.crc = openStore(group, kCrc, kCrcChunk);
-    bool good = table.crc.id.isGood();
-    for (const Column& column : wanted.columns) {
-      const Store& store = table.stores.emplace_back(openStore(group, column, chunk_rows));
-      good = good && store.id.isGood();
-      table.is_packed = table.is_packed || store.is_packed;
-    }
-    // To write into what others have packed, it would have to be unpacked in this process.
-    if (!good || (writes && (table.is_packed || table.crc.is_packed))) return false;
-    const auto most = static_cast<std::uint64_t>(mostRows(table));
-    return rowsOf(table.crc) <= most && std::all_of(table.stores.begin(), table.stores.end(),
-                                                    [most](const Store& store) { return rowsOf(store) <= most; });
-  }
   Problems openTables(std::span<const Table> wanted_tables) {
     for (const Table& wanted : wanted_tables) {
       const std::string name(wanted.name);
@@ -148,9 +89,11 @@ struct Hdf5File::Impl {
         return problemAt(
             path,
             said(QT_TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
-      if (!openTable(group, wanted))
+      std::optional<OpenTable> table = openTable(group, wanted, writes, bytes());
+      if (!table)
         return problemAt(
             path, said(QT_TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
+      tables.push_back(std::move(*table));
     }
     return {};
   }
@@ -200,7 +143,11 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   impl->file = Id(H5Fcreate(made.sameFile(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   bool good = impl->file.isGood();
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);
-  for (const Table& table : tables) good = good && impl->createTable(table);
+  for (const Table& wanted : tables) {
+    std::optional<OpenTable> table = good ? createTable(impl->file, wanted) : std::nullopt;
+    good = table.has_value();
+    if (good) impl->tables.push_back(std::move(*table));
+  }
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
   if (!good) {
     Problems problems = impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
@@ -216,8 +163,8 @@ Result<Hdf5File> Hdf5File::open(const std::string& path, std::span<const Table> 
   quiet();
   auto impl = std::make_unique<Impl>();
   impl->path = impl->opened = path;
-  if (Problems problems = notThere(path); !problems.empty()) return problems;
-  Problems problems = impl->openToRead(path.c_str(), accessList(), sizeOf(path), statedSize(path));
+  Problems problems = notThere(path);
+  if (problems.empty()) problems = impl->openToRead(path.c_str(), accessList(), sizeOf(path), statedSize(path));
   if (problems.empty()) problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
@@ -289,23 +236,9 @@ Problems Hdf5File::appendLast(std::size_t table, const Block& block) {
   if (impl_->failed || block.rows == 0) return impl_->failure;
   quiet();
   errno = 0;
-  const OpenTable& open = impl_->tables[table];
-  const auto rows = static_cast<std::uint64_t>(block.rows);
-  const std::byte* data = block.bytes.data();
-  bool good = true;
-  for (std::size_t column = 0; column < open.stores.size(); ++column) {
-    good = good && record::append(open.stores[column], data, rows);
-    data += rows * bytesOf(open.columns[column]);
-  }
-  const std::size_t block_bytes = open.columns.size() == 1
-                                      ? static_cast<std::size_t>(open.block_rows) * bytesOf(open.columns[0])
-                                      : block.bytes.size();
-  for (std::size_t at = 0; at < block.bytes.size(); at += block_bytes) {
-    const std::size_t size = std::min(block_bytes, block.bytes.size() - at);
-    const std::uint32_t crc = crcOf(std::span(block.bytes).subspan(at, size));
-    good = good && record::append(open.crc, &crc, 1);
-  }
-  return good ? Problems{} : impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording stopped: %1."));
+  return appendBlock(impl_->tables[table], block)
+             ? Problems{}
+             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording stopped: %1."));
 }
 
 Problems Hdf5File::flush() {
@@ -321,13 +254,9 @@ Problems Hdf5File::flush() {
 Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
   quiet();
   errno = 0;
-  const OpenTable& open = impl_->tables[table];
-  const auto wanted = static_cast<std::uint64_t>(rows);
-  const auto block_rows = static_cast<std::uint64_t>(open.block_rows);
-  bool good = resize(open.crc, (wanted + block_rows - 1) / block_rows);
-  for (const Store& store : open.stores) good = good && resize(store, wanted);
-  return good ? Problems{}
-              : impl_->fail(QT_TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
+  return cutTo(impl_->tables[table], rows)
+             ? Problems{}
+             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
 }
 
 Problems Hdf5File::set(const Attribute& attribute) {
@@ -343,10 +272,7 @@ Problems Hdf5File::close() {
   quiet();
   errno = 0;
   bool good = true;
-  for (OpenTable& table : impl_->tables) {
-    for (Store& store : table.stores) good = store.id.close() && good;
-    good = table.crc.id.close() && good;
-  }
+  for (OpenTable& table : impl_->tables) good = record::close(table) && good;
   impl_->tables.clear();
   good = impl_->file.close() && good;
   impl_->set_aside.giveBack(impl_->opened);
@@ -356,9 +282,7 @@ Problems Hdf5File::close() {
 
 std::int64_t Hdf5File::rows(std::size_t table) {
   const OpenTable& open = impl_->tables[table];
-  std::uint64_t rows = rowsOf(open.crc) * static_cast<std::uint64_t>(open.block_rows);
-  for (const Store& store : open.stores) rows = std::min(rows, rowsOf(store));
-  return std::min(static_cast<std::int64_t>(std::min<std::uint64_t>(rows, INT64_MAX)), impl_->mostRows(open));
+  return std::min(rowsOf(open), mostRows(open, impl_->bytes()));
 }
 
 std::int64_t Hdf5File::blockRows(std::size_t table) const {
@@ -368,44 +292,17 @@ std::int64_t Hdf5File::blockRows(std::size_t table) const {
 Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first, std::int64_t count) {
   quiet();
   const OpenTable& open = impl_->tables[table];
-  const std::int64_t block_rows = open.block_rows;
-  const auto [begin, end] = rangeOf(first, count, block_rows, rows(table));
+  const auto [begin, end] = rangeOf(first, count, open.block_rows, rows(table));
   if (end <= begin) return std::vector<Block>{};
-  const auto blocks = static_cast<std::size_t>((end - begin + block_rows - 1) / block_rows);
-  std::vector<std::uint32_t> crcs(blocks);
-  const auto damaged = [&] {
+  std::optional<std::vector<Block>> blocks = readBlocks(open, begin, end);
+  if (!blocks)
     return problemAt(impl_->path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
-  };
-  if (!readRows(open.crc, static_cast<std::uint64_t>(first), blocks, crcs.data())) return damaged();
-  std::vector<std::vector<std::byte>> columns;
-  for (std::size_t column = 0; column < open.stores.size(); ++column) {
-    std::vector<std::byte>& bytes =
-        columns.emplace_back(static_cast<std::size_t>(end - begin) * bytesOf(open.columns[column]));
-    if (!readRows(open.stores[column], static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end - begin),
-                  bytes.data()))
-      return damaged();
-  }
-  std::vector<Block> read(blocks);
-  for (std::size_t index = 0; index < blocks; ++index) {
-    const std::int64_t row = static_cast<std::int64_t>(index) * block_rows;
-    Block& block = read[index];
-    block.rows = std::min(block_rows, end - begin - row);
-    for (std::size_t column = 0; column < columns.size(); ++column) {
-      const std::size_t one = bytesOf(open.columns[column]);
-      const std::byte* const from = columns[column].data() + static_cast<std::size_t>(row) * one;
-      block.bytes.insert(block.bytes.end(), from, from + static_cast<std::size_t>(block.rows) * one);
-    }
-    if (crcOf(block.bytes) != crcs[index]) block.bytes.clear();
-  }
-  return read;
+  return std::move(*blocks);
 }
 
 void Hdf5File::refresh() {
   quiet();
-  for (const OpenTable& table : impl_->tables) {
-    for (const Store& store : table.stores) H5Drefresh(store.id);
-    H5Drefresh(table.crc.id);
-  }
+  for (const OpenTable& table : impl_->tables) record::refresh(table);
 }
 
 std::string Hdf5File::text(std::string_view attribute) const {

@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kBeyond_mm = 4.0;  // of a label
+constexpr double kLabelGap_mm = 4.0;  // of a label
 constexpr double kRing_mm = 5.0, kHalfAxis_mm = 9.0;
 constexpr int kSides = 4;  // of a stylus: the lines along it
 
@@ -67,15 +67,15 @@ void DrawingPicture::add(const DrawnFrame& frame) {
     lines_.segment(origin_mm, origin_mm + length_mm * way, colours[axis]);
     if (frame.has_letters)
       labels_.push_back(
-          {QString(QChar(u"xyz"[axis])), origin_mm + (length_mm + kBeyond_mm) * way, colours[axis], false});
+          {QString(QChar(u"xyz"[axis])), origin_mm + (length_mm + kLabelGap_mm) * way, colours[axis], false});
   }
   if (!frame.has_letters) {
     labels_.push_back(
-        {frame.name, origin_mm + (length_mm + kBeyond_mm) * frame.X_WF.linear().col(2), theme_.ink, true});
+        {frame.name, origin_mm + (length_mm + kLabelGap_mm) * frame.X_WF.linear().col(2), theme_.ink, true});
     return;
   }
   const Vec3 away = -(frame.X_WF.linear() * Vec3::Ones()).normalized();
-  labels_.push_back({frame.name, origin_mm + 2.0 * kBeyond_mm * away, theme_.ink, true});
+  labels_.push_back({frame.name, origin_mm + 2.0 * kLabelGap_mm * away, theme_.ink, true});
 }
 
 void DrawingPicture::add(const DrawnLink& link) {
