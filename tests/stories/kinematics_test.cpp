@@ -25,7 +25,7 @@ const arm::Preset& preset() {
   return *arm::findPreset(arm::kDefaultArm);
 }
 
-const arm::JointAngles& joints_rad(Story& story) {
+arm::JointAngles joints_rad(Story& story) {
   return story.snapshot().report.sample.q_rad;
 }
 

@@ -102,9 +102,8 @@ TEST(ReplayStory, ItPlaysWhatWasRecordedToTheBitAndStopsAtItsEnd) {
     story.run(500);
     const auto row = static_cast<std::size_t>(player.row());
     EXPECT_EQ(row, 500U * static_cast<std::size_t>(step + 1));
-    EXPECT_EQ(std::memcmp(&story.snapshot().report.sample.q_rad, &player.recorded().rows[row].q_rad,
-                          sizeof(arm::JointAngles)),
-              0);
+    const servo::Snapshot now = story.snapshot();
+    EXPECT_EQ(std::memcmp(&now.report.sample.q_rad, &player.recorded().rows[row].q_rad, sizeof(arm::JointAngles)), 0);
     EXPECT_NEAR(story.force_N(), static_cast<double>(player.recorded().rows[row].force_N), 1e-5) << row;
   }
   EXPECT_GT(player.comparison().recorded().peakForce_N(), 0.1);

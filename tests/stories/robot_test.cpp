@@ -30,8 +30,8 @@ struct Robot : Story {
   const scene::VirtualManipulator& robot(std::size_t index = 0) {
     return std::get<scene::VirtualManipulator>(host().scene().constraints.at(index).shape);
   }
-  const target::Robot& now() { return snapshot().report.held[0].robot; }
-  const Vec3& wanted_N() { return snapshot().report.f_T_W; }  // before the gate
+  target::Robot now() { return snapshot().report.held[0].robot; }
+  Vec3 wanted_N() { return snapshot().report.f_T_W; }  // before the gate
   QTableWidget* joints() { return find<QTableWidget>("panel.robot.joints"); }
   QString refusal() {
     auto* label = find<QLabel>("panel.robot.refusal");
