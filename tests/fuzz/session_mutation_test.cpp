@@ -24,8 +24,9 @@ using record::Hdf5File;
 using record::Session;
 using record::Table;
 
-constexpr const char* kTexts[] = {"program_version", "name", "notes",  "tags",       "subject",
-                                  "scene_title",     "arm",  "device", "scheduling", "start_layout"};
+constexpr const char* kTexts[] = {"program_version", "name",         "notes",   "tags",
+                                  "subject",         "scene_title",  "arm",     "device",
+                                  "scheduling",      "start_layout", "consent", "gate_time"};
 constexpr const char* kIntegers[] = {"underact_session", "started_unix_ns", "rate_hz", "max_late"};
 // As one answer of the reader may take; on a quiet machine a file takes tenths of a second.
 constexpr double kLongest_s = 30.0;
@@ -58,7 +59,7 @@ Parts partsOf(const std::string& path) {
 }
 
 void writeParts(const std::string& path, const Parts& parts) {
-  Hdf5File file = Hdf5File::create(path, parts.attributes, parts.tables).value();
+  Hdf5File file = Hdf5File::create(path, parts.attributes, parts.tables, Existing::Replace).value();
   for (std::size_t table = 0; table < record::kTables; ++table) {
     for (const Block& block : parts.blocks[table]) (void)file.append(table, block);
   }

@@ -22,7 +22,8 @@ def open_file(path: Path) -> h5py.File:
     """The file, open for reading. Raises Unreadable, or SessionError where it is no HDF5 file."""
     try:
         kind = os.stat(path).st_mode
-        if not (stat.S_ISREG(kind) or stat.S_ISDIR(kind)):  # opening a pipe would wait for its writer
+        # Opening a pipe would wait for its writer.
+        if not (stat.S_ISREG(kind) or stat.S_ISDIR(kind)):
             raise Unreadable(f"{path} cannot be read: it is no regular file.")
         with open(path, "rb") as file:
             start = file.read(16)

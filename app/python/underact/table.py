@@ -59,7 +59,8 @@ class Table(Mapping):
         if not isinstance(group, h5py.Group):
             raise SessionError(f"{where} is missing. The file is no whole session: record it anew.")
         order = _columns_of(group)
-        lost = sorted(set(wanted) - set(order) | {c for c in [*order, "crc32"] if not _is_own(group, c)})
+        foreign = {name for name in [*order, "crc32"] if not _is_own(group, name)}
+        lost = sorted(set(wanted) - set(order) | foreign)
         if lost:
             raise SessionError(f"{where} lacks {', '.join(lost)}. The file is no whole session.")
         self._datasets = {column: group[column] for column in order}
