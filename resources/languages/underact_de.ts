@@ -7199,8 +7199,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Öffnet eine aufgezeichnete Sitzung und gibt sie wieder.</translation>
     </message>
     <message>
-        <source>&amp;Folder of its files…</source>
-        <translation>&amp;Ordner ihrer Dateien…</translation>
+        <source>Folder of &amp;its files…</source>
+        <translation>Or&amp;dner ihrer Dateien …</translation>
     </message>
     <message>
         <source>Where the meshes and curves of recordings are, which keep only their names.</source>

@@ -86,6 +86,8 @@ std::span<const HelpPage> helpPages() {
       HelpPage{"dialog.open_lesson", "lessons"},
       HelpPage{"dialog.problems", "scenes"},
       HelpPage{"dialog.registration_sheet", "registration"},
+      HelpPage{"dialog.remove_session", "sessions#find-and-use"},
+      HelpPage{"dialog.replay_files", "replay"},
       HelpPage{"dialog.save", "window#feel"},
       HelpPage{"dialog.save_calibration", "calibration"},
       HelpPage{"dialog.save_lesson_report", "lessons#the-report"},
