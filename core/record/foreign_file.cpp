@@ -18,12 +18,6 @@ namespace {
 constexpr const char* kSessionReader = "underact-session-reader";
 constexpr std::size_t kLongestAttribute = (std::size_t{1} << 20) + 1;
 
-#if defined(__linux__)
-constexpr bool kIsSealed = true;
-#else
-constexpr bool kIsSealed = false;
-#endif
-
 /// An attribute's name in a question; an empty one is of no attribute.
 Question questionOf(Asks what, std::string_view name) {
   Question question;

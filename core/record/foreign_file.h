@@ -32,6 +32,13 @@ class ForeignInput {
   int fd_ = -1;
 };
 
+/// Each file that is open has a process of its own, so that several threads may each read one.
+#if defined(__linux__)
+inline constexpr bool kIsSealed = true;
+#else
+inline constexpr bool kIsSealed = false;
+#endif
+
 /// The reading side of Hdf5File for files that may come from anybody. The HDF5 library does not look at them in this
 /// process but in underact-session-reader, which is shut off from all else: whatever a file does to it, it ends there,
 /// and is a sentence here. Of each answer every count and length is checked. Where there are no sealed processes (not

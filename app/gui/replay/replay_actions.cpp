@@ -126,7 +126,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                 actions.perform("calibration.cancel");
                 return player.open(path.first().toString());
               });
-  actions.add({"replay.files", tr("Folder of &its files…"), QKeySequence("Ctrl+Alt+Shift+F"),
+  actions.add({"replay.files", tr("Folder of &its files…"), QKeySequence("Ctrl+Alt+Shift+I"),
                tr("Where the meshes and curves of recordings are, which keep only their names.")},
               [&actions, &player, &files, window](const QVariantList& folder) {
                 if (folder.isEmpty()) {
