@@ -170,7 +170,7 @@ void look(const std::string& path, const ScratchFolder& folder, Random& random, 
   expectWords(session.eachBlock([](const Block&, std::int64_t) { return true; }, [](const record::Gap&) {}));
   switch (random.below(4)) {
     case 0: {
-      const Result<record::Verified> verified = record::verifyReplay(session);
+      const Result<record::Verified> verified = record::verifyReplay(session, {}, {UNDERACT_SOURCE "/scenes"});
       if (!verified) expectWords(verified.problems());
       counted.replayed += verified && !verified.value().differs && verified.value().unknown.empty() ? 1 : 0;
       break;
