@@ -36,7 +36,7 @@ bool comes(const std::function<bool()>& it) {
   return QTest::qWaitFor(it, 3 * kLong_ms);
 }
 
-bool ticks(Story& story, std::int64_t count) {
+bool comeTicks(Story& story, std::int64_t count) {
   const std::int64_t until = story.snapshot().ticks + count;
   return comes([&story, until] { return story.snapshot().ticks >= until; });
 }
@@ -75,7 +75,7 @@ TEST(ThreadsStory, AServoThatTicksByItselfIsPushedEditedAndGivenOtherScenes) {
   ASSERT_TRUE(opens(story, "27_bracket"));  // its mesh is read in the background
   ASSERT_TRUE(waitForMeshes(story));
   ASSERT_TRUE(comes([&story] { return story.snapshot().revision == story.host().revision(); }));
-  EXPECT_TRUE(ticks(story, 100));
+  EXPECT_TRUE(comeTicks(story, 100));
   EXPECT_EQ(story.snapshot().mode, servo::Mode::Running);
   EXPECT_EQ(story.snapshot().report.fault.kind, FaultKind::None);
   EXPECT_GT(story.view().framesDrawn(), 2);
@@ -101,7 +101,7 @@ TEST(ThreadsStory, WhatItDoesIsRecordedListedExportedAndReplayed) {
     }
     QTest::qWait(20);
   }
-  ASSERT_TRUE(ticks(story, 500));
+  ASSERT_TRUE(comeTicks(story, 500));
   ASSERT_TRUE(story.perform("session.record", false));
   auto* list = story.find<QListWidget>("panel.sessions.list");
   ASSERT_TRUE(comes([list] { return list->count() == 1; }));
@@ -116,9 +116,9 @@ TEST(ThreadsStory, WhatItDoesIsRecordedListedExportedAndReplayed) {
   ASSERT_TRUE(story.perform("replay.play"));
   EXPECT_TRUE(comes([&player] { return player.row() > 200; }));
   EXPECT_TRUE(story.perform("replay.seek", 0.1));
-  EXPECT_TRUE(ticks(story, 100));
+  EXPECT_TRUE(comeTicks(story, 100));
   EXPECT_TRUE(story.perform("replay.close"));
-  EXPECT_TRUE(ticks(story, 100));
+  EXPECT_TRUE(comeTicks(story, 100));
   EXPECT_FALSE(player.isOpen());
 }
 
