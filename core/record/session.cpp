@@ -28,8 +28,9 @@ Problems damagedAt(const std::string& path, Sentence what) {
 }
 
 /// Words stand one after the other in their table, so all together are no more than it. What is not so gets no place.
-void keepWithin(std::int64_t all, std::int64_t& left, Words& words) {
-  const bool is_within = words.bytes >= 0 && words.bytes <= kLongestWords && words.at >= 0 && words.at <= all &&
+/// left: bytes that all those to come may have.
+void keepWithin(std::int64_t all, std::int64_t longest, std::int64_t& left, Words& words) {
+  const bool is_within = words.bytes >= 0 && words.bytes <= longest && words.at >= 0 && words.at <= all &&
                          words.bytes <= all - words.at && words.bytes <= left;
   if (is_within) {
     left -= words.bytes;
@@ -40,6 +41,11 @@ void keepWithin(std::int64_t all, std::int64_t& left, Words& words) {
 
 bool isAnyDamaged(const std::vector<Block>& blocks) {
   return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.bytes.empty(); });
+}
+
+/// A file that shrank meanwhile may give none at all.
+bool areThere(const std::vector<Block>& blocks) {
+  return !blocks.empty() && !isAnyDamaged(blocks);
 }
 
 }  // namespace
@@ -124,11 +130,12 @@ void Session::readSmallTables() {
   const std::int64_t all_words = file_.rows(kText);
   std::int64_t words_left = all_words;
   changes_ = rowsOf(kChanges, unpackChanges);
-  for (ChangeRow& change : changes_) keepWithin(all_words, words_left, change.scene);
+  for (ChangeRow& change : changes_) keepWithin(all_words, kLongestWords, words_left, change.scene);
   faults_ = rowsOf(kFaults, unpackFaults);
   markers_.clear();
+  words_left = std::min(words_left, kAllLabels);
   for (MarkerRow& row : rowsOf(kMarkers, unpackMarkers)) {
-    keepWithin(all_words, words_left, row.label);
+    keepWithin(all_words, kLongestLabel, words_left, row.label);
     Result<std::string> label = words(row.label);
     if (!label) info_.damage.push_back(label.problems().front());
     markers_.push_back({row.tick, label ? label.value() : std::string("?")});
@@ -141,7 +148,7 @@ void Session::readSmallTables() {
   const Result<std::vector<Block>> first = readTicks(0, 1), last = readTicks(blocks() - 1, 1);
   const double by_count_s = static_cast<double>(info_.ticks - 1) / static_cast<double>(info_.header.rate_hz);
   info_.duration_s = by_count_s;
-  if (!first || !last || isAnyDamaged(first.value()) || isAnyDamaged(last.value())) return;
+  if (!first || !last || !areThere(first.value()) || !areThere(last.value())) return;
   const double by_clock_s =
       kSecondPerNanosecond * (static_cast<double>(unpackTicks(last.value().back()).back().time_ns) -
                               static_cast<double>(unpackTicks(first.value().front()).front().time_ns));
@@ -156,7 +163,7 @@ Result<std::vector<std::byte>> Session::bytesOf(TableIndex table, std::int64_t b
     const std::int64_t blocks = std::min(kRowsAtOnce, (end - at * block_rows + block_rows - 1) / block_rows);
     Result<std::vector<Block>> read = file_.read(table, at, blocks);
     if (!read) return read.problems();
-    if (read.value().empty() || isAnyDamaged(read.value()))
+    if (!areThere(read.value()))
       return damagedAt(info_.path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
     for (const Block& block : read.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
   }

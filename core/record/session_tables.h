@@ -17,6 +17,8 @@ inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
 inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
+// Of markers, bytes; a reader keeps them all. One label, and all of a session.
+inline constexpr std::int64_t kLongestLabel = 64LL << 10, kAllLabels = 16LL << 20;
 
 // A block of ticks: what a kill loses at most, but for the time between two looks of the recorder. The lab's page has
 // what each length costs.

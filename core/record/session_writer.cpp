@@ -45,6 +45,11 @@ arm::Geometry geometryOf(const std::string& arm) {
   return preset != nullptr ? preset->geometry : arm::findPreset(arm::kDefaultArm)->geometry;
 }
 
+/// Of UTF-8: not the first byte of a letter.
+bool isWithinLetter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
 }  // namespace
 
 SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
@@ -107,6 +112,11 @@ Problems SessionWriter::add(const servo::FaultMark& fault) {
 
 Problems SessionWriter::mark(std::int64_t tick, std::string_view label) {
   Problems problems;
+  if (label.size() > kLongestLabel) {
+    label = label.substr(0, kLongestLabel + 1);
+    while (!label.empty() && isWithinLetter(label.back())) label.remove_suffix(1);
+    label.remove_suffix(1);
+  }
   const Words words = addText(label, problems);
   keep(problems, file_.append(kMarkers, blockOf(MarkerRow{tick, words})));
   return problems;

@@ -53,6 +53,7 @@ class SessionWriter {
   Problems add(const servo::Change& change, const scene::Description& scene);
   Problems add(const servo::TickRecord& record);
   Problems add(const servo::FaultMark& fault);
+  /// A label longer than kLongestLabel is cut between two letters.
   Problems mark(std::int64_t tick, std::string_view label);
   /// What was written of blocks that are full can be read by others, and outlives the program.
   Problems flush();

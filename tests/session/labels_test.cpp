@@ -1,0 +1,54 @@
+// Labels of markers are all kept by whoever opens a session: a stranger's may not fill the memory.
+#include <gtest/gtest.h>
+
+#include "core/record/session.h"
+#include "core/record/session_writer.h"
+#include "tests/session/rig.h"
+
+namespace underact::record {
+namespace {
+
+/// A session with these labels, one a tick; what was said of its damage.
+std::vector<Marker> markersOf(const std::string& path, const std::vector<std::string>& labels, Problems& damage) {
+  Result<SessionWriter> writer = SessionWriter::create(path, {});
+  EXPECT_TRUE(writer);
+  EXPECT_TRUE(writer.value().begin(0, 0, {}, test::sphereScene()).empty());
+  std::int64_t tick = 0;
+  for (const std::string& label : labels) EXPECT_TRUE(writer.value().mark(++tick, label).empty());
+  EXPECT_TRUE(writer.value().end({}).empty());
+  const Result<Session> session = Session::open(path);
+  EXPECT_TRUE(session);
+  damage = session.value().info().damage;
+  return session.value().markers();
+}
+
+}  // namespace
+
+TEST(Labels, LongerThanMayBeAreCutBetweenLettersWhenTheyAreWritten) {
+  const test::ScratchFolder folder;
+  const std::string longest(kLongestLabel, 'a'), o_umlaut = "\xC3\xB6";
+  Problems damage;
+  const std::vector<Marker> markers =
+      markersOf(folder.file("s.h5"),
+                {longest, longest + "b", longest.substr(1) + o_umlaut, longest.substr(2) + o_umlaut}, damage);
+  ASSERT_EQ(markers.size(), 4U);
+  EXPECT_TRUE(damage.empty());
+  EXPECT_EQ(markers[0].label, longest);
+  EXPECT_EQ(markers[1].label, longest);
+  EXPECT_EQ(markers[2].label, longest.substr(1));
+  EXPECT_EQ(markers[3].label, longest.substr(2) + o_umlaut);
+}
+
+TEST(Labels, OfWhichThereAreTooManyAreDamageAndNotKept) {
+  const test::ScratchFolder folder;
+  const auto most = static_cast<std::size_t>(kAllLabels / kLongestLabel);
+  Problems damage;
+  const std::vector<Marker> markers =
+      markersOf(folder.file("s.h5"), std::vector<std::string>(most + 3, std::string(kLongestLabel, 'x')), damage);
+  ASSERT_EQ(markers.size(), most + 3);
+  EXPECT_EQ(damage.size(), 3U);
+  EXPECT_EQ(markers[most - 1].label.size(), static_cast<std::size_t>(kLongestLabel));
+  EXPECT_EQ(markers[most].label, "?");
+}
+
+}  // namespace underact::record
