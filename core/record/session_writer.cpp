@@ -144,7 +144,7 @@ Problems SessionWriter::end(const EndRow& row) {
 
 Problems rewriteWords(const std::string& path, const SessionWords& words) {
   // It may be anybody's: looked at from a distance first, and then just that file is changed.
-  Result<ForeignInput> opened = ForeignInput::open(path);
+  Result<ForeignInput> opened = ForeignInput::open(path, false);
   if (!opened) return opened.problems();
   const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());
   const std::array tables = sessionTables(1000);

@@ -115,6 +115,18 @@ TEST(RecordFiles, ConsentIsAmongTheWordsAndOldSessionsLackIt) {
   EXPECT_EQ(runCli({"log", "info", UNDERACT_TEST_DATA "/golden/session.h5"}).exit, Exit::Well);  // of before
 }
 
+TEST(RecordFiles, OtherWordsAreWrittenIntoNoFileThatALinkLeadsTo) {
+  const ScratchFolder folder;
+  const std::string session = folder.file("s.h5"), link = folder.file("link.h5");
+  ASSERT_EQ(recordTo(session).exit, Exit::Well);
+  fs::create_symlink(session, link);
+  const std::string before = contentOf(session);
+  const Problems problems = record::rewriteWords(link, {.name = "Another"});
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(describe(problems[0]).find("This is a link to another file"), std::string::npos) << describe(problems[0]);
+  EXPECT_EQ(contentOf(session), before);
+}
+
 /// A person's folder with a scene whose mesh and curve lie in further ones, a hand that jumps, and an arm model.
 class Person {
  public:
