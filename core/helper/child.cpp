@@ -63,9 +63,16 @@ pid_t spawn(const Start& start, const std::array<int, 3>& fds) {
 }  // namespace
 
 Child::Child(const Start& start) {
-  const std::array fds{outOfTheWay(start.input_fd), outOfTheWay(start.output_fd), outOfTheWay(start.file_fd)};
-  pid_ = spawn(start, fds);
-  if (pid_ < 0) error_ = -pid_;
+  const std::array wanted{start.input_fd, start.output_fd, start.file_fd};
+  std::array<int, 3> fds{-1, -1, -1};
+  for (std::size_t index = 0; index < wanted.size() && error_ == 0; ++index) {
+    fds[index] = outOfTheWay(wanted[index]);
+    if (wanted[index] >= 0 && fds[index] < 0) error_ = errno;  // without its own it would have this program's
+  }
+  if (error_ == 0) {
+    pid_ = spawn(start, fds);
+    if (pid_ < 0) error_ = -pid_;
+  }
   for (const int fd : fds) {
     if (fd >= 0) ::close(fd);
   }
@@ -116,6 +123,13 @@ std::string secondsText(double s) {
   const int tenths = static_cast<int>(s * 10.0);
   return s < 10.0 ? std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s"
                   : std::to_string(static_cast<int>(s)) + " s";
+}
+
+Sentence whyWaited(double most_time_s) {
+  return said(QT_TRANSLATE_NOOP("problem",
+                                "The file could not be read within %1, though its reader had little to do: its disk or "
+                                "the network may be slow. Copy it to this computer, and open the copy."),
+              {secondsText(most_time_s)});
 }
 
 Sentence whyNoHelper(Ending ending, const std::string& program, int error) {

@@ -27,7 +27,17 @@ struct Start {
 };
 inline constexpr int kFile = 3;
 
-enum class Ending : std::uint8_t { Exited, Crashed, TookTooLong, WroteTooMuch, Cancelled, NotStarted, NotSealed };
+/// TookTooLong: it computed on and on. Waited: no answer came, and it computed little of that time.
+enum class Ending : std::uint8_t {
+  Exited,
+  Crashed,
+  TookTooLong,
+  Waited,
+  WroteTooMuch,
+  Cancelled,
+  NotStarted,
+  NotSealed
+};
 
 /// A process that does not outlive its object. Where there are no processes of POSIX, none can be started.
 class Child {
@@ -62,6 +72,9 @@ class Child {
 
 /// "2.5 s": of a time in a sentence.
 std::string secondsText(double s);
+
+/// The sentence for Ending::Waited. most_time_s: that it was waited for.
+Sentence whyWaited(double most_time_s);
 
 /// The sentence for an ending that no file is to blame for; empty: there is none. program: its name; error: errno.
 Sentence whyNoHelper(Ending ending, const std::string& program, int error);

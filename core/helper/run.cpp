@@ -29,7 +29,8 @@ class Listening {
     for (;;) {
       if (watch_.isCancelled()) return Ending::Cancelled;
       const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
-      if (time_s > errand_.most_time_s || child.cpuSoFar_s() > errand_.most_cpu_s) return Ending::TookTooLong;
+      if (child.cpuSoFar_s() > errand_.most_cpu_s) return Ending::TookTooLong;
+      if (time_s > errand_.most_time_s) return Ending::Waited;
       if (::poll(&output, 1, kLook_ms) <= 0) continue;
       const ssize_t count = ::read(fd, block_.data(), block_.size());
       if (count == 0) return Ending::Exited;

@@ -83,7 +83,8 @@ bool Talk::receive(std::span<std::byte> bytes, const Bounds& bounds, double from
     }
     if (count == 0 || (errno != EAGAIN && errno != EINTR)) return fail(Ending::Exited);
     if (::poll(&answer, 1, kLookAtTimes_ms) > 0) continue;
-    if (now_s() > until_s || child_.cpuSoFar_s() > from_cpu_s + bounds.most_cpu_s) return fail(Ending::TookTooLong);
+    if (child_.cpuSoFar_s() > from_cpu_s + bounds.most_cpu_s) return fail(Ending::TookTooLong);
+    if (now_s() > until_s) return fail(Ending::Waited);
   }
   return true;
 }

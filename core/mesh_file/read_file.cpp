@@ -27,6 +27,8 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
                                     "The file is damaged, or has very large faces: reading it took longer than %1, "
                                     "which is enough for a file of its size."),
                   {helper::secondsText(errand.most_cpu_s)});
+    case Ending::Waited:
+      return helper::whyWaited(errand.most_time_s);
     case Ending::WroteTooMuch:
       return said(
           QT_TRANSLATE_NOOP("problem", "The file is damaged: it gives more faces than a file of its size can hold."));

@@ -41,8 +41,8 @@ bool fits(const Shape& shape, std::span<const Table> tables, std::int64_t bytes)
     const std::int64_t rows = shape.rows[index], block_rows = shape.block_rows[index];
     const bool is_block = table.most_block_rows == 0 ? block_rows == table.block_rows
                                                      : block_rows >= 1 && block_rows <= table.most_block_rows;
-    if (!is_block || rows < 0 || rows > kMostPacked * (bytes / static_cast<std::int64_t>(rowBytes(table))) + block_rows)
-      return false;
+    const std::int64_t most = std::min(bytes, kLongestFile) / static_cast<std::int64_t>(rowBytes(table));
+    if (!is_block || rows < 0 || rows > kMostPacked * most + block_rows) return false;
   }
   return shape.is_open_elsewhere == 0 || shape.is_open_elsewhere == 1;
 }
@@ -73,6 +73,8 @@ struct ForeignFile::Impl {
                                               "The file is damaged: reading a part of it took longer than %1, which "
                                               "is enough for any session."),
                             {helper::secondsText(bounds.most_cpu_s)}));
+      case Ending::Waited:
+        return problem(helper::whyWaited(bounds.most_time_s));
       case Ending::NotStarted:
       case Ending::NotSealed:
         return problem(helper::whyNoHelper(talk.ending(), kSessionReader, talk.code()));
