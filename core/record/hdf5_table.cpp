@@ -65,7 +65,8 @@ std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool write
 }
 
 std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes) {
-  const std::int64_t most = file_bytes / static_cast<std::int64_t>(rowBytes(Table{{}, table.columns}));
+  const std::int64_t most =
+      std::min(file_bytes, kLongestFile) / static_cast<std::int64_t>(rowBytes(Table{{}, table.columns}));
   return (table.is_packed ? kMostPacked * most : most) + table.block_rows;
 }
 

@@ -44,6 +44,9 @@ std::uint32_t crcOf(std::span<const std::byte> bytes);
 /// in the longest blocks.
 inline constexpr std::int64_t kMostPacked = 256;
 
+/// How long a file is taken to be at most, bytes: one may have a length that nothing on the disk stands behind.
+inline constexpr std::int64_t kLongestFile = std::int64_t{1} << 44;
+
 /// Rows of a table from one on, up to another.
 struct RowRange {
   std::int64_t begin = 0, end = 0;
