@@ -80,7 +80,6 @@ Problems Share::tickAt(int rate_hz) {
   side_ = std::make_unique<ArmSide>(*port_, options.value(), bell_);
   guard_ = servo::Guard::start(port_->lastWord(), kStandsStill_ns, options_.guard_program, no_guard_);
   if (guard_) side_->beatInto(guard_->beats());
-  is_guarded_ = guard_ != nullptr;
   replaced_ = 0;
   shown_ = 0;
   pauses_ = 0;
@@ -100,6 +99,7 @@ void Share::putBackRate() {
 }
 
 void Share::tellOfGuard() {
+  is_guarded_ = guard_ != nullptr;
   if (guard_)
     tell_("A guard stands beside the arm: if this program dies, the arm is told zero all the same.");
   else if (port_->lastWord().fd >= 0)
@@ -294,17 +294,18 @@ void Share::lookAfterStrangers(std::int64_t now_ns) {
         ". With --allow KEY that one is let in.");
 }
 
-/// A gap may be over before it is seen here: then who was replaced says so.
+/// A gap may be over before it is seen here: then who was replaced says so. After another rate there may be none.
 void Share::lookAfterGuard() {
-  if (guard_ == nullptr) return;
-  const Sentence gap = guard_->gap();
-  const int replaced = guard_->replaced();
+  if (guard_ == nullptr && port_->lastWord().fd < 0) return;
+  const Sentence gap = guard_ ? guard_->gap() : no_guard_;
+  const int replaced = guard_ ? guard_->replaced() : 0;
   if (!gap.empty()) {
     if (std::exchange(is_guarded_, false)) tell_(servo::nothingGuards(gap));
-  } else if (std::exchange(replaced_, replaced) != replaced) {
-    is_guarded_ = true;
-    tell_("The arm's guard had ended, and another one has taken its place.");
+    return;
   }
+  const bool was_replaced = std::exchange(replaced_, replaced) != replaced;
+  if (!std::exchange(is_guarded_, true) || was_replaced)
+    tell_("The arm's guard had ended, and another one has taken its place.");
 }
 
 }  // namespace underact::device::remote

@@ -3,18 +3,18 @@
 #include <sys/stat.h>
 
 #include <csignal>
-#include <filesystem>
 #include <fstream>
 
+#include "tests/border/own_guard.h"
 #include "tests/border/wired_program.h"
 #include "tests/support/comes.h"
 #include "tests/support/processes.h"
-#include "tests/support/scratch_folder.h"
 
 namespace underact {
 namespace {
 
 using test::comes;
+using test::OwnGuard;
 
 class GuardedProgram : public test::WiredProgram {
  public:
@@ -29,19 +29,6 @@ class GuardedProgram : public test::WiredProgram {
     });
     return found;
   }
-};
-
-/// underact-guard in a place where it can be taken away.
-class OwnGuard {
- public:
-  OwnGuard() : path_(scratch_.file("underact-guard")) { std::filesystem::copy_file(UNDERACT_GUARD, path_); }
-  const std::string& path() const { return path_; }
-  void hide() const { std::filesystem::rename(path_, path_ + ".away"); }
-  void bringBack() const { std::filesystem::rename(path_ + ".away", path_); }
-
- private:
-  test::ScratchFolder scratch_;
-  std::string path_;
 };
 
 }  // namespace

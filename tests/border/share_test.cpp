@@ -1,13 +1,17 @@
 // The program that shares an arm is asked to end, loses its terminal or its reader, is killed, or its guard is: what
 // the arm is told then.
+#include "device/remote/share.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <mutex>
 #include <optional>
 
 #include "device/remote/remote_arm.h"
+#include "tests/border/own_guard.h"
 #include "tests/border/wired_program.h"
 #include "tests/support/comes.h"
 #include "tests/support/processes.h"
@@ -163,6 +167,43 @@ TEST_F(SharedWire, AKilledGuardIsMissedAndTheNextOneSaysTheLastWord) {
   program_->send(SIGKILL);
   program_->waitUntilGone();
   EXPECT_TRUE(comes([&] { return rests(); })) << program_->arm().last_N() << " N for good";
+}
+
+TEST(SharedArm, OfWhichNoGuardStartsAtAnotherRateSaysSoAndThenThatOneIsBack) {
+  const test::ScratchFolder keys;
+  const KeyFolder folder(keys.path());
+  const test::OwnGuard own;
+  int wire[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, wire), 0);
+  const test::WiredArm arm(wire[0]);
+  device::remote::ShareOptions options{
+      device::remote::readAddress("127.0.0.1:0").value(), folder.own().value(), {}, *arm::findPreset(arm::kDefaultArm)};
+  options.guard_program = own.path();
+  std::mutex mutex;
+  std::string told;
+  const auto isTold = [&](const char* words) {
+    const std::scoped_lock lock(mutex);
+    return told.find(words) != std::string::npos;
+  };
+  auto share =
+      device::remote::Share::open(std::make_unique<test::WirePort>(wire[1]), options, [&](const std::string& sentence) {
+        const std::scoped_lock lock(mutex);
+        told += sentence + "\n";
+      });
+  ASSERT_TRUE(share);
+  EXPECT_TRUE(isTold("A guard stands beside the arm"));
+  own.hide();
+  {
+    const auto reach = device::remote::reachOf(share.value()->address(), folder);
+    ASSERT_TRUE(reach);
+    const auto seat = RemoteArm::open(reach.value(), options.arm, 500);
+    ASSERT_TRUE(seat);
+    EXPECT_TRUE(comes([&] { return isTold("Nothing guards the arm"); })) << told;
+    own.bringBack();
+  }
+  EXPECT_TRUE(comes([&] { return isTold("another one has taken its place"); })) << told;  // at its own rate again
+  share.value().reset();
+  ::close(wire[1]);
 }
 
 }  // namespace underact

@@ -31,6 +31,7 @@ class WirePort final : public servo::DevicePort {
   }
   void cut() noexcept override { send({}); }
   servo::DeviceInfo info() const override { return {"Arm behind a wire", false, true}; }
+  Sentence refusesRate(int /*rate_hz*/) const override { return {}; }
   servo::LastWord lastWord() const override { return {fd_, std::string(sizeof(Frame), '\0')}; }
 
  private:
