@@ -3422,6 +3422,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Datei mit Punkten</translation>
     </message>
     <message>
+        <source>The file could not be read within %1, though its reader had little to do: its disk or the network may be slow. Copy it to this computer, and open the copy.</source>
+        <translation>Die Datei konnte in %1 nicht gelesen werden, obwohl dabei wenig zu rechnen war: Der Datenträger oder das Netz ist vielleicht langsam. Kopieren Sie sie auf diesen Rechner und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
         <source>%1 cannot be started: %2.</source>
         <translation>%1 kann nicht gestartet werden: %2.</translation>
     </message>
@@ -13333,6 +13337,13 @@ und %2 weitere</translation>
     <message>
         <source>The rate stays. %1</source>
         <translation>Die Taktrate bleibt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SessionIndex</name>
+    <message>
+        <source>This computer has too little memory left to read the file. Close other programs, then choose another folder and this one again.</source>
+        <translation>Dieser Rechner hat zu wenig Speicher frei, um die Datei zu lesen. Schließen Sie andere Programme und wählen Sie dann einen anderen Ordner und wieder diesen.</translation>
     </message>
 </context>
 <context>

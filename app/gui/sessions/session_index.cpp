@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <new>
+#include <system_error>
 
 #include "app/gui/words.h"
 #include "core/record/foreign_file.h"
@@ -23,6 +25,28 @@ QString textOf(const std::string& text) {
   return QString::fromStdString(text);
 }
 
+/// What the file at entry's path says.
+void readInto(SessionEntry& entry) {
+  Result<record::Session> session = record::Session::open(entry.path.toStdString());
+  if (!session) {
+    entry.wrong = sentencesOf(session.problems());
+    return;
+  }
+  entry.info = session.value().info();
+  entry.markers = session.value().markers();
+  entry.faults = static_cast<int>(session.value().faults().size());
+  if (!session.value().changes().empty()) entry.first_tick = session.value().changes().front().tick;
+}
+
+/// In a thread beside this one; where the system has none left, when it is asked for.
+std::future<SessionEntry> startReading(const QString& path) {
+  try {
+    return std::async(std::launch::async, readSessionEntry, path);
+  } catch (const std::system_error&) {
+    return std::async(std::launch::deferred, readSessionEntry, path);
+  }
+}
+
 }  // namespace
 
 qint64 SessionEntry::began_ms() const {
@@ -35,15 +59,13 @@ SessionEntry readSessionEntry(const QString& path) {
   entry.path = path;
   entry.modified_ms = file.lastModified().toMSecsSinceEpoch();
   entry.size_bytes = file.size();
-  Result<record::Session> session = record::Session::open(path.toStdString());
-  if (!session) {
-    entry.wrong = sentencesOf(session.problems());
-    return entry;
+  try {
+    readInto(entry);
+  } catch (const std::bad_alloc&) {  // whatever somebody's file asks for, neither the list nor the window ends by it
+    entry.wrong = SessionIndex::tr(
+        "This computer has too little memory left to read the file. Close other programs, then choose another folder "
+        "and this one again.");
   }
-  entry.info = session.value().info();
-  entry.markers = session.value().markers();
-  entry.faults = static_cast<int>(session.value().faults().size());
-  if (!session.value().changes().empty()) entry.first_tick = session.value().changes().front().tick;
   return entry;
 }
 
@@ -125,7 +147,7 @@ void SessionIndex::read(const QString& folder, const QHash<QString, SessionEntry
     if (same) {
       entries.push_back(*before);
     } else {
-      coming.push_back(std::async(std::launch::async, readSessionEntry, path));
+      coming.push_back(startReading(path));
     }
     if (coming.size() == kFilesAtOnce) takeFirst();
     if (told.elapsed() < kTellEvery_ms) continue;
