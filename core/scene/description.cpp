@@ -7,6 +7,16 @@
 
 namespace underact::scene {
 
+bool Mesh::operator==(const Mesh& other) const {
+  return file == other.file && scale_mm_per_unit == other.scale_mm_per_unit && X_WM == other.X_WM &&
+         search == other.search && smooth_deg == other.smooth_deg && checksum == other.checksum;
+}
+
+bool Curve::operator==(const Curve& other) const {
+  return file == other.file && scale_mm_per_unit == other.scale_mm_per_unit && X_WM == other.X_WM &&
+         kind == other.kind && closed == other.closed && search == other.search && guide == other.guide;
+}
+
 const char* typeName(const Shape& shape) {
   return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kType; }, shape);
 }

@@ -18,33 +18,40 @@ namespace underact::scene {
 
 struct Point {
   Vec3 position_mm = Vec3::Zero();
+  bool operator==(const Point&) const = default;
 };
 struct Sphere {
   Vec3 center_mm = Vec3::Zero();
   double radius_mm = 0.0;
+  bool operator==(const Sphere&) const = default;
 };
 struct Line {
   Vec3 point_mm = Vec3::Zero();
   Vec3 direction = Vec3::UnitX();
+  bool operator==(const Line&) const = default;
 };
 struct Plane {
   Vec3 point_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitY();
+  bool operator==(const Plane&) const = default;
 };
 struct Circle {
   Vec3 center_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
   double radius_mm = 0.0;
+  bool operator==(const Circle&) const = default;
 };
 struct Cylinder {
   Vec3 point_mm = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
   double radius_mm = 0.0;
+  bool operator==(const Cylinder&) const = default;
 };
 struct Box {
   Vec3 center_mm = Vec3::Zero();
   Vec3 size_mm = Vec3::Zero();
   Mat3 R_WB = Mat3::Identity();
+  bool operator==(const Box&) const = default;
 };
 
 /// A joint at home. Values of revolute joints in rad, of prismatic ones in mm.
@@ -76,6 +83,7 @@ struct VirtualManipulator {
   double ko_N_mm_per_rad = 0.0;
   Solver solver;
   manipulator::ForceLaw force_law = manipulator::ForceLaw::Energy;
+  bool operator==(const VirtualManipulator&) const = default;
 };
 
 inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are edges that one wants to feel
@@ -90,6 +98,8 @@ struct Mesh {
   std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
   std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
   std::string loaded_checksum = {};                   // of what was found there
+  /// What the scene says; what was found in the file does not count.
+  bool operator==(const Mesh& other) const;
 };
 
 /// How a curve leads the hand along it.
@@ -110,6 +120,8 @@ struct Curve {
   Search search = Search::Hybrid;
   std::optional<CurveGuide> guide = {};                  // none: to the nearest point
   std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
+  /// As of a mesh.
+  bool operator==(const Curve& other) const;
 };
 
 using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh, Curve>;
