@@ -1,0 +1,56 @@
+"""What somebody types who has not read how we build: it configures, and no warning ends it."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class PlainBuilds(unittest.TestCase):
+    def configured(self, *words):
+        """(kind of build, every command that compiles) of one in a folder of its own."""
+        with tempfile.TemporaryDirectory(prefix="under act ") as folder:
+            done = subprocess.run(
+                ["cmake", *words, "-B", folder, f"-DUNDERACT_GUI={os.environ['UNDERACT_GUI']}"],
+                cwd=ROOT,
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(folder, "compile_commands.json"), encoding="utf-8") as file:
+                commands = [row["command"].split() for row in json.load(file)]
+            with open(os.path.join(folder, "CMakeCache.txt"), encoding="utf-8") as file:
+                cache = dict(row.split("=", 1) for row in file.read().splitlines() if "=" in row)
+        self.assertGreater(len(commands), 20)
+        return cache.get("CMAKE_BUILD_TYPE:STRING"), commands
+
+    def test_without_a_type_it_is_an_optimised_one(self):
+        kind, commands = self.configured("-S", ".")
+        self.assertEqual(kind, "RelWithDebInfo")
+        for command in commands:
+            self.assertIn("-O2", command)
+            self.assertNotIn("-Werror", command)
+
+    def test_a_type_that_is_named_stays(self):
+        for named, flag in (("Release", "-O3"), ("Debug", "-g")):
+            kind, commands = self.configured("-S", ".", f"-DCMAKE_BUILD_TYPE={named}")
+            self.assertEqual(kind, named)
+            for command in commands:
+                self.assertIn(flag, command)
+                self.assertNotIn("-Werror", command)
+
+    def test_warnings_are_errors_with_the_preset_of_ci_alone(self):
+        presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+        rows = {row["name"]: row["cacheVariables"] for row in presets["configurePresets"]}
+        self.assertNotIn("CMAKE_COMPILE_WARNING_AS_ERROR", rows["release"])
+        for command in self.configured("--preset", "ci")[1]:
+            self.assertIn("-Werror", command)
+
+
+if __name__ == "__main__":
+    unittest.main()
