@@ -11,6 +11,11 @@ MADE = os.environ["UNDERACT_MADE"]
 BUNDLE = os.path.join(os.path.dirname(__file__), "..", "..", "packaging", "bundle")
 TOOLS = ("patchelf", "readelf", "nm", "dpkg-query", "xvfb-run")
 
+with open("/etc/os-release", encoding="utf-8") as file:
+    RELEASE = file.read()
+if "ID=debian\n" not in RELEASE or 'VERSION_ID="12"' not in RELEASE:
+    print("SKIPPED: the bundle carries the libraries of Debian 12, so none was made here.")
+    sys.exit(77)
 lacking = [tool for tool in TOOLS if not shutil.which(tool)]
 try:
     import elftools  # noqa: F401
@@ -19,7 +24,7 @@ except ModuleNotFoundError:
 if lacking:
     print(
         f"SKIPPED: {', '.join(lacking)} not installed, so the portable bundle was not made. "
-        "See packaging/install-deps."
+        "See packaging/install-deps package."
     )
     sys.exit(77)
 

@@ -1,0 +1,112 @@
+"""What is installed for what: the lists, word for word, so that none grows by itself."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "packaging/install-deps"
+GROUPS = ("run", "test", "check", "package", "soak")
+
+# One more is a decision: it is fetched by everybody who wants to see the window. Say in the guide's
+# figures what it costs.
+RUN = """
+    g++ cmake ninja-build pkgconf ccache
+    libeigen3-dev libsleef-dev libboost-dev libxxhash-dev rapidjson-dev libcli11-dev libmd4c-dev
+    libhdf5-dev zlib1g-dev libopenmesh-dev libsystemd-dev libhidapi-dev libglfw3-dev
+    libzmq3-dev cppzmq-dev qt6-base-dev libqt6opengl6-dev libgl-dev
+    qt6-l10n-tools qt6-translations-l10n libvtk9-dev libgl1-mesa-dri fonts-dejavu-core
+"""
+TEST = """
+    libgtest-dev libumockdev-dev umockdev xvfb xauth python3 python3-h5py python3-matplotlib
+    python3-pandas hunspell hunspell-en-gb dbus-daemon openmpi-bin duktape
+"""
+# On an empty Debian 12, with what these need in turn; 2026-11: 673 packages, 576 MB.
+MOST_PACKAGES, MOST_MB = 690, 590
+
+
+def ask(*words, path=None):
+    """The script, with nothing but what it needs on its PATH, if any is named."""
+    return subprocess.run(
+        ["/bin/sh", SCRIPT, *words],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+        stdin=subprocess.DEVNULL,
+        env={"PATH": path} if path else None,
+    )
+
+
+def names(group):
+    """The packages of a group."""
+    return ask("--list", group).stdout.split()
+
+
+class Lists(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = holder.name  # as a system without apt has it
+        for tool in ("cat", "sed", "tr", "fold", "dirname"):
+            pathlib.Path(self.folder, tool).symlink_to(shutil.which(tool))
+
+    def test_the_programs_take_these_and_no_others(self):
+        self.assertEqual(sorted(names("run")), sorted(RUN.split()))
+
+    def test_their_tests_take_these_besides(self):
+        self.assertEqual(sorted(names("test")), sorted(TEST.split()))
+
+    def test_lists_are_printed_where_there_is_no_apt(self):
+        for group in GROUPS:
+            said = ask("--list", group, path=self.folder)
+            self.assertEqual((said.returncode, said.stderr), (0, ""))
+            self.assertRegex(said.stdout, r"\A([a-z0-9][a-z0-9.+-]+\n)+\Z")
+
+    def test_no_package_is_in_two_groups(self):
+        every = [name for group in GROUPS for name in names(group)]
+        self.assertEqual(sorted(every), sorted(set(every)))
+        self.assertEqual(ask("--list", *GROUPS).stdout.split(), every)
+
+    def test_each_line_says_what_it_is_for(self):
+        text = SCRIPT.read_text(encoding="utf-8")
+        for table in re.findall(r"<<'LIST'\n(.*?)\nLIST\n", text, re.DOTALL):
+            for line in table.splitlines():
+                self.assertRegex(line, r"^[a-z].*\S +# \S")
+
+    def test_other_words_are_refused(self):
+        for words in (["--list"], ["--list", "everything"], ["--lists"], ["run", "--no"]):
+            said = ask(*words)
+            self.assertEqual((said.returncode, said.stdout), (2, ""), words)
+            self.assertIn("--list GROUP", said.stderr)
+
+    def test_a_system_without_apt_is_told_what_to_install_and_how_to_build(self):
+        said = ask("run", path=self.folder)
+        self.assertEqual(said.returncode, 3)
+        for name in RUN.split():
+            self.assertIn(name, said.stderr)
+        self.assertNotIn("lintian", said.stderr)
+        self.assertIn("cmake -S . -B build/release -G Ninja -DUNDERACT_TESTS=OFF", said.stderr)
+
+    def test_what_the_programs_take_brings_no_more_than_it_did(self):
+        if 'VERSION_ID="12"' not in pathlib.Path("/etc/os-release").read_text(encoding="utf-8"):
+            self.skipTest("counted on Debian 12 alone")
+        done = subprocess.run(
+            ["apt-get", "-o", "Dir::State::status=/dev/null", "-o", "Debug::NoLocking=1"]
+            + ["--print-uris", "-y", "--no-install-recommends", "install", *RUN.split()],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if done.returncode != 0:
+            self.skipTest("apt has no lists here (apt-get update)")
+        sizes = [int(row) for row in re.findall(r"^'\S+' \S+ (\d+)", done.stdout, re.MULTILINE)]
+        print(f"{len(sizes)} packages, {sum(sizes) / 1e6:.0f} MB")
+        self.assertLessEqual(len(sizes), MOST_PACKAGES)
+        self.assertLessEqual(sum(sizes) / 1e6, MOST_MB)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,131 @@
+"""packaging/test with everything it calls replaced: what is built and run, and how it is counted."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CALLED = """#!/bin/sh
+echo "$(basename "$0") $*" >>"$LOG"
+"""
+BUILD = CALLED + '[ "${BREAK:-}" != "$1" ]\n'
+# Thirty tests a run, of which two fail or are skipped in the stage that is named.
+CTEST = (
+    CALLED
+    + """
+preset=$2
+while [ $# -gt 0 ]; do [ "$1" = --output-junit ] && junit=$2; shift; done
+[ "$preset" = "${EMPTY:-}" ] && exit 1
+failures=0 skipped=0
+[ "$preset" = "${FAIL:-}" ] && failures=2
+[ "$preset" = "${SKIP:-}" ] && skipped=2
+mkdir -p "$(dirname "$junit")"
+{
+  printf '<testsuite name="(empty)"\\n\\ttests="30"\\n\\tfailures="%s"\\n' $failures
+  printf '\\tdisabled="0"\\n\\tskipped="%s"\\n\\thostname=""\\n\\ttime="7"\\n\\t>\\n' $skipped
+  for n in $(seq 30); do
+    printf '\\t<testcase name="t%s" classname="t%s" time="%s.25" status="run">\\n' $n $n $n
+    printf '\\t\\t<system-out>SKIPPED: duk isn&apos;t &lt;there&gt;\\n</system-out>\\n\\t</testcase>\\n'
+  done
+  echo "</testsuite>"
+} >"$junit"
+[ $failures = 0 ]
+"""
+)
+SANITIZED = ["--preset asan", "--preset tsan"]
+
+
+class Test(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="under act ")
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+        (self.folder / "packaging").mkdir()
+        (self.folder / ".ci").mkdir()
+        (self.folder / "bin").mkdir()
+        shutil.copy(ROOT / "packaging/test", self.folder / "packaging")
+        shutil.copy(ROOT / ".ci/run", self.folder / ".ci")
+        self.write("packaging/install-deps", CALLED + "exit ${INSTALLED:-0}\n")
+        self.write("packaging/compile", BUILD)
+        self.write("bin/cmake", CALLED)
+        self.write("bin/ctest", CTEST)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+        (self.folder / name).chmod(0o755)
+
+    def run_it(self, *words, script="packaging/test", **more):
+        """(exit status, lines of output, calls)."""
+        log = self.folder / "log"
+        log.write_text("")
+        more = {"PATH": f"{self.folder}/bin:{os.environ['PATH']}", "LOG": str(log), **more}
+        done = subprocess.run(
+            [self.folder / script, *words],
+            cwd="/usr",
+            env=more,
+            capture_output=True,
+            text=True,
+            check=False,
+            stdin=subprocess.DEVNULL,
+        )
+        return done.returncode, done.stdout.splitlines(), log.read_text().splitlines()
+
+    def test_by_itself_it_is_one_release_build_and_all_its_tests(self):
+        status, lines, calls = self.run_it()
+        self.assertEqual((status, lines[-1]), (0, "30 passed, 0 failed"))
+        self.assertEqual(calls[0], "install-deps run test")
+        self.assertEqual(calls[1:3], ["cmake --preset release", "compile release"])
+        self.assertTrue(calls[3].startswith("ctest --preset release -j"))
+        self.assertNotIn(" -R ", calls[3])
+        self.assertEqual(len(calls), 4)
+
+    def test_sanitizers_are_two_more_and_one_sum(self):
+        status, lines, calls = self.run_it("--sanitizers")
+        self.assertEqual((status, lines[-1]), (0, "90 passed, 0 failed"))
+        presets = [call for call in calls if call.startswith("cmake")]
+        self.assertEqual(presets[0], "cmake --preset release")
+        self.assertEqual([call[6:19] for call in presets[1:]], SANITIZED)
+
+    def test_ci_leaves_nothing_out(self):
+        status, lines, calls = self.run_it(script=".ci/run")
+        self.assertEqual((status, lines[-1]), (0, "90 passed, 0 failed"))
+        self.assertEqual(calls[0], "install-deps run test check package")
+        self.assertEqual(calls[1], "cmake --preset ci")
+        self.assertEqual(len([call for call in calls if call.startswith("ctest")]), 3)
+
+    def test_the_slowest_twenty_are_listed_with_their_times(self):
+        _, lines, _ = self.run_it("--sanitizers")
+        at = lines.index("the slowest tests:")
+        rows = [line.split() for line in lines[at + 1 : at + 21]]
+        self.assertEqual(rows[0][:2] + rows[0][3:], ["30.2", "s", "t30"])
+        self.assertEqual({row[2] for row in rows[:3]}, {"release", "asan", "tsan"})
+        self.assertEqual(rows[19][3], "t24")
+        self.assertNotIn(" s ", lines[at + 21][:12])
+
+    def test_what_fails_is_counted_wherever_it_does(self):
+        status, lines, _ = self.run_it("--sanitizers", FAIL="tsan")
+        self.assertEqual((status, lines[-1]), (1, "88 passed, 2 failed"))
+        status, lines, _ = self.run_it("--sanitizers", BREAK="asan")
+        self.assertEqual((status, lines[-1]), (1, "60 passed, 1 failed"))
+        status, lines, _ = self.run_it(EMPTY="release")
+        self.assertEqual((status, lines[-1]), (1, "0 passed, 1 failed"))
+        status, lines, calls = self.run_it(INSTALLED="1")
+        self.assertEqual((status, lines[-1], len(calls)), (1, "0 passed, 1 failed", 1))
+
+    def test_what_is_skipped_is_said_with_its_reason(self):
+        status, lines, _ = self.run_it(SKIP="release")
+        self.assertEqual((status, lines[-1]), (0, "28 passed, 0 failed"))
+        at = lines.index("2 skipped, in whole or in part:")
+        self.assertEqual(lines[at + 1], "  SKIPPED: duk isn't <there>")
+        self.assertIn("packaging/install-deps check package", lines[at + 2])
+
+    def test_other_words_are_refused_before_anything_is_done(self):
+        status, _, calls = self.run_it("--sanitiser")
+        self.assertEqual((status, calls), (2, []))
+
+
+if __name__ == "__main__":
+    unittest.main()
