@@ -69,6 +69,16 @@ def binds_lazily(path, names):
     return all(found == {"R_X86_64_JUMP_SLOT"} for found in kinds.values())
 
 
+def versions(path):
+    """The versions that path wants of its libraries' functions: family -> the newest, as numbers."""
+    newest = {}
+    wanted = _output("readelf", "-VW", path).partition(".gnu.version_r")[2]
+    for family, number in re.findall(r"Name: ([A-Z]+)_([0-9.]+)\b", wanted):
+        value = tuple(int(part) for part in number.split("."))
+        newest[family] = max(value, newest.get(family, ()))
+    return newest
+
+
 def patch(path, *changes):
     """Has patchelf change path."""
     _output("patchelf", *changes, path)

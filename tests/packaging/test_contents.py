@@ -34,6 +34,17 @@ class Contents(unittest.TestCase):
     def test_no_function_is_asked_for_that_nobody_has(self):
         self.assertEqual(closure.unresolved(self.folder), {})
 
+    def test_none_wants_a_newer_c_library_than_that_of_early_2022(self):
+        """glibc 2.35 and GCC 12, which Ubuntu 22.04 has, too: what the bundle's page promises."""
+        most = {"GLIBC": (2, 35), "GLIBCXX": (3, 4, 30), "CXXABI": (1, 3, 13)}
+        seen = set()
+        for path in self.files:
+            wanted = elf.versions(path)
+            seen |= set(wanted)
+            for family, newest in most.items():
+                self.assertLessEqual(wanted.get(family, ()), newest, f"{path}: {family}")
+        self.assertLessEqual(set(most), seen)
+
     def test_nothing_of_the_gpl_of_mpi_or_of_the_network(self):
         for name in sorted(self.carried):
             self.assertNotRegex(
