@@ -19,6 +19,10 @@ PROGRAMS = ["usr/bin/underact", "usr/bin/underact-cli", "usr/bin/underact-sweep"
             "usr/libexec/underact/underact-guard", "usr/libexec/underact/underact-mesh-reader",
             "usr/libexec/underact/underact-session-reader"]
 
+release = pathlib.Path("/etc/os-release").read_text(encoding="utf-8")
+if "ID=debian\n" not in release or 'VERSION_ID="12"' not in release:
+    print("SKIPPED: the packages are those of Debian 12, so none were made here.")
+    sys.exit(77)
 missing = [tool for tool in TOOLS if not shutil.which(tool)]
 if missing:
     print("SKIPPED: not installed, so Debian packages were not made:", ", ".join(missing))
@@ -103,11 +107,12 @@ class Debian(unittest.TestCase):
         self.assertGreaterEqual(programs, len(PROGRAMS))
 
     def test_no_path_of_the_machine_that_built_them_is_in_them(self):
+        # As a whole path: one as short as /b begins many others.
+        folders = b"|".join(re.escape(str(path).encode()) for path in (SOURCE, BUILD))
+        pattern = re.compile(rb"(?<![\w.-])(" + folders + rb")(?![\w.-])")
         for path in self.root.rglob("*"):
             if path.is_file() and not path.is_symlink():
-                content = path.read_bytes()
-                self.assertNotIn(str(SOURCE).encode(), content, path)
-                self.assertNotIn(str(BUILD).encode(), content, path)
+                self.assertIsNone(pattern.search(path.read_bytes()), path)
 
     def test_desktop_entry_metainfo_and_types_are_valid(self):
         share = self.root / "usr/share"

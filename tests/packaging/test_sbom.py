@@ -68,7 +68,7 @@ class Sbom(unittest.TestCase):
                 self.assertEqual(hashlib.sha256(file.read()).hexdigest(), value, path)
         text = json.dumps(document)
         self.assertNotIn("libjbig", text)
-        self.assertNotIn(os.environ["UNDERACT_BUILD"], text)  # nothing of the machine that made it
+        self.assertNotIn(os.environ["UNDERACT_BUILD"] + "/", text)  # nothing of the machine that made it
         version = subprocess.run(
             ["dpkg-query", "-W", "-f", "${Version}", "libqt6core6"], capture_output=True, text=True
         )
