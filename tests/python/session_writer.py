@@ -17,11 +17,11 @@ TYPES = {  # what is not a double
     "buttons": "<u4",
     "limits": "<u4",
     "fault": "u1",
-    "revision": "<u8",
+    "revision": "<i8",
     "input": "u1",
     "carry": "u1",
-    "text_at": "<u8",
-    "text_bytes": "<u4",
+    "text_at": "<i8",
+    "text_bytes": "<i8",
     "kind": "u1",
     "from_servo": "u1",
     "dropped": "<i8",
@@ -78,6 +78,7 @@ class Writer:
         self.file = h5py.File(path, "w", libver=("v110", "v110"))
         for name, columns in TABLES.items():
             rows = {"ticks": block_rows, "text": 64, "start": 4096}.get(name, 1)
+            chunk = {"ticks": block_rows, "text": 1024, "start": 4096, "end": 1}.get(name, 64)
             group = self.file.create_group(name)
             group.attrs["columns"] = np.bytes_(",".join(columns))
             group.attrs["block_rows"] = np.int64(rows)
@@ -88,7 +89,7 @@ class Writer:
                     shape,
                     TYPES.get(column, "<f8"),
                     maxshape=(None, *shape[1:]),
-                    chunks=(max(rows, 64), *shape[1:]),
+                    chunks=(chunk, *shape[1:]),
                 )
                 dataset.attrs["unit"] = np.bytes_(
                     column.rsplit("_", 1)[-1] if "_" in column else "1"
@@ -233,7 +234,7 @@ def sphere_ticks(
         "passive_N": np.zeros(rows),
         "lateness_us": random.gamma(2.0, 5.0, rows),
         "tick_us": 0.3 + 0.05 * random.random(rows),
-        "revision": np.ones(rows, "u8"),
+        "revision": np.ones(rows, "i8"),
         "input": np.full(rows, 3, "u1"),
     }
 

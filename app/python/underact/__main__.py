@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from .errors import SessionError, Unreadable, missing
+from .errors import SessionError, Unreadable, drawing_errors, missing
 
 WELL, BAD_INPUT, USAGE, FILE = 0, 1, 2, 4
 
@@ -29,7 +29,8 @@ def plot(options: argparse.Namespace) -> int:
         view = plots.view_of(session, options.from_s, options.to_s)
     for kind in kinds:
         figure = plots.draw(kind, view, options.width)
-        style.save(figure, _ending_of(kind, options.out, len(kinds) > 1))
+        with drawing_errors():
+            style.save(figure, _ending_of(kind, options.out, len(kinds) > 1))
     return WELL
 
 
@@ -158,6 +159,9 @@ def main(arguments: list[str] | None = None) -> int:
         return USAGE
     except OSError as error:
         print(f"{error.filename or ''}: {error.strerror or error}.".lstrip(": "), file=sys.stderr)
+        return FILE
+    except MemoryError:
+        print("There is not enough memory for so long a session.", file=sys.stderr)
         return FILE
     except KeyboardInterrupt:
         return 130

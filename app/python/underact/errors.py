@@ -40,6 +40,20 @@ def library_errors(what: str) -> Iterator[None]:
         ) from error
 
 
+@contextmanager
+def drawing_errors() -> Iterator[None]:
+    """Inside of it, what matplotlib throws at numbers and scenes that no recording holds becomes a
+    SessionError.
+    """
+    try:
+        yield
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise SessionError(
+            f"What this session holds cannot be drawn ({type(error).__name__}: {error}). "
+            "Its numbers or its scene are none that a recording has."
+        ) from error
+
+
 def missing(module: str | None) -> str:
     """What to do where Python does not find a library."""
     return (

@@ -156,6 +156,8 @@ def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
     ticks = session.ticks
     time_ns = ticks["time_ns"]
     tick = ticks["tick"]
+    if len(tick) == 0:
+        return
 
     def at(number: int) -> int:
         return int(time_ns[min(int(np.searchsorted(tick, number)), len(tick) - 1)])
@@ -193,7 +195,8 @@ def mcap(session: Session, out: str | Path) -> None:
     except ImportError as error:
         raise _needs("mcap", "MCAP", error) from error
     attributes = session.attributes
-    start_ns = int(attributes.get("started_unix_ns") or 0)
+    start_ns = attributes.get("started_unix_ns")
+    start_ns = start_ns if isinstance(start_ns, int) else 0
     with open(out, "wb", opener=_owners_alone) as file:
         writer = Writer(file)
         writer.start(profile="", library="underact")
@@ -208,7 +211,7 @@ def mcap(session: Session, out: str | Path) -> None:
         for count, (now_ns, topic, message) in enumerate(_messages(session)):
             first_ns = now_ns if first_ns is None else first_ns
             data = json.dumps({"time_s": now_ns * 1e-9, **message}).encode()
-            stamp = start_ns + now_ns - first_ns
+            stamp = min(max(start_ns + now_ns - first_ns, 0), 2**64 - 1)  # all that MCAP has
             writer.add_message(channels[topic], stamp, data, stamp, count)
         words = {name: str(value) for name, value in attributes.items()}
         writer.add_metadata("underact_session", {**words, "scene": json.dumps(session.scene)})

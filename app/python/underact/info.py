@@ -11,8 +11,7 @@ from .session import Session
 def info_of(session: Session) -> dict:
     """Ticks, duration, whether it is complete, scene, arm, version, faults, markers, changes."""
     attributes = session.attributes
-    started_ns = attributes.get("started_unix_ns")
-    started = datetime.fromtimestamp(started_ns * 1e-9, timezone.utc) if started_ns else None
+    started = _time_of(attributes.get("started_unix_ns"))
     return {
         "ticks": session.ticks.rows,
         "duration_s": session.duration_s,
@@ -31,6 +30,15 @@ def info_of(session: Session) -> dict:
         "faults": [{"tick": fault.tick, "kind": fault.kind} for fault in session.faults],
         "damaged_rows": sum(end - first for first, end in session.ticks.damage),
     }
+
+
+def _time_of(unix_ns: object) -> datetime | None:
+    if not isinstance(unix_ns, int) or unix_ns == 0:
+        return None
+    try:
+        return datetime.fromtimestamp(unix_ns * 1e-9, timezone.utc)
+    except (OSError, OverflowError, ValueError):  # of no year that there is
+        return None
 
 
 def print_info(session: Session, as_json: bool) -> None:

@@ -39,6 +39,31 @@ TABLES: dict[str, dict[str, int]] = {
     "text": {"bytes": 1},
 }
 
+#: column -> what its numbers are, where they are not doubles
+TYPES: dict[str, str] = {
+    **dict.fromkeys(("tick", "time_ns", "revision", "text_at", "text_bytes"), "<i8"),
+    **dict.fromkeys(("dropped", "unix_ns"), "<i8"),
+    **dict.fromkeys(("buttons", "limits", "crc32"), "<u4"),
+    **dict.fromkeys(("fault", "input", "carry", "kind", "from_servo", "reason", "bytes"), "u1"),
+}
+
+# What core/record takes, and no more: a file may come from anybody.
+MOST_TICKS_A_BLOCK = 200_000
+MOST_BLOCK_BYTES = 128 << 20  # the longest block takes 80 MB; a later version may have columns more
+#: table -> rows of a block, rows of a chunk; /ticks: its blocks are its chunks
+BLOCKS: dict[str, tuple[int, int]] = {"end": (1, 1), "text": (64, 1024)}
+SMALL_BLOCK = (1, 64)  # of the others
+CHECKS_CHUNK = 64
+MOST_PACKED = 256  # times more rows than its bytes hold, where h5repack has packed it
+#: table -> rows, whatever the file's length
+MOST_ROWS: dict[str, int] = {"changes": 1 << 20, "faults": 1 << 20, "end": 1 << 20}
+MOST_ROWS["markers"] = 1 << 16
+LONGEST_LABEL, ALL_LABELS = 64 << 10, 16 << 20  # bytes
+LONGEST_SCENE = 16 << 20  # as of a scene file
+LONGEST_FILE = 1 << 44  # one may have a length that nothing on the disk stands behind
+LONGEST_ATTRIBUTE = 1 << 20
+MOST_DAMAGED_BLOCKS = 100_000
+
 FAULTS = (
     "none",
     "no_sample",

@@ -18,10 +18,10 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout
+from . import bounds, layout
 from .errors import DamagedSession, SessionError, library_errors
 from .opening import open_file
-from .table import Table, text_of
+from .table import Table
 
 _SETTLES_S = 2.0  # a block that a writer is in the middle of is whole after so long, or is damaged
 
@@ -89,7 +89,7 @@ class Session:
             raise
 
     def _look(self) -> None:
-        version = text_of(self._file.attrs.get("underact_session"))
+        version = bounds.attribute(self._file, "underact_session")
         if version is None:
             raise SessionError(f"{self.path} is an HDF5 file, but no session of Underact.")
         if version != layout.VERSION:
@@ -104,9 +104,12 @@ class Session:
 
     @property
     def attributes(self) -> dict[str, object]:
-        """The attributes of the file: who, with what arm, when; words as str."""
+        """The attributes of the file: who, with what arm, when; words as str. Those that are no
+        single number or text of fixed length, or longer than a mebibyte, are left out.
+        """
         with library_errors(f"{self.path}: its attributes"):
-            return {name: text_of(value) for name, value in self._file.attrs.items()}
+            found = {name: bounds.attribute(self._file, name) for name in self._file.attrs}
+            return {name: value for name, value in found.items() if value is not None}
 
     @property
     def time_s(self) -> np.ndarray:
@@ -118,29 +121,43 @@ class Session:
         """The scenes in the order in which they came into effect; the first is that at the
         beginning.
         """
-        table = self._tables["changes"]
-        rows = zip(*(table[c].tolist() for c in layout.TABLES["changes"]))
-        return [
-            Change(tick, revision, layout.word(layout.CARRIES, carry), self._scene(at, size))
-            for tick, revision, carry, at, size in rows
-        ]
+        return [self._change(row) for row in self._rows_with_words("changes")]
 
     @property
     def scene(self) -> dict:
         """The scene at the beginning, as in a scene file."""
-        changes = self.changes
-        if not changes:
+        rows = self._rows_with_words("changes")
+        if not rows:
             raise SessionError(
                 f"{self.path} holds no scene: the recording ended before its first tick."
             )
-        return changes[0].scene
+        return self._change(rows[0]).scene
 
     @property
     def markers(self) -> list[Marker]:
-        """The marks that somebody set, in the order of ticks."""
-        table = self._tables["markers"]
-        rows = zip(*(table[c].tolist() for c in layout.TABLES["markers"]))
-        return [Marker(tick, self._text(at, size)) for tick, at, size in rows]
+        """The marks that somebody set, in the order of ticks. With damaged="skip" a label that
+        cannot be had is "?".
+        """
+        left, marks = layout.ALL_LABELS, []
+        for tick, at, size in self._rows_with_words("markers"):
+            try:
+                if size > min(layout.LONGEST_LABEL, left):
+                    raise DamagedSession(
+                        f"{self.path}: the label of the mark at tick {tick} is longer than a label "
+                        f"may be ({layout.LONGEST_LABEL >> 10} KiB, all together "
+                        f"{layout.ALL_LABELS >> 20} MiB). The file is damaged: copy it anew from "
+                        'where it came; Session(path, damaged="skip") reads the rest.',
+                        "markers",
+                        [(tick, tick)],
+                    )
+                label = self._text(at, size)
+                left -= size
+            except SessionError:
+                if self._damaged == "raise":
+                    raise
+                label = "?"
+            marks.append(Marker(tick, label))
+        return marks
 
     @property
     def faults(self) -> list[Fault]:
@@ -156,7 +173,7 @@ class Session:
     def end(self) -> End | None:
         """How the recording ended; None where it did not end in order, or goes on."""
         table = self._tables["end"]
-        if table.common_rows() == 0:
+        if table.rows == 0:
             return None
         tick, dropped, unix_ns, reason = (int(table[c][-1]) for c in layout.TABLES["end"])
         return End(tick, dropped, unix_ns, layout.word(layout.REASONS, reason))
@@ -216,22 +233,54 @@ class Session:
             else:
                 time.sleep(poll_s)
 
+    def _rows_with_words(self, name: str) -> list[tuple[int, ...]]:
+        """The rows of /changes or /markers. Words stand one after the other, so all together they
+        are no more than /text has.
+        """
+        table = self._tables[name]
+        rows = list(zip(*(table[column].tolist() for column in layout.TABLES[name])))
+        all_words = self._tables["text"].common_rows()
+        if name == "changes" and sum(max(row[-1], 0) for row in rows) > all_words:
+            raise SessionError(
+                f"{self.path}: its scenes are longer than all words in it. The file is damaged: "
+                "copy it anew from where it came."
+            )
+        return rows
+
     def _text(self, at: int, size: int) -> str:
-        text = self._tables["text"]
-        stored = text["bytes"]
-        if text.damage or at < 0 or at + size > len(stored):
+        if size == 0:
+            return ""
+        try:
+            stored = self._tables["text"].stretch(at, at + size)
+        except DamagedSession:
+            if self._damaged == "raise":
+                raise
+            stored = None
+        if stored is None:
             raise SessionError(
                 f"{self.path}: the words that belong to a row are damaged or missing in /text."
             )
-        return stored[at : at + size].astype(np.uint8).tobytes().decode("utf-8", "replace")
+        return stored["bytes"].tobytes().decode("utf-8", "replace")
+
+    def _change(self, row: tuple[int, ...]) -> Change:
+        tick, revision, carry, at, size = row
+        return Change(tick, revision, layout.word(layout.CARRIES, carry), self._scene(at, size))
 
     def _scene(self, at: int, size: int) -> dict:
         if size == 0:  # nothing was loaded yet
             return {}
+        if size > layout.LONGEST_SCENE:
+            raise SessionError(
+                f"{self.path}: a scene in it has {size} bytes, and a scene at most "
+                f"{layout.LONGEST_SCENE}. The file is damaged: copy it anew from where it came."
+            )
         try:
-            return json.loads(self._text(at, size))
-        except json.JSONDecodeError as error:
+            scene = json.loads(self._text(at, size))
+        except (ValueError, RecursionError) as error:
             raise SessionError(f"{self.path}: a scene in it is no JSON ({error}).") from error
+        if not isinstance(scene, dict):
+            raise SessionError(f"{self.path}: a scene in it is no JSON object.")
+        return scene
 
     def close(self) -> None:
         """Closes the file; the arrays read so far stay."""

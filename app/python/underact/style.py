@@ -22,6 +22,7 @@ JOINTS = ((DARK, "-"), (ORANGE, "-"), (SKY, "--"), (GREEN, "--"), (VERMILLION, "
 
 WIDTHS_IN = (3.5, 7.0)  # a column and a page
 DPI = 300
+_LONGEST_FOOTER = 500  # characters: a title may have a mebibyte
 FORMATS = ("png", "svg", "pdf")
 
 RC = {
@@ -77,9 +78,11 @@ def legend_outside(axes, columns: int = 1, **more) -> None:
 
 def footer(figure: Figure, words: str) -> None:
     """One small line under the axes: where the data come from."""
+    words = words.replace("\n", " ")[:_LONGEST_FOOTER]
     narrow = figure.get_figwidth() < 5.0
     lines = words.replace(" · ", "\n", 1) if narrow and len(words) > 60 else words
-    figure.supxlabel(lines, fontsize=5.5, color=GREY, x=0.01, ha="left")
+    label = figure.supxlabel(lines, fontsize=5.5, color=GREY, x=0.01, ha="left")
+    label.set_parse_math(False)  # a name is a name, also with $
 
 
 def save(figure: Figure, path: str | Path) -> None:

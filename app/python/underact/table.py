@@ -10,37 +10,20 @@ from collections.abc import Iterator, Mapping
 import h5py
 import numpy as np
 
+from . import bounds, layout
+from .chunks import read_rows
 from .errors import DamagedSession, SessionError, library_errors
 
 _ROWS_AT_ONCE = 65536  # while checking: some 30 MB of ticks
 
 
-def text_of(value: object) -> object:
-    """An attribute as Python has it: bytes as a str, numpy's scalars as numbers, the rest as
-    it is.
-    """
-    if isinstance(value, bytes):
-        return value.rstrip(b"\0").decode("utf-8", "replace")
-    if isinstance(value, np.ndarray) and value.dtype.kind in "SOU":
-        return [text_of(one) for one in value.ravel().tolist()]
-    return value.item() if isinstance(value, np.generic) else value
+_MOST_TOLD = 1000  # stretches of damage that an error tells the ticks of, and 20 in its words
 
 
 def _columns_of(group: h5py.Group) -> list[str]:
-    names = text_of(group.attrs.get("columns", ""))
-    if isinstance(names, str):
-        names = names.replace(",", " ").split()
-    return [name for name in names if name != "crc32"]
-
-
-def _is_own(group: h5py.Group, name: str) -> bool:
-    """Whether what has this name stands in the file itself: a link may lead to any other file, and
-    so may where a dataset has its numbers.
-    """
-    if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-        return False
-    found = group[name]
-    return not isinstance(found, h5py.Dataset) or not (found.external or found.is_virtual)
+    names = bounds.attribute(group, "columns")
+    names = names.replace(",", " ").split() if isinstance(names, str) else []
+    return [name for name in dict.fromkeys(names) if name != "crc32"]
 
 
 class Table(Mapping):
@@ -54,21 +37,19 @@ class Table(Mapping):
 
     def __init__(self, file: h5py.File, name: str, wanted: dict[str, int], damaged: str):
         self.name = name
-        group = file.get(name) if _is_own(file, name) else None
+        group = file.get(name) if bounds.is_own(file, name) else None
         where = f"{file.filename}: the table /{name}"
         if not isinstance(group, h5py.Group):
             raise SessionError(f"{where} is missing. The file is no whole session: record it anew.")
         order = _columns_of(group)
-        foreign = {name for name in [*order, "crc32"] if not _is_own(group, name)}
+        foreign = {name for name in [*order, "crc32"] if not bounds.is_own(group, name)}
         lost = sorted(set(wanted) - set(order) | foreign)
         if lost:
             raise SessionError(f"{where} lacks {', '.join(lost)}. The file is no whole session.")
         self._datasets = {column: group[column] for column in order}
         self._crc32 = group["crc32"]
-        block_rows = text_of(group.attrs.get("block_rows"))
-        if not isinstance(block_rows, int) or block_rows < 1:
-            raise SessionError(f"{where} does not say how many rows a block has (block_rows).")
-        self.block_rows = block_rows
+        self._file = file
+        self.block_rows = bounds.block_rows_of(where, name, group)
         for column, dataset in self._datasets.items():
             width = wanted.get(column)
             shape = getattr(dataset, "shape", ())
@@ -77,13 +58,36 @@ class Table(Mapping):
                 raise SessionError(
                     f"{where} has a column {column} that is not {width} numbers a row."
                 )
-        attributes = {column: dataset.attrs for column, dataset in self._datasets.items()}
-        self.units = {c: text_of(a.get("unit", "")) for c, a in attributes.items()}
-        self.meanings = {c: text_of(a.get("meaning", "")) for c, a in attributes.items()}
+        self._check_bounds(where)
+        columns = self._datasets.items()
+        self.units = {column: bounds.attribute(d, "unit") or "" for column, d in columns}
+        self.meanings = {column: bounds.attribute(d, "meaning") or "" for column, d in columns}
         self._skip = damaged == "skip"
         self._kept: np.ndarray | None = None  # whether a row is kept; None: not checked yet
         self._bad_blocks: list[int] = []
         self._rows = 0
+
+    def _check_bounds(self, where: str) -> None:
+        """Raises SessionError where the table is otherwise than a file of its length may have it."""
+        _, chunk_rows = layout.BLOCKS.get(self.name, layout.SMALL_BLOCK)
+        for column, dataset in self._datasets.items():
+            rows = self.block_rows if self.name == "ticks" else chunk_rows
+            bounds.check_layout(where, column, dataset, rows)
+        if not isinstance(self._crc32, h5py.Dataset) or self._crc32.ndim != 1:
+            raise SessionError(f"{where} has no checksums. The file is no whole session.")
+        bounds.check_layout(where, "crc32", self._crc32, layout.CHECKS_CHUNK)
+        columns = [*self._datasets.values()]
+        block_bytes = self.block_rows * sum(map(bounds.row_bytes, columns))
+        lengths = [dataset.shape[0] for dataset in [self._crc32, *columns]]
+        if block_bytes > layout.MOST_BLOCK_BYTES or max(lengths) > self._most_rows():
+            raise SessionError(
+                f"{where} says that it has {max(lengths)} rows, which is more than the file has "
+                "bytes for. It is damaged: copy it anew from where it came."
+            )
+
+    def _most_rows(self) -> int:
+        columns = [*self._datasets.values()]
+        return bounds.most_rows(columns, self.block_rows, bounds.file_bytes(self._file))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._datasets)
@@ -109,7 +113,7 @@ class Table(Mapping):
         edges = np.flatnonzero(np.diff(kept, prepend=False, append=False)) + first_row
         dataset = self._datasets[column]
         with library_errors(f"The column {column} of /{self.name}"):
-            parts = [dataset[first:end] for first, end in edges.reshape(-1, 2).tolist()]
+            parts = [read_rows(dataset, first, end) for first, end in edges.reshape(-1, 2).tolist()]
             if len(parts) == 1:
                 return parts[0]
             return np.concatenate(parts) if parts else dataset[:0]
@@ -130,9 +134,11 @@ class Table(Mapping):
         return [(block * size, min((block + 1) * size, self._rows)) for block in self._bad_blocks]
 
     def common_rows(self) -> int:
-        """The rows that all columns have now, of blocks whose CRC-32 is there."""
+        """The rows that all columns have now, of blocks whose CRC-32 is there; no more than the
+        file has bytes for, however it grows.
+        """
         lengths = [dataset.shape[0] for dataset in self._datasets.values()]
-        return min([*lengths, self._crc32.shape[0] * self.block_rows])
+        return min([*lengths, self._crc32.shape[0] * self.block_rows, self._most_rows()])
 
     def refresh(self) -> None:
         """Looks for what a program that still writes has added. What was read stays checked."""
@@ -146,10 +152,18 @@ class Table(Mapping):
         bad = []
         step = max(1, _ROWS_AT_ONCE // self.block_rows) * self.block_rows
         for start in range(first_row, end_row, step):
+            if len(bad) > layout.MOST_DAMAGED_BLOCKS:
+                raise SessionError(
+                    f"{self._file.filename}: more than {layout.MOST_DAMAGED_BLOCKS} blocks of "
+                    f"/{self.name} are damaged. Copy it anew from where it came."
+                )
             stop = min(start + step, end_row)
             try:
-                columns = [_little_endian(d[start:stop]) for d in self._datasets.values()]
-                said = self._crc32[start // self.block_rows : -(-stop // self.block_rows)]
+                columns = [
+                    _little_endian(read_rows(d, start, stop)) for d in self._datasets.values()
+                ]
+                blocks = (start // self.block_rows, -(-stop // self.block_rows))
+                said = read_rows(self._crc32, *blocks)
             except (OSError, RuntimeError):  # what cannot be read is as bad as what reads wrong
                 if stop - start <= self.block_rows:
                     bad.append(start // self.block_rows)
@@ -165,11 +179,31 @@ class Table(Mapping):
                     bad.append(start // self.block_rows + index)
         return bad
 
+    def stretch(self, first_row: int, end_row: int) -> dict[str, np.ndarray] | None:
+        """Rows [first_row, end_row) of every column, of which no other is looked at; None: they are
+        not all there. Raises DamagedSession where a block of them is damaged.
+        """
+        rows = self.common_rows()
+        if not 0 <= first_row <= end_row <= rows:
+            return None
+        begin = first_row - first_row % self.block_rows
+        end = min(-(-end_row // self.block_rows) * self.block_rows, rows)
+        bad = self.bad_blocks(begin, end)
+        if bad:
+            raise self.damaged(bad, rows)
+        kept = np.ones(end_row - first_row, dtype=bool)
+        return {column: self._read(column, first_row, kept) for column in self}
+
     def check(self) -> None:
         """Checks every block once. Raises DamagedSession unless damaged rows are to be skipped."""
         if self._kept is not None:
             return
         rows = self.common_rows()
+        if rows > layout.MOST_ROWS.get(self.name, rows):
+            raise SessionError(
+                f"{self._file.filename}: /{self.name} has {rows} rows, and a session at most "
+                f"{layout.MOST_ROWS[self.name]}. It is damaged: copy it anew from where it came."
+            )
         bad = self.bad_blocks(0, rows)
         kept = np.ones(rows, dtype=bool)
         for block in bad:
@@ -188,9 +222,10 @@ class Table(Mapping):
                 runs.append([block, block + 1])
         spans = [
             self._ticks_of(first * self.block_rows, min(end * self.block_rows, rows))
-            for first, end in runs
+            for first, end in runs[:_MOST_TOLD]
         ]
-        words = ", ".join(f"{first} to {last}" for first, last in spans)
+        words = ", ".join(f"{first} to {last}" for first, last in spans[:20])
+        words += f" and {len(runs) - 20} stretches more" if len(runs) > 20 else ""
         what = "ticks" if "tick" in self._datasets else "rows"
         return DamagedSession(
             f"The file is damaged in /{self.name}, {what} {words}: these bytes are not those that "

@@ -8,6 +8,7 @@ import math
 
 from matplotlib.figure import Figure
 
+from ..errors import drawing_errors
 from ..style import styled
 from .forces import displacement_force, path
 from .statistics import lateness, spectrum
@@ -36,7 +37,8 @@ def draw(kind: str, view: View, width_in: float = 7.0) -> Figure:
         raise ValueError(f"There is no plot {kind}; there are {', '.join(KINDS)}.")
     if not (math.isfinite(width_in) and 2.0 <= width_in <= 40.0):
         raise ValueError("The width is 2 to 40 inches; print takes 3.5 or 7.")
-    return KINDS[kind](view, width_in)
+    with drawing_errors():
+        return KINDS[kind](view, width_in)
 
 
 __all__ = ["KINDS", "View", "draw", "view_of", *(kind.__name__ for kind in KINDS.values())]

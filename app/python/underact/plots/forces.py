@@ -13,6 +13,7 @@ from ..thin import evenly
 from .view import View
 
 _POINTS = 6000  # of a cloud or a way in space: more are not told apart in print
+_MOST_SHAPES = 200  # more of them hide each other, and take minutes
 # Drawn axes: z of W towards the reader, x right, y up, which keeps a right hand a right hand.
 _DRAWN = [2, 0, 1]
 
@@ -57,7 +58,7 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     """
     p_mm = view["p_WT_mm"]
     reach = [p_mm[:, _DRAWN]]
-    for constraint in view.scene.get("constraints", []):
+    for constraint in view.scene.get("constraints", [])[:_MOST_SHAPES]:
         lines = [line[:, _DRAWN] for line in outlines(constraint, p_mm)]
         if lines:
             width = 0.5 if len(lines) > 3 else 1.2

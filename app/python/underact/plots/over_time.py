@@ -7,9 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from .. import style
-from ..thin import thin
+from ..thin import evenly, thin
 from .view import View
 
+_MOST_EVENTS = 200  # marks, and faults, that are drawn: more are one black bar, and take hours
 _TURN = np.pi  # a step of more than half a turn between two ticks is a wrap, not a motion
 
 
@@ -30,11 +31,14 @@ def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
     """The time axis, and what happened when: faults as red crosses on a line, marks as lines with
     their words.
     """
-    panels[-1].set_xlabel("time [s]")
+    faults, marks = _some(view.faults), _some(view.marks)
+    drawn, all_ = len(faults) + len(marks), len(view.faults) + len(view.marks)
+    left_out = f", {drawn:,} of {all_:,} marks and faults" if drawn < all_ else ""
+    panels[-1].set_xlabel(f"time [s]{left_out}")
     if view.time_s[-1] > view.time_s[0]:
         panels[-1].set_xlim(view.time_s[0], view.time_s[-1])
     for axes in panels:
-        for time_s, _ in view.faults:
+        for time_s, _ in faults:
             axes.axvline(
                 time_s,
                 color=style.VERMILLION,
@@ -43,9 +47,9 @@ def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
                 markevery=[1],
                 clip_on=False,
             )
-        for time_s, _ in view.marks:
+        for time_s, _ in marks:
             axes.axvline(time_s, color=style.GREY, linewidth=0.6, linestyle=(0, (1, 2)))
-    for time_s, words in view.faults + view.marks:
+    for time_s, words in faults + marks:
         panels[0].annotate(
             words[:24],
             (time_s, 1),
@@ -57,11 +61,16 @@ def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
             va="top",
             textcoords="offset points",
             xytext=(-1, -2),
+            parse_math=False,
         )
     for axes in panels:
         style.legend_outside(axes)
     figure.align_ylabels(panels)
     return figure
+
+
+def _some(events: list[tuple[float, str]]) -> list[tuple[float, str]]:
+    return [events[index] for index in evenly(len(events), _MOST_EVENTS)]
 
 
 def error_time(view: View, width_in: float) -> Figure:

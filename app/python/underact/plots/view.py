@@ -78,12 +78,14 @@ def view_of(
         return [(t, getattr(e, words)) for t, e in zip(times, events) if low <= t <= high]
 
     attributes = session.attributes
+    rate_hz = attributes.get("rate_hz")
+    stated = isinstance(rate_hz, (int, float)) and 1 <= rate_hz <= 1_000_000
     return View(
         time_s[rows],
         {column: session.ticks[column][rows] for column in _COLUMNS},
         session.scene,
         footer if footer is not None else footer_of(attributes),
-        float(attributes.get("rate_hz") or 0) or _rate_hz(time_s),
+        float(rate_hz) if stated else _rate_hz(time_s),
         at(session.markers, "label"),
         at(session.faults, "kind"),
     )
@@ -104,4 +106,5 @@ def footer_of(attributes: dict, *more: str) -> str:
 
 
 def _rate_hz(time_s: np.ndarray) -> float:
-    return 1.0 / float(np.median(np.diff(time_s))) if len(time_s) > 1 else 1000.0
+    period_s = float(np.median(np.diff(time_s))) if len(time_s) > 1 else 0.0
+    return 1.0 / period_s if period_s > 0.0 else 1000.0
