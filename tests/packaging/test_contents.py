@@ -27,6 +27,7 @@ class Contents(unittest.TestCase):
     def test_every_library_is_looked_for_beside_the_program_alone(self):
         for path in self.files:
             way = elf.runpath(path)
+            self.assertNotIn("", way.split(":"), path)  # which would be the folder one stands in
             self.assertTrue(way.startswith("$ORIGIN"), f"{path}: {way}")
             place = os.path.realpath(way.replace("$ORIGIN", os.path.dirname(path)))
             self.assertEqual(place, os.path.realpath(os.path.join(self.folder, "usr/lib")), path)

@@ -14,6 +14,7 @@ PROGRAMS = [
     "underact-sweep",
     "underact-guard",
     "underact-mesh-reader",
+    "underact-session-reader",
 ]
 
 
@@ -68,7 +69,11 @@ class RunPaths(unittest.TestCase):
                     (pathlib.Path(full) / library).touch()
                 ended = [
                     subprocess.run(
-                        [program, "--version"], cwd=folder, capture_output=True, check=False
+                        [program, "--version"],
+                        cwd=folder,
+                        stdin=subprocess.DEVNULL,  # a reader waits for a question there
+                        capture_output=True,
+                        check=False,
                     )
                     for folder in (empty, full)
                 ]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Session files as a stranger might hand them over, with every checksum made right again, given to
-the commands that read sessions. What must hold for any seed: no signal, no hang over 10 s, no more
-than 400 MB of any process, no other file changed, and a sentence.
+the commands that read sessions, those in Python among them. What must hold for any seed: no signal,
+no hang over 10 s, no more than 400 MB of any process, no other file changed, and a sentence.
 
 Usage: hostile_sessions.py UNDERACT_CLI SCENES_FOLDER [SEED] [COUNT]. Exit 1: it did not hold; 77:
 h5py is not there.
@@ -41,9 +41,16 @@ FAULT_KINDS = {
 }
 READING = (("log", "info"), ("log", "verify"), ("replay", "--verify"), ("log", "export"))
 ALL = (*READING, ("replay",), ("log", "recover"), ("log", "info"))
+PACKAGE = Path(__file__).resolve().parents[3] / "app/python"
+KINDS = "error force displacement-force path angles joints energy spectrum lateness".split()
+FORMS = ("parquet", "mcap", "csv")
 INTEGERS = (2**31 - 1, -1, -(2**31), 10_000_000, 1, 255)
 LONG_INTEGERS = (2**63 - 1, -1, -(2**63), 2**62, 2**40, 64, 0)
 REALS = (np.nan, np.inf, -np.inf, 1e308, -1e308, 5e-324)
+
+
+# Of these Python makes every form, too.
+EVERY_FORM = ("endless faults", "endless block", "endless ticks", "flood of labels", "bomb", "packed")
 
 
 class Trial:
@@ -52,6 +59,7 @@ class Trial:
     def __init__(self, cli: str, scenes: Path, seed: int):
         self.cli, self.scenes = cli, scenes
         self.random = random.Random(seed)
+        self.python = random.Random(seed)  # of its own: the files stay those that a seed had before
         self.folder = Path(tempfile.mkdtemp(prefix="hostile-"))
         self.tried, self.bad = 0, []
         self.sources: dict[str, Path] = {}
@@ -82,14 +90,34 @@ class Trial:
     def ask(self, what: str, path: Path, commands=READING) -> None:
         for words in commands:
             self._run(what, [*words[:2], str(path), *words[2:]] if words[0] == "log" else [words[0], str(path), *words[1:]])
+        self._look()
+
+    def draw(self, what: str, path: Path, forms: tuple[str, ...] = ()) -> None:
+        """Has Python read it, which is not sealed: one plot, and these forms. Each start of Python
+        takes a second, so not all of all files.
+        """
+        out = self.folder / "out"
+        kind = self.python.choice(KINDS)
+        self._run(what, ["log", "plot", str(path), "--kind", kind, "--out", f"{out}.png"])
+        for form in forms:
+            words = ["export", str(path), "--format", form, "--out", f"{out}.{form}"]
+            if form == "csv":  # of the program's own it is in READING
+                self._run(what, ["-m", "underact", *words], sys.executable)
+            else:
+                self._run(what, ["log", *words])
+        self._look()
+
+    def _look(self) -> None:
         if self.digests() != self.before:
-            self.bad.append(f"{what}: another file was changed")
+            self.bad.append(f"{self.what}: another file was changed")
             self.before = self.digests()
 
-    def _run(self, what: str, words: list[str]) -> None:
+    def _run(self, what: str, words: list[str], program: str = "") -> None:
         self.tried += 1
+        self.what = what
         with subprocess.Popen(
-            [self.cli, *words],
+            [program or self.cli, *words],
+            env={**os.environ, "PYTHONPATH": str(PACKAGE), "PYTHONDONTWRITEBYTECODE": "1"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)),
@@ -106,6 +134,8 @@ class Trial:
             self.bad.append(f"{what}: {words[:2]} ended by {process.returncode}: {told[:80]}")
         elif process.returncode and not told:
             self.bad.append(f"{what}: {words[:2]} said nothing")
+        elif "Traceback (most recent call last)" in told:
+            self.bad.append(f"{what}: {words} broke off: {told[-120:]}")
 
     def peak_mib(self) -> int:
         """Of any process so far; the largest one's."""
@@ -166,6 +196,7 @@ def change_numbers(trial: Trial) -> None:
             else:
                 column[row] = draw.randrange(256)
             mended(table)
+    trial.draw("changed numbers", path)
     trial.ask("changed numbers", path, ALL)
 
 
@@ -180,6 +211,7 @@ def change_attributes(trial: Trial) -> None:
         )
         del group.attrs[name]
         group.attrs[name] = value
+    trial.draw("changed attributes", path, (trial.python.choice(FORMS),))
     trial.ask("changed attributes", path, ALL)
 
 
@@ -213,6 +245,43 @@ def endless(file: h5py.File, rows: int, block: int | None = None) -> None:
 def endless_ticks(file: h5py.File, rows: int) -> None:
     for column in file["ticks"]:
         file["ticks"][column].resize(rows, axis=0)
+
+
+def flood(file: h5py.File) -> None:
+    """Some 8 MB that hold 16 labels of 64 MiB each: a gibibyte of zeros, and its checksums, packed."""
+    text, marks, size = file["text"], file["markers"], 1 << 26
+    file["changes/text_bytes"][:] = 0  # the scene stood there
+    mended(file["changes"])
+    for name, kind, chunk, rows in (("bytes", "u1", 1024, 16 * size), ("crc32", "<u4", 64, size // 4)):
+        del text[name]
+        text.create_dataset(name, (rows,), kind, maxshape=(None,), chunks=(chunk,), compression="gzip")
+    for at in range(0, size // 4, 1 << 16):  # all at once the library would take a gigabyte for it
+        text["crc32"][at : at + (1 << 16)] = zlib.crc32(bytes(64))
+    for name in ("tick", "text_at", "text_bytes", "crc32"):
+        marks[name].resize(16, axis=0)
+    marks["tick"][:] = 1
+    marks["text_at"][:] = np.arange(16) * size
+    marks["text_bytes"][:] = size
+    mended(marks)
+
+
+def bomb(file: h5py.File) -> None:
+    """A megabyte of zlib in place of a chunk, which is to be a gibibyte of zeros."""
+    replace_column(file, "ticks", "tick", compression="gzip", compression_opts=9)
+    packer = zlib.compressobj(9)
+    parts = [packer.compress(bytes(1 << 24)) for _ in range(64)]
+    file["ticks/tick"].id.write_direct_chunk((0,), b"".join(parts) + packer.flush())
+
+
+def crowd(file: h5py.File) -> None:
+    """So many marks that to draw each takes minutes."""
+    marks, rows = file["markers"], 8000
+    for name in ("tick", "text_at", "text_bytes", "crc32"):
+        marks[name].resize(rows, axis=0)
+    marks["tick"][:] = np.arange(rows) // 4
+    marks["text_at"][:] = 0
+    marks["text_bytes"][:] = 1
+    mended(marks)
 
 
 def borrow(file: h5py.File, kind: str) -> None:
@@ -267,6 +336,9 @@ STRUCTURES: dict[str, Callable[[h5py.File], None]] = {
     "endless block": lambda f: endless(f, 1 << 36, 1_000_000),
     "endless ticks": lambda f: endless_ticks(f, 1 << 36),
     "many ticks": lambda f: endless_ticks(f, 1 << 20),
+    "flood of labels": flood,
+    "bomb": bomb,
+    "crowd": crowd,
     "borrowed by a link": lambda f: borrow(f, "link"),
     "borrowed virtually": lambda f: borrow(f, "virtual"),
     "borrowed storage": lambda f: borrow(f, "storage"),
@@ -300,16 +372,19 @@ def odd_files(trial: Trial) -> None:
     folder, source = trial.folder, trial.source("02_sphere").read_bytes()
     for share in (0.01, 0.1, 0.5, 0.9, 0.999):
         (folder / "cut.h5").write_bytes(source[: int(len(source) * share)])
+        trial.draw(f"cut to {share}", folder / "cut.h5")
         trial.ask(f"cut to {share}", folder / "cut.h5", ALL)
     os.mkfifo(folder / "pipe.h5")
     (folder / "folder.h5").mkdir()
     for name in ("pipe.h5", "folder.h5"):
+        trial.draw(name, folder / name)
         trial.ask(name, folder / name, ALL)
     (folder / "link.h5").symlink_to(trial.victim)
     trial.ask("link", folder / "link.h5", (("log", "recover"),))
     with open(folder / "sparse.h5", "wb") as file:
         file.write(source)
         file.truncate(1 << 40)
+    trial.draw("sparse", folder / "sparse.h5")
     trial.ask("sparse", folder / "sparse.h5", ALL)
 
 
@@ -330,6 +405,7 @@ def main() -> int:
             path = trial.copy()
             with opened(path) as file:
                 change(file)
+            trial.draw(name, path, FORMS if name in EVERY_FORM else ())
             trial.ask(name, path, ALL)
         odd_files(trial)
         if trial.peak_mib() > MOST_MIB:
