@@ -151,11 +151,15 @@ def mended(table: h5py.Group) -> None:
     names = [one for one in table.attrs["columns"].decode().split(",")]
     block = int(table.attrs["block_rows"])
     rows = min(len(table[name]) for name in names)
+    columns = [table[name][:rows] for name in names]
+    checks = []
     for at in range(0, rows, block):
         crc = 0
-        for name in names:
-            crc = zlib.crc32(table[name][at : min(at + block, rows)].tobytes(), crc)
-        table["crc32"][at // block] = crc
+        for column in columns:
+            crc = zlib.crc32(column[at : at + block].tobytes(), crc)
+        checks.append(crc)
+    if checks:
+        table["crc32"][: len(checks)] = checks
 
 
 def change_state(trial: Trial, scene: str) -> None:
@@ -269,8 +273,9 @@ def bomb(file: h5py.File) -> None:
     """A megabyte of zlib in place of a chunk, which is to be a gibibyte of zeros."""
     replace_column(file, "ticks", "tick", compression="gzip", compression_opts=9)
     packer = zlib.compressobj(9)
-    parts = [packer.compress(bytes(1 << 24)) for _ in range(64)]
-    file["ticks/tick"].id.write_direct_chunk((0,), b"".join(parts) + packer.flush())
+    begun = packer.compress(b"") + packer.flush(zlib.Z_FULL_FLUSH)
+    part = packer.compress(bytes(1 << 24)) + packer.flush(zlib.Z_FULL_FLUSH)
+    file["ticks/tick"].id.write_direct_chunk((0,), begun + 64 * part)
 
 
 def crowd(file: h5py.File) -> None:
