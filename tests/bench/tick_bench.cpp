@@ -1,6 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include "core/arm/forward.h"
 #include "core/arm/inverse.h"
+#include "core/arm/jacobian.h"
 #include "core/base/units.h"
 #include "core/tick/step.h"
 #include "tests/bench/cases.h"
@@ -20,14 +22,19 @@ std::vector<NamedLaw> laws() {
   return {{"P", control::P{kp}}, {"PD", control::PD{kp, kd}}, {"PID", control::PID{kp, kd, ki, 0.88}}};
 }
 
-void measure(benchmark::State& state, const tick::TickProgram& program) {
-  const arm::Geometry& geometry = program.geometry;
+constexpr std::size_t kPath = 1024;
+
+std::vector<arm::JointAngles> pathOf(const arm::Geometry& geometry) {
   std::vector<arm::JointAngles> joints;
-  constexpr int kPath = 1024;
-  for (int i = 0; i < kPath; ++i) {
-    const double a = 2 * kPi * i / kPath;
+  for (std::size_t i = 0; i < kPath; ++i) {
+    const double a = 2 * kPi * static_cast<double>(i) / static_cast<double>(kPath);
     joints.push_back(arm::reach(geometry, Vec3(0.05 * std::cos(a), 0.04 * std::sin(a), 0.03 * std::cos(2 * a))).q_rad);
   }
+  return joints;
+}
+
+void measure(benchmark::State& state, const tick::TickProgram& program) {
+  const std::vector<arm::JointAngles> joints = pathOf(program.geometry);
   tick::TickState memory = tick::makeState(program);
   tick::TickReport report;
   tick::TickInput input;
@@ -51,7 +58,55 @@ tick::TickProgram programOf(const shape::Shape& shape, const control::Law& law, 
                            safety::limitsForHands(arm.continuous_force_N, Vec3(0.155, 0.112, 0.131)), arm.limits);
 }
 
+/// What the kinematics alone takes.
+void measureKinematics(benchmark::State& state, bool whole) {
+  const arm::Geometry& geometry = arm::findPreset(arm::kDefaultArm)->geometry;
+  const std::vector<arm::JointAngles> joints = pathOf(geometry);
+  std::size_t at = 0;
+  for (auto _ : state) {
+    if (whole) {
+      benchmark::DoNotOptimize(arm::tipPose(geometry, joints[at]));
+      benchmark::DoNotOptimize(arm::positionJacobian(geometry, joints[at]));
+    } else {
+      benchmark::DoNotOptimize(arm::tipPosition(geometry, joints[at]));
+    }
+    at = (at + 1) % kPath;
+  }
+}
+
+/// A sphere with P: nothing but the clamp, then with one of the rest, then with all that a scene has.
+void registerParts() {
+  benchmark::RegisterBenchmark("tick_parts/place_alone", measureKinematics, false);
+  benchmark::RegisterBenchmark("tick_parts/pose_and_jacobian", measureKinematics, true);
+  const arm::Preset& arm = *arm::findPreset(arm::kDefaultArm);
+  const safety::Limits all = safety::limitsForHands(arm.continuous_force_N, Vec3(0.155, 0.112, 0.131));
+  safety::Limits bare;
+  bare.max_force_N = all.max_force_N;
+  safety::Limits slew = bare, speed = bare, edge = bare, heat = bare;
+  slew.max_slew_N_per_s = all.max_slew_N_per_s;
+  speed.calm_speed_m_per_s = all.calm_speed_m_per_s;
+  speed.max_speed_m_per_s = all.max_speed_m_per_s;
+  speed.max_jump_m_per_s = all.max_jump_m_per_s;
+  edge.edge_rad = all.edge_rad;
+  heat.thermal = all.thermal;
+  tick::Entry entry{target::makeConstraint(bench::shapes()[1].shape, target::Side::Both, Vec3::Ones()), laws()[0].law};
+  const auto add = [&](const char* name, const safety::Limits& limits) {
+    benchmark::RegisterBenchmark((std::string("tick_parts/") + name).c_str(), measure,
+                                 tick::makeProgram(arm.geometry, {entry}, tick::Combine::Sum, limits, arm.limits));
+  };
+  add("bare", bare);
+  add("slew", slew);
+  add("speed", speed);
+  add("stops", edge);
+  add("heat", heat);
+  add("all_limits", all);
+  entry.passivity = control::Passivity::Observe;
+  add("observer", bare);
+  add("all_limits_and_observer", all);
+}
+
 const bool kRegistered = [] {
+  registerParts();
   for (const bench::NamedShape& shape : bench::shapes()) {
     for (const NamedLaw& law : laws()) {
       benchmark::RegisterBenchmark(("tick/" + shape.name + "/" + law.name).c_str(), measure,
