@@ -1,3 +1,4 @@
+#include <iomanip>
 #include <sstream>
 
 #include "app/describe/completion.h"
@@ -17,9 +18,9 @@ void writeValues(const Command& command, const std::string& path, std::ostream& 
   for (const Option& option : command.options) {
     if (option.word.empty()) continue;
     for (const std::string& name : option.names) {
-      out << "    " << quoted(path + " " + name) << ") ";
+      out << "    " << inApostrophes(path + " " + name) << ") ";
       if (!option.choices.empty())
-        out << "COMPREPLY=($(compgen -W " << quoted(joined(option.choices)) << " -- \"$cur\")); ";
+        out << "COMPREPLY=($(compgen -W " << inApostrophes(joined(option.choices)) << " -- \"$cur\")); ";
       out << "return;;\n";
     }
   }
@@ -31,7 +32,8 @@ void writeWords(const Command& command, const std::string& path, std::ostream& o
     if (!option.names.empty()) options += (options.empty() ? "" : " ") + joined(option.names);
   }
   for (const Command& below : command.commands) commands += (commands.empty() ? "" : " ") + below.name;
-  out << "    " << quoted(path) << ") options=" << quoted(options) << " commands=" << quoted(commands) << ";;\n";
+  out << "    " << inApostrophes(path) << ") options=" << std::quoted(options) << " commands=" << std::quoted(commands)
+      << ";;\n";
 }
 
 }  // namespace
@@ -41,7 +43,7 @@ std::string bashCompletion(const Command& program) {
   visitAll(program, [&](const Command& command, const std::string& path) {
     writeValues(command, path, values);
     writeWords(command, path, words);
-    if (!path.empty()) paths << (paths.tellp() == 0 ? "" : "|") << quoted(path);
+    if (!path.empty()) paths << (paths.tellp() == 0 ? "" : "|") << inApostrophes(path);
   });
   const std::string known = paths.str().empty() ? "''" : paths.str();
   const std::string name = functionName(program.name);

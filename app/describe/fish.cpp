@@ -1,3 +1,4 @@
+#include <iomanip>
 #include <sstream>
 
 #include "app/describe/completion.h"
@@ -8,7 +9,7 @@ namespace {
 
 void writeCommand(const Command& command, const std::string& start, std::ostream& out) {
   for (const Command& below : command.commands)
-    out << start << " -f -a " << below.name << " -d " << quoted(below.what) << '\n';
+    out << start << " -f -a " << below.name << " -d " << inApostrophes(below.what) << '\n';
   for (const Option& option : command.options) {
     if (option.names.empty()) continue;
     out << start;
@@ -18,9 +19,9 @@ void writeCommand(const Command& command, const std::string& start, std::ostream
     if (!option.choices.empty()) {
       std::string all;
       for (const std::string& choice : option.choices) all += (all.empty() ? "" : " ") + choice;
-      out << " -f -a " << quoted(all);
+      out << " -f -a " << std::quoted(all);
     }
-    out << " -d " << quoted(option.what) << '\n';
+    out << " -d " << inApostrophes(option.what) << '\n';
   }
 }
 
@@ -30,8 +31,8 @@ std::string fishCompletion(const Command& program) {
   const std::string at = "_" + functionName(program.name) + "_at";
   std::ostringstream paths, rules;
   visitAll(program, [&](const Command& command, const std::string& path) {
-    if (!path.empty()) paths << ' ' << quoted(path);
-    writeCommand(command, "complete -c " + program.name + " -n " + quoted(at + " \"" + path + "\""), rules);
+    if (!path.empty()) paths << ' ' << inApostrophes(path);
+    writeCommand(command, "complete -c " + program.name + " -n " + inApostrophes(at + " \"" + path + "\""), rules);
   });
   std::ostringstream out;
   out << "# fish completion for " << program.name << "\n"

@@ -19,7 +19,7 @@ std::string functionName(const std::string& program) {
   return name;
 }
 
-std::string quoted(const std::string& text) {
+std::string inApostrophes(const std::string& text) {
   std::string made = "'";
   for (const char letter : text) {
     // Ends the quotes, an apostrophe, and on: the one way that bash, zsh and fish all read.

@@ -30,15 +30,17 @@ void writeFunction(const Command& command, const std::string& name, std::ostream
   out << name << "() {\n  local curcontext=$curcontext state line ret=1\n  _arguments -C";
   for (const Option& option : command.options) {
     for (const std::string& one : option.names)
-      out << " \\\n    " << quoted((option.many ? "*" : "") + one + "[" + plain(option.what) + "]" + value(option));
-    if (option.names.empty()) out << " \\\n    " << quoted((option.many ? "*" : "") + value(option));
+      out << " \\\n    "
+          << inApostrophes((option.many ? "*" : "") + one + "[" + plain(option.what) + "]" + value(option));
+    if (option.names.empty()) out << " \\\n    " << inApostrophes((option.many ? "*" : "") + value(option));
   }
   if (command.commands.empty()) {
     out << " && ret=0\n  return ret\n}\n";
     return;
   }
   out << " \\\n    '1: :->command' '*:: :->rest' && ret=0\n  case $state in\n  command)\n    local -a all=(\n";
-  for (const Command& below : command.commands) out << "      " << quoted(plain(below.name) + ":" + below.what) << '\n';
+  for (const Command& below : command.commands)
+    out << "      " << inApostrophes(plain(below.name) + ":" + below.what) << '\n';
   out << "    )\n    _describe command all && ret=0;;\n  rest)\n    case $words[1] in\n";
   for (const Command& below : command.commands)
     out << "    " << below.name << ") " << name << '_' << functionName(below.name).substr(1) << " && ret=0;;\n";
