@@ -33,9 +33,9 @@ Exit refuseArm(const Problems& problems, std::ostream& err) {
   return problems.front().place.file.empty() ? Exit::Usage : exitOf(problems);
 }
 
-void addArmOption(CLI::App& command, std::string& name) {
+void addArmOption(Command command, std::string& name) {
   name = std::string(arm::kDefaultArm);
-  command.add_option("--arm", name, "An arm of the list below, or an arm file")->capture_default_str();
+  command.option("--arm", name, "An arm of the list below, or an arm file").showUsual();
 }
 
 std::string listOfArms() {

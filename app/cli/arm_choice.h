@@ -25,7 +25,7 @@ Result<ArmChoice> chooseArm(const std::string& name);
 Exit refuseArm(const Problems& problems, std::ostream& err);
 
 /// --arm, with its default.
-void addArmOption(CLI::App& command, std::string& name);
+void addArmOption(Command command, std::string& name);
 
 /// "name: title" of every shipped arm, for --help.
 std::string listOfArms();

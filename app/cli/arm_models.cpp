@@ -4,16 +4,14 @@
 
 namespace underact::cli {
 
-void addArmModelOption(CLI::App& command, std::string& name) {
-  command.add_option("--arm-model", name, "What the simulated arm is made of: a name, or a file of a measured arm")
-      ->capture_default_str()
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later
-            const Result<sim::ArmModel> model = sim::chooseArmModel(text);
-            return std::string(model ? Sentence() : model.problems().front().sentence);
-          },
-          "", "arm model"));
+void addArmModelOption(Command command, std::string& name) {
+  command.option("--arm-model", name, "What the simulated arm is made of: a name, or a file of a measured arm")
+      .showUsual()
+      .check([](const std::string& text) {
+        if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later
+        const Result<sim::ArmModel> model = sim::chooseArmModel(text);
+        return std::string(model ? Sentence() : model.problems().front().sentence);
+      });
 }
 
 Result<sim::ArmModel> armModelOf(const std::string& name) {

@@ -73,21 +73,17 @@ Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
+void addCalibrate(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add(
       "calibrate", "How small a difference of stiffness a simulated hand can tell, by a two-alternative staircase");
   const auto options = std::make_shared<CalibrateOptions>();
-  command->add_option("scene", options->scene, "A scene of two beams")->required();
-  command->add_option("--weber", options->weber, "What the hand feels scatters by this share")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--seed", options->seed, "Of all that is random")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command->footer(
+  command.option("scene", options->scene, "A scene of two beams").required();
+  command.option("--weber", options->weber, "What the hand feels scatters by this share").showUsual().range(0.0, 1.0);
+  command.option("--seed", options->seed, "Of all that is random").showUsual().nonNegative();
+  command.footer(
       "One JSON object out: \"threshold\", the just-noticeable difference as a share (2 right in a row make it harder: "
       "70.7 % right),\n\"low\" and \"high\" of one standard deviation, \"reversals\" and \"trials\".");
-  command->callback([options, &streams, &exit] { exit = calibrate(*options, streams); });
+  command.whenChosen([options, &streams, &exit] { exit = calibrate(*options, streams); });
 }
 
 }  // namespace underact::cli

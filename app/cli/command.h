@@ -1,12 +1,15 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <iosfwd>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/options/command.h"
+
 namespace underact::cli {
+
+using options::Command;
+using options::Option;
 
 /// Exit status of underact-cli.
 enum class Exit : int { Well = 0, BadInput = 1, Usage = 2, Fault = 3, File = 4 };
@@ -21,36 +24,36 @@ struct Streams {
 };
 
 /// Adds a command to the grammar of the command line; when it is chosen, it does its work and leaves its exit status.
-using AddCommand = void (*)(CLI::App& program, const Streams& streams, Exit& exit);
+using AddCommand = void (*)(Command program, const Streams& streams, Exit& exit);
 
-void addForward(CLI::App& program, const Streams& streams, Exit& exit);
-void addInverse(CLI::App& program, const Streams& streams, Exit& exit);
-void addJacobian(CLI::App& program, const Streams& streams, Exit& exit);
-void addTarget(CLI::App& program, const Streams& streams, Exit& exit);
-void addRun(CLI::App& program, const Streams& streams, Exit& exit);
-void addCalibrate(CLI::App& program, const Streams& streams, Exit& exit);
-void addIdentify(CLI::App& program, const Streams& streams, Exit& exit);
-void addShareArm(CLI::App& program, const Streams& streams, Exit& exit);
-void addRegister(CLI::App& program, const Streams& streams, Exit& exit);
-void addDevices(CLI::App& program, const Streams& streams, Exit& exit);
-void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit);
-void addLog(CLI::App& program, const Streams& streams, Exit& exit);
-void addReplay(CLI::App& program, const Streams& streams, Exit& exit);
-void addFigures(CLI::App& program, const Streams& streams, Exit& exit);
-void addLab(CLI::App& program, const Streams& streams, Exit& exit);
-void addMesh(CLI::App& program, const Streams& streams, Exit& exit);
-void addScene(CLI::App& program, const Streams& streams, Exit& exit);
-void addLesson(CLI::App& program, const Streams& streams, Exit& exit);
+void addForward(Command program, const Streams& streams, Exit& exit);
+void addInverse(Command program, const Streams& streams, Exit& exit);
+void addJacobian(Command program, const Streams& streams, Exit& exit);
+void addTarget(Command program, const Streams& streams, Exit& exit);
+void addRun(Command program, const Streams& streams, Exit& exit);
+void addCalibrate(Command program, const Streams& streams, Exit& exit);
+void addIdentify(Command program, const Streams& streams, Exit& exit);
+void addShareArm(Command program, const Streams& streams, Exit& exit);
+void addRegister(Command program, const Streams& streams, Exit& exit);
+void addDevices(Command program, const Streams& streams, Exit& exit);
+void addServoCheck(Command program, const Streams& streams, Exit& exit);
+void addLog(Command program, const Streams& streams, Exit& exit);
+void addReplay(Command program, const Streams& streams, Exit& exit);
+void addFigures(Command program, const Streams& streams, Exit& exit);
+void addLab(Command program, const Streams& streams, Exit& exit);
+void addMesh(Command program, const Streams& streams, Exit& exit);
+void addScene(Command program, const Streams& streams, Exit& exit);
+void addLesson(Command program, const Streams& streams, Exit& exit);
 
 /// All commands, in the order of --help.
 std::span<const AddCommand> commands();
 
 /// The grammar of the whole program; help, man pages and completion are made from it. streams, exit: outlive it.
-std::unique_ptr<CLI::App> makeGrammar(const Streams& streams, Exit& exit);
+options::Program makeGrammar(const Streams& streams, Exit& exit);
 
 /// Runs a grammar's commands: help, version and wrong usage are answered, and the results are out at the end, or it is
 /// said that they are not. arguments: without the program's name; exit: where the commands leave their exit status.
-Exit perform(CLI::App& program, std::vector<std::string> arguments, const Streams& streams, Exit& exit);
+Exit perform(const options::Program& program, std::vector<std::string> arguments, const Streams& streams, Exit& exit);
 
 /// The whole program. arguments: without the program's name.
 Exit execute(std::vector<std::string> arguments, const Streams& streams);

@@ -75,22 +75,19 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addDevices(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand("devices", "What arms are plugged in, and what is missing to use them");
+void addDevices(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add("devices", "What arms are plugged in, and what is missing to use them");
   const auto options = std::make_shared<DevicesOptions>();
-  CLI::Option* json = command->add_flag("--json", options->json, "A JSON object an arm");
-  CLI::Option* report =
-      command->add_option("--report", options->report,
-                          "Tries the arm KIND or KIND:ADDRESS without force, and writes what was seen, to be sent to "
-                          "the program's makers: so an arm stops being untested");
-  report->excludes(json);
-  command->add_option("--out", options->out, "Where the report goes (the screen)")->needs(report);
-  command->add_option("--words", options->words, "What you felt and saw, for the report")->needs(report);
-  command->add_option("--seconds", options->seconds, "How long it is tried")
-      ->needs(report)
-      ->check(CLI::Range(0.1, 600.0))
-      ->capture_default_str();
-  command->callback([options, &streams, &exit] {
+  const Option json = command.flag("--json", options->json, "A JSON object an arm");
+  const Option report =
+      command.option("--report", options->report,
+                     "Tries the arm KIND or KIND:ADDRESS without force, and writes what was seen, to be sent to "
+                     "the program's makers: so an arm stops being untested");
+  report.excludes(json);
+  command.option("--out", options->out, "Where the report goes (the screen)").needs(report);
+  command.option("--words", options->words, "What you felt and saw, for the report").needs(report);
+  command.option("--seconds", options->seconds, "How long it is tried").needs(report).range(0.1, 600.0).showUsual();
+  command.whenChosen([options, &streams, &exit] {
     if (!options->report.empty()) {
       exit = writeReport(*options, streams);
       return;

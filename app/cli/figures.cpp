@@ -7,18 +7,18 @@
 
 namespace underact::cli {
 
-void addFigures(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command =
-      program.add_subcommand("figures", "Remake the figures of the thesis, with what they should show in numbers");
+void addFigures(Command program, const Streams& streams, Exit& exit) {
+  const Command command =
+      program.add("figures", "Remake the figures of the thesis, with what they should show in numbers");
   const auto out = std::make_shared<std::string>();
   const auto only = std::make_shared<std::string>();
-  command->add_option("--out", *out, "Folder to write into; its page is index.html")->required();
-  command->add_option("--only", *only, "Numbers of figures with commas between, as in 4.5,B.1");
+  command.option("--out", *out, "Folder to write into; its page is index.html").required();
+  command.option("--only", *only, "Numbers of figures with commas between, as in 4.5,B.1");
   const auto progress_lines = std::make_shared<bool>(false);
-  command->add_flag("--progress-lines", *progress_lines,
-                    "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 27, "
-                    "\"figure\": \"4.2\"}");
-  command->callback([out, only, progress_lines, &streams, &exit] {
+  command.flag("--progress-lines", *progress_lines,
+               "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 27, "
+               "\"figure\": \"4.2\"}");
+  command.whenChosen([out, only, progress_lines, &streams, &exit] {
     const std::filesystem::path folder = standpoint().here;
     std::vector<std::string> arguments{
         "figures", "--cli", (folder / "underact-cli").string(), "--window", (folder / "underact").string(),

@@ -150,33 +150,29 @@ Exit identifyIt(const Options& options, const Streams& streams) {
 
 }  // namespace
 
-void addIdentify(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
-      "identify", "Measure the simulated arm: mass, friction, damping, encoders, stiffness as rendered");
+void addIdentify(Command program, const Streams& streams, Exit& exit) {
+  const Command command =
+      program.add("identify", "Measure the simulated arm: mass, friction, damping, encoders, stiffness as rendered");
   const auto options = std::make_shared<Options>();
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
-  command->add_option("--arm", options->arm, "Its geometry")->capture_default_str()->check(CLI::IsMember(arms));
-  addArmModelOption(*command, options->arm_model);
-  command->add_option("--at_mm", options->at_mm, "Where it swings: three numbers, or six, or nine for three places")
-      ->delimiter(',')
-      ->expected(3, 9)
-      ->check(CLI::Range(-1e6, 1e6));
-  command->add_option("--rate", options->rate_hz, "Ticks a second")
-      ->capture_default_str()
-      ->check(CLI::Range(100, 10000));
-  command->add_option("--seed", options->seed, "Of where the tip rests first")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--name", options->name, "Of the model that is written")->capture_default_str();
-  command->add_option("--out", options->out, "Write the model to this file, for --arm-model and for the window");
-  command->add_option("--report", options->report, "Write a report (Markdown) to this file");
-  command->add_flag("--json", options->json, "One JSON object in place of the table");
-  command->footer(
+  command.option("--arm", options->arm, "Its geometry").showUsual().oneOf(arms);
+  addArmModelOption(command, options->arm_model);
+  command.option("--at_mm", options->at_mm, "Where it swings: three numbers, or six, or nine for three places")
+      .withCommas()
+      .expected(3, 9)
+      .range(-1e6, 1e6);
+  command.option("--rate", options->rate_hz, "Ticks a second").showUsual().range(100, 10000);
+  command.option("--seed", options->seed, "Of where the tip rests first").showUsual().nonNegative();
+  command.option("--name", options->name, "Of the model that is written").showUsual();
+  command.option("--out", options->out, "Write the model to this file, for --arm-model and for the window");
+  command.option("--report", options->report, "Write a report (Markdown) to this file");
+  command.flag("--json", options->json, "One JSON object in place of the table");
+  command.footer(
       "Given: what the simulation was made of, or what stiffness was asked for. Uncertainty: one standard deviation. "
       "Below: not told from zero.");
-  command->callback([options, &streams, &exit] {
-    if (options->at_mm.size() % 3 != 0) throw CLI::ValidationError("--at_mm", "takes 3, 6 or 9 numbers");
+  command.whenChosen([options, &streams, &exit] {
+    if (options->at_mm.size() % 3 != 0) options::refuse("--at_mm: takes 3, 6 or 9 numbers");
     exit = identifyIt(*options, streams);
   });
 }

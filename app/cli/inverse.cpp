@@ -157,23 +157,21 @@ Exit answerPoses(const InverseOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addInverse(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* const command =
-      program.add_subcommand("ik", "The joint angles that bring the stylus to a pose, line by line");
+void addInverse(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add("ik", "The joint angles that bring the stylus to a pose, line by line");
   const auto options = std::make_shared<InverseOptions>();
-  addArmOption(*command, options->arm);
-  command
-      ->add_option("--method", options->method, "auto: in closed form where the arm has one; iterative: one solution")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "closed_form", "iterative"}));
-  command->add_option("--seed", options->seed, "Of the iteration's restarts")->capture_default_str();
-  command->footer(
+  addArmOption(command, options->arm);
+  command.option("--method", options->method, "auto: in closed form where the arm has one; iterative: one solution")
+      .showUsual()
+      .oneOf({"auto", "closed_form", "iterative"});
+  command.option("--seed", options->seed, "Of the iteration's restarts").showUsual();
+  command.footer(
       "Each line in is {\"X_WT\": 4x4 in mm}; each line out is {\"reachable\", \"singular\", \"solutions\": "
       "[{\"q_rad\",\n"
       "\"branch\": {\"shoulder\", \"elbow\", \"wrist\"}, \"within_limits\", \"family\"}]}, or {\"error\", \"line\"}.\n"
       "family: null, or \"q1 free\", \"q4+q6\", \"q6-q4\" for a representative of infinitely many.\n\n" +
       listOfArms());
-  command->callback([options, &streams, &exit] { exit = answerPoses(*options, streams); });
+  command.whenChosen([options, &streams, &exit] { exit = answerPoses(*options, streams); });
 }
 
 }  // namespace underact::cli

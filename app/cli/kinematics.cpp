@@ -80,24 +80,24 @@ JsonObject jacobianAnswer(const ArmChoice& arm, const arm::JointAngles& q_rad) {
   return object;
 }
 
-void addCommand(CLI::App& program, const Streams& streams, Exit& exit, const char* name, const char* what,
+void addCommand(Command program, const Streams& streams, Exit& exit, const char* name, const char* what,
                 const char* out, JsonObject (*answer)(const ArmChoice& arm, const arm::JointAngles& q_rad)) {
-  CLI::App* const command = program.add_subcommand(name, what);
+  const Command command = program.add(name, what);
   const auto arm = std::make_shared<std::string>();
-  addArmOption(*command, *arm);
-  command->footer(std::string("Each line in is ") + kJoints + ", DH angles; each line out is " + out +
-                  ",\nor {\"error\", \"line\"}.\n\n" + listOfArms());
-  command->callback([arm, &streams, &exit, answer] { exit = answerJoints(*arm, streams, answer); });
+  addArmOption(command, *arm);
+  command.footer(std::string("Each line in is ") + kJoints + ", DH angles; each line out is " + out +
+                 ",\nor {\"error\", \"line\"}.\n\n" + listOfArms());
+  command.whenChosen([arm, &streams, &exit, answer] { exit = answerJoints(*arm, streams, answer); });
 }
 
 }  // namespace
 
-void addForward(CLI::App& program, const Streams& streams, Exit& exit) {
+void addForward(Command program, const Streams& streams, Exit& exit) {
   addCommand(program, streams, exit, "fk", "Where joint angles bring the stylus, line by line", "{\"X_WT\": 4x4 in mm}",
              poseAnswer);
 }
 
-void addJacobian(CLI::App& program, const Streams& streams, Exit& exit) {
+void addJacobian(Command program, const Streams& streams, Exit& exit) {
   addCommand(program, streams, exit, "jacobian", "How joint rates move the stylus, line by line",
              "{\"J\": 6x6 (v in mm/rad, then w; in W, at the origin of frame 6), \"det_Jp\" in mm^3, \n"
              "\"manipulability_Jp\", \"condition_Jp\" (null: singular), \"singular\": names}",

@@ -4,15 +4,15 @@
 
 namespace underact::cli {
 
-void addLab(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand("lab", "Measurements on models and on the simulated arm");
-  command->require_subcommand(1);
-  addLabStep(*command, streams, exit);
-  addLabSearch(*command, streams, exit);
-  addLabModel(*command, streams, exit);
-  addLabTrade(*command, streams, exit);
-  addLabStability(*command, streams, exit);
-  addLabExtremes(*command, streams, exit);
+void addLab(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add("lab", "Measurements on models and on the simulated arm");
+  command.mustChoose();
+  addLabStep(command, streams, exit);
+  addLabSearch(command, streams, exit);
+  addLabModel(command, streams, exit);
+  addLabTrade(command, streams, exit);
+  addLabStability(command, streams, exit);
+  addLabExtremes(command, streams, exit);
 }
 
 }  // namespace underact::cli

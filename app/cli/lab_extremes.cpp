@@ -156,23 +156,21 @@ Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addLabExtremes(CLI::App& lab, const Streams& streams, Exit& exit) {
+void addLabExtremes(Command lab, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<ExtremesOptions>();
-  CLI::App* command = lab.add_subcommand(
+  const Command command = lab.add(
       "extremes", "Every shape, arm, chain, solver, law and limit where numbers break, against a hundred digits");
-  command->add_option("--only", options->only, "These rows alone, as in --only shape_circle,law_pid")->delimiter(',');
-  command->add_option("--count", options->count, "Cases of a cheap row for each seed; a dear one makes a share of them")
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->capture_default_str();
-  command->add_option("--seeds", options->seeds, "How many seeds")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "The first of them")->capture_default_str();
-  command->add_option("--keep", options->keep, "Write the worst case of each row to this file, for the tests");
-  CLI::Option* const json = command->add_flag("--json", options->json, "A JSON object a row in place of the table");
-  command->add_flag("--csv", options->csv, "The table as CSV")->excludes(json);
-  command->footer("Exit status 1 where a promise is not kept. The guide, \"Where the numbers break\", has the table.");
-  command->callback([options, &streams, &exit] { exit = measureAll(*options, streams); });
+  command.option("--only", options->only, "These rows alone, as in --only shape_circle,law_pid").withCommas();
+  command.option("--count", options->count, "Cases of a cheap row for each seed; a dear one makes a share of them")
+      .range(1, 1'000'000'000)
+      .showUsual();
+  command.option("--seeds", options->seeds, "How many seeds").range(1, 1'000'000).showUsual();
+  command.option("--seed", options->seed, "The first of them").showUsual();
+  command.option("--keep", options->keep, "Write the worst case of each row to this file, for the tests");
+  const Option json = command.flag("--json", options->json, "A JSON object a row in place of the table");
+  command.flag("--csv", options->csv, "The table as CSV").excludes(json);
+  command.footer("Exit status 1 where a promise is not kept. The guide, \"Where the numbers break\", has the table.");
+  command.whenChosen([options, &streams, &exit] { exit = measureAll(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -60,20 +60,17 @@ Exit models(const ModelOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addLabModel(CLI::App& lab, const Streams& streams, Exit& exit) {
+void addLabModel(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<ModelOptions>();
-  CLI::App* command = lab.add_subcommand(
+  const Command command = lab.add(
       "model",
       "What each scene requires of a tick, what each quantity costs, and what computing all of them would cost");
-  command->add_option("SCENES", options->scenes, "Scene files; those that ship by themselves");
-  command->add_option("--hand", options->hand, "Along whose way it is measured")->capture_default_str();
-  command->add_option("--seconds", options->seconds, "Of that way")
-      ->check(CLI::Range(0.1, 60.0))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "A JSON object a row in place of CSV");
-  command->footer(
-      "ns are medians of single ticks on this machine, now; a quantity's is what it adds to the bare tick.");
-  command->callback([options, &streams, &exit] { exit = models(*options, streams); });
+  command.option("SCENES", options->scenes, "Scene files; those that ship by themselves");
+  command.option("--hand", options->hand, "Along whose way it is measured").showUsual();
+  command.option("--seconds", options->seconds, "Of that way").range(0.1, 60.0).showUsual();
+  command.flag("--json", options->json, "A JSON object a row in place of CSV");
+  command.footer("ns are medians of single ticks on this machine, now; a quantity's is what it adds to the bare tick.");
+  command.whenChosen([options, &streams, &exit] { exit = models(*options, streams); });
 }
 
 }  // namespace underact::cli

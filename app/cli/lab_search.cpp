@@ -85,23 +85,18 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addLabSearch(CLI::App& lab, const Streams& streams, Exit& exit) {
+void addLabSearch(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<SearchOptions>();
-  CLI::App* command = lab.add_subcommand(
+  const Command command = lab.add(
       "search",
       "Time and error of each way to seek the nearest point of a scene's meshes and curves, along a hand's way");
-  command->add_option("SCENE", options->scene, "A scene with a mesh or a curve")->required();
-  command->add_option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a file with a path")
-      ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "How long the hand moves")
-      ->check(CLI::Range(0.001, kLongestSearch_s))
-      ->capture_default_str();
-  command->add_option("--rate", options->rate_hz, "Ticks a second")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of the hand")->capture_default_str();
-  command->add_flag("--json", options->json, "A JSON object a constraint in place of a table");
-  command->callback([options, &streams, &exit] { exit = searches(*options, streams); });
+  command.option("SCENE", options->scene, "A scene with a mesh or a curve").required();
+  command.option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a file with a path").showUsual();
+  command.option("--seconds", options->seconds, "How long the hand moves").range(0.001, kLongestSearch_s).showUsual();
+  command.option("--rate", options->rate_hz, "Ticks a second").range(1, 100000).showUsual();
+  command.option("--seed", options->seed, "Of the hand").showUsual();
+  command.flag("--json", options->json, "A JSON object a constraint in place of a table");
+  command.whenChosen([options, &streams, &exit] { exit = searches(*options, streams); });
 }
 
 }  // namespace underact::cli

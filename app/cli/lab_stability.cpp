@@ -237,13 +237,13 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
   return Exit::Well;
 }
 
-void addCellOptions(CLI::App& command, StabilityOptions& options) {
+void addCellOptions(Command command, StabilityOptions& options) {
   SampledWall& wall = options.wall;
   const auto cell = [&](const char* name, auto& number, const char* what, double least, double most) {
-    CLI::Option* option = command.add_option(name, number, what)->check(CLI::Range(least, most));
-    option->group("One wall");
-    option->each([&options](const std::string&) { options.one_cell = true; });
-    return option->capture_default_str();
+    const Option option = command.option(name, number, what).range(least, most);
+    option.group("One wall");
+    option.whenSaid([&options] { options.one_cell = true; });
+    return option.showUsual();
   };
   cell("--mass_kg", wall.mass_kg, "Of arm and hand", 1e-6, 1e3);
   cell("--damping_N_s_per_m", wall.damping_N_s_per_m, "Of arm and hand", 0.0, 1e4);
@@ -254,36 +254,34 @@ void addCellOptions(CLI::App& command, StabilityOptions& options) {
   cell("--friction_N", wall.friction_N, "Coulomb's, of the arm", 0.0, 1e3);
   cell("--encoder_steps", wall.coarseness, "1: angles in the arm's own steps, 2: twice as coarse; 0: exact", 0.0, 1e3);
   cell("--stiffness_N_per_m", options.stiffness_N_per_m, "Say what a wall of this stiffness does, too", 0.0, 1e7);
-  command.add_option("--filter", options.filter, "How the wall finds the velocity")
-      ->group("One wall")
-      ->each([&options](const std::string&) { options.one_cell = true; })
-      ->check(CLI::IsMember(kFilters))
-      ->capture_default_str();
+  command.option("--filter", options.filter, "How the wall finds the velocity")
+      .group("One wall")
+      .whenSaid([&options] { options.one_cell = true; })
+      .oneOf(kFilters)
+      .showUsual();
 }
 
 }  // namespace
 
-void addLabStability(CLI::App& lab, const Streams& streams, Exit& exit) {
+void addLabStability(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<StabilityOptions>();
-  CLI::App* command = lab.add_subcommand(
+  const Command command = lab.add(
       "stability",
       "How stiff a wall may be before it buzzes: one wall, or maps over rate, delay, hand, filter, encoders, friction "
       "and the scenes for which there is no formula");
-  addCellOptions(*command, *options);
+  addCellOptions(command, *options);
   std::vector<std::string> keys{"scenes"};
   for (const stability::WallMap& map : stability::wallMaps()) keys.emplace_back(map.key);
-  command->add_option("--map", options->maps, "Which maps, with commas between; all by itself")
-      ->delimiter(',')
-      ->check(CLI::IsMember(keys));
-  command->add_option("--scenes", options->scenes, "Scene files to ask, in place of those that ship");
-  command->add_flag("--labels", options->labels, "Say of each cell what a push becomes, and whether it is passive");
-  command->add_option("--out", options->out, "A folder for the tables as CSV, labels too, and their pictures");
-  command->add_flag("--json", options->json, "A JSON object a row in place of CSV");
-  command->footer(
+  command.option("--map", options->maps, "Which maps, with commas between; all by itself").withCommas().oneOf(keys);
+  command.option("--scenes", options->scenes, "Scene files to ask, in place of those that ship");
+  command.flag("--labels", options->labels, "Say of each cell what a push becomes, and whether it is passive");
+  command.option("--out", options->out, "A folder for the tables as CSV, labels too, and their pictures");
+  command.flag("--json", options->json, "A JSON object a row in place of CSV");
+  command.footer(
       "One wall: a JSON object. \"simulated_limit_N_per_m\" by doubling and halving in the simulated loop, "
       "\"exact_limit_N_per_m\" by the\neigenvalues of the loop (null: friction, steps or a filter that is not linear), "
       "then what is passive for any hand, and the two formulas.");
-  command->callback(
+  command.whenChosen(
       [options, &streams, &exit] { exit = options->one_cell ? oneCell(*options, streams) : maps(*options, streams); });
 }
 

@@ -113,78 +113,70 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
   return step.value().fault.empty() ? written : Exit::Fault;
 }
 
-void addArmOptions(CLI::App& command, StepOptions& options) {
+/// --scene and what goes with it.
+Option addArmOptions(Command command, StepOptions& options) {
   const char* const kGroup = "The simulated arm";
-  CLI::Option* const scene = command.add_option("--scene", options.scene, "Measure the simulated arm under this scene");
+  const Option scene = command.option("--scene", options.scene, "Measure the simulated arm under this scene");
   const auto add = [&](const char* name, auto& value, const char* what) {
-    return command.add_option(name, value, what)->needs(scene)->group(kGroup);
+    return command.option(name, value, what).needs(scene).group(kGroup);
   };
-  scene->group(kGroup);
-  const CLI::Range from_zero(0.0, 1e9);
+  scene.group(kGroup);
   add("--step_mm", options.step_mm, "How far the target is moved; below 0: the other way")
-      ->capture_default_str()
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            double step_mm = 0.0;
-            const bool good =
-                CLI::detail::lexical_cast(text, step_mm) && std::abs(step_mm) >= 0.01 && std::abs(step_mm) <= 500.0;
-            return good ? std::string() : std::string("must be a length of 0.01 to 500 mm, either way");
-          },
-          "", "step"));
+      .showUsual()
+      .check([](const std::string& text) {
+        const std::optional<double> step_mm = options::numberOf(text);
+        const bool good = step_mm && std::abs(*step_mm) >= 0.01 && std::abs(*step_mm) <= 500.0;
+        return std::string(good ? "" : "must be a length of 0.01 to 500 mm, either way");
+      });
   add("--axis", options.axis,
       "Along which axis, or the direction in which the constraint pulls; by itself the first that holds")
-      ->check(CLI::IsMember({"x", "y", "z", "held"}));
+      .oneOf({"x", "y", "z", "held"});
   add("--constraint", options.constraint, "Which constraint, by its name, where there are several");
   add("--from_mm", options.from_mm, "The target nearest to here is where the tip rests first (0,0,60)")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(CLI::Range(-1e6, 1e6));
-  add("--law", options.law, "In place of the scene's")->check(CLI::IsMember({"P", "PD", "PID"}));
-  add("--kp_N_per_mm", options.kp_N_per_mm, "In place of the scene's")->check(from_zero);
-  add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "In place of the scene's")->check(from_zero);
-  add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "In place of the scene's")->check(from_zero);
-  add("--mass_kg", options.mass_kg, "What stays on the stylus when the hand has let go")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 100.0));
-  add("--damping_N_s_per_m", options.damping_N_s_per_m, "The same, damping")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e4));
-  add("--rate", options.rate_hz, "Ticks a second")->capture_default_str()->check(CLI::Range(100, 10000));
-  command.add_flag("--no-limits", options.no_limits, "Measure the law alone, without the limits of the gate")
-      ->needs(scene)
-      ->group(kGroup);
+      .withCommas()
+      .expected(3, 3)
+      .range(-1e6, 1e6);
+  add("--law", options.law, "In place of the scene's").oneOf({"P", "PD", "PID"});
+  add("--kp_N_per_mm", options.kp_N_per_mm, "In place of the scene's").range(0.0, 1e9);
+  add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "In place of the scene's").range(0.0, 1e9);
+  add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "In place of the scene's").range(0.0, 1e9);
+  add("--mass_kg", options.mass_kg, "What stays on the stylus when the hand has let go").showUsual().range(0.0, 100.0);
+  add("--damping_N_s_per_m", options.damping_N_s_per_m, "The same, damping").showUsual().range(0.0, 1e4);
+  add("--rate", options.rate_hz, "Ticks a second").showUsual().range(100, 10000);
+  command.flag("--no-limits", options.no_limits, "Measure the law alone, without the limits of the gate")
+      .needs(scene)
+      .group(kGroup);
   addArmModelOption(command, options.arm_model);
+  return scene;
 }
 
 }  // namespace
 
-void addLabStep(CLI::App& lab, const Streams& streams, Exit& exit) {
-  CLI::App* command = lab.add_subcommand("step", "Step response of a transfer function, or of the simulated arm");
+void addLabStep(Command lab, const Streams& streams, Exit& exit) {
+  const Command command = lab.add("step", "Step response of a transfer function, or of the simulated arm");
   const auto options = std::make_shared<StepOptions>();
-  CLI::Option* const num =
-      command->add_option("--num", options->num, "Numerator, coefficients of descending powers of s")->delimiter(',');
-  CLI::Option* const den =
-      command->add_option("--den", options->den, "Denominator, the same; order 1 to 8")->delimiter(',');
-  num->needs(den);
-  addArmOptions(*command, *options);
-  command->get_option("--scene")->excludes(den);
-  command->add_option("--seconds", options->seconds, "How long; by itself as long as it takes to come to rest")
-      ->check(CLI::Range(1e-6, 1e6));
-  command->add_option("--csv", options->csv,
-                      "Write the curve to this file: t_s, y; of the arm t_s, measured_mm, fit_mm, "
-                      "analytic_mm");
-  command->add_flag("--json", options->json, "One JSON object in place of a table");
-  command->footer(
+  const Option num =
+      command.option("--num", options->num, "Numerator, coefficients of descending powers of s").withCommas();
+  const Option den = command.option("--den", options->den, "Denominator, the same; order 1 to 8").withCommas();
+  num.needs(den);
+  const Option scene = addArmOptions(command, *options);
+  scene.excludes(den);
+  command.option("--seconds", options->seconds, "How long; by itself as long as it takes to come to rest")
+      .range(1e-6, 1e6);
+  command.option("--csv", options->csv,
+                 "Write the curve to this file: t_s, y; of the arm t_s, measured_mm, fit_mm, "
+                 "analytic_mm");
+  command.flag("--json", options->json, "One JSON object in place of a table");
+  command.footer(
       "One of --den and --scene is needed.\n"
       "--json of a function: {\"final_value\", \"rise_10_90_s\", \"settling_2pct_s\" (null: never), \"peak_time_s\" "
       "(null: "
       "no overshoot),\n\"overshoot_fraction\"}; null where there is none. In an empty place of a list write 0: s^2 + 1 "
       "is "
       "1,0,1.");
-  command->callback([command, options, &streams, &exit] {
-    if (command->count("--den") + command->count("--scene") == 0)
-      throw CLI::RequiredError("--den (as in --num 1 --den 1,0.8,1) or --scene");
-    exit = command->count("--den") > 0 ? stepFunction(*options, streams) : stepArm(*options, streams);
+  command.whenChosen([den, scene, options, &streams, &exit] {
+    if (!den.isSaid() && !scene.isSaid()) options::refuse("--den (as in --num 1 --den 1,0.8,1) or --scene is required");
+    exit = den.isSaid() ? stepFunction(*options, streams) : stepArm(*options, streams);
   });
 }
 

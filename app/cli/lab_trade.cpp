@@ -163,34 +163,32 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addLabTrade(CLI::App& lab, const Streams& streams, Exit& exit) {
+void addLabTrade(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<TradeOptions>();
-  CLI::App* command = lab.add_subcommand(
+  const Command command = lab.add(
       "trade", "What each choice between speed and accuracy costs and how exact it is, on each scene and in each hand");
   std::vector<std::string> keys;
   for (const trade::Choice& choice : trade::choices()) keys.emplace_back(choice.key);
-  command->add_option("--scenes", options->scenes, "Scene files, in place of those that ship");
-  command->add_option("--hands", options->hands, "Hands, with commas between; all that are built in by themselves")
-      ->delimiter(',');
-  command->add_option("--choices", options->choices, "Which choices, with commas between; all by themselves")
-      ->delimiter(',')
-      ->check(CLI::IsMember(keys));
-  command->add_option("--seconds", options->seconds, "Of each run")
-      ->check(CLI::Range(0.1, kLongestTrade_s))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of the hands")->capture_default_str();
+  command.option("--scenes", options->scenes, "Scene files, in place of those that ship");
+  command.option("--hands", options->hands, "Hands, with commas between; all that are built in by themselves")
+      .withCommas();
+  command.option("--choices", options->choices, "Which choices, with commas between; all by themselves")
+      .withCommas()
+      .oneOf(keys);
+  command.option("--seconds", options->seconds, "Of each run").range(0.1, kLongestTrade_s).showUsual();
+  command.option("--seed", options->seed, "Of the hands").showUsual();
   command
-      ->add_option("--table", options->table,
-                   "choices: over all runs, with what is recommended; rows: each run; "
-                   "fronts: whole ways to run each scene")
-      ->check(CLI::IsMember({"choices", "rows", "fronts"}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "A folder for all three tables as CSV, and their pictures");
-  command->add_flag("--json", options->json, "A JSON object a row in place of CSV");
-  command->footer(
+      .option("--table", options->table,
+              "choices: over all runs, with what is recommended; rows: each run; "
+              "fronts: whole ways to run each scene")
+      .oneOf({"choices", "rows", "fronts"})
+      .showUsual();
+  command.option("--out", options->out, "A folder for all three tables as CSV, and their pictures");
+  command.flag("--json", options->json, "A JSON object a row in place of CSV");
+  command.footer(
       "Times are this machine's, now; errors are the same each time. Nothing else should be running. Recommended is, "
       "of what keeps\nwithin the bound and costs no more than a tenth above the cheapest of these, the most exact.");
-  command->callback([options, &streams, &exit] { exit = tradeOf(*options, streams); });
+  command.whenChosen([options, &streams, &exit] { exit = tradeOf(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -79,28 +79,28 @@ Exit tellQuantities(bool json, const Streams& streams) {
 
 }  // namespace
 
-void addLesson(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand("lesson", "Check lesson files, list the lessons, or try a step");
-  command->require_subcommand(1);
+void addLesson(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add("lesson", "Check lesson files, list the lessons, or try a step");
+  command.mustChoose();
 
-  CLI::App* checking = command->add_subcommand("check",
-                                               "Print every problem of lesson files and of the scenes they "
-                                               "name; nothing when all is well");
+  const Command checking = command.add("check",
+                                       "Print every problem of lesson files and of the scenes they "
+                                       "name; nothing when all is well");
   const auto paths = std::make_shared<std::vector<std::string>>();
-  checking->add_option("files", *paths, "Lesson files")->required();
-  checking->callback([paths, &streams, &exit] { exit = check(*paths, streams); });
+  checking.option("files", *paths, "Lesson files").required();
+  checking.whenChosen([paths, &streams, &exit] { exit = check(*paths, streams); });
 
-  CLI::App* listing = command->add_subcommand("list", "The lessons that ship, in teaching order");
+  const Command listing = command.add("list", "The lessons that ship, in teaching order");
   const auto json = std::make_shared<bool>(false);
-  listing->add_flag("--json", *json, "A JSON object a line in place of a table");
-  listing->callback([json, &streams, &exit] { exit = list(*json, streams); });
+  listing.flag("--json", *json, "A JSON object a line in place of a table");
+  listing.whenChosen([json, &streams, &exit] { exit = list(*json, streams); });
 
-  CLI::App* telling = command->add_subcommand("quantities", "What a lesson can measure: key, unit, what it is");
+  const Command telling = command.add("quantities", "What a lesson can measure: key, unit, what it is");
   const auto json_too = std::make_shared<bool>(false);
-  telling->add_flag("--json", *json_too, "A JSON object a line in place of a table");
-  telling->callback([json_too, &streams, &exit] { exit = tellQuantities(*json_too, streams); });
+  telling.flag("--json", *json_too, "A JSON object a line in place of a table");
+  telling.whenChosen([json_too, &streams, &exit] { exit = tellQuantities(*json_too, streams); });
 
-  addLessonTry(*command, streams, exit);
+  addLessonTry(command, streams, exit);
 }
 
 }  // namespace underact::cli

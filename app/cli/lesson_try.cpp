@@ -19,7 +19,7 @@ namespace {
 
 struct TryOptions {
   std::string lesson;
-  std::size_t step = 1;
+  std::uint64_t step = 1;
   std::string hand;
   double seconds = 0.0;
   bool stopped = false;
@@ -108,33 +108,29 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addLessonTry(CLI::App& command, const Streams& streams, Exit& exit) {
-  CLI::App* trying = command.add_subcommand(
-      "try", "Let a scripted hand do a step of a lesson, and say what of it is solved and what is missing");
+void addLessonTry(Command command, const Streams& streams, Exit& exit) {
+  const Command trying =
+      command.add("try", "Let a scripted hand do a step of a lesson, and say what of it is solved and what is missing");
   const auto options = std::make_shared<TryOptions>();
-  trying->add_option("lesson", options->lesson, "Lesson file, or the name of one that ships")->required();
-  trying->add_option("--step", options->step, "Which step, from 1")->capture_default_str();
-  trying->add_option("--hand", options->hand, "A built-in hand, or a hand file")->required();
-  trying->add_option("--seconds", options->seconds, "How long; by itself to the end of the hand's path and 1 s more")
-      ->check(CLI::Range(0.001, 3600.0));
-  trying->add_flag("--stopped", options->stopped, "The servo stays stopped: the hand moves the arm, nothing pushes");
+  trying.option("lesson", options->lesson, "Lesson file, or the name of one that ships").required();
+  trying.option("--step", options->step, "Which step, from 1").showUsual();
+  trying.option("--hand", options->hand, "A built-in hand, or a hand file").required();
+  trying.option("--seconds", options->seconds, "How long; by itself to the end of the hand's path and 1 s more")
+      .range(0.001, 3600.0);
+  trying.flag("--stopped", options->stopped, "The servo stays stopped: the hand moves the arm, nothing pushes");
   trying
-      ->add_option("--answer", options->answers,
-                   "To a question of the step, in their order: a number, or the "
-                   "number of a choice")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      .option("--answer", options->answers,
+              "To a question of the step, in their order: a number, or the "
+              "number of a choice")
+      .oneEachTime();
   trying
-      ->add_option("--set", options->settings,
-                   "KEY=VALUE, what the student changes: law, kp_N_per_mm, "
-                   "kd_N_s_per_mm, ki_N_per_mm_s, passivity, t, ko_N_mm_per_rad")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  trying->add_option("--seed", options->seed, "Of a built-in hand")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  trying->add_flag("--json", options->json, "One JSON object in place of lines");
-  trying->callback([options, &streams, &exit] { exit = tryStep(*options, streams); });
+      .option("--set", options->settings,
+              "KEY=VALUE, what the student changes: law, kp_N_per_mm, "
+              "kd_N_s_per_mm, ki_N_per_mm_s, passivity, t, ko_N_mm_per_rad")
+      .oneEachTime();
+  trying.option("--seed", options->seed, "Of a built-in hand").showUsual().nonNegative();
+  trying.flag("--json", options->json, "One JSON object in place of lines");
+  trying.whenChosen([options, &streams, &exit] { exit = tryStep(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -4,6 +4,6 @@
 namespace underact::cli {
 
 /// lesson try: a scripted hand in a student's place.
-void addLessonTry(CLI::App& command, const Streams& streams, Exit& exit);
+void addLessonTry(Command command, const Streams& streams, Exit& exit);
 
 }  // namespace underact::cli

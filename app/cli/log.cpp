@@ -100,24 +100,24 @@ Exit recover(const std::string& path, const Streams& streams) {
   return Exit::Well;
 }
 
-void addInfo(CLI::App& log, const Streams& streams, Exit& exit) {
-  CLI::App* command = log.add_subcommand("info", "What a session holds");
+void addInfo(Command log, const Streams& streams, Exit& exit) {
+  const Command command = log.add("info", "What a session holds");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command->add_option("file", *path, "Session file")->required();
-  command->add_flag("--json", *json, "One JSON object in place of a table");
-  command->callback([path, json, &streams, &exit] { exit = info(*path, *json, streams); });
+  command.option("file", *path, "Session file").required();
+  command.flag("--json", *json, "One JSON object in place of a table");
+  command.whenChosen([path, json, &streams, &exit] { exit = info(*path, *json, streams); });
 }
 
-void addExport(CLI::App& log, const Streams& streams, Exit& exit) {
-  CLI::App* command = log.add_subcommand("export", "A session as CSV, Parquet or MCAP");
+void addExport(Command log, const Streams& streams, Exit& exit) {
+  const Command command = log.add("export", "A session as CSV, Parquet or MCAP");
   const auto options = std::make_shared<ExportOptions>();
-  command->add_option("file", options->file, "Session file")->required();
-  command->add_option("--format", options->format, "Parquet and MCAP take the Python libraries pyarrow and mcap")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"csv", "parquet", "mcap"}));
-  command->add_option("--out", options->out, "File to write; CSV goes to the standard output by itself");
-  command->callback([options, &streams, &exit] { exit = exportSession(*options, streams); });
+  command.option("file", options->file, "Session file").required();
+  command.option("--format", options->format, "Parquet and MCAP take the Python libraries pyarrow and mcap")
+      .showUsual()
+      .oneOf({"csv", "parquet", "mcap"});
+  command.option("--out", options->out, "File to write; CSV goes to the standard output by itself");
+  command.whenChosen([options, &streams, &exit] { exit = exportSession(*options, streams); });
 }
 
 struct PlotOptions {
@@ -125,24 +125,24 @@ struct PlotOptions {
   std::vector<std::string> more;
 };
 
-void addPlot(CLI::App& log, const Streams& streams, Exit& exit) {
-  CLI::App* command = log.add_subcommand("plot", "Plots of a session as PNG, SVG or PDF, by matplotlib");
+void addPlot(Command log, const Streams& streams, Exit& exit) {
+  const Command command = log.add("plot", "Plots of a session as PNG, SVG or PDF, by matplotlib");
   const auto options = std::make_shared<PlotOptions>();
-  command->add_option("file", options->file, "Session file")->required();
-  command->add_option("--kind", options->kind, "What is drawn")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"error", "force", "displacement-force", "path", "angles", "joints", "energy", "spectrum",
-                             "lateness", "all"}));
-  command->add_option("--out", options->out, "File to write, .png, .svg or .pdf")->required();
+  command.option("file", options->file, "Session file").required();
+  command.option("--kind", options->kind, "What is drawn")
+      .showUsual()
+      .oneOf({"error", "force", "displacement-force", "path", "angles", "joints", "energy", "spectrum", "lateness",
+              "all"});
+  command.option("--out", options->out, "File to write, .png, .svg or .pdf").required();
   for (const char* name : {"--width", "--from", "--to"}) {
-    command->add_option_function<std::string>(
+    command.option(
         name,
         [options, name](const std::string& value) {
           options->more.insert(options->more.end(), {name, value});
         },
         std::string(name) == "--width" ? "Of the figure, inches: 3.5 or 7" : "Of the time that is drawn, s");
   }
-  command->callback([options, &streams, &exit] {
+  command.whenChosen([options, &streams, &exit] {
     std::vector<std::string> arguments{"plot", options->file, "--kind", options->kind, "--out", options->out};
     arguments.insert(arguments.end(), options->more.begin(), options->more.end());
     exit = runPython(arguments, streams);
@@ -151,21 +151,21 @@ void addPlot(CLI::App& log, const Streams& streams, Exit& exit) {
 
 }  // namespace
 
-void addLog(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* log = program.add_subcommand("log", "Recorded sessions: look at them, export, plot, check, recover");
-  log->require_subcommand(1);
-  addInfo(*log, streams, exit);
-  addExport(*log, streams, exit);
-  addPlot(*log, streams, exit);
-  CLI::App* verifying = log->add_subcommand("verify", "Check every block of a session against its checksum");
+void addLog(Command program, const Streams& streams, Exit& exit) {
+  const Command log = program.add("log", "Recorded sessions: look at them, export, plot, check, recover");
+  log.mustChoose();
+  addInfo(log, streams, exit);
+  addExport(log, streams, exit);
+  addPlot(log, streams, exit);
+  const Command verifying = log.add("verify", "Check every block of a session against its checksum");
   const auto verified = std::make_shared<std::string>();
-  verifying->add_option("file", *verified, "Session file")->required();
-  verifying->callback([verified, &streams, &exit] { exit = verify(*verified, streams); });
-  CLI::App* recovering = log->add_subcommand(
-      "recover", "Close a session that a killed program left, in place, so that all programs open it");
+  verifying.option("file", *verified, "Session file").required();
+  verifying.whenChosen([verified, &streams, &exit] { exit = verify(*verified, streams); });
+  const Command recovering =
+      log.add("recover", "Close a session that a killed program left, in place, so that all programs open it");
   const auto recovered = std::make_shared<std::string>();
-  recovering->add_option("file", *recovered, "Session file")->required();
-  recovering->callback([recovered, &streams, &exit] { exit = recover(*recovered, streams); });
+  recovering.option("file", *recovered, "Session file").required();
+  recovering.whenChosen([recovered, &streams, &exit] { exit = recover(*recovered, streams); });
 }
 
 }  // namespace underact::cli

@@ -158,18 +158,16 @@ Exit info(const MeshOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addMesh(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command =
-      program.add_subcommand("mesh", "Mesh files: what they hold, what is repaired, how they can be felt");
-  command->require_subcommand(1);
-  CLI::App* showing = command->add_subcommand(
+void addMesh(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add("mesh", "Mesh files: what they hold, what is repaired, how they can be felt");
+  command.mustChoose();
+  const Command showing = command.add(
       "info", "Load meshes (STL, OBJ, PLY, OFF) as a scene would, and say what was found and what was repaired");
   const auto options = std::make_shared<MeshOptions>();
-  showing->add_option("files", options->files, "Mesh files")->required();
-  showing->add_flag("--json", options->json, "One JSON object a file in place of a table");
-  showing->add_option("--scale_mm_per_unit", options->scale_mm_per_unit, "How long a unit of the file is, mm")
-      ->check(CLI::PositiveNumber);
-  showing->callback([options, &streams, &exit] { exit = info(*options, streams); });
+  showing.option("files", options->files, "Mesh files").required();
+  showing.flag("--json", options->json, "One JSON object a file in place of a table");
+  showing.option("--scale_mm_per_unit", options->scale_mm_per_unit, "How long a unit of the file is, mm").positive();
+  showing.whenChosen([options, &streams, &exit] { exit = info(*options, streams); });
 }
 
 }  // namespace underact::cli

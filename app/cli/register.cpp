@@ -147,52 +147,49 @@ Exit registerIt(const RegisterOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addRegister(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
+void addRegister(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add(
       "register", "Where an arm stands on the desk, from marks that its tip has touched; how exact that is");
   const auto options = std::make_shared<RegisterOptions>();
   command
-      ->add_option("--marks", options->marks,
-                   "3 to 8 marks of the program's sheet, or a file: a line a mark, mm to the right, away, up")
-      ->capture_default_str();
-  CLI::Option* points = command->add_option(
-      "--points", options->points,
-      "A file of the touched points: a line a mark, x, y and z of W in mm; or a registration (.json)");
-  CLI::Option* device = command->add_option("--device", options->device,
-                                            "Touch them now with the arm KIND or KIND:ADDRESS, without force");
-  CLI::Option* accuracy = command->add_flag("--accuracy", options->accuracy,
-                                            "What errors of the touches come to in the workspace, drawn by seed");
-  points->excludes(device)->excludes(accuracy);
-  device->excludes(accuracy);
-  command->add_option("--of", options->of, "Of which arm it is, where it is not --device that says so");
+      .option("--marks", options->marks,
+              "3 to 8 marks of the program's sheet, or a file: a line a mark, mm to the right, away, up")
+      .showUsual();
+  const Option points =
+      command.option("--points", options->points,
+                     "A file of the touched points: a line a mark, x, y and z of W in mm; or a registration (.json)");
+  const Option device =
+      command.option("--device", options->device, "Touch them now with the arm KIND or KIND:ADDRESS, without force");
+  const Option accuracy = command.flag("--accuracy", options->accuracy,
+                                       "What errors of the touches come to in the workspace, drawn by seed");
+  points.excludes(device).excludes(accuracy);
+  device.excludes(accuracy);
+  command.option("--of", options->of, "Of which arm it is, where it is not --device that says so");
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
-  command->add_option("--arm", options->arm, "The geometry of the arm that touches")
-      ->needs(device)
-      ->capture_default_str()
-      ->check(CLI::IsMember(arms));
-  command->add_option("--out", options->out, "Write the registration to this file");
-  command->add_flag("--keep", options->keep, "Keep it as that of its arm, for the window");
-  command->add_option("--wait_s", options->wait_s, "How long a press is waited for, s")
-      ->needs(device)
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
-  command->add_option("--draws", options->draws, "Registrations for a row")
-      ->needs(accuracy)
-      ->check(CLI::Range(10, 10'000'000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of the draws")->needs(accuracy)->capture_default_str();
-  command->add_flag("--json", options->json, "JSON in place of the table");
-  command->footer(
+  command.option("--arm", options->arm, "The geometry of the arm that touches").needs(device).showUsual().oneOf(arms);
+  command.option("--out", options->out, "Write the registration to this file");
+  command.flag("--keep", options->keep, "Keep it as that of its arm, for the window");
+  command.option("--wait_s", options->wait_s, "How long a press is waited for, s")
+      .needs(device)
+      .range(0.1, 3600.0)
+      .showUsual();
+  command.option("--draws", options->draws, "Registrations for a row")
+      .needs(accuracy)
+      .range(10, 10'000'000)
+      .showUsual();
+  command.option("--seed", options->seed, "Of the draws").needs(accuracy).showUsual();
+  command.flag("--json", options->json, "JSON in place of the table");
+  command.footer(
       "Touch the marks in the order of their numbers. Exit status 1 where they were touched in another order, or one "
       "of\nthem far beside its place: nothing is kept then.");
-  command->callback([options, &streams, &exit] {
+  command.whenChosen([options, &streams, &exit] {
     if (options->accuracy) {
       printAccuracy(options->draws, options->seed, options->json, streams.out);
       return;
     }
     if (options->points.empty() && options->device.empty())
-      throw CLI::ValidationError("register", "takes --points, --device or --accuracy");
+      options::refuse("register: takes --points, --device or --accuracy");
     exit = registerIt(*options, streams);
   });
 }

@@ -28,7 +28,7 @@ struct ReplayOptions {
   std::vector<std::string> files_in;
   bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
-  std::optional<scene::LawType> law;
+  std::optional<std::size_t> law;  // by its place in scene::LawType
   Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
   bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
 };
@@ -129,7 +129,7 @@ Result<scene::Description> wantedScene(const ReplayOptions& options, record::Ses
   }
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     scene::Control control = scene::controlOf(scene, index);
-    if (options.law) control.law = *options.law;
+    if (options.law) control.law = static_cast<scene::LawType>(*options.law);
     if (options.kp_N_per_mm) control.gains.kp_N_per_mm = Vec3::Constant(*options.kp_N_per_mm);
     if (options.kd_N_s_per_mm) control.gains.kd_N_s_per_mm = Vec3::Constant(*options.kd_N_s_per_mm);
     if (options.ki_N_per_mm_s) control.gains.ki_N_per_mm_s = Vec3::Constant(*options.ki_N_per_mm_s);
@@ -194,31 +194,27 @@ Exit replay(const ReplayOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void addReplay(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
+void addReplay(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add(
       "replay", "Run a recorded hand through the tick again: to the bit, or with other gains or another scene");
   const auto options = std::make_shared<ReplayOptions>();
-  command->add_option("file", options->file, "Session file")->required();
-  command->add_flag("--verify", options->verify, "Compare every tick with the recording to the last bit");
-  command->add_option("--scene", options->scene, "Another scene for the recorded hand");
+  command.option("file", options->file, "Session file").required();
+  command.flag("--verify", options->verify, "Compare every tick with the recording to the last bit");
+  command.option("--scene", options->scene, "Another scene for the recorded hand");
   command
-      ->add_option("--files", options->files_in,
-                   "Folders of the recorded scene's meshes and curves, where they are not beside the session")
-      ->expected(1, -1)
-      ->type_name("FOLDER");
-  command->add_option("--kp", options->kp_N_per_mm, "Another stiffness, N/mm")->check(CLI::NonNegativeNumber);
-  command->add_option("--kd", options->kd_N_s_per_mm, "Another damping, N s/mm")->check(CLI::NonNegativeNumber);
-  command->add_option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)")->check(CLI::NonNegativeNumber);
-  command->add_option("--t", options->t, "Another influence, 0 to 1")->check(CLI::Range(0.0, 1.0));
-  command->add_option("--law", options->law, "Another law")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::LawType>{{"P", scene::LawType::P},
-                                                                                {"PD", scene::LawType::PD},
-                                                                                {"PID", scene::LawType::PID}})
-                      .description("{P,PD,PID}"));
-  command->add_option("--record", options->record, "Write the ticks as they are now to this new CSV file");
-  command->add_flag("--overwrite", options->overwrite, "Replace the file of --record where there is one")
-      ->needs("--record");
-  command->callback([options, &streams, &exit] { exit = replay(*options, streams); });
+      .option("--files", options->files_in,
+              "Folders of the recorded scene's meshes and curves, where they are not beside the session")
+      .expected(1, -1)
+      .word("FOLDER");
+  command.option("--kp", options->kp_N_per_mm, "Another stiffness, N/mm").nonNegative();
+  command.option("--kd", options->kd_N_s_per_mm, "Another damping, N s/mm").nonNegative();
+  command.option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)").nonNegative();
+  command.option("--t", options->t, "Another influence, 0 to 1").range(0.0, 1.0);
+  command.choice("--law", {"P", "PD", "PID"}, options->law, "Another law");
+  const Option recording =
+      command.option("--record", options->record, "Write the ticks as they are now to this new CSV file");
+  command.flag("--overwrite", options->overwrite, "Replace the file of --record where there is one").needs(recording);
+  command.whenChosen([options, &streams, &exit] { exit = replay(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -291,64 +291,58 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
 }
 
 std::string checkSeconds(const std::string& text) {
-  double seconds = 0.0;
-  if (CLI::detail::lexical_cast(text, seconds) && seconds > 0.0 && seconds <= kLongestRun_s) return {};
+  const std::optional<double> seconds = options::numberOf(text);
+  if (seconds && *seconds > 0.0 && *seconds <= kLongestRun_s) return {};
   return "must be a number of seconds above 0, at most 1e6";
 }
 
 }  // namespace
 
-void addRun(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command =
-      program.add_subcommand("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm");
+void addRun(Command program, const Streams& streams, Exit& exit) {
+  const Command command =
+      program.add("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm");
   const auto options = std::make_shared<RunOptions>();
-  command->add_option("scene", options->scene, "Scene file")->required();
-  command->add_option("--hand", options->hand, "A built-in hand, or a hand file: who holds the simulated arm");
-  command->add_option("--seconds", options->seconds, "How long, by the arm's clock")
-      ->required()
-      ->check(CLI::Validator(checkSeconds, "", "seconds"));
-  command->add_option("--max-late", options->max_late, "Ticks in a row a whole period late that are borne")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--rate", options->rate_hz, "Ticks a second")
-      ->capture_default_str()
-      ->check(CLI::Range(100, 10000));
-  command->add_flag("--fast", options->fast, "As fast as the machine allows; the same numbers as in real time");
-  command->add_option("--seed", options->seed, "Of all that is random")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--record", options->record,
-                      "Write every tick to this new file: CSV where its name ends in .csv, else a session");
-  command->add_flag("--overwrite", options->overwrite, "Replace the file of --record where there is one")
-      ->needs("--record");
-  command->add_option("--record-block_s", options->block_s, "How much of a session is written at a time")
-      ->capture_default_str()
-      ->check(CLI::Range(record::kShortestBlock_s, record::kLongestBlock_s));
-  command->add_option("--name", options->words.name, "Of the session; by itself the scene file's");
-  command->add_option("--notes", options->words.notes, "On the session");
-  command->add_option("--tags", options->words.tags, "Of the session: words with commas between");
-  command->add_option("--subject", options->words.subject, "Whose hand it is: a code, and nothing personal");
-  command->add_option("--consent", options->words.consent,
-                      "What that person agreed to, and how: the consent form's version and date");
+  command.option("scene", options->scene, "Scene file").required();
+  command.option("--hand", options->hand, "A built-in hand, or a hand file: who holds the simulated arm");
+  command.option("--seconds", options->seconds, "How long, by the arm's clock").required().check(checkSeconds);
+  command.option("--max-late", options->max_late, "Ticks in a row a whole period late that are borne")
+      .showUsual()
+      .range(1, 1'000'000);
+  command.option("--rate", options->rate_hz, "Ticks a second").showUsual().range(100, 10000);
+  command.flag("--fast", options->fast, "As fast as the machine allows; the same numbers as in real time");
+  command.option("--seed", options->seed, "Of all that is random").showUsual().nonNegative();
+  const Option recording =
+      command.option("--record", options->record,
+                     "Write every tick to this new file: CSV where its name ends in .csv, else a session");
+  command.flag("--overwrite", options->overwrite, "Replace the file of --record where there is one").needs(recording);
+  command.option("--record-block_s", options->block_s, "How much of a session is written at a time")
+      .showUsual()
+      .range(record::kShortestBlock_s, record::kLongestBlock_s);
+  command.option("--name", options->words.name, "Of the session; by itself the scene file's");
+  command.option("--notes", options->words.notes, "On the session");
+  command.option("--tags", options->words.tags, "Of the session: words with commas between");
+  command.option("--subject", options->words.subject, "Whose hand it is: a code, and nothing personal");
+  command.option("--consent", options->words.consent,
+                 "What that person agreed to, and how: the consent form's version and date");
   command
-      ->add_option("--stream", options->stream,
-                   "Send ticks as JSON over UDP (PlotJuggler): PORT, HOST or HOST:PORT; this machine's 9870 by itself")
-      ->expected(0, 1)
-      ->default_str(std::to_string(stream::kPort));
-  command->add_option("--fault-file", options->fault_file,
-                      "Where the servo stops by a fault, write it here, with its last second of ticks");
-  command->add_option("--space", options->space, "Where the control works, in place of what the scene says")
-      ->check(CLI::IsMember({"cartesian", "joint"}));
-  command->add_flag("--left-handed", options->left_handed, "The scene's mirror image, for the stylus in the left hand");
+      .option("--stream", options->stream,
+              "Send ticks as JSON over UDP (PlotJuggler): PORT, HOST or HOST:PORT; this machine's 9870 by itself")
+      .expected(0, 1)
+      .usual(std::to_string(stream::kPort));
+  command.option("--fault-file", options->fault_file,
+                 "Where the servo stops by a fault, write it here, with its last second of ticks");
+  command.option("--space", options->space, "Where the control works, in place of what the scene says")
+      .oneOf({"cartesian", "joint"});
+  command.flag("--left-handed", options->left_handed, "The scene's mirror image, for the stylus in the left hand");
   command
-      ->add_option("--device", options->device,
-                   "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it pushes at once")
-      ->capture_default_str();
-  addArmModelOption(*command, options->arm_model);
-  options::addSchedulingOptions(*command, options->scheduling);
-  command->footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
-                  listOf("Arm models:", sim::armModels(), &sim::ArmModel::title));
-  command->callback([options, &streams, &exit] { exit = runScene(*options, streams); });
+      .option("--device", options->device,
+              "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it pushes at once")
+      .showUsual();
+  addArmModelOption(command, options->arm_model);
+  options::addSchedulingOptions(command, options->scheduling);
+  command.footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
+                 listOf("Arm models:", sim::armModels(), &sim::ArmModel::title));
+  command.whenChosen([options, &streams, &exit] { exit = runScene(*options, streams); });
 }
 
 }  // namespace underact::cli

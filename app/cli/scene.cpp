@@ -118,22 +118,22 @@ Exit show(const std::string& path, bool json, const Streams& streams) {
 
 }  // namespace
 
-void addScene(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand("scene", "Check scene files, or show what one compiles to");
-  command->require_subcommand(1);
+void addScene(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add("scene", "Check scene files, or show what one compiles to");
+  command.mustChoose();
 
-  CLI::App* checking = command->add_subcommand("check", "Print every problem of scene files; nothing when all is well");
+  const Command checking = command.add("check", "Print every problem of scene files; nothing when all is well");
   const auto paths = std::make_shared<std::vector<std::string>>();
-  checking->add_option("files", *paths, "Scene files")->required();
-  checking->callback([paths, &streams, &exit] { exit = check(*paths, streams); });
+  checking.option("files", *paths, "Scene files").required();
+  checking.whenChosen([paths, &streams, &exit] { exit = check(*paths, streams); });
 
-  CLI::App* showing = command->add_subcommand(
-      "show", "What a scene compiles to: the quantities its tick needs, bytes of state, predicted ns");
+  const Command showing =
+      command.add("show", "What a scene compiles to: the quantities its tick needs, bytes of state, predicted ns");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  showing->add_option("file", *path, "Scene file")->required();
-  showing->add_flag("--json", *json, "One JSON object in place of a table");
-  showing->callback([path, json, &streams, &exit] { exit = show(*path, *json, streams); });
+  showing.option("file", *path, "Scene file").required();
+  showing.flag("--json", *json, "One JSON object in place of a table");
+  showing.whenChosen([path, json, &streams, &exit] { exit = show(*path, *json, streams); });
 }
 
 }  // namespace underact::cli

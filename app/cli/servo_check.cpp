@@ -160,22 +160,20 @@ Exit checkIt(const Options& options, const Streams& streams) {
 
 }  // namespace
 
-void addServoCheck(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
-      "servo-check", "Measure how late the servo's ticks are, beside the least this machine can do");
+void addServoCheck(Command program, const Streams& streams, Exit& exit) {
+  const Command command =
+      program.add("servo-check", "Measure how late the servo's ticks are, beside the least this machine can do");
   const auto options = std::make_shared<Options>();
-  command->add_option("--seconds", options->check.seconds, "How long in all; half of it is the bare loop's")
-      ->capture_default_str()
-      ->check(CLI::Range(1, kLongestCheck_s));
-  command->add_option("--rate", options->check.rate_hz, "Ticks a second")
-      ->capture_default_str()
-      ->check(CLI::Range(100, 10000));
-  command->add_flag("--load", options->check.load, "Keep each core busy meanwhile");
-  command->add_option("--scene", options->scene, "Scene file; without it a sphere");
-  addArmModelOption(*command, options->arm_model);
-  options::addSchedulingOptions(*command, options->check.scheduling);
-  command->add_flag("--json", options->json, "One JSON object in place of the table");
-  command->callback([options, &streams, &exit] { exit = checkIt(*options, streams); });
+  command.option("--seconds", options->check.seconds, "How long in all; half of it is the bare loop's")
+      .showUsual()
+      .range(1, kLongestCheck_s);
+  command.option("--rate", options->check.rate_hz, "Ticks a second").showUsual().range(100, 10000);
+  command.flag("--load", options->check.load, "Keep each core busy meanwhile");
+  command.option("--scene", options->scene, "Scene file; without it a sphere");
+  addArmModelOption(command, options->arm_model);
+  options::addSchedulingOptions(command, options->check.scheduling);
+  command.flag("--json", options->json, "One JSON object in place of the table");
+  command.whenChosen([options, &streams, &exit] { exit = checkIt(*options, streams); });
 }
 
 }  // namespace underact::cli

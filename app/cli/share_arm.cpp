@@ -127,39 +127,35 @@ Exit perform(const ShareArmOptions& asked, const Streams& streams) {
 
 }  // namespace
 
-void addShareArm(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
+void addShareArm(Command program, const Streams& streams, Exit& exit) {
+  const Command command = program.add(
       "share-arm", "Lets one program at a time, here or at another computer, drive an arm of this computer");
   const auto options = std::make_shared<ShareArmOptions>();
-  command->add_option("--device", options->device, "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it")
-      ->capture_default_str();
-  command->add_option("--arm", options->arm, "Whose joints the samples are: the arm that scenes name")
-      ->capture_default_str();
+  command.option("--device", options->device, "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it")
+      .showUsual();
+  command.option("--arm", options->arm, "Whose joints the samples are: the arm that scenes name").showUsual();
   command
-      ->add_option("--listen", options->listen,
-                   "HOST or HOST:PORT of this computer's own; 0.0.0.0 for all of its networks, where only who was "
-                   "allowed is let in")
-      ->default_str(Address{}.text());
-  command->add_option("--rate", options->rate_hz, "Ticks a second, until a program asks for another rate")
-      ->capture_default_str()
-      ->check(CLI::Range(servo::kSlowest_hz, servo::kFastest_hz));
-  command->add_flag("--force", options->force, "Lets it push; without, it is read alone");
-  command->add_flag("--no-passivity", options->no_passivity,
-                    "Does not damp what the delay of the network makes a wall give away");
-  command->add_option(
+      .option("--listen", options->listen,
+              "HOST or HOST:PORT of this computer's own; 0.0.0.0 for all of its networks, where only who was "
+              "allowed is let in")
+      .usual(Address{}.text());
+  command.option("--rate", options->rate_hz, "Ticks a second, until a program asks for another rate")
+      .showUsual()
+      .range(servo::kSlowest_hz, servo::kFastest_hz);
+  command.flag("--force", options->force, "Lets it push; without, it is read alone");
+  command.flag("--no-passivity", options->no_passivity,
+               "Does not damp what the delay of the network makes a wall give away");
+  command.option(
       "--allow", options->allow,
       "\"KEY NAME\", as share-arm --show-key prints it there: who may use an arm that is shared with others. "
       "Shares nothing");
-  command->add_option("--trust", options->trust,
-                      "\"HOST:PORT KEY\", as share-arm prints it there: an arm that is to be driven from here. Shares "
-                      "nothing");
-  CLI::Option* show = command->add_flag("--show-key", options->show_key, "Prints your key, and shares nothing");
-  command->add_flag("--new-key", options->new_key, "Makes you another key, prints it, and shares nothing")
-      ->excludes(show);
-  command->add_option("--seconds", options->seconds, "How long; 0: until Ctrl+C")
-      ->check(CLI::Range(0.0, 1e9))
-      ->capture_default_str();
-  command->callback([options, &streams, &exit] { exit = perform(*options, streams); });
+  command.option("--trust", options->trust,
+                 "\"HOST:PORT KEY\", as share-arm prints it there: an arm that is to be driven from here. Shares "
+                 "nothing");
+  const Option show = command.flag("--show-key", options->show_key, "Prints your key, and shares nothing");
+  command.flag("--new-key", options->new_key, "Makes you another key, prints it, and shares nothing").excludes(show);
+  command.option("--seconds", options->seconds, "How long; 0: until Ctrl+C").range(0.0, 1e9).showUsual();
+  command.whenChosen([options, &streams, &exit] { exit = perform(*options, streams); });
 }
 
 }  // namespace underact::cli

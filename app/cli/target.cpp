@@ -91,17 +91,17 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
 
 }  // namespace
 
-void addTarget(CLI::App& program, const Streams& streams, Exit& exit) {
-  CLI::App* command = program.add_subcommand(
-      "target", "Where a scene draws the stylus, and how strongly, for poses read from standard input");
-  command->footer(
+void addTarget(Command program, const Streams& streams, Exit& exit) {
+  const Command command =
+      program.add("target", "Where a scene draws the stylus, and how strongly, for poses read from standard input");
+  command.footer(
       "Each line in is {\"p_mm\": [x, y, z], \"R_WT\": 3x3 (optional)}; each line out is {\"q_mm\", \"force_N\", "
       "\"safe_force_N\",\n\"status\", \"constraints\"}, or {\"error\", \"line\"}. The stylus rests; nothing is "
       "remembered "
       "between lines.");
   const auto path = std::make_shared<std::string>();
-  command->add_option("scene", *path, "Scene file")->required();
-  command->callback([path, &streams, &exit] { exit = answerPoses(*path, streams); });
+  command.option("scene", *path, "Scene file").required();
+  command.whenChosen([path, &streams, &exit] { exit = answerPoses(*path, streams); });
 }
 
 }  // namespace underact::cli

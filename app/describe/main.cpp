@@ -18,13 +18,11 @@ namespace {
 Command ofProgram(const std::string& name) {
   const cli::Streams streams{std::cin, std::cout, std::cerr};
   cli::Exit exit = cli::Exit::Well;
-  if (name == "underact-cli") return describe(*cli::makeGrammar(streams, exit));
-  if (name == "underact-sweep") return describe(*sweep::makeGrammar(streams, nullptr, exit));
+  if (name == "underact-cli") return options::describe(cli::makeGrammar(streams, exit));
+  if (name == "underact-sweep") return options::describe(sweep::makeGrammar(streams, nullptr, exit));
   if (name != "underact") return {};
-  CLI::App program;
   options::WindowOptions options;
-  options::addWindowOptions(program, options);
-  return describe(program);
+  return options::describe(options::windowGrammar(options));
 }
 
 int run(const std::string& what, const std::string& name) {

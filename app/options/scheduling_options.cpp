@@ -4,7 +4,7 @@
 
 namespace underact::options {
 
-void addSchedulingOptions(CLI::App& command, servo::SchedulingWanted& wanted) {
+void addSchedulingOptions(Command command, servo::SchedulingWanted& wanted) {
   static const std::map<std::string, servo::Way> kWays{{"auto", servo::Way::Auto},
                                                        {"fifo", servo::Way::Fifo},
                                                        {"rtkit", servo::Way::Rtkit},
@@ -12,13 +12,13 @@ void addSchedulingOptions(CLI::App& command, servo::SchedulingWanted& wanted) {
   std::vector<std::string> names;
   for (const auto& [name, way] : kWays) names.push_back(name);
   command
-      .add_option_function<std::string>(
+      .option(
           "--scheduling", [&wanted](const std::string& name) { wanted.way = kWays.at(name); },
           "Which way to real time is tried; auto: fifo, then rtkit, then normal")
-      ->check(CLI::IsMember(names))
-      ->default_str("auto");
-  command.add_option("--core", wanted.core, "The one core the servo runs on; without it an isolated one, or all")
-      ->check(CLI::Range(0, 1023));
+      .oneOf(names)
+      .usual("auto");
+  command.option("--core", wanted.core, "The one core the servo runs on; without it an isolated one, or all")
+      .range(0, 1023);
 }
 
 }  // namespace underact::options

@@ -1,11 +1,10 @@
 #pragma once
-#include <CLI/CLI.hpp>
-
+#include "app/options/command.h"
 #include "core/servo/scheduling.h"
 
 namespace underact::options {
 
 /// --scheduling and --core.
-void addSchedulingOptions(CLI::App& command, servo::SchedulingWanted& wanted);
+void addSchedulingOptions(Command command, servo::SchedulingWanted& wanted);
 
 }  // namespace underact::options

@@ -1,9 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/options/command.h"
 #include "core/servo/scheduling.h"
 
 namespace underact::options {
@@ -26,7 +26,7 @@ struct WindowOptions {
 };
 
 /// The grammar of underact. options: outlives the grammar, which writes into it.
-void addWindowOptions(CLI::App& program, WindowOptions& options);
+Program windowGrammar(WindowOptions& options);
 
 /// arguments: without the program's name.
 WindowOptions parseWindowOptions(std::vector<std::string> arguments);

@@ -22,13 +22,14 @@ struct Setting {
   Exit& exit;
 };
 
-void addCommon(CLI::App& command, Request& request) {
-  auto* out = command.add_option("--out", request.out, "The result's file (CSV)");
-  auto* dry = command.add_flag("--dry-run", request.dry_run, "Say how many cells there are and how long they take");
-  out->excludes(dry);
-  command.add_option("--threads", request.threads, "Cells at a time; all cores by itself, under mpirun one a rank")
-      ->check(CLI::Range(1, 4096));
-  command.add_flag("--quiet", request.quiet, "Say nothing but what is wrong");
+void addCommon(options::Command command, Request& request) {
+  const options::Option out = command.option("--out", request.out, "The result's file (CSV)");
+  const options::Option dry =
+      command.flag("--dry-run", request.dry_run, "Say how many cells there are and how long they take");
+  out.excludes(dry);
+  command.option("--threads", request.threads, "Cells at a time; all cores by itself, under mpirun one a rank")
+      .range(1, 4096);
+  command.flag("--quiet", request.quiet, "Say nothing but what is wrong");
 }
 
 /// Runs what was asked for, where there is a place for the result.
@@ -47,43 +48,41 @@ std::string usualOf(const Option& option) {
   return text.empty() ? " (required)" : text + "]";
 }
 
-void addKind(CLI::App& program, const Kind& kind, const Setting& setting) {
+void addKind(options::Command program, const Kind& kind, const Setting& setting) {
   const auto request = std::make_shared<Request>();
   request->kind = &kind;
-  CLI::App* command = program.add_subcommand(kind.key, kind.question);
+  const options::Command command = program.add(kind.key, kind.question);
   for (const Option& option : kind.options) {
-    // CLI11 leaves in a list what was said; what was not stays away, so that what is usual holds.
+    // The parser leaves in a list what was said; what was not stays away, so that what is usual holds.
     command
-        ->add_option_function<std::vector<std::string>>(
+        .option(
             "--" + option.name,
             [request, name = option.name](const std::vector<std::string>& said) { request->values[name] = said; },
             option.what + usualOf(option))
-        ->expected(1, option.many ? -1 : 1);
+        .expected(1, option.many ? -1 : 1);
   }
-  command->add_option("--seed", request->seed, "Of all that is random")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  addCommon(*command, *request);
-  command->callback([request, setting] { run(*request, setting); });
+  command.option("--seed", request->seed, "Of all that is random").showUsual().nonNegative();
+  addCommon(command, *request);
+  command.whenChosen([request, setting] { run(*request, setting); });
 }
 
-void addFrom(CLI::App& program, const Setting& setting) {
+void addFrom(options::Command program, const Setting& setting) {
   const auto request = std::make_shared<Request>();
   const auto file = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("from", "Run a sweep whose kind, seed and options stand in a file");
-  command->add_option("FILE", *file, "The sweep (JSON)")->required();
-  addCommon(*command, *request);
-  command->callback([request, file, setting] {
+  const options::Command command = program.add("from", "Run a sweep whose kind, seed and options stand in a file");
+  command.option("FILE", *file, "The sweep (JSON)").required();
+  addCommon(command, *request);
+  command.whenChosen([request, file, setting] {
     readRequest(*file, *request);
     run(*request, setting);
   });
 }
 
-void addList(CLI::App& program, const Setting& setting) {
-  CLI::App* command = program.add_subcommand("list", "The kinds of sweeps there are");
+void addList(options::Command program, const Setting& setting) {
+  const options::Command command = program.add("list", "The kinds of sweeps there are");
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "A JSON object a kind");
-  command->callback([json, setting] {
+  command.flag("--json", *json, "A JSON object a kind");
+  command.whenChosen([json, setting] {
     for (const Kind& kind : kinds()) {
       cli::JsonObject object;
       object.addText("kind", kind.key);
@@ -95,23 +94,21 @@ void addList(CLI::App& program, const Setting& setting) {
 
 }  // namespace
 
-std::unique_ptr<CLI::App> makeGrammar(const cli::Streams& streams, Team* team, Exit& exit) {
-  auto program = std::make_unique<CLI::App>(
-      "Sweeps: many independent runs, on all cores of this machine, or of many by mpirun.", "underact-sweep");
-  program->set_version_flag("--version", std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")",
-                            "Print the version and exit");
-  program->require_subcommand(1);
-  program->failure_message(CLI::FailureMessage::simple);
+options::Program makeGrammar(const cli::Streams& streams, Team* team, Exit& exit) {
+  options::Program program("underact-sweep",
+                           "Sweeps: many independent runs, on all cores of this machine, or of many by mpirun.");
+  program.version(std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")");
+  program.mustChoose();
   const Setting setting{streams, team, exit};
-  for (const Kind& kind : kinds()) addKind(*program, kind, setting);
-  addFrom(*program, setting);
-  addList(*program, setting);
+  for (const Kind& kind : kinds()) addKind(program, kind, setting);
+  addFrom(program, setting);
+  addList(program, setting);
   return program;
 }
 
 Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team) {
   Exit exit = Exit::Well;
-  return cli::perform(*makeGrammar(streams, team, exit), std::move(arguments), streams, exit);
+  return cli::perform(makeGrammar(streams, team, exit), std::move(arguments), streams, exit);
 }
 
 }  // namespace underact::sweep

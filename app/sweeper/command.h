@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,7 @@
 namespace underact::sweep {
 
 /// The grammar of the whole program. streams, team, exit: outlive it.
-std::unique_ptr<CLI::App> makeGrammar(const cli::Streams& streams, Team* team, cli::Exit& exit);
+options::Program makeGrammar(const cli::Streams& streams, Team* team, cli::Exit& exit);
 
 /// The whole program. arguments: without the program's name. team: the ranks it runs in; null: it is alone. The leader
 /// speaks for all; the other ranks say nothing and end with 0.

@@ -48,7 +48,7 @@ const std::vector<Library>& libraries() {
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
       {"Boost.Multiprecision", std::regex("boost/multiprecision"), {"core/extremes"}, true},
       {"systemd", std::regex("systemd/"), {"core/servo"}, false},
-      {"CLI11", std::regex("CLI/"), {"app/cli", "app/describe", "app/options", "app/sweeper"}, true},
+      {"CLI11", std::regex("CLI/"), {"app/options"}, false},
       {"MPI", std::regex("mpi\\.h"), {"app/sweeper"}, false},
       {"sockets", std::regex("sys/socket|netinet|arpa/"), {"core/helper"}, false},
   };

@@ -1,9 +1,11 @@
-#include "app/describe/grammar.h"
+#include "app/options/described.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
-namespace underact::describe {
+namespace underact::options {
 namespace {
 
 /// The part of CLI11's text of a type between two marks, and the text without it: "TEXT:{a,b}" has "a,b" and "TEXT:".
@@ -32,8 +34,8 @@ std::string wordOf(const std::string& type) {
   return inside < end ? type : type.substr(0, end);
 }
 
-Option describeOption(const CLI::Option& option) {
-  Option made;
+DescribedOption described(const CLI::Option& option) {
+  DescribedOption made;
   for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
   made.what = option.get_description();
@@ -52,14 +54,18 @@ Option describeOption(const CLI::Option& option) {
   return made;
 }
 
-}  // namespace
-
-Command describe(const CLI::App& program) {
-  Command made{program.get_name(), program.get_description(), program.get_footer(), {}, {}};
-  for (const CLI::Option* option : program.get_options()) made.options.push_back(describeOption(*option));
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
-    made.commands.push_back(describe(*command));
+DescribedCommand described(const CLI::App& command) {
+  DescribedCommand made{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
+  for (const CLI::Option* option : command.get_options()) made.options.push_back(described(*option));
+  for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+    made.commands.push_back(described(*below));
   return made;
 }
 
-}  // namespace underact::describe
+}  // namespace
+
+DescribedCommand describe(Command command) {
+  return described(*command.app_);
+}
+
+}  // namespace underact::options

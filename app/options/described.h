@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/options/command.h"
+
+namespace underact::options {
+
+/// An option, or what stands without a name.
+struct DescribedOption {
+  std::vector<std::string> names;    // "-h", "--help"; none: it goes by its place
+  std::string word;                  // what is put after it, or in its place: "FILE"; empty: a flag
+  std::vector<std::string> choices;  // all that it can be; empty: anything
+  std::string usual;                 // what it is by itself
+  std::string range;                 // "100 to 10000"
+  std::string what;
+  bool required = false, many = false;
+};
+
+/// A program, or one of its commands, as its grammar says.
+struct DescribedCommand {
+  std::string name, what, footer;
+  std::vector<DescribedOption> options;
+  std::vector<DescribedCommand> commands;
+};
+
+/// All that man pages and completion are made from.
+DescribedCommand describe(Command command);
+
+}  // namespace underact::options
