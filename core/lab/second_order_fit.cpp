@@ -1,6 +1,6 @@
 #include "core/lab/second_order_fit.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,11 @@
 #include "core/lab/step_response.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/arm/preset.h"
+#include "core/base/eigenvalues.h"
 #include "core/base/fault.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
@@ -109,7 +109,7 @@ Vec3 directionOf(Axis axis, const tick::TickProgram& program, const sim::Plant& 
     growth.col(column) = (above.p_WT - above.held[0].p_WP - below.p_WT + below.held[0].p_WP) / (2.0 * kNudge_m);
   }
   const Mat3 symmetric = 0.5 * (growth + growth.transpose());
-  Vec3 most_W = Eigen::SelfAdjointEigenSolver<Mat3>(symmetric).eigenvectors().col(2);
+  Vec3 most_W = principalAxes(symmetric).axes.col(2);
   Eigen::Index largest = 0;
   most_W.cwiseAbs().maxCoeff(&largest);
   return most_W[largest] < 0.0 ? Vec3(-most_W) : most_W;

@@ -1,10 +1,10 @@
 #include "core/lab/transfer_function.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "core/base/eigenvalues.h"
 #include "core/base/translate.h"
 
 namespace underact::lab {
@@ -159,7 +159,7 @@ std::vector<Complex> poles(const TransferFunction& transfer) {
     companion.diagonal(-1).setOnes();
     for (Eigen::Index row = 0; row < size; ++row)
       companion(row, size - 1) = -monic[degree - static_cast<std::size_t>(row)];
-    const Eigen::VectorXcd found = companion.eigenvalues();
+    const Eigen::VectorXcd found = eigenvaluesOf(companion);
     roots.assign(found.begin(), found.end());
     polish(monic, roots);
     for (Complex& root : roots) root *= unit;

@@ -1,9 +1,10 @@
 #include "core/registration/error.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "core/base/eigenvalues.h"
 
 namespace underact::registration {
 namespace {
@@ -30,9 +31,9 @@ double expectedError_m(const std::vector<Vec3>& marks_D, double touching_m, cons
   for (const Vec3& mark_D : marks_D) middle_D += mark_D / count;
   Mat3 spread = Mat3::Zero();
   for (const Vec3& mark_D : marks_D) spread += (mark_D - middle_D) * (mark_D - middle_D).transpose() / count;
-  const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread);
-  const Vec3 along_m2 = principal.eigenvalues().cwiseMax(0.0);
-  const Vec3 point = principal.eigenvectors().transpose() * (p_D - middle_D);
+  const PrincipalAxes principal = principalAxes(spread);
+  const Vec3 along_m2 = principal.values.cwiseMax(0.0);
+  const Vec3 point = principal.axes.transpose() * (p_D - middle_D);
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const double d_m2 = point.squaredNorm() - point[axis] * point[axis];

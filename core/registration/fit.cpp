@@ -1,6 +1,5 @@
 #include "core/registration/fit.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <cmath>

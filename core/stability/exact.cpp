@@ -1,10 +1,11 @@
 #include "core/stability/exact.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
+#include "core/base/eigenvalues.h"
 #include "core/base/units.h"
 
 namespace underact::stability {
@@ -133,7 +134,7 @@ double radiusOf(const Loop& loop, double stiffness_N_per_m) {
   step.block(2, 2, memory, memory) = filter.A;
   if (wall.delay_ticks > 0) step.row(2 + memory) = asked;
   for (Eigen::Index n = 3 + memory; n < size; ++n) step(n, n - 1) = 1.0;
-  return step.eigenvalues().cwiseAbs().maxCoeff();
+  return eigenvaluesOf(step).cwiseAbs().maxCoeff();
 }
 
 }  // namespace

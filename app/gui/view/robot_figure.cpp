@@ -1,10 +1,10 @@
 #include "app/gui/view/robot_figure.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/eigenvalues.h"
 #include "core/chain/kinematics.h"
 
 namespace underact::gui {
@@ -69,10 +69,10 @@ Freedom freedomOf(const manipulator::Manipulator& manipulator, std::span<const d
   }
   Freedom freedom;
   if (!JJt.allFinite()) return freedom;
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(JJt);  // rising
+  const PrincipalAxes principal = principalAxes(JJt);
   for (Eigen::Index index = 0; index < 3; ++index) {
-    freedom.directions_W.col(index) = solver.eigenvectors().col(2 - index);
-    freedom.reach_m_per_rad[index] = std::sqrt(std::max(0.0, solver.eigenvalues()[2 - index]));
+    freedom.directions_W.col(index) = principal.axes.col(2 - index);
+    freedom.reach_m_per_rad[index] = std::sqrt(std::max(0.0, principal.values[2 - index]));
     if (freedom.reach_m_per_rad[index] > kLostShare * manipulator.reach_m) ++freedom.rank;
   }
   return freedom;
