@@ -11,7 +11,7 @@ namespace {
 constexpr double kFrameWider = 4e-6;
 
 /// Rows: the principal axes of the corners, the one of least spread last. The identity where they have none.
-Mat3 principalAxes(const std::vector<Eigen::Vector3f>& corners, const Vec3& mean) {
+Mat3 spreadAxes(const std::vector<Eigen::Vector3f>& corners, const Vec3& mean) {
   Mat3 spread = Mat3::Zero();
   for (const Eigen::Vector3f& corner : corners) {
     const Vec3 v = corner.cast<double>() - mean;
@@ -39,7 +39,7 @@ void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std:
   Vec3 mean = Vec3::Zero();
   for (const Eigen::Vector3f& corner : corners) mean += corner.cast<double>();
   mean /= static_cast<double>(corners.size());
-  const Mat3 axes = principalAxes(corners, mean);
+  const Mat3 axes = spreadAxes(corners, mean);
   for (std::size_t row = 0; row < 3; ++row) {
     const auto r = static_cast<Eigen::Index>(row);
     node.p_MN[row] = static_cast<float>(mean[r]);

@@ -68,7 +68,7 @@ class Table(Mapping):
         self._rows = 0
 
     def _check_bounds(self, where: str) -> None:
-        """Raises SessionError where the table is otherwise than a file of its length may have it."""
+        """Raises SessionError where the table is not as a file of its length may have it."""
         _, chunk_rows = layout.BLOCKS.get(self.name, layout.SMALL_BLOCK)
         for column, dataset in self._datasets.items():
             rows = self.block_rows if self.name == "ticks" else chunk_rows
