@@ -38,7 +38,7 @@ struct Layout {
   double least_apart_m = 0.0;  // of the two that are nearest to each other
   std::size_t near_one = 0, near_other = 0;
 };
-/// points: two at least, finite.
+/// points: three at least, finite.
 Layout layoutOf(const std::vector<Vec3>& points);
 
 std::vector<Vec3> marksOf(const std::vector<Touch>& touches);    // in D
