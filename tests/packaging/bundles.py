@@ -7,6 +7,13 @@ import subprocess
 import tempfile
 import unittest
 
+try:
+    import elftools  # noqa: F401  what packaging/portable reads programs with: import this module first
+except ImportError as missing:
+    raise unittest.SkipTest(
+        "pyelftools is not installed; packaging/install-deps package brings it"
+    ) from missing
+
 MADE = os.environ["UNDERACT_MADE"]
 
 

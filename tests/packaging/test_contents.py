@@ -5,8 +5,8 @@ import re
 import unittest
 from unittest import mock
 
-from portable import closure, elf, licences, parts
 from bundles import made
+from portable import closure, elf, licences, parts
 
 
 class Contents(unittest.TestCase):

@@ -10,8 +10,8 @@ import subprocess
 import tempfile
 import unittest
 
-from portable import elf
 from bundles import made
+from portable import elf
 
 SBOM = os.path.join(os.path.dirname(__file__), "..", "..", "packaging", "sbom")
 EXPRESSION = re.compile(r"^(NOASSERTION|[A-Za-z0-9.-]+( (AND|WITH) [A-Za-z0-9.-]+)*)$")

@@ -5,7 +5,11 @@ saying what and why.
 import sys
 import unittest
 
-suite = unittest.defaultTestLoader.loadTestsFromNames(sys.argv[1:])
+try:
+    suite = unittest.defaultTestLoader.loadTestsFromNames(sys.argv[1:])
+except unittest.SkipTest as reason:  # a module that says so where it is imported
+    print(f"SKIPPED: {', '.join(sys.argv[1:])}: {reason}")
+    sys.exit(77)
 if suite.countTestCases() == 0:
     sys.exit("There are no tests in " + ", ".join(sys.argv[1:]))
 result = unittest.TextTestRunner(verbosity=2).run(suite)
