@@ -1,0 +1,40 @@
+// A list of the folder finds a new session's file before anything is in it, and holds it for a moment.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "core/record/session_writer.h"
+#include "tests/support/scratch_folder.h"
+
+namespace underact::record {
+
+TEST(NewSession, IsMadeThoughItsFileIsLookedAtJustThen) {
+  constexpr int kTimes = 200;
+  const test::ScratchFolder folder;
+  const auto nameOf = [&folder](int time) { return folder.file("s" + std::to_string(time) + ".h5"); };
+  std::atomic<int> next{0}, looked_at{0};
+  std::thread list([&] {
+    for (int seen = -1; next < kTimes;) {
+      const int time = next;
+      const int fd = time == seen ? -1 : ::open(nameOf(time).c_str(), O_RDONLY | O_CLOEXEC);
+      if (fd < 0) continue;
+      seen = time;
+      if (::flock(fd, LOCK_SH | LOCK_NB) == 0) {
+        ++looked_at;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+      ::close(fd);
+    }
+  });
+  int made = 0;
+  for (; next < kTimes; ++next) made += SessionWriter::create(nameOf(next), {}) ? 1 : 0;
+  list.join();
+  EXPECT_EQ(made, kTimes) << "looked at " << looked_at << " times";
+}
+
+}  // namespace underact::record
