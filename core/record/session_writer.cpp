@@ -113,9 +113,9 @@ Problems SessionWriter::add(const servo::FaultMark& fault) {
 Problems SessionWriter::mark(std::int64_t tick, std::string_view label) {
   Problems problems;
   if (label.size() > kLongestLabel) {
-    label = label.substr(0, kLongestLabel + 1);
-    while (!label.empty() && isWithinLetter(label.back())) label.remove_suffix(1);
-    label.remove_suffix(1);
+    auto end = static_cast<std::size_t>(kLongestLabel);
+    while (end > 0 && isWithinLetter(label[end])) --end;
+    label = label.substr(0, end);
   }
   const Words words = addText(label, problems);
   keep(problems, file_.append(kMarkers, blockOf(MarkerRow{tick, words})));

@@ -39,6 +39,16 @@ TEST(Labels, LongerThanMayBeAreCutBetweenLettersWhenTheyAreWritten) {
   EXPECT_EQ(markers[3].label, longest.substr(2) + o_umlaut);
 }
 
+TEST(Labels, InWhichNoLetterBeginsAreCutToNothing) {
+  const test::ScratchFolder folder;
+  Problems damage;
+  const std::vector<Marker> markers =
+      markersOf(folder.file("s.h5"), {std::string(static_cast<std::size_t>(kLongestLabel) + 7, '\x80')}, damage);
+  ASSERT_EQ(markers.size(), 1U);
+  EXPECT_TRUE(damage.empty());
+  EXPECT_EQ(markers[0].label, "");
+}
+
 TEST(Labels, OfWhichThereAreTooManyAreDamageAndNotKept) {
   const test::ScratchFolder folder;
   const auto most = static_cast<std::size_t>(kAllLabels / kLongestLabel);
