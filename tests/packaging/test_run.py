@@ -1,17 +1,10 @@
 """packaging/run with everything it calls replaced: what is asked for, and when no more is done."""
 
-import os
-import pathlib
 import re
-import shutil
-import subprocess
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-CALLED = """#!/bin/sh
-echo "$(basename "$0") $*" >>"$LOG"
-"""
+from stand_ins import CALLED, ROOT, Scripts
+
 # Of the build: a program that says what it was started with, and from where.
 CMAKE = (
     CALLED
@@ -28,42 +21,16 @@ esac
 )
 
 
-class Run(unittest.TestCase):
-    def setUp(self):
-        holder = tempfile.TemporaryDirectory(prefix="under act ")
-        self.addCleanup(holder.cleanup)
-        self.folder = pathlib.Path(holder.name)
-        (self.folder / "packaging").mkdir()
-        (self.folder / "bin").mkdir()
-        for name in ("run", "compile"):
-            shutil.copy(ROOT / "packaging" / name, self.folder / "packaging")
-        self.write("packaging/install-deps", CALLED + "exit ${INSTALLED:-0}\n")
-        self.write("bin/cmake", CMAKE)
-
-    def write(self, name, text):
-        (self.folder / name).write_text(text, encoding="utf-8")
-        (self.folder / name).chmod(0o755)
+class Run(Scripts):
+    COPIES = ("packaging/run", "packaging/compile")
+    STAND_INS = {
+        "packaging/install-deps": CALLED + "exit ${INSTALLED:-0}\n",
+        "bin/cmake": CMAKE,
+    }
 
     def run_it(self, *words, **more):
         """What it says, and the calls it made."""
-        log = self.folder / "log"
-        log.write_text("")
-        more = {
-            "PATH": f"{self.folder}/bin:{os.environ['PATH']}",
-            "LOG": str(log),
-            "DISPLAY": ":0",
-            **more,
-        }
-        done = subprocess.run(
-            [self.folder / "packaging/run", *words],
-            cwd="/usr",
-            env=more,
-            capture_output=True,
-            text=True,
-            check=False,
-            stdin=subprocess.DEVNULL,
-        )
-        return done, log.read_text().splitlines()
+        return self.call("packaging/run", *words, **{"DISPLAY": ":0", **more})
 
     def test_it_installs_configures_and_builds_the_programs_alone_and_starts_the_window(self):
         done, calls = self.run_it("scenes/02_sphere.json", "--dark")

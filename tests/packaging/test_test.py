@@ -1,16 +1,9 @@
 """packaging/test with everything it calls replaced: what is built and run, and how it is counted."""
 
-import os
-import pathlib
-import shutil
-import subprocess
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-CALLED = """#!/bin/sh
-echo "$(basename "$0") $*" >>"$LOG"
-"""
+from stand_ins import CALLED, Scripts
+
 BUILD = CALLED + '[ "${BREAK:-}" != "$1" ]\n'
 # Thirty tests a run, of which two fail or are skipped in the stage that is named.
 CTEST = (
@@ -38,40 +31,19 @@ mkdir -p "$(dirname "$junit")"
 SANITIZED = ["--preset asan", "--preset tsan"]
 
 
-class Test(unittest.TestCase):
-    def setUp(self):
-        holder = tempfile.TemporaryDirectory(prefix="under act ")
-        self.addCleanup(holder.cleanup)
-        self.folder = pathlib.Path(holder.name)
-        (self.folder / "packaging").mkdir()
-        (self.folder / ".ci").mkdir()
-        (self.folder / "bin").mkdir()
-        shutil.copy(ROOT / "packaging/test", self.folder / "packaging")
-        shutil.copy(ROOT / ".ci/run", self.folder / ".ci")
-        self.write("packaging/install-deps", CALLED + "exit ${INSTALLED:-0}\n")
-        self.write("packaging/compile", BUILD)
-        self.write("bin/cmake", CALLED)
-        self.write("bin/ctest", CTEST)
-
-    def write(self, name, text):
-        (self.folder / name).write_text(text, encoding="utf-8")
-        (self.folder / name).chmod(0o755)
+class Test(Scripts):
+    COPIES = ("packaging/test", ".ci/run")
+    STAND_INS = {
+        "packaging/install-deps": CALLED + "exit ${INSTALLED:-0}\n",
+        "packaging/compile": BUILD,
+        "bin/cmake": CALLED,
+        "bin/ctest": CTEST,
+    }
 
     def run_it(self, *words, script="packaging/test", **more):
         """(exit status, lines of output, calls)."""
-        log = self.folder / "log"
-        log.write_text("")
-        more = {"PATH": f"{self.folder}/bin:{os.environ['PATH']}", "LOG": str(log), **more}
-        done = subprocess.run(
-            [self.folder / script, *words],
-            cwd="/usr",
-            env=more,
-            capture_output=True,
-            text=True,
-            check=False,
-            stdin=subprocess.DEVNULL,
-        )
-        return done.returncode, done.stdout.splitlines(), log.read_text().splitlines()
+        done, calls = self.call(script, *words, **more)
+        return done.returncode, done.stdout.splitlines(), calls
 
     def test_by_itself_it_is_one_release_build_and_all_its_tests(self):
         status, lines, calls = self.run_it()
