@@ -11,9 +11,6 @@
 namespace underact::lab {
 namespace {
 
-using Complex = std::complex<double>;
-using Vector = UnitStep::Vector;
-
 constexpr double kGone = 1e-14;      // a share of the final value; a mode below it is not looked for
 constexpr double kTold = 1e-9;       // a share of what is looked for; a mode below it makes no other peak or passing
 constexpr double kLargest = 1e18;    // of a mode's share; of equal poles it would be infinite, and they cancel
@@ -78,10 +75,10 @@ class Search {
   std::vector<Piece> block(double from_s, double step_s, const std::function<bool(double z)>& matters) const {
     std::vector<Piece> pieces;
     const UnitStep::Matrix after = step_.stagesAfter(step_s);
-    Vector stages = step_.stagesAt(from_s);
+    UnitStep::Vector stages = step_.stagesAt(from_s);
     for (int step = 0; step < kBlock; ++step) {
       const double t_s = from_s + step * step_s, next_s = from_s + (step + 1) * step_s;
-      const Vector next = after.lazyProduct(stages);
+      const UnitStep::Vector next = after.lazyProduct(stages);
       const double rate = rateOf(stages), next_rate = rateOf(next), here = zOf(stages), there = zOf(next);
       double turn_s = t_s;
       if (rate * next_rate < 0.0) {
@@ -125,8 +122,8 @@ class Search {
   }
 
  private:
-  double zOf(const Vector& stages) const { return step_.deviation(stages) / final_; }
-  double rateOf(const Vector& stages) const { return step_.rate(stages) / final_; }
+  double zOf(const UnitStep::Vector& stages) const { return step_.deviation(stages) / final_; }
+  double rateOf(const UnitStep::Vector& stages) const { return step_.rate(stages) / final_; }
   /// Where holds, true at low, no longer does: to the last bit of the time, by halving.
   static double boundary(double low_s, double high_s, const std::function<bool(double)>& holds) {
     for (;;) {

@@ -10,8 +10,6 @@
 namespace underact::lab {
 namespace {
 
-using Complex = std::complex<double>;
-
 constexpr double kOnTheAxis = 1e-12;      // relative, of the coefficients; typed ones have about as many digits
 constexpr double kTwiceOnTheAxis = 1e-6;  // its square root: so far apart are two roots that are one
 constexpr int kPolishes = 12;

@@ -6,6 +6,8 @@
 
 namespace underact::lab {
 
+using Complex = std::complex<double>;
+
 /// num(s) / den(s), coefficients in descending powers of s. Made by makeTransferFunction(), which leaves den.front()
 /// not 0, a denominator of degree 1 to kHighestDegree, and a numerator of no higher degree.
 struct TransferFunction {
@@ -24,7 +26,7 @@ Result<TransferFunction> makeTransferFunction(std::vector<double> num, std::vect
 TransferFunction secondOrder(double omega_n_rad_per_s, double zeta);
 
 /// A coefficient list in descending powers at s. Source: Horner.
-std::complex<double> valueAt(const std::vector<double>& coefficients, std::complex<double> s);
+Complex valueAt(const std::vector<double>& coefficients, Complex s);
 
 /// T(0), the value that a unit step ends at where it ends; infinite with a pole at 0. Source: eq. B.4 as errata section
 /// 8 corrects it.
@@ -33,7 +35,7 @@ double gainAtRest(const TransferFunction& transfer);
 /// The roots of den, rad/s, as many as its degree, repeated ones as often as they occur; conjugate pairs stand side by
 /// side and are exact conjugates. Roots at 0 are exact. Simple roots are right to a few ulp of what the coefficients
 /// determine; of m equal ones each is off by about the m-th root of that.
-std::vector<std::complex<double>> poles(const TransferFunction& transfer);
+std::vector<Complex> poles(const TransferFunction& transfer);
 
 /// What becomes of the response to a step. Settles: all poles in the left half plane. Swings: some on the imaginary
 /// axis, each once (undamped). Drifts: a pole at 0, so that it goes on for ever. Grows: one in the right half plane, or

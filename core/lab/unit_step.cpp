@@ -8,7 +8,6 @@
 namespace underact::lab {
 namespace {
 
-using Complex = std::complex<double>;
 using Matrix = UnitStep::Matrix;
 using Vector = UnitStep::Vector;
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <complex>
 
 #include "core/lab/transfer_function.h"
 
@@ -13,9 +12,9 @@ class UnitStep {
  public:
   // Of as many stages as there are poles, and the step itself; in place, since a search multiplies millions of them.
   static constexpr int kMost = static_cast<int>(kHighestDegree) + 1;
-  using Matrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
-  using Vector = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, kMost, 1>;
-  using Row = Eigen::Matrix<std::complex<double>, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
+  using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+  using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMost, 1>;
+  using Row = Eigen::Matrix<Complex, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
 
   explicit UnitStep(const TransferFunction& transfer);
 

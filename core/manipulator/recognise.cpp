@@ -25,7 +25,7 @@ bool unlimited(const Joint& joint) {
 }
 
 /// Circle and cylinder; none where the tip does not move and nothing else is asked of it.
-std::optional<ClosedForm> around(const Manipulator& m, std::size_t turning, std::size_t sliding, Kind kind) {
+std::optional<ClosedForm> circularForm(const Manipulator& m, std::size_t turning, std::size_t sliding, Kind kind) {
   if (m.orientation != Orientation::None && m.orientation != Orientation::Axis) return std::nullopt;
   const Joint& joint = m.chain.joints[turning];
   ClosedForm form{kind, turning, sliding, joint.p_WJ, joint.axis_W};
@@ -35,7 +35,7 @@ std::optional<ClosedForm> around(const Manipulator& m, std::size_t turning, std:
   return form;
 }
 
-std::optional<ClosedForm> onSphere(const Manipulator& m) {
+std::optional<ClosedForm> sphericalForm(const Manipulator& m) {
   const Joint &one = m.chain.joints[0], &two = m.chain.joints[1];
   if (!crossing(one, two) || !unlimited(one) || !unlimited(two)) return std::nullopt;
   const double near_m = kSame * m.reach_m;
@@ -57,14 +57,14 @@ std::optional<ClosedForm> closedFormOf(const Manipulator& m) {
   const std::vector<Joint>& joints = m.chain.joints;
   const bool equal = m.kp_N_per_m.x() == m.kp_N_per_m.y() && m.kp_N_per_m.y() == m.kp_N_per_m.z();
   if (!equal || m.bends || joints.empty() || joints.size() > 2) return std::nullopt;
-  if (joints.size() == 1) return turns(joints[0]) ? around(m, 0, 0, Kind::Circle) : ClosedForm{Kind::Line};
-  if (turns(joints[0]) && turns(joints[1])) return onSphere(m);
+  if (joints.size() == 1) return turns(joints[0]) ? circularForm(m, 0, 0, Kind::Circle) : ClosedForm{Kind::Line};
+  if (turns(joints[0]) && turns(joints[1])) return sphericalForm(m);
   if (!turns(joints[0]) && !turns(joints[1])) {
     return crossing(joints[0], joints[1]) ? std::optional(ClosedForm{Kind::Plane}) : std::nullopt;
   }
   const std::size_t turning = turns(joints[0]) ? 0 : 1;
   if (!parallel(joints[0], joints[1])) return std::nullopt;
-  return around(m, turning, 1 - turning, Kind::Cylinder);
+  return circularForm(m, turning, 1 - turning, Kind::Cylinder);
 }
 
 }  // namespace underact::manipulator

@@ -18,4 +18,8 @@ struct Triangles {
   std::vector<Face> faces;            // indexes of p_MV
 };
 
+inline Vec3 cornerAt(const Triangles& triangles, std::int32_t corner) {
+  return triangles.p_MV[static_cast<std::size_t>(corner)].cast<double>();
+}
+
 }  // namespace underact::mesh

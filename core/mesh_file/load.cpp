@@ -28,7 +28,7 @@ std::string keyOf(const Input& input, const std::string& checksum) {
   return checksum + "-" + wordOf(input.format()) + "-" + std::to_string(kVersion) + "-" + std::to_string(sizeof(Facts));
 }
 
-Problems problemAt(const Input& input, const Sentence& sentence) {
+Problems problemOf(const Input& input, const Sentence& sentence) {
   return {{sentence, {input.path()}}};
 }
 
@@ -63,13 +63,13 @@ Result<Loaded> build(const Input& input, const mesh::Watch& watch) {
   Result<Raw> raw = readFile(input, partOf(watch, kHashed, kRead));
   if (!raw) return raw.problems();
   std::optional<Repaired> repaired = repair(std::move(raw.value().triangles), partOf(watch, kRead, kRepaired));
-  if (!repaired) return problemAt(input, kCancelled);
+  if (!repaired) return problemOf(input, kCancelled);
   addRaw(raw.value(), repaired->facts);
-  if (repaired->facts.faces == 0) return problemAt(input, nothingLeft(repaired->facts));
+  if (repaired->facts.faces == 0) return problemOf(input, nothingLeft(repaired->facts));
   Result<std::shared_ptr<const mesh::Surface>> surface =
       mesh::makeSurface(std::move(repaired->triangles), partOf(watch, kRepaired, kBuilt));
-  if (watch.isCancelled()) return problemAt(input, kCancelled);
-  if (!surface) return problemAt(input, surface.problems()[0].sentence);
+  if (watch.isCancelled()) return problemOf(input, kCancelled);
+  if (!surface) return problemOf(input, surface.problems()[0].sentence);
   Loaded loaded;
   loaded.surface = std::move(surface).value();
   loaded.facts = repaired->facts;
@@ -85,7 +85,7 @@ Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch, const
   if (!checksum) return checksum.problems();
   const std::string key = keyOf(input.value(), checksum.value());
   std::optional<Loaded> kept = fromCache(cache, key, watch);
-  if (watch.isCancelled()) return problemAt(input.value(), kCancelled);
+  if (watch.isCancelled()) return problemOf(input.value(), kCancelled);
   Result<Loaded> loaded = kept ? Result<Loaded>(std::move(*kept)) : build(input.value(), watch);
   if (!loaded) return loaded;
   loaded.value().format = input.value().format();
@@ -96,7 +96,7 @@ Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch, const
     const std::array parts{std::as_bytes(std::span(&loaded.value().facts, 1)), std::span<const std::byte>(bytes)};
     cache.put(key, parts, watch);
   }
-  if (watch.isCancelled()) return problemAt(input.value(), kCancelled);
+  if (watch.isCancelled()) return problemOf(input.value(), kCancelled);
   watch.tell(QT_TRANSLATE_NOOP("step of work", "Ready"), 1.0);
   return loaded;
 }

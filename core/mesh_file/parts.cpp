@@ -12,10 +12,6 @@ namespace {
 constexpr double kMostRayTests = 1e8;
 constexpr std::size_t kMostNested = 1000;
 
-Vec3 at(const mesh::Triangles& triangles, std::int32_t corner) {
-  return triangles.p_MV[static_cast<std::size_t>(corner)].cast<double>();
-}
-
 class Finding {
  public:
   Finding(const mesh::Triangles& triangles, const Edges& edges, const mesh::Watch& watch)
@@ -43,7 +39,7 @@ class Finding {
     Part& part = found_.parts.emplace_back();
     const auto number = static_cast<std::int32_t>(found_.parts.size() - 1);
     part.some_corner = triangles_.faces[static_cast<std::size_t>(seed)][0];
-    origin_ = at(triangles_, part.some_corner);  // near the part, so that volumes do not cancel
+    origin_ = cornerAt(triangles_, part.some_corner);  // near the part, so that volumes do not cancel
     found_.part_of[static_cast<std::size_t>(seed)] = number;
     todo_.assign(1, seed);
     std::int64_t clashing_sides = 0;
@@ -77,7 +73,8 @@ class Finding {
 
   void add(std::int32_t face, Part& part) {
     const mesh::Face& corners = triangles_.faces[static_cast<std::size_t>(face)];
-    const Vec3 a = at(triangles_, corners[0]), b = at(triangles_, corners[1]), c = at(triangles_, corners[2]);
+    const Vec3 a = cornerAt(triangles_, corners[0]), b = cornerAt(triangles_, corners[1]),
+               c = cornerAt(triangles_, corners[2]);
     const bool is_against = found_.is_against[static_cast<std::size_t>(face)] != 0;
     const double sixfold = (a - origin_).dot((b - origin_).cross(c - origin_));
     part.volume += (is_against ? -sixfold : sixfold) / 6.0;
@@ -114,14 +111,14 @@ class Finding {
   /// The ray from a corner into a direction that no edge of ordinary meshes has crosses the part an odd number of
   /// times.
   bool isWithin(std::int32_t corner, std::int32_t part) {
-    const Vec3 from = at(triangles_, corner), along(0.5773, 0.2113, 0.7887);
+    const Vec3 from = cornerAt(triangles_, corner), along(0.5773, 0.2113, 0.7887);
     bool is_within = false;
     for (std::size_t face = 0; face < triangles_.faces.size(); ++face) {
       if (found_.part_of[face] != part) continue;
       if (steps_.isCancelled()) return false;
       const mesh::Face& corners = triangles_.faces[face];
-      const Vec3 a = at(triangles_, corners[0]) - from, b = at(triangles_, corners[1]) - from,
-                 c = at(triangles_, corners[2]) - from;
+      const Vec3 a = cornerAt(triangles_, corners[0]) - from, b = cornerAt(triangles_, corners[1]) - from,
+                 c = cornerAt(triangles_, corners[2]) - from;
       const double u = along.dot(a.cross(b)), v = along.dot(b.cross(c)), w = along.dot(c.cross(a));
       const bool hits = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
       // Ahead, where the plane's distance along the ray is above 0.

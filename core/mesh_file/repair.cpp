@@ -18,10 +18,6 @@ namespace {
 using mesh::Face;
 using mesh::Triangles;
 
-Vec3 at(const Triangles& triangles, std::int32_t corner) {
-  return triangles.p_MV[static_cast<std::size_t>(corner)].cast<double>();
-}
-
 bool isFinite(const Eigen::Vector3f& p) {
   return std::abs(p.x()) < kBeyondAll && std::abs(p.y()) < kBeyondAll && std::abs(p.z()) < kBeyondAll;
 }
@@ -143,15 +139,15 @@ void describeBorders(const Triangles& triangles, const Edges& edges, Facts& fact
       sum = 0.0;
       ++facts.borders;
     }
-    sum += (at(triangles, endOf(triangles, side)) - at(triangles, startOf(triangles, side))).norm();
+    sum += (cornerAt(triangles, endOf(triangles, side)) - cornerAt(triangles, startOf(triangles, side))).norm();
     facts.longest_border = std::max(facts.longest_border, sum);
   });
 }
 
 void countFlat(const Triangles& triangles, Facts& facts) {
   for (const Face& face : triangles.faces) {
-    const Vec3 ab = at(triangles, face[1]) - at(triangles, face[0]),
-               ac = at(triangles, face[2]) - at(triangles, face[0]);
+    const Vec3 ab = cornerAt(triangles, face[1]) - cornerAt(triangles, face[0]),
+               ac = cornerAt(triangles, face[2]) - cornerAt(triangles, face[0]);
     const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
     // Of floats the differences are exact in doubles, so 8 epsilon of the products is on a line, for all that is known.
     if (ab.cross(ac).norm() <= 0x1p-49 * longest) ++facts.flat_faces;

@@ -7,7 +7,7 @@
 namespace underact::record {
 namespace {
 
-constexpr hsize_t kMostRows = hsize_t{1} << 40;
+constexpr hsize_t kMostStoreRows = hsize_t{1} << 40;
 
 hid_t typeOf(Kind kind) {
   switch (kind) {
@@ -67,7 +67,7 @@ std::uint64_t rowsOf(const Store& store) {
   const Id space(H5Dget_space(store.id), H5Sclose);
   hsize_t size[2] = {0, 0};
   if (!space.isGood() || H5Sget_simple_extent_dims(space, size, nullptr) != store.rank()) return 0;
-  return std::min(size[0], kMostRows);
+  return std::min(size[0], kMostStoreRows);
 }
 
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows) {

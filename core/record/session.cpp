@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kBytesAtOnce = 8LL << 20;  // one block at least
 constexpr std::int64_t kBlocksAtOnce = 64;
 constexpr std::int64_t kRowsAtOnce = 4096;          // of a small table
-constexpr std::int64_t kMostRows = 1LL << 20;       // of a small table
+constexpr std::int64_t kMostSmallRows = 1LL << 20;  // of a small table
 constexpr std::int64_t kMostMarkers = 1LL << 16;    // each of which has words to be read
 constexpr std::int64_t kLongestWords = 64LL << 20;  // bytes of one text
 constexpr std::int64_t kLongestStart = 16LL << 20;
@@ -103,7 +103,8 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
   std::vector<Row> rows;
   for (std::int64_t at = 0;; at += kRowsAtOnce) {
     Result<std::vector<Block>> blocks = file_.read(table, at, kRowsAtOnce);
-    const bool are_too_many = at >= (table == kMarkers ? kMostMarkers : kMostRows) && blocks && !blocks.value().empty();
+    const bool are_too_many =
+        at >= (table == kMarkers ? kMostMarkers : kMostSmallRows) && blocks && !blocks.value().empty();
     if (!blocks || are_too_many || isAnyDamaged(blocks.value())) {
       const Problems problems =
           damagedAt(info_.path,

@@ -49,7 +49,7 @@ Enumeration enumerated(std::uint8_t value, int count) {
   return value < count ? static_cast<Enumeration>(value) : Enumeration{};
 }
 
-void pack(const Words& words, Packer& packer) {
+void packWords(const Words& words, Packer& packer) {
   packer.integer(words.at);
   packer.integer(words.bytes);
 }
@@ -95,14 +95,14 @@ Block blockOf(const ChangeRow& row) {
     packer.integer(row.tick);
     packer.integer(static_cast<std::int64_t>(row.revision));
     packer.byte(static_cast<std::uint8_t>(row.carry));
-    pack(row.scene, packer);
+    packWords(row.scene, packer);
   });
 }
 
 Block blockOf(const MarkerRow& row) {
   return rowOf(kMarkerColumns, [&row](Packer& packer) {
     packer.integer(row.tick);
-    pack(row.label, packer);
+    packWords(row.label, packer);
   });
 }
 

@@ -40,7 +40,7 @@ constexpr std::array kColumns{
 
 constexpr double kMicrosecondPerNanosecond = 1e-3;
 
-void pack(const Vec3& value, Packer& packer) {
+void packVec3(const Vec3& value, Packer& packer) {
   for (const double coordinate : value) packer.real(coordinate);
 }
 
@@ -67,17 +67,17 @@ void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer
   packer.integer(record.time_ns);
   for (const double angle_rad : record.q_rad) packer.real(angle_rad);
   packer.unsigned32(record.buttons);
-  pack(kMillimetrePerMetre * record.p_WT, packer);
+  packVec3(kMillimetrePerMetre * record.p_WT, packer);
   for (const double part : quaternionOf(record, geometry)) packer.real(part);
-  pack(kMillimetrePerMetre * record.v_WT, packer);
-  pack(kMillimetrePerMetre * record.p_WP, packer);
+  packVec3(kMillimetrePerMetre * record.v_WT, packer);
+  packVec3(kMillimetrePerMetre * record.p_WP, packer);
   packer.real(kMillimetrePerMetre * record.error_m);
-  pack(record.f_asked_T_W, packer);
-  pack(record.f_sent_T_W, packer);
+  packVec3(record.f_asked_T_W, packer);
+  packVec3(record.f_sent_T_W, packer);
   packer.real(record.level);
   packer.real(record.cut_N);
   packer.unsigned32(record.limits);
-  pack(record.heat, packer);
+  packVec3(record.heat, packer);
   packer.byte(static_cast<std::uint8_t>(record.fault));
   packer.real(record.angles.alpha_rad);
   packer.real(record.angles.beta_rad);

@@ -25,7 +25,7 @@ bool isOf(const Kept& kept, const Curve& curve) {
          kept.scale_mm_per_unit == curve.scale_mm_per_unit && kept.X_WM == curve.X_WM;
 }
 
-Result<std::shared_ptr<const curve::Curve>> make(const Curve& curve, const Place& place) {
+Result<std::shared_ptr<const curve::Curve>> makeInWorkspace(const Curve& curve, const Place& place) {
   const Mat3 R_WM = Eigen::Quaterniond(Mat3(curve.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
   const Vec3 p_WM = kMetrePerMillimetre * curve.X_WM.topRightCorner<3, 1>();
   const double scale_m = kMetrePerMillimetre * curve.scale_mm_per_unit;
@@ -48,7 +48,7 @@ Result<std::shared_ptr<const curve::Curve>> keptCurve(const Curve& curve, const 
       if (std::shared_ptr<const curve::Curve> made = found->made.lock()) return made;
     }
   }
-  auto made = make(curve, place);  // not under the lock: another thread may ask for another
+  auto made = makeInWorkspace(curve, place);  // not under the lock: another thread may ask for another
   if (!made) return made.problems();
   const std::scoped_lock lock(mutex);
   all.push_back({curve.points, curve.kind, curve.closed, curve.scale_mm_per_unit, curve.X_WM, made.value()});

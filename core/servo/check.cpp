@@ -16,7 +16,6 @@
 namespace underact::servo {
 namespace {
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::chrono::milliseconds kPause{50};  // between two looks at the servo: some 500 ticks at 10 kHz
 
 /// The servo's half: a loop of its own, and what its ticks were like.

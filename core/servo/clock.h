@@ -5,6 +5,8 @@
 
 namespace underact::servo {
 
+inline constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
 /// A clock that no one sets, ns since some moment: CLOCK_MONOTONIC on Linux, which answers without a system call. Read
 /// by the loop around a tick, never in it. Any thread.
 std::int64_t monotonicNow_ns() noexcept UNDERACT_REAL_TIME;

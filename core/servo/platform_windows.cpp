@@ -5,6 +5,8 @@
 #include <windows.h>
 // After windows.h, which it needs.
 #include <avrt.h>
+#undef NOMINMAX
+#undef WIN32_LEAN_AND_MEAN
 
 #include <algorithm>
 #include <string>
@@ -16,7 +18,6 @@
 namespace underact::servo {
 namespace {
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr DWORD kHighResolution = 0x2;  // CREATE_WAITABLE_TIMER_HIGH_RESOLUTION, which older headers do not have
 
 std::int64_t ticksASecond() noexcept {

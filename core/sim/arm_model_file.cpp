@@ -22,7 +22,7 @@ constexpr double kHeaviest_kg = 100.0, kMost = 1e6;
 constexpr double kFurthest_mm = 1e6;
 constexpr int kSlowest_Hz = 1, kFastest_Hz = 1'000'000;
 
-void readAmount(ObjectReader& object, const char* key, bool required, double most, double& amount) {
+void readAmountUpTo(ObjectReader& object, const char* key, bool required, double most, double& amount) {
   const Value* const value = object.find(key, required);
   if (value == nullptr) return;
   const std::string path = object.pathOf(key);
@@ -105,9 +105,9 @@ ModelUncertainty readUncertainty(const Value& value, Findings& findings) {
               said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.001}"}), findings))
     return uncertainty;
   ObjectReader object(value, "uncertainty", said(QT_TRANSLATE_NOOP("problem", "an uncertainty")), findings);
-  readAmount(object, "mass_kg", false, kMost, uncertainty.mass_kg);
-  readAmount(object, "friction_N", false, kMost, uncertainty.friction_N);
-  readAmount(object, "damping_N_s_per_m", false, kMost, uncertainty.damping_N_s_per_m);
+  readAmountUpTo(object, "mass_kg", false, kMost, uncertainty.mass_kg);
+  readAmountUpTo(object, "friction_N", false, kMost, uncertainty.friction_N);
+  readAmountUpTo(object, "damping_N_s_per_m", false, kMost, uncertainty.damping_N_s_per_m);
   object.finish();
   return uncertainty;
 }
@@ -126,9 +126,9 @@ ArmModelFile readWhole(const Value& root, Findings& findings) {
   readWords(object, "name", true, file.arm.name);
   readWords(object, "title", true, file.arm.title);
   if (const Value* const value = object.find("provenance", true)) readProvenance(*value, file.provenance, findings);
-  readAmount(object, "mass_kg", true, kHeaviest_kg, file.arm.mass_kg);
-  readAmount(object, "friction_N", true, kMost, file.arm.friction_N);
-  readAmount(object, "damping_N_s_per_m", false, kMost, file.arm.damping_N_s_per_m);
+  readAmountUpTo(object, "mass_kg", true, kHeaviest_kg, file.arm.mass_kg);
+  readAmountUpTo(object, "friction_N", true, kMost, file.arm.friction_N);
+  readAmountUpTo(object, "damping_N_s_per_m", false, kMost, file.arm.damping_N_s_per_m);
   if (const Value* const encoders = object.find("encoders")) {
     if (isKind(*encoders, json::Kind::Bool, "encoders", "true or false", findings))
       file.arm.encoders = encoders->boolean;

@@ -24,7 +24,7 @@ bool isRotation(const Mat3& R) {
 }
 
 /// False, and a problem, for a number that no double holds.
-bool isFinite(const Value& value, const std::string& path, double number, Findings& findings) {
+bool checkFinite(const Value& value, const std::string& path, double number, Findings& findings) {
   if (std::isfinite(number)) return true;
   findings.add(value, path,
                said(QT_TRANSLATE_NOOP("problem", "This is no finite number; a double holds at most about 1.8e308.")));
@@ -36,7 +36,7 @@ void readAmount(ObjectReader& object, const char* key, bool may_be_zero, double&
   if (value == nullptr) return;
   const std::string path = object.pathOf(key);
   readNumber(*value, path, amount, object.findings());
-  if (!isFinite(*value, path, amount, object.findings())) return;
+  if (!checkFinite(*value, path, amount, object.findings())) return;
   if (amount > 0.0 || (amount == 0.0 && may_be_zero)) return;
   object.findings().add(*value, path,
                         said(may_be_zero ? QT_TRANSLATE_NOOP("problem", "This must not be below 0; here it is %1.")
@@ -59,7 +59,7 @@ HandModel readModel(const Value& value, Findings& findings) {
 
 void readTime(const Value& value, const std::string& path, double before_s, double& t_s, Findings& findings) {
   readNumber(value, path, t_s, findings);
-  if (std::isnan(t_s) || !isFinite(value, path, t_s, findings)) return;
+  if (std::isnan(t_s) || !checkFinite(value, path, t_s, findings)) return;
   if (t_s <= before_s)
     findings.add(value, path, said(QT_TRANSLATE_NOOP("problem", "Each time must be later than those before it.")));
 }

@@ -59,7 +59,7 @@ constexpr std::size_t kThree = 7, kSix = 13;  // bytes of a report, its id among
 constexpr std::uint16_t kDesktopPage = 1, kMultiAxis = 8;
 
 /// Axes from `first` on, of the bytes from 1 on.
-void takeAxes(std::span<const std::uint8_t> report, std::size_t first, std::size_t count, Readings& readings) {
+void takeAxisBytes(std::span<const std::uint8_t> report, std::size_t first, std::size_t count, Readings& readings) {
   for (std::size_t axis = 0; axis < count; ++axis) {
     const unsigned low = report[1 + 2 * axis], high = report[2 + 2 * axis];
     const auto value = static_cast<std::int16_t>(low | high << 8U);
@@ -122,11 +122,11 @@ SpaceMouseReport takeSpaceMouseReport(std::span<const std::uint8_t> report, Read
   readings.axes = 6;
   if (report.empty()) return SpaceMouseReport::Other;
   if (report[0] == 1 && report.size() >= kThree) {
-    takeAxes(report, 0, report.size() >= kSix ? 6 : 3, readings);
+    takeAxisBytes(report, 0, report.size() >= kSix ? 6 : 3, readings);
     return SpaceMouseReport::Moved;
   }
   if (report[0] == 2 && report.size() >= kThree) {
-    takeAxes(report, 3, 3, readings);
+    takeAxisBytes(report, 3, 3, readings);
     return SpaceMouseReport::Moved;
   }
   if (report[0] == 3) {

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a file of keys
 
-Problems problem(Sentence sentence, const fs::path& file) {
+Problems problemAt(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
 }
 
@@ -40,14 +40,14 @@ fs::path usersFolder() {
 Problems notOursAlone(const struct stat& status, const Sentence& may, const Sentence& what_to_do,
                       const fs::path& file) {
   if (status.st_uid != ::geteuid() && status.st_uid != 0)
-    return problem(said(QT_TRANSLATE_NOOP("problem",
-                                          "This file of keys belongs to another user of this computer, so it is not "
-                                          "used. Delete it, and find out who put it there.")),
-                   file);
+    return problemAt(said(QT_TRANSLATE_NOOP("problem",
+                                            "This file of keys belongs to another user of this computer, so it is not "
+                                            "used. Delete it, and find out who put it there.")),
+                     file);
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return {};
-  return problem(said(QT_TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
-                      {may, file.string(), what_to_do}),
-                 file);
+  return problemAt(said(QT_TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
+                        {may, file.string(), what_to_do}),
+                   file);
 }
 
 /// A file of keys: its name, what others could do with it, and what then is to be done.
@@ -71,7 +71,7 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
   if (!file) return file.problems();
   struct stat status {};
   if (::fstat(file.value().descriptor(), &status) != 0)
-    return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
+    return problemAt(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
   Problems problems = notOursAlone(status, said(which.may), said(which.what_to_do), path);
   if (!problems.empty()) return problems;
   const Result<std::string> text = file.value().readAll(kMostBytes);
@@ -94,8 +94,8 @@ Problems writeFile(const fs::path& file, const std::string& text) {
   if (fd >= 0) is_well = ::close(fd) == 0 && is_well;
   if (is_well && ::rename(part.c_str(), file.c_str()) == 0) return {};
   ::unlink(part.c_str());
-  return problem(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(errno)}),
-                 file);
+  return problemAt(
+      said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(errno)}), file);
 }
 
 /// The words of a line: first and second; the rest is for people.
@@ -151,7 +151,7 @@ Result<KeyPair> KeyFolder::own() const {
   if (!lines.value()) return makeNew();
   const std::vector<std::string>& text = *lines.value();
   if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
-    return problem(
+    return problemAt(
         said(QT_TRANSLATE_NOOP(
             "problem", "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
         file);
@@ -201,7 +201,7 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
     const auto [host, key] = wordsOf(line);
     if (host != address.text()) continue;
     if (!isKey(key))
-      return problem(said(QT_TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
+      return problemAt(said(QT_TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
     return key;
   }
   if (!address.isThisMachine()) return std::string();

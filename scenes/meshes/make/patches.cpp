@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::vector<Eigen::Vector3f>;
 
-void append(const Patch& patch, Corners& corners) {
+void appendCorners(const Patch& patch, Corners& corners) {
   // A zero has no sign here: -0 and 0 are the same place, but not the same bytes.
   const auto at = [&](int i, int j) -> Eigen::Vector3f { return patch.at(i, j).cast<float>().array() + 0.0F; };
   for (int i = 0; i < patch.across; ++i) {
@@ -32,7 +32,7 @@ int facesOf(const std::vector<Patch>& patches) {
 mesh::Triangles joined(const std::vector<Patch>& patches) {
   Corners corners;
   corners.reserve(3 * static_cast<std::size_t>(facesOf(patches)));
-  for (const Patch& patch : patches) append(patch, corners);
+  for (const Patch& patch : patches) appendCorners(patch, corners);
   std::vector<std::size_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto key = [&](std::size_t i) {

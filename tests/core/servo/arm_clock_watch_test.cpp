@@ -13,7 +13,7 @@ namespace {
 using test::Random;
 using test::Seed;
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000, kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 /// Ticks at the servo's times, of which the arm's clock makes `sample_ns`; the first tick that is a fault, or -1.
 template <class Clock>
