@@ -22,7 +22,7 @@
 namespace underact::cli {
 namespace {
 
-struct Options {
+struct IdentifyOptions {
   std::string arm{arm::kDefaultArm};
   std::string arm_model{sim::kDefaultArmModel};
   std::vector<double> at_mm{0.0, 0.0, 60.0};
@@ -43,7 +43,7 @@ JsonObject rowObject(const identify::ReportRow& row) {
   return object;
 }
 
-JsonObject asJson(const identify::Identified& found, const identify::Given& given) {
+JsonObject identifiedObject(const identify::Identified& found, const identify::Given& given) {
   JsonObject object;
   object.addText("arm", found.arm);
   object.addInteger("rate_hz", found.rate_hz);
@@ -66,7 +66,7 @@ void cell(std::ostream& out, const std::string& text, int width) {
   out << text << std::string(static_cast<std::size_t>(std::max(1, width - shown)), ' ');
 }
 
-void printTable(const identify::Identified& found, const identify::Given& given, std::ostream& out) {
+void printEstimates(const identify::Identified& found, const identify::Given& given, std::ostream& out) {
   const auto line = [&out](const std::vector<std::string>& cells) {
     const int widths[] = {36, 16, 14, 8, 12, 1};
     for (std::size_t index = 0; index + 1 < cells.size(); ++index) cell(out, cells[index], widths[index]);
@@ -81,7 +81,7 @@ void printTable(const identify::Identified& found, const identify::Given& given,
 }
 
 /// Writes what was asked for. Exit: Well, or File.
-Exit writeFiles(const Options& options, const identify::Identified& found, const identify::Given& given,
+Exit writeFiles(const IdentifyOptions& options, const identify::Identified& found, const identify::Given& given,
                 const Streams& streams) {
   sim::Provenance provenance;
   provenance.device = "the simulated arm (" + given.model.name + ")";
@@ -100,7 +100,7 @@ Exit writeFiles(const Options& options, const identify::Identified& found, const
   return exit;
 }
 
-Exit identifyIt(const Options& options, const Streams& streams) {
+Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
   const arm::Preset* const preset = arm::findPreset(options.arm);
   const Result<sim::ArmModel> model = armModelOf(options.arm_model);
   if (!model) {
@@ -141,9 +141,9 @@ Exit identifyIt(const Options& options, const Streams& streams) {
   if (given.model.counts_per_turn)
     given.counts_per_turn = sim::countsOf(*given.model.counts_per_turn, given.counts_per_turn);
   if (options.json)
-    streams.out << asJson(found.value(), given).text() << '\n';
+    streams.out << identifiedObject(found.value(), given).text() << '\n';
   else
-    printTable(found.value(), given, streams.out);
+    printEstimates(found.value(), given, streams.out);
   for (const Problem& note : found.value().notes) streams.err << note.sentence << '\n';
   return writeFiles(options, found.value(), given, streams);
 }
@@ -153,7 +153,7 @@ Exit identifyIt(const Options& options, const Streams& streams) {
 void addIdentify(Command program, const Streams& streams, Exit& exit) {
   const Command command =
       program.add("identify", "Measure the simulated arm: mass, friction, damping, encoders, stiffness as rendered");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<IdentifyOptions>();
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
   command.option("--arm", options->arm, "Its geometry").showUsual().oneOf(arms);

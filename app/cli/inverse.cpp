@@ -95,7 +95,7 @@ bool isWithin(const arm::Model& model, const arm::JointAngles& q_rad) {
   return true;
 }
 
-JsonObject objectOf(const ArmChoice& arm, const Found& found) {
+JsonObject solutionObject(const ArmChoice& arm, const Found& found) {
   JsonObject object;
   object.addList("q_rad", found.q_rad);
   if (found.has_branch) {
@@ -128,7 +128,7 @@ Result<std::string> methodFor(const ArmChoice& arm, const std::string& asked) {
        {}}};
 }
 
-Exit answerPoses(const InverseOptions& options, const Streams& streams) {
+Exit solvePoses(const InverseOptions& options, const Streams& streams) {
   const Result<ArmChoice> choice = chooseArm(options.arm);
   if (!choice) return refuseArm(choice.problems(), streams.err);
   const ArmChoice& arm = choice.value();
@@ -146,7 +146,7 @@ Exit answerPoses(const InverseOptions& options, const Streams& streams) {
                           : method.value() == "closed_form" ? byClosedForm(arm, X_WT.value())
                                                             : byIteration(arm, X_WT.value(), options.seed);
     std::vector<JsonObject> solutions;
-    for (const Found& found : answer.found) solutions.push_back(objectOf(arm, found));
+    for (const Found& found : answer.found) solutions.push_back(solutionObject(arm, found));
     JsonObject object;
     object.addBool("reachable", answer.reachable);
     object.addBool("singular", answer.singular);
@@ -171,7 +171,7 @@ void addInverse(Command program, const Streams& streams, Exit& exit) {
       "\"branch\": {\"shoulder\", \"elbow\", \"wrist\"}, \"within_limits\", \"family\"}]}, or {\"error\", \"line\"}.\n"
       "family: null, or \"q1 free\", \"q4+q6\", \"q6-q4\" for a representative of infinitely many.\n\n" +
       listOfArms());
-  command.whenChosen([options, &streams, &exit] { exit = answerPoses(*options, streams); });
+  command.whenChosen([options, &streams, &exit] { exit = solvePoses(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -16,8 +16,7 @@ using json::Value;
 
 constexpr double kLargestAngle_rad = 1e6;
 constexpr double kFarthest_mm = 1e9;
-constexpr double kRotationTolerance = 2e-6;  // of each entry of R R^T: 2 sqrt(3) times half of the sixth decimal
-constexpr double kRounding = 1e-14;          // of doubles: left as it is
+constexpr double kRounding = 1e-14;  // of doubles: left as it is
 
 JsonObject refusal(const Problems& problems, std::int64_t line) {
   std::string sentences;
@@ -32,7 +31,7 @@ Problems problem(const char* key, const char* sentence) {
   return {{std::string("\"") + key + "\" " + sentence, {}}};
 }
 
-bool isNumber(const Value& value, double largest) {
+bool isNumberUpTo(const Value& value, double largest) {
   return value.kind == Kind::Number && std::abs(value.number) <= largest;
 }
 
@@ -73,7 +72,7 @@ Result<Value> readLine(std::string_view text, std::initializer_list<std::string_
 
 Result<arm::JointAngles> readJoints(const Value& line, const char* key) {
   const Value& list = *line.find(key);
-  const auto fits = [](const Value& angle) { return isNumber(angle, kLargestAngle_rad); };
+  const auto fits = [](const Value& angle) { return isNumberUpTo(angle, kLargestAngle_rad); };
   if (list.kind != Kind::Array || list.items.size() != 6 || !std::all_of(list.items.begin(), list.items.end(), fits)) {
     return problem(key, "must be six angles in rad, of at most 1e6 in size.");
   }
@@ -85,7 +84,7 @@ Result<arm::JointAngles> readJoints(const Value& line, const char* key) {
 Result<Pose> readPose(const Value& line, const char* key) {
   const Value& rows = *line.find(key);
   const auto isRow = [](const Value& row) {
-    const auto fits = [](const Value& entry) { return isNumber(entry, kFarthest_mm); };
+    const auto fits = [](const Value& entry) { return isNumberUpTo(entry, kFarthest_mm); };
     return row.kind == Kind::Array && row.items.size() == 4 && std::all_of(row.items.begin(), row.items.end(), fits);
   };
   if (rows.kind != Kind::Array || rows.items.size() != 4 || !std::all_of(rows.items.begin(), rows.items.end(), isRow)) {

@@ -11,6 +11,9 @@
 
 namespace underact::cli {
 
+/// How far an entry of R R^T may be off for R to be a rotation: 2 sqrt(3) times half of the sixth decimal.
+inline constexpr double kRotationTolerance = 2e-6;
+
 /// Answers each line of the input in order, flushed one by one; a bad one is answered {"error", "line"} and the others
 /// all the same. Keeps nothing of a line that is answered.
 Exit answerLines(const Streams& streams, const std::function<Result<JsonObject>(std::string_view line)>& answer);

@@ -68,7 +68,7 @@ std::string shortly(double number) {
   return text.str();
 }
 
-JsonObject objectOf(const Measured& measured) {
+JsonObject measuredObject(const Measured& measured) {
   JsonObject object;
   object.addText("key", measured.row->key);
   object.addText("kind", name(measured.row->kind));
@@ -84,11 +84,11 @@ JsonObject objectOf(const Measured& measured) {
   return object;
 }
 
-void printRow(const Measured& measured, const ExtremesOptions& options, std::ostream& out) {
+void printMeasured(const Measured& measured, const ExtremesOptions& options, std::ostream& out) {
   const Row& row = *measured.row;
   const Worst& worst = measured.worst;
   if (options.json) {
-    out << objectOf(measured).text() << '\n';
+    out << measuredObject(measured).text() << '\n';
   } else if (options.csv) {
     out << row.key << ',' << name(row.kind) << ",\"" << row.asked << "\"," << extremes::textOf(worst.error_ulp) << ','
         << extremes::textOf(row.promised_ulp) << ",\"" << row.promise << "\"," << worst.cases << ',' << worst.degenerate
@@ -134,7 +134,7 @@ Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
     }
     measured.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (measured.worst.cases == 0) break;
-    printRow(measured, options, streams.out);
+    printMeasured(measured, options, streams.out);
     broken += measured.isBroken() ? 1 : 0;
     kept.push_back({rows[index]->key, measured.worst.error_ulp, measured.worst.input});
   }

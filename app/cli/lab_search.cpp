@@ -23,7 +23,7 @@ struct SearchOptions {
   bool json = false;
 };
 
-JsonObject objectOf(const lab::SearchFigures& figures) {
+JsonObject figuresObject(const lab::SearchFigures& figures) {
   JsonObject object;
   object.addText("search", wordOf(scene::kSearchWords, figures.search));
   object.addNumber("p50_us", figures.p50_us);
@@ -35,7 +35,7 @@ JsonObject objectOf(const lab::SearchFigures& figures) {
   return object;
 }
 
-void printTable(const std::string& name, const lab::SearchTrade& trade, std::ostream& out) {
+void printTrade(const std::string& name, const lab::SearchTrade& trade, std::ostream& out) {
   out << name << ", " << trade.pieces << (trade.is_mesh ? " triangles\n" : " pieces\n");
   out << "search     p50 us   p99 us   max us   worst error mm   beside   not proved\n";
   for (const lab::SearchFigures& figures : trade.searches) {
@@ -68,7 +68,7 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
   for (const lab::SearchTrade& trade : trades) {
     const std::string& name = loaded.value().description.constraints[trade.constraint].name;
     if (!options.json) {
-      printTable(name, trade, streams.out);
+      printTrade(name, trade, streams.out);
       continue;
     }
     JsonObject object;
@@ -76,7 +76,7 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
     object.addText("of", trade.is_mesh ? "triangles" : "pieces");
     object.addInteger("count", static_cast<std::int64_t>(trade.pieces));
     std::vector<JsonObject> rows;
-    for (const lab::SearchFigures& figures : trade.searches) rows.push_back(objectOf(figures));
+    for (const lab::SearchFigures& figures : trade.searches) rows.push_back(figuresObject(figures));
     object.addList("searches", rows);
     streams.out << object.text() << '\n';
   }

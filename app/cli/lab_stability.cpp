@@ -203,7 +203,7 @@ Result<std::vector<Step>> stepsOf(const StabilityOptions& options, const Streams
   return steps;
 }
 
-void show(const Table& table, bool json, std::ostream& out) {
+void printUnlessEmpty(const Table& table, bool json, std::ostream& out) {
   if (!table.isEmpty()) json ? table.printJson(out) : table.printCsv(out);
 }
 
@@ -230,10 +230,10 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
                        {"stability_scene_labels.csv", &tables.scene_labels}},
                       streams);
   }
-  show(tables.limits, options.json, streams.out);
-  show(tables.labels, options.json, streams.out);
-  show(tables.scenes, options.json, streams.out);
-  show(tables.scene_labels, options.json, streams.out);
+  printUnlessEmpty(tables.limits, options.json, streams.out);
+  printUnlessEmpty(tables.labels, options.json, streams.out);
+  printUnlessEmpty(tables.scenes, options.json, streams.out);
+  printUnlessEmpty(tables.scene_labels, options.json, streams.out);
   return Exit::Well;
 }
 

@@ -14,7 +14,7 @@
 namespace underact::cli {
 namespace {
 
-Exit check(const std::vector<std::string>& paths, const Streams& streams) {
+Exit checkLessonFiles(const std::vector<std::string>& paths, const Streams& streams) {
   Exit exit = Exit::Well;
   const Result<std::string> scenes = findResource(Resource::Scenes);
   for (const std::string& path : paths) {
@@ -88,7 +88,7 @@ void addLesson(Command program, const Streams& streams, Exit& exit) {
                                        "name; nothing when all is well");
   const auto paths = std::make_shared<std::vector<std::string>>();
   checking.option("files", *paths, "Lesson files").required();
-  checking.whenChosen([paths, &streams, &exit] { exit = check(*paths, streams); });
+  checking.whenChosen([paths, &streams, &exit] { exit = checkLessonFiles(*paths, streams); });
 
   const Command listing = command.add("list", "The lessons that ship, in teaching order");
   const auto json = std::make_shared<bool>(false);

@@ -22,7 +22,7 @@ Exit exitOfSession(const Problems& problems, const Streams& streams) {
   return exitOf(problems);
 }
 
-Exit info(const std::string& path, bool json, const Streams& streams) {
+Exit showSession(const std::string& path, bool json, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
   if (!session) return exitOfSession(session.problems(), streams);
   json ? printAsJson(session.value(), streams.out) : printAsTable(session.value(), streams.out);
@@ -65,7 +65,7 @@ Exit exportSession(const ExportOptions& options, const Streams& streams) {
   return runPython({"export", options.file, "--format", options.format, "--out", options.out}, streams);
 }
 
-Exit verify(const std::string& path, const Streams& streams) {
+Exit verifyBlocks(const std::string& path, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
   if (!session) return exitOfSession(session.problems(), streams);
   Progress progress(streams);
@@ -106,7 +106,7 @@ void addInfo(Command log, const Streams& streams, Exit& exit) {
   const auto json = std::make_shared<bool>(false);
   command.option("file", *path, "Session file").required();
   command.flag("--json", *json, "One JSON object in place of a table");
-  command.whenChosen([path, json, &streams, &exit] { exit = info(*path, *json, streams); });
+  command.whenChosen([path, json, &streams, &exit] { exit = showSession(*path, *json, streams); });
 }
 
 void addExport(Command log, const Streams& streams, Exit& exit) {
@@ -160,7 +160,7 @@ void addLog(Command program, const Streams& streams, Exit& exit) {
   const Command verifying = log.add("verify", "Check every block of a session against its checksum");
   const auto verified = std::make_shared<std::string>();
   verifying.option("file", *verified, "Session file").required();
-  verifying.whenChosen([verified, &streams, &exit] { exit = verify(*verified, streams); });
+  verifying.whenChosen([verified, &streams, &exit] { exit = verifyBlocks(*verified, streams); });
   const Command recovering =
       log.add("recover", "Close a session that a killed program left, in place, so that all programs open it");
   const auto recovered = std::make_shared<std::string>();

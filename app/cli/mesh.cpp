@@ -128,7 +128,7 @@ Exit exitOfMesh(const std::string& path) {
   return NamedFile::open(path, "a mesh") ? Exit::BadInput : Exit::File;
 }
 
-Exit info(const MeshOptions& options, const Streams& streams) {
+Exit showMeshes(const MeshOptions& options, const Streams& streams) {
   Exit exit = Exit::Well;
   const Interrupt interrupt;
   std::atomic<bool> cancelled = false;
@@ -167,7 +167,7 @@ void addMesh(Command program, const Streams& streams, Exit& exit) {
   showing.option("files", options->files, "Mesh files").required();
   showing.flag("--json", options->json, "One JSON object a file in place of a table");
   showing.option("--scale_mm_per_unit", options->scale_mm_per_unit, "How long a unit of the file is, mm").positive();
-  showing.whenChosen([options, &streams, &exit] { exit = info(*options, streams); });
+  showing.whenChosen([options, &streams, &exit] { exit = showMeshes(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/cli/json_lines.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 
@@ -14,8 +15,7 @@ using json::Kind;
 using json::Value;
 
 // Beyond it the squares of the coordinates, in m, could leave the range of a double.
-constexpr double kFarthest_mm = 1e100;
-constexpr double kRotationTolerance = 2e-6;  // of each entry of R R^T: 2 sqrt(3) times half of the sixth decimal
+constexpr double kFarthestTip_mm = 1e100;
 
 bool readVector(const Value& value, Vec3& vector) {
   if (value.kind != Kind::Array || value.items.size() != 3) return false;
@@ -70,7 +70,7 @@ Result<PoseLine> readPoseLine(std::string_view text) {
     problems.push_back({"\"p_mm\" is missing: the stylus's place, three numbers."});
   } else if (!readVector(*p_mm, p_WT_mm)) {
     problems.push_back({"\"p_mm\" must be three finite numbers."});
-  } else if (p_WT_mm.cwiseAbs().maxCoeff() > kFarthest_mm) {
+  } else if (p_WT_mm.cwiseAbs().maxCoeff() > kFarthestTip_mm) {
     problems.push_back({"\"p_mm\" lies beyond 1e100 mm."});
   }
   const Value* R_WT = object.find("R_WT");

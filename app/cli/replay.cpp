@@ -86,7 +86,7 @@ std::vector<std::string> foldersOf(const ReplayOptions& options) {
   return folders;
 }
 
-Exit verify(record::Session& session, const ReplayOptions& options, const Streams& streams) {
+Exit verifyTicks(record::Session& session, const ReplayOptions& options, const Streams& streams) {
   const Interrupt interrupt;
   Progress progress(streams);
   const auto goes_on = [&](double share) {
@@ -189,7 +189,7 @@ Exit replay(const ReplayOptions& options, const Streams& streams) {
     streams.err << "There is no tick in this session.\n";
     return Exit::BadInput;
   }
-  return options.verify ? verify(session.value(), options, streams) : compare(session.value(), options, streams);
+  return options.verify ? verifyTicks(session.value(), options, streams) : compare(session.value(), options, streams);
 }
 
 }  // namespace

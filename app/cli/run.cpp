@@ -32,7 +32,7 @@ namespace underact::cli {
 namespace {
 
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
-constexpr std::chrono::milliseconds kPause{20};
+constexpr std::chrono::milliseconds kBetweenDrains{20};
 constexpr double kLongestRun_s = 1e6;
 constexpr const char* kSimulated = "simulated";
 
@@ -61,7 +61,7 @@ struct RunOptions {
 
 /// "name: sentence" a line, for --help.
 template <class Named, class Words>
-std::string listOf(const char* title, std::span<const Named> named, Words Named::*what) {
+std::string namedList(const char* title, std::span<const Named> named, Words Named::*what) {
   std::string list = title;
   for (const Named& one : named) list += std::string("\n  ") + one.name + ": " + one.*what;
   return list;
@@ -112,7 +112,7 @@ void runFast(servo::Host& host, Run& run, const Interrupt& interrupt) {
 
 void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt, const Streams& streams) {
   for (bool is_guarded = true; !run.isDone() && !interrupt.came();) {
-    std::this_thread::sleep_for(kPause);
+    std::this_thread::sleep_for(kBetweenDrains);
     run.take(host);
     const Sentence unguarded = host.unguarded();
     if (std::exchange(is_guarded, unguarded.empty()) != is_guarded)
@@ -340,8 +340,8 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
       .showUsual();
   addArmModelOption(command, options->arm_model);
   options::addSchedulingOptions(command, options->scheduling);
-  command.footer(listOf("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
-                 listOf("Arm models:", sim::armModels(), &sim::ArmModel::title));
+  command.footer(namedList("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +
+                 namedList("Arm models:", sim::armModels(), &sim::ArmModel::title));
   command.whenChosen([options, &streams, &exit] { exit = runScene(*options, streams); });
 }
 

@@ -13,7 +13,7 @@
 namespace underact::cli {
 namespace {
 
-Exit check(const std::vector<std::string>& paths, const Streams& streams) {
+Exit checkSceneFiles(const std::vector<std::string>& paths, const Streams& streams) {
   Exit exit = Exit::Well;
   for (const std::string& path : paths) {
     const Result<LoadedScene> loaded = loadScene(path, streams);
@@ -102,7 +102,7 @@ void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
   row("predicted") << std::llround(tick::predictedCost_ns(loaded.program)) << " ns a tick\n";
 }
 
-Exit show(const std::string& path, bool json, const Streams& streams) {
+Exit showScene(const std::string& path, bool json, const Streams& streams) {
   const Result<LoadedScene> loaded = loadScene(path, streams);
   if (!loaded) {
     print(loaded.problems(), streams.err);
@@ -125,7 +125,7 @@ void addScene(Command program, const Streams& streams, Exit& exit) {
   const Command checking = command.add("check", "Print every problem of scene files; nothing when all is well");
   const auto paths = std::make_shared<std::vector<std::string>>();
   checking.option("files", *paths, "Scene files").required();
-  checking.whenChosen([paths, &streams, &exit] { exit = check(*paths, streams); });
+  checking.whenChosen([paths, &streams, &exit] { exit = checkSceneFiles(*paths, streams); });
 
   const Command showing =
       command.add("show", "What a scene compiles to: the quantities its tick needs, bytes of state, predicted ns");
@@ -133,7 +133,7 @@ void addScene(Command program, const Streams& streams, Exit& exit) {
   const auto json = std::make_shared<bool>(false);
   showing.option("file", *path, "Scene file").required();
   showing.flag("--json", *json, "One JSON object in place of a table");
-  showing.whenChosen([path, json, &streams, &exit] { exit = show(*path, *json, streams); });
+  showing.whenChosen([path, json, &streams, &exit] { exit = showScene(*path, *json, streams); });
 }
 
 }  // namespace underact::cli

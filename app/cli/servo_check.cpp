@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kLongestCheck_s = 86'400;
 
-struct Options {
+struct ServoCheckOptions {
   servo::CheckOptions check;
   std::string scene;  // empty: defaultScene()
   std::string arm_model{sim::kDefaultArmModel};
@@ -36,7 +36,7 @@ scene::Description defaultScene() {
   return scene;
 }
 
-Result<LoadedScene> sceneOf(const Options& options, const Streams& streams) {
+Result<LoadedScene> sceneOf(const ServoCheckOptions& options, const Streams& streams) {
   if (!options.scene.empty()) return loadScene(options.scene, streams);
   LoadedScene loaded{defaultScene(), {}};
   Result<tick::TickProgram> program = scene::compile(loaded.description);
@@ -45,8 +45,8 @@ Result<LoadedScene> sceneOf(const Options& options, const Streams& streams) {
   return loaded;
 }
 
-device::SimulatedArm::Options armOf(const Options& options, const sim::ArmModel& model, const scene::Description& scene,
-                                    const sim::HandScript& hand) {
+device::SimulatedArm::Options armOf(const ServoCheckOptions& options, const sim::ArmModel& model,
+                                    const scene::Description& scene, const sim::HandScript& hand) {
   device::SimulatedArm::Options arm;
   arm.arm = *arm::findPreset(scene.arm);
   arm.model = model;
@@ -64,7 +64,7 @@ JsonObject lateObject(const servo::LateTicks& late) {
   return object;
 }
 
-JsonObject asJson(const servo::CheckResult& result, const Options& options) {
+JsonObject checkObject(const servo::CheckResult& result, const ServoCheckOptions& options) {
   JsonObject object;
   object.addObject("floor_us", percentilesObject(result.floor));
   object.addObject("servo_us", percentilesObject(result.servo));
@@ -82,7 +82,7 @@ JsonObject asJson(const servo::CheckResult& result, const Options& options) {
   return object;
 }
 
-void printRow(std::ostream& out, const char* name, const servo::Percentiles& values) {
+void printPercentiles(std::ostream& out, const char* name, const servo::Percentiles& values) {
   out << std::left << std::setw(26) << name << std::right << std::fixed << std::setprecision(1);
   for (const double value_us : {values.p50_us, values.p99_us, values.p999_us, values.max_us}) {
     out << std::setw(11) << value_us;
@@ -96,7 +96,7 @@ void printRatios(std::ostream& out, const servo::CheckResult& result) {
       << result.servo.p999_us / result.floor.p999_us << '\n';
 }
 
-void printTable(std::ostream& out, const servo::CheckResult& result, const Options& options) {
+void printCheck(std::ostream& out, const servo::CheckResult& result, const ServoCheckOptions& options) {
   out << "Scheduling: " << result.scheduling.name;
   for (const std::string& phrase : result.scheduling.also) out << ", " << phrase;
   out << '\n'
@@ -106,10 +106,10 @@ void printTable(std::ostream& out, const servo::CheckResult& result, const Optio
   out << std::left << std::setw(26) << "us" << std::right;
   for (const char* column : {"p50", "p99", "p99.9", "max"}) out << std::setw(11) << column;
   out << '\n';
-  printRow(out, "lateness of a bare loop", result.floor);
-  printRow(out, "lateness of the servo", result.servo);
+  printPercentiles(out, "lateness of a bare loop", result.floor);
+  printPercentiles(out, "lateness of the servo", result.servo);
   printRatios(out, result);
-  printRow(out, "time that a tick takes", result.tick_time);
+  printPercentiles(out, "time that a tick takes", result.tick_time);
   out << "\nA period or more late: " << result.late.total;
   const char* separator = " (";
   for (std::size_t cause = 0; cause < servo::kLateCauses; ++cause) {
@@ -132,7 +132,7 @@ std::function<bool(double)> reporter(const Streams& streams, const Interrupt& in
   };
 }
 
-Exit checkIt(const Options& options, const Streams& streams) {
+Exit checkIt(const ServoCheckOptions& options, const Streams& streams) {
   Result<LoadedScene> scene = sceneOf(options, streams);
   if (!scene) {
     print(scene.problems(), streams.err);
@@ -150,10 +150,10 @@ Exit checkIt(const Options& options, const Streams& streams) {
   const servo::CheckResult result =
       servo::checkServo(arm, std::move(scene.value().program), options.check, reporter(streams, interrupt));
   if (options.json) {
-    streams.out << asJson(result, options).text() << '\n';
+    streams.out << checkObject(result, options).text() << '\n';
     return Exit::Well;
   }
-  printTable(streams.out, result, options);
+  printCheck(streams.out, result, options);
   if (!result.scheduling.hint.empty()) streams.err << result.scheduling.hint << '\n';
   return Exit::Well;
 }
@@ -163,7 +163,7 @@ Exit checkIt(const Options& options, const Streams& streams) {
 void addServoCheck(Command program, const Streams& streams, Exit& exit) {
   const Command command =
       program.add("servo-check", "Measure how late the servo's ticks are, beside the least this machine can do");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ServoCheckOptions>();
   command.option("--seconds", options->check.seconds, "How long in all; half of it is the bare loop's")
       .showUsual()
       .range(1, kLongestCheck_s);

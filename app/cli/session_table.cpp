@@ -22,7 +22,7 @@ std::vector<servo::FaultMark> stops(const record::Session& session) {
   return found;
 }
 
-JsonObject objectOf(const servo::FaultMark& mark) {
+JsonObject faultObject(const servo::FaultMark& mark) {
   const record::FaultWords words = record::wordsOf(mark.fault);
   JsonObject object;
   object.addInteger("tick", mark.tick);
@@ -63,7 +63,7 @@ void printAsJson(record::Session& session, std::ostream& out) {
   object.addText("version", info.program_version);
   object.addInteger("bytes", info.bytes);
   std::vector<JsonObject> faults, markers;
-  for (const servo::FaultMark& mark : stops(session)) faults.push_back(objectOf(mark));
+  for (const servo::FaultMark& mark : stops(session)) faults.push_back(faultObject(mark));
   for (const record::Marker& marker : session.markers()) {
     JsonObject& one = markers.emplace_back();
     one.addInteger("tick", marker.tick);

@@ -20,7 +20,7 @@ using device::remote::Address;
 using device::remote::KeyFolder;
 using device::remote::KeyPair;
 
-constexpr std::chrono::milliseconds kPause{20};
+constexpr std::chrono::milliseconds kBetweenLooks{20};
 constexpr const char* kRemote = "remote";
 
 struct ShareArmOptions {
@@ -106,7 +106,7 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
   sayWhatIsShared(options, shared.value()->address(), title, say);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(asked.seconds);
   while (!interrupt.came() && (asked.seconds == 0.0 || std::chrono::steady_clock::now() < end))
-    std::this_thread::sleep_for(kPause);
+    std::this_thread::sleep_for(kBetweenLooks);
   std::move(shared).value().reset();
   say("Zero force, and no longer shared.");
   return Exit::Well;

@@ -14,7 +14,7 @@ using guide::plainText;
 using guide::sentence;
 
 /// "`--rate N`", or what stands in its place.
-std::string tag(const Option& option) {
+std::string tagInCode(const Option& option) {
   std::string made;
   for (const std::string& name : option.names) made += (made.empty() ? "" : ", ") + name;
   if (!option.word.empty()) made += (made.empty() ? "" : " ") + option.word + (option.many ? " ..." : "");
@@ -32,7 +32,7 @@ void writeOptions(const Command& command, std::ostream& out) {
   std::ostringstream rows;
   for (const Option& option : command.options) {
     if (option.names == std::vector<std::string>{"-h", "--help"}) continue;
-    rows << "| " << tag(option) << " | " << meaning(option) << " | "
+    rows << "| " << tagInCode(option) << " | " << meaning(option) << " | "
          << (option.required        ? "required"
              : option.usual.empty() ? ""
                                     : inCode(option.usual))
@@ -42,13 +42,13 @@ void writeOptions(const Command& command, std::ostream& out) {
   out << "| option | meaning | by itself |\n|---|---|---|\n" << rows.str() << '\n';
 }
 
-void writeCommand(const Command& command, const std::string& before, std::ostream& out) {
+void writeSection(const Command& command, const std::string& before, std::ostream& out) {
   const std::string name = before.empty() ? command.name : before + " " + command.name;
   out << (before.empty() ? "## " : "### ") << name << "\n\n";
   if (!command.what.empty()) out << plainText(sentence(command.what)) << "\n\n";
   writeOptions(command, out);
   if (!command.footer.empty()) out << guide::asBlock(command.footer) << '\n';
-  for (const Command& below : command.commands) writeCommand(below, name, out);
+  for (const Command& below : command.commands) writeSection(below, name, out);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::string commandPage(const std::vector<Command>& programs) {
          "Every command and option, as `--help` tells them: this page is made from what the programs themselves read. "
          "What "
          "goes in and comes out is on the page [Command line](command_line.md). Each command has `--help`, too.\n\n";
-  for (const Command& program : programs) writeCommand(program, {}, out);
+  for (const Command& program : programs) writeSection(program, {}, out);
   std::string text = out.str();
   text.pop_back();  // the empty line at the end
   return text;

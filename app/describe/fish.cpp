@@ -7,7 +7,7 @@
 namespace underact::describe {
 namespace {
 
-void writeCommand(const Command& command, const std::string& start, std::ostream& out) {
+void writeRules(const Command& command, const std::string& start, std::ostream& out) {
   for (const Command& below : command.commands)
     out << start << " -f -a " << below.name << " -d " << inApostrophes(below.what) << '\n';
   for (const Option& option : command.options) {
@@ -32,7 +32,7 @@ std::string fishCompletion(const Command& program) {
   std::ostringstream paths, rules;
   visitAll(program, [&](const Command& command, const std::string& path) {
     if (!path.empty()) paths << ' ' << inApostrophes(path);
-    writeCommand(command, "complete -c " + program.name + " -n " + inApostrophes(at + " \"" + path + "\""), rules);
+    writeRules(command, "complete -c " + program.name + " -n " + inApostrophes(at + " \"" + path + "\""), rules);
   });
   std::ostringstream out;
   out << "# fish completion for " << program.name << "\n"

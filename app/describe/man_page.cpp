@@ -39,7 +39,7 @@ std::string slanted(const std::string& text) {
 }
 
 /// "--rate N", or what stands in its place.
-std::string tag(const Option& option) {
+std::string tagInBold(const Option& option) {
   std::string made;
   for (const std::string& name : option.names) made += (made.empty() ? "" : ", ") + bold(name);
   if (!option.word.empty()) made += (made.empty() ? "" : " ") + slanted(option.word) + (option.many ? " ..." : "");
@@ -47,7 +47,7 @@ std::string tag(const Option& option) {
 }
 
 void writeOption(const Option& option, std::ostream& out) {
-  out << ".TP\n" << tag(option) << '\n' << escaped(sentence(option.what));
+  out << ".TP\n" << tagInBold(option) << '\n' << escaped(sentence(option.what));
   if (!option.choices.empty()) {
     std::string all;
     for (const std::string& choice : option.choices) all += (all.empty() ? "" : ", ") + bold(choice);
@@ -64,14 +64,14 @@ void writeLines(const std::string& text, std::ostream& out) {
 }
 
 /// A command, and below it its own: "lab trade".
-void writeCommand(const Command& command, const std::string& before, std::ostream& out) {
+void writeSubsection(const Command& command, const std::string& before, std::ostream& out) {
   const std::string name = before.empty() ? command.name : before + " " + command.name;
   out << ".SS " << escaped(name) << '\n' << escaped(sentence(command.what)) << '\n';
   for (const Option& option : command.options) {
     if (option.names != std::vector<std::string>{"-h", "--help"}) writeOption(option, out);
   }
   writeLines(command.footer, out);
-  for (const Command& below : command.commands) writeCommand(below, name, out);
+  for (const Command& below : command.commands) writeSubsection(below, name, out);
 }
 
 std::string upper(std::string text) {
@@ -100,7 +100,7 @@ std::string manPage(const Command& program) {
   out << ".SH OPTIONS\n";
   for (const Option& option : program.options) writeOption(option, out);
   if (!program.commands.empty()) out << ".SH COMMANDS\n";
-  for (const Command& command : program.commands) writeCommand(command, "", out);
+  for (const Command& command : program.commands) writeSubsection(command, "", out);
   out << ".SH EXIT STATUS\n";
   struct Row {
     int status;

@@ -17,7 +17,7 @@ QPen ink(const Theme& theme, double width = 1.6) {
 QPen quiet(const Theme& theme) {
   return QPen(theme.quiet, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
 }
-QBrush fill(const Theme& theme) {
+QBrush constraintFill(const Theme& theme) {
   QColor colour = theme.constraint;
   colour.setAlphaF(theme.dark ? 0.55F : 0.35F);
   return colour;
@@ -35,7 +35,7 @@ const QPolygonF kSide{{{15, 9}, {20, 4}, {20, 15}, {15, 20}}};
 void cube(QPainter& painter, const Theme& theme, const QPolygonF* marked) {
   painter.setPen(ink(theme));
   for (const QPolygonF* face : {&kFront, &kTop, &kSide}) {
-    painter.setBrush(face == marked ? fill(theme) : QBrush(Qt::NoBrush));
+    painter.setBrush(face == marked ? constraintFill(theme) : QBrush(Qt::NoBrush));
     painter.drawPolygon(*face);
   }
 }
@@ -91,7 +91,7 @@ void drawFit(QPainter& painter, const Theme& theme) {
     painter.restore();
   }
   painter.setPen(edge(theme));
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   painter.drawEllipse(QPointF(12, 12), 3.5, 3.5);
 }
 void drawFront(QPainter& painter, const Theme& theme) {
@@ -113,7 +113,7 @@ void drawLayers(QPainter& painter, const Theme& theme) {
   painter.setPen(ink(theme));
   painter.drawPolyline(QPolygonF{{{4, 16}, {12, 20}, {20, 16}}});
   painter.drawPolyline(QPolygonF{{{4, 12}, {12, 16}, {20, 12}}});
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   painter.drawPolygon(QPolygonF{{{12, 4}, {20, 8}, {12, 12}, {4, 8}}});
 }
 void drawHelp(QPainter& painter, const Theme& theme) {
@@ -172,7 +172,7 @@ void drawPoint(QPainter& painter, const Theme& theme) {
 }
 void drawSphere(QPainter& painter, const Theme& theme) {
   painter.setPen(edge(theme));
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   painter.drawEllipse(QPointF(12, 12), 8.5, 8.5);
   painter.setBrush(Qt::NoBrush);
   painter.drawArc(QRectF(3.5, 8.5, 17, 7), 180 * 16, 180 * 16);
@@ -183,7 +183,7 @@ void drawLine(QPainter& painter, const Theme& theme) {
 }
 void drawPlane(QPainter& painter, const Theme& theme) {
   painter.setPen(edge(theme));
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   painter.drawPolygon(QPolygonF{{{2.5, 17}, {8, 9}, {21.5, 9}, {16, 17}}});
   painter.setPen(ink(theme));
   painter.drawLine(QPointF(12, 13), QPointF(12, 4));
@@ -196,7 +196,7 @@ void drawCircle(QPainter& painter, const Theme& theme) {
 }
 void drawCylinder(QPainter& painter, const Theme& theme) {
   painter.setPen(edge(theme));
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   QPainterPath side(QPointF(6, 6));
   side.lineTo(6, 18);
   side.arcTo(QRectF(6, 15.5, 12, 5), 180, 180);
@@ -207,7 +207,7 @@ void drawCylinder(QPainter& painter, const Theme& theme) {
 }
 void drawBox(QPainter& painter, const Theme& theme) {
   painter.setPen(edge(theme));
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   for (const QPolygonF* face : {&kFront, &kTop, &kSide}) painter.drawPolygon(*face);
 }
 // Two links and two hollow joints, in the virtual robot's own colour.
@@ -222,7 +222,7 @@ void drawRobot(QPainter& painter, const Theme& theme) {
 }
 void drawMesh(QPainter& painter, const Theme& theme) {
   painter.setPen(edge(theme));
-  painter.setBrush(fill(theme));
+  painter.setBrush(constraintFill(theme));
   const QPointF middle(11, 11), around[] = {{12, 3}, {20, 8.5}, {18, 18}, {8, 20.5}, {3, 12}};
   for (int corner = 0; corner < 5; ++corner)
     painter.drawPolygon(QPolygonF{{middle, around[corner], around[(corner + 1) % 5]}});

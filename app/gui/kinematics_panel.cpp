@@ -25,7 +25,6 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::int64_t kBetween_ns = 100'000'000;
 constexpr const char* kLayers[] = {"layer.link_frames", "layer.ghosts", "layer.motion_ellipsoid",
                                    "layer.force_ellipsoid"};
 
@@ -115,7 +114,7 @@ bool KinematicsPanel::showAll(bool on) {
 bool KinematicsPanel::isDue(const servo::Snapshot& snapshot) {
   const std::int64_t now_ns = snapshot.report.sample.time_ns;
   const bool due =
-      shown_ns_ < 0 || now_ns < shown_ns_ || now_ns - shown_ns_ >= kBetween_ns || snapshot.mode != shown_mode_;
+      shown_ns_ < 0 || now_ns < shown_ns_ || now_ns - shown_ns_ >= kBetweenNumbers_ns || snapshot.mode != shown_mode_;
   if (!due) return false;
   shown_ns_ = now_ns;
   shown_mode_ = snapshot.mode;

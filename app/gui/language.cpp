@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr const char* kKey = "window/language";
+constexpr const char* kLanguageKey = "window/language";
 constexpr const char* kSystem = "system";
 constexpr const char* kOwn = "underact.translator";
 
@@ -33,12 +33,12 @@ QStringList languages() {
 }
 
 QString chosenLanguage() {
-  const QString chosen = QSettings().value(kKey, kSystem).toString();
+  const QString chosen = QSettings().value(kLanguageKey, kSystem).toString();
   return languages().contains(chosen) ? chosen : kSystem;
 }
 
 void chooseLanguage(const QString& language) {
-  if (!readSettings().are_newer) QSettings().setValue(kKey, language);
+  if (!readSettings().are_newer) QSettings().setValue(kLanguageKey, language);
 }
 
 void speak(const QString& language) {

@@ -17,7 +17,7 @@ namespace underact::gui {
 namespace {
 
 // names: of actions; "-": a separator.
-void fill(QMenu* menu, const Actions& actions, const QStringList& names) {
+void fillMenu(QMenu* menu, const Actions& actions, const QStringList& names) {
   for (const QString& name : names) {
     if (name == "-")
       menu->addSeparator();
@@ -87,46 +87,47 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   bar->setObjectName("menubar");
   bar->setAccessibleName(tr("Menu"));
   QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
-  fill(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
+  fillMenu(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
   QMenu* recent_menu = named(file->addMenu(tr("Open rece&nt")), "menu.recent");
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,
                    [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
-  fill(file, actions, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "-", "app.quit"});
-  fill(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions,
-       {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
-  fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
-       {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault", "-",
-        "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open", "arm.open",
-        "arm.vendor", "-", "calibration.left", "calibration.right"});
-  fill(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
-       {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.follow",
-        "sessions.show", "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
+  fillMenu(file, actions, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "-", "app.quit"});
+  fillMenu(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions,
+           {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
+  fillMenu(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
+           {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault",
+            "-", "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open",
+            "arm.open", "arm.vendor", "-", "calibration.left", "calibration.right"});
+  fillMenu(
+      named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
+      {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.follow",
+       "sessions.show", "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
   QMenu* replay = named(bar->addMenu(tr("&Replay")), "menu.replay");
-  fill(replay, actions,
-       {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
-        "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
-  fill(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
-       {"ghost.play", "ghost.restart", "ghost.close"});
-  fill(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
-       {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
+  fillMenu(replay, actions,
+           {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
+            "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
+  fillMenu(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
+           {"ghost.play", "ghost.restart", "ghost.close"});
+  fillMenu(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
+           {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
-  fill(view, actions,
-       {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back", "view.bottom",
-        "-", "view.focus", "-"});
-  fill(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
-  fill(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
-       {"view.theme.system", "view.theme.light", "view.theme.dark"});
-  fill(named(view->addMenu(tr("Lan&guage")), "menu.language"), actions,
-       {"language.system", "language.en", "language.de"});
-  fill(view, actions,
-       {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
-        "visitor.demonstrator"});
+  fillMenu(view, actions,
+           {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back",
+            "view.bottom", "-", "view.focus", "-"});
+  fillMenu(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
+  fillMenu(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
+           {"view.theme.system", "view.theme.light", "view.theme.dark"});
+  fillMenu(named(view->addMenu(tr("Lan&guage")), "menu.language"), actions,
+           {"language.system", "language.en", "language.de"});
+  fillMenu(view, actions,
+           {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
+            "visitor.demonstrator"});
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
   for (const PanelRow& row : panels()) layout->addAction(actions.find(QString("dock.%1").arg(row.key)));
-  fill(layout, actions, {"-", "layout.reset"});
-  fill(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
-       {"help.guide", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
+  fillMenu(layout, actions, {"-", "layout.reset"});
+  fillMenu(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
+           {"help.guide", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
 }
 
 void buildToolBar(QMainWindow* window, Actions& actions) {
@@ -159,7 +160,7 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   QAction* layers = actions.find("menu.layers");
   auto* menu = new QMenu(layers->text(), window);
   menu->setObjectName("toolbar.layers");
-  fill(menu, actions, layerNames());
+  fillMenu(menu, actions, layerNames());
   layers->setMenu(menu);
   button("menu.layers", "menu");
   qobject_cast<QToolButton*>(bar->widgetForAction(layers))->setPopupMode(QToolButton::InstantPopup);

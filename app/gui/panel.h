@@ -1,5 +1,6 @@
 #pragma once
 #include <QWidget>
+#include <cstdint>
 
 #include "app/gui/theme.h"
 #include "core/servo/host.h"
@@ -33,6 +34,9 @@ struct PanelParts {
   RegistrationTool& registration;  // where the arms stand
   MovingHands& hands;
 };
+
+/// By the arm's clock, between two times that a panel writes numbers which change with every tick.
+inline constexpr std::int64_t kBetweenNumbers_ns = 100'000'000;
 
 /// A widget in a dock that shows what the servo does, or lets it be changed.
 class Panel : public QWidget {

@@ -18,8 +18,6 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::int64_t kBetween_ns = 100'000'000;
-
 std::vector<std::size_t> robotsOf(const scene::Description& scene) {
   std::vector<std::size_t> robots;
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
@@ -89,7 +87,7 @@ void RobotPanel::present(const servo::Snapshot& snapshot) {
   if (robot() == nullptr || !isSeen()) return;
   if (snapshot.revision != parts_.host.revision() || index_ >= snapshot.report.held.size()) return;
   const std::int64_t now_ns = snapshot.report.sample.time_ns;
-  if (shown_ns_ >= 0 && std::abs(now_ns - shown_ns_) < kBetween_ns) return;
+  if (shown_ns_ >= 0 && std::abs(now_ns - shown_ns_) < kBetweenNumbers_ns) return;
   shown_ns_ = now_ns;
   now_->present(snapshot.report.held[index_]);
 }

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QScrollBar>
@@ -21,13 +22,13 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kPath = Qt::UserRole;
+constexpr int kPathRole = Qt::UserRole;
 constexpr int kAbout = Qt::UserRole + 1;
 constexpr int kType = Qt::UserRole + 2;
 constexpr int kPicture_px = 40;  // high, at least
 
 bool isHeading(const QListWidgetItem& item) {
-  return item.data(kPath).isNull();
+  return item.data(kPathRole).isNull();
 }
 
 struct GroupRow {
@@ -135,7 +136,7 @@ void ScenesPanel::addHeading(const QString& text) {
 
 void ScenesPanel::addScene(const SceneEntry& entry) {
   auto* item = new QListWidgetItem(entry.title, list_);
-  item->setData(kPath, entry.path);
+  item->setData(kPathRole, entry.path);
   item->setData(kAbout, pageOf(entry));
   item->setData(kType, entry.type.isEmpty() ? QString("file") : entry.type);
   item->setToolTip(entry.title + "\n" + entry.path);
@@ -144,7 +145,7 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 
 /// Its picture; a scene of one's own has that of its type.
 QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
-  const QString picture = scenePicture(item.data(kPath).toString(), theme_.dark);
+  const QString picture = scenePicture(item.data(kPathRole).toString(), theme_.dark);
   return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : QIcon(picture);
 }
 
@@ -183,7 +184,7 @@ void ScenesPanel::filter(const QString& text) {
 }
 
 void ScenesPanel::openItem(QListWidgetItem* item) {
-  const QString path = item->data(kPath).toString();
+  const QString path = item->data(kPathRole).toString();
   // A double click asks twice; the scene that is open already is not loaded (and ramped) anew.
   if (path.isEmpty() || path == parts_.document.path()) return;
   parts_.actions.perform("scene.open", path);
@@ -195,7 +196,7 @@ void ScenesPanel::markOpen() {
   for (int row = 0; row < list_->count(); ++row) {
     QListWidgetItem* item = list_->item(row);
     if (isHeading(*item)) continue;
-    const bool open = item->data(kPath).toString() == parts_.document.path();
+    const bool open = item->data(kPathRole).toString() == parts_.document.path();
     QFont font = list_->font();
     font.setBold(open);
     item->setFont(font);

@@ -21,7 +21,6 @@ namespace underact::gui {
 namespace {
 
 constexpr int kTimesASecond = 4;  // that numbers change: more cannot be read
-constexpr qint64 kMeasureEvery_ms = 500;
 
 }  // namespace
 

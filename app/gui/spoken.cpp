@@ -93,7 +93,7 @@ bool isOneOf(const QWidget* widget) {
   return (... || (qobject_cast<const Kind*>(widget) != nullptr));
 }
 
-QAccessibleInterface* make(const QString&, QObject* object) {
+QAccessibleInterface* makeSpoken(const QString&, QObject* object) {
   if (object == nullptr || !object->isWidgetType()) return nullptr;
   auto* widget = static_cast<QWidget*>(object);
   if (auto* label = qobject_cast<QLabel*>(widget)) return new SpokenLabel(label);
@@ -108,7 +108,7 @@ QAccessibleInterface* make(const QString&, QObject* object) {
 }  // namespace
 
 void speakOwnWidgets() {
-  QAccessible::installFactory(&make);
+  QAccessible::installFactory(&makeSpoken);
 }
 
 }  // namespace underact::gui

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "app/gui/servo/limit_names.h"
+#include "app/gui/servo/servo_rate.h"
 #include "app/gui/told_label.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kMeasureEvery_ms = 500;
 constexpr double kRateIsTrue = 0.02;  // a measured rate this near to the one asked for is that one
 
 QString modeText(const servo::Snapshot& snapshot) {

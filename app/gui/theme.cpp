@@ -15,10 +15,10 @@ namespace underact::gui {
 namespace {
 
 const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
-const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString kPortalPath = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString kGroup = QStringLiteral("org.freedesktop.appearance");
-const QString kKey = QStringLiteral("color-scheme");
+const QString kSchemeKey = QStringLiteral("color-scheme");
 
 bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
@@ -91,6 +91,11 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
   return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()), part(a.blueF(), b.blueF()));
 }
 
+QColor faint(QColor colour, double share) {
+  colour.setAlphaF(static_cast<float>(share));
+  return colour;
+}
+
 QPalette paletteOf(const Theme& theme) {
   const QColor usual = theme.dark ? QColor(0x2A, 0x2B, 0x2F) : QColor(0xEF, 0xEF, 0xEC);
   const QColor window = theme.high_contrast ? theme.background : usual;
@@ -131,10 +136,10 @@ void ThemeWatcher::askPortal() {
   if (!hasSessionBus()) return;
   QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return;
-  bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
+  bus.connect(kService, kPortalPath, kInterface, QStringLiteral("SettingChanged"), this,
               SLOT(portalSettingChanged(QString, QString, QDBusVariant)));
-  QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
-  question << kGroup << kKey;
+  QDBusMessage question = QDBusMessage::createMethodCall(kService, kPortalPath, kInterface, QStringLiteral("Read"));
+  question << kGroup << kSchemeKey;
   auto* answer = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
   connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {
     const QDBusPendingReply<QDBusVariant> reply = *answer;
@@ -144,7 +149,7 @@ void ThemeWatcher::askPortal() {
 }
 
 void ThemeWatcher::portalSettingChanged(const QString& group, const QString& key, const QDBusVariant& value) {
-  if (group == kGroup && key == kKey) portalSays(schemeIn(value.variant()));
+  if (group == kGroup && key == kSchemeKey) portalSays(schemeIn(value.variant()));
 }
 
 void ThemeWatcher::portalSays(uint scheme) {

@@ -33,6 +33,8 @@ struct Theme {
 
 /// share of b in a: 0 gives a, 1 gives b.
 QColor mixed(const QColor& a, const QColor& b, double share);
+/// The colour, so far opaque: 1 hides what is behind it.
+QColor faint(QColor colour, double share);
 
 /// A whole palette for the theme, for where the system's own does not fit it.
 QPalette paletteOf(const Theme& theme);

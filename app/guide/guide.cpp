@@ -8,7 +8,7 @@
 namespace underact::guide {
 namespace {
 
-std::string textOf(const json::Value* value, const std::string& path, json::Findings& findings) {
+std::string checkedText(const json::Value* value, const std::string& path, json::Findings& findings) {
   std::string text;
   if (value != nullptr) json::readText(*value, path, text, findings);
   return text;
@@ -18,10 +18,10 @@ Chapter readChapter(const json::Value& value, const std::string& path, json::Fin
   Chapter chapter;
   if (!json::isKind(value, json::Kind::Object, path, "a chapter in {}", findings)) return chapter;
   json::ObjectReader reader(value, path, "a chapter", findings);
-  chapter.title = textOf(reader.find("title", true), path + ".title", findings);
+  chapter.title = checkedText(reader.find("title", true), path + ".title", findings);
   const json::Value* pages = reader.find("pages", true);
   if (pages != nullptr && json::isKind(*pages, json::Kind::Array, path + ".pages", "a list of names", findings)) {
-    for (const json::Value& page : pages->items) chapter.pages.push_back(textOf(&page, path + ".pages", findings));
+    for (const json::Value& page : pages->items) chapter.pages.push_back(checkedText(&page, path + ".pages", findings));
   }
   reader.finish();
   return chapter;

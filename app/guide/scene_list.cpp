@@ -17,7 +17,7 @@ bool isScene(const fs::path& path) {
   return path.extension() == ".json" && name.find("schema") == std::string::npos;
 }
 
-std::string textOf(const json::Value& scene, const char* key) {
+std::string textAt(const json::Value& scene, const char* key) {
   const json::Value* value = scene.find(key);
   return value == nullptr ? std::string() : value->text;
 }
@@ -30,7 +30,7 @@ void writeTeaching(const json::Value& scene, std::ostream& out) {
     const char *key, *word;
   };
   for (const Row& row : {Row{"feel", "Feel"}, Row{"try", "Try"}, Row{"equation", "Equation"}}) {
-    const std::string text = textOf(*teach, row.key);
+    const std::string text = textAt(*teach, row.key);
     if (!text.empty()) out << "\n**" << row.word << ":** " << text << '\n';
   }
 }
@@ -58,9 +58,9 @@ Result<std::string> sceneList(const std::string& folder) {
       continue;
     }
     const std::string name = file.stem().string();
-    out << "\n## " << plainText(name) << "\n\n**[" << plainText(textOf(scene.value(), "title")) << "](scene:" << name
+    out << "\n## " << plainText(name) << "\n\n**[" << plainText(textAt(scene.value(), "title")) << "](scene:" << name
         << ")**\n\n"
-        << plainText(textOf(scene.value(), "about")) << '\n';
+        << plainText(textAt(scene.value(), "about")) << '\n';
     writeTeaching(scene.value(), out);
   }
   if (!problems.empty()) return problems;

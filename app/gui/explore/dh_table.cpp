@@ -52,13 +52,13 @@ double& numberOf(DhTable& table, std::size_t row, DhField field) {
   return field == DhField::D ? one.d_m : table.q[row];
 }
 
-double unitOf(const DhRow& row, DhField field) {
+double fieldUnit(const DhRow& row, DhField field) {
   const bool angle = field == DhField::Alpha || field == DhField::Theta || (field == DhField::Q && turns(row));
   return angle ? 1.0 / kRadPerDegree : kMillimetrePerMetre;
 }
 
 double onScreen(const DhTable& table, std::size_t row, DhField field) {
-  return unitOf(table.rows[row], field) * numberOf(const_cast<DhTable&>(table), row, field);
+  return fieldUnit(table.rows[row], field) * numberOf(const_cast<DhTable&>(table), row, field);
 }
 
 DhTable madeOf(std::vector<DhRow> rows) {
@@ -127,7 +127,7 @@ Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const Q
   }
   const Result<double> number = typedNumber(text);
   if (!number) return number.problems();
-  numberOf(table, row, field) = number.value() / unitOf(one, field);
+  numberOf(table, row, field) = number.value() / fieldUnit(one, field);
   const Problems problems = chain::impossibleIn(table.rows);
   if (!problems.empty()) return problems;
   return table;

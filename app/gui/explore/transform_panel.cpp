@@ -34,7 +34,7 @@ constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the picture i
 constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not seen on the screen
 constexpr const char* kKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
 
-double unitOf(StepKind kind) {
+double stepUnit(StepKind kind) {
   return chain::isTurn(kind) ? 1.0 / kRadPerDegree : kMillimetrePerMetre;
 }
 
@@ -148,10 +148,10 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
     if (found == std::end(kKeys)) return false;
     const auto now = static_cast<StepKind>(found - std::begin(kKeys));
     // The number stays as it is read, in its new unit.
-    step = {now, step.amount * unitOf(step.kind) / unitOf(now)};
+    step = {now, step.amount * stepUnit(step.kind) / stepUnit(now)};
   }
   const Result<double> number =
-      amount.isEmpty() ? Result<double>(step.amount * unitOf(step.kind)) : typedNumber(amount);
+      amount.isEmpty() ? Result<double>(step.amount * stepUnit(step.kind)) : typedNumber(amount);
   const double most = chain::isTurn(step.kind) ? kMostTurn_deg : kMostShift_mm;
   QString refused = number ? QString() : sentencesOf(number.problems());
   if (number && !(std::abs(number.value()) <= most))
@@ -160,7 +160,7 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
   told_->setText(refused);
   told_->setVisible(!refused.isEmpty());
   if (!refused.isEmpty()) return false;
-  step.amount = number.value() / unitOf(step.kind);
+  step.amount = number.value() / stepUnit(step.kind);
   return change(state);
 }
 
@@ -205,7 +205,7 @@ void TransformPanel::refresh() {
   }
   for (int row = 0; row < count; ++row) {
     const Step& step = state.steps[static_cast<std::size_t>(row)];
-    const double amount = step.amount * unitOf(step.kind);
+    const double amount = step.amount * stepUnit(step.kind);
     EditTable::Cell kind{kKeys[static_cast<std::size_t>(step.kind)], kKeys[static_cast<std::size_t>(step.kind)],
                          tr("step %1, kind").arg(row + 1), tr("R: a turn about an axis. D: a shift along it.")};
     for (const char* const key : kKeys) kind.choices << key;

@@ -15,7 +15,7 @@ constexpr double kFaultLeastForce_N = 0.2, kLeastLateness_us = 100.0;
 constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: what was asked may be anything
 constexpr double kFaultRoom = 1.05;
 
-float onScreen(double value) {
+float finiteOrNone(double value) {
   return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
@@ -55,9 +55,9 @@ void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_h
   for (std::size_t index = 0; index < ticks.size(); ++index) {
     const servo::TickRecord& tick = ticks[index];
     const auto time_s = static_cast<float>(static_cast<double>(tick.tick - ticks.back().tick) / rate_hz);
-    my.force.points(0)[index] = {time_s, onScreen(tick.f_asked_T_W.norm())};
-    my.force.points(1)[index] = {time_s, onScreen(tick.f_sent_T_W.norm())};
-    my.lateness.points(0)[index] = {time_s, onScreen(1e-3 * static_cast<double>(tick.lateness_ns))};
+    my.force.points(0)[index] = {time_s, finiteOrNone(tick.f_asked_T_W.norm())};
+    my.force.points(1)[index] = {time_s, finiteOrNone(tick.f_sent_T_W.norm())};
+    my.lateness.points(0)[index] = {time_s, finiteOrNone(1e-3 * static_cast<double>(tick.lateness_ns))};
   }
   const double sent_N = std::max(greatestY(my.force.points(1)), kFaultLeastForce_N);
   const double asked_N = std::min(greatestY(my.force.points(0)), kFaultAskedShown * sent_N);

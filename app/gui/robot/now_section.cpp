@@ -14,13 +14,10 @@ namespace {
 constexpr double kAtLimit = 1e-6;  // rad, or m: the solver puts a joint on its limit
 constexpr double kMillijoule = 1e3;
 
-bool isTurning(const chain::Joint& joint) {
-  return joint.type == chain::JointType::Revolute;
-}
-
 QString jointText(const chain::Joint& joint, double value) {
-  const QString number = isTurning(joint) ? numberText(value / kRadPerDegree, 1) + "°"
-                                          : numberText(value * kMillimetrePerMetre, 1) + " mm";
+  const bool turns = joint.type == chain::JointType::Revolute;
+  const QString number =
+      turns ? numberText(value / kRadPerDegree, 1) + "°" : numberText(value * kMillimetrePerMetre, 1) + " mm";
   if (value <= joint.min + kAtLimit) return QObject::tr("at its least, %1").arg(number);
   if (value >= joint.max - kAtLimit) return QObject::tr("at its most, %1").arg(number);
   return number;

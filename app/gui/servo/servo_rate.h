@@ -6,6 +6,9 @@
 
 namespace underact::gui {
 
+/// Between two looks at how many ticks a second there are, by the clock on the wall.
+inline constexpr qint64 kMeasureEvery_ms = 500;
+
 /// The servo's rate while the window is open: whoever changes it does so here, and whoever shows or uses it listens.
 class ServoRate : public QObject {
   Q_OBJECT

@@ -81,11 +81,6 @@ Vec3 gridDirection(const Vec3& normal) {
   return (along_W - along_W.dot(normal) * normal).normalized();
 }
 
-QColor faint(QColor colour, double share) {
-  colour.setAlphaF(static_cast<float>(share));
-  return colour;
-}
-
 }  // namespace
 
 ConstraintPicture::ConstraintPicture()

@@ -11,7 +11,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kRim_mm = 20.0;  // of the sheet about the marks
-constexpr double kDeskRing_mm = 4.0, kCross_mm = 6.0, kLabelAway_mm = 10.0;
+constexpr double kDeskRing_mm = 4.0, kCross_mm = 6.0, kDeskLabelAway_mm = 10.0;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void DeskPicture::build() {
       most_mm = most_mm.cwiseMax(p_DM_mm);
       lines_.circle(p_mm, right, back, kDeskRing_mm, ink);
       for (const Vec3& way : {right, back}) lines_.segment(p_mm - kCross_mm * way, p_mm + kCross_mm * way, ink);
-      labels_.push_back({QString::number(at + 1), p_mm + kLabelAway_mm * (right + back).normalized(), ink, true});
+      labels_.push_back({QString::number(at + 1), p_mm + kDeskLabelAway_mm * (right + back).normalized(), ink, true});
     }
     const Vec3 rim_mm(kRim_mm, 0.0, kRim_mm);
     least_mm -= rim_mm;

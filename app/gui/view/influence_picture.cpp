@@ -16,6 +16,7 @@ constexpr std::size_t kRingParts = 24;                        // parts shorter t
 constexpr double kTangent_mm = 22.0;                          // to each side
 constexpr double kPart_rad = 0.05;                            // of an arc's chain
 constexpr std::size_t kMostParts = 80;                        // half a turn and kTie_rad
+constexpr double kArcEndShare = 0.45;                         // how opaque the lines to the arc's ends are
 
 /// Points of the arc between two shares of its turn, mm.
 std::vector<Vec3> pointsOf(const target::Arc& arc, double from, double to) {
@@ -29,11 +30,6 @@ std::vector<Vec3> pointsOf(const target::Arc& arc, double from, double to) {
     points.push_back(kMillimetrePerMetre * (arc.p_WC + turn * (arc.p_WPo - arc.p_WC)));
   }
   return points;
-}
-
-QColor faint(QColor colour) {
-  colour.setAlphaF(0.45F);
-  return colour;
 }
 
 }  // namespace
@@ -60,8 +56,10 @@ void InfluencePicture::present(const tick::TickReport& report) {
 void InfluencePicture::addArc(const Drawn& drawn) {
   const target::Arc& arc = drawn.arc;
   const Vec3 center_mm = kMillimetrePerMetre * arc.p_WC, target_mm = kMillimetrePerMetre * drawn.p_WP;
-  if (arc.p_WPo.allFinite()) thin_.segment(center_mm, kMillimetrePerMetre * arc.p_WPo, faint(theme_.orientation));
-  if (arc.p_WPp.allFinite()) thin_.segment(center_mm, kMillimetrePerMetre * arc.p_WPp, faint(theme_.position));
+  if (arc.p_WPo.allFinite())
+    thin_.segment(center_mm, kMillimetrePerMetre * arc.p_WPo, faint(theme_.orientation, kArcEndShare));
+  if (arc.p_WPp.allFinite())
+    thin_.segment(center_mm, kMillimetrePerMetre * arc.p_WPp, faint(theme_.position, kArcEndShare));
   if (arc.p_WPo.allFinite() && arc.p_WPp.allFinite()) {
     bold_.chain(pointsOf(arc, 0.0, arc.share), theme_.orientation, false);
     thin_.chain(pointsOf(arc, arc.share, 1.0), theme_.position, false);
