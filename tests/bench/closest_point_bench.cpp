@@ -7,7 +7,7 @@
 namespace underact {
 namespace {
 
-void measure(benchmark::State& state, const shape::Shape& shape) {
+void measureClosestPoint(benchmark::State& state, const shape::Shape& shape) {
   std::vector<Vec3> tips;
   for (int i = 0; i < 1024; ++i) tips.push_back(0.001 * Vec3(i % 97 - 48, i % 61 - 30, i % 53 - 26.5));
   std::size_t next = 0;
@@ -17,10 +17,10 @@ void measure(benchmark::State& state, const shape::Shape& shape) {
   }
 }
 
-const bool kRegistered = [] {
+const bool kShapesRegistered = [] {
   for (const bench::NamedShape& one : bench::shapes()) {
-    benchmark::RegisterBenchmark(("closest/" + one.name).c_str(), measure, one.shape);
-    benchmark::RegisterBenchmark(("closest_weighted/" + one.name).c_str(), measure,
+    benchmark::RegisterBenchmark(("closest/" + one.name).c_str(), measureClosestPoint, one.shape);
+    benchmark::RegisterBenchmark(("closest_weighted/" + one.name).c_str(), measureClosestPoint,
                                  shape::scaled(one.shape, Vec3(1.0, 0.5, 0.7)));
   }
   return true;

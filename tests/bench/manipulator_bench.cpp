@@ -50,8 +50,8 @@ std::vector<Vec3> targets(const Manipulator& m, const std::vector<Pose>& stylus)
   return all;
 }
 
-std::shared_ptr<const Path> pathOf(std::string name, const chain::Chain& chain, Orientation orientation, const Pose& X,
-                                   manipulator::Method method) {
+std::shared_ptr<const Path> makePath(std::string name, const chain::Chain& chain, Orientation orientation,
+                                     const Pose& X, manipulator::Method method) {
   manipulator::Wanted wanted;
   wanted.chain = chain;
   wanted.orientation = orientation;
@@ -90,7 +90,7 @@ double clockItself_us() {
   return shareOf(all, 0.5);
 }
 
-void measure(benchmark::State& state, const std::shared_ptr<const Path>& path, int max_steps, bool second_order) {
+void measureSolver(benchmark::State& state, const std::shared_ptr<const Path>& path, int max_steps, bool second_order) {
   Manipulator m = path->manipulator;
   m.options.max_steps = max_steps;
   m.options.second_order = second_order;
@@ -120,7 +120,8 @@ void measure(benchmark::State& state, const std::shared_ptr<const Path>& path, i
 }
 
 void add(const std::shared_ptr<const Path>& path, const std::string& how, int max_steps, bool second_order) {
-  benchmark::RegisterBenchmark(("manipulator/" + path->name + how).c_str(), measure, path, max_steps, second_order)
+  benchmark::RegisterBenchmark(("manipulator/" + path->name + how).c_str(), measureSolver, path, max_steps,
+                               second_order)
       ->UseManualTime()
       ->Iterations(1);
 }
@@ -142,8 +143,8 @@ std::vector<std::shared_ptr<const Path>> closedPaths() {
   const Vec3 x_W = Vec3::UnitX(), y_W = Vec3::UnitY(), z_W = Vec3::UnitZ();
   const Pose X = chainOf({turning(z_W)}, {0.06, 0.01, 0.02}).X_WT_home;
   const auto of = [&](const char* name, std::vector<chain::Joint> joints) {
-    return pathOf(name, chainOf(std::move(joints), {0.05, 0, 0}), Orientation::Axis, X,
-                  manipulator::Method::ClosedForm);
+    return makePath(name, chainOf(std::move(joints), {0.05, 0, 0}), Orientation::Axis, X,
+                    manipulator::Method::ClosedForm);
   };
   return {of("closed/circle", {turning(z_W)}), of("closed/sphere", {turning(z_W), turning(-y_W)}),
           of("closed/cylinder", {turning(z_W), sliding(z_W)}), of("closed/line", {sliding(x_W)}),
@@ -159,7 +160,7 @@ std::vector<std::shared_ptr<const Path>> paths() {
   const Pose beyond = poseOf(about({3, 1, -1}, 0.8), chain::test::omni().X_WB.translation() + Vec3(0.1, 0.2, 0.25));
   const Mat3 leaned = about({3, 5, -4}, 0.4) * chainOf({turning(z_W)}, {0.05, 0, 0}).X_WT_home.linear();
   const auto of = [](const char* name, const chain::Chain& chain, Orientation orientation, const Pose& X) {
-    return pathOf(name, chain, orientation, X, manipulator::Method::Iterative);
+    return makePath(name, chain, orientation, X, manipulator::Method::Iterative);
   };
   return {of("1_circle_angle", chainOf({turning(z_W)}, {0.05, 0, 0}), Orientation::Angle,
              poseOf(leaned, {0.06, 0.01, 0.02})),
@@ -176,7 +177,7 @@ std::vector<std::shared_ptr<const Path>> paths() {
           of("6_stretched", omni, Orientation::Full, beyond)};
 }
 
-const bool kRegistered = [] {
+const bool kSolversRegistered = [] {
   const std::vector<std::shared_ptr<const Path>> iterative = paths();
   for (const auto& path : closedPaths()) add(path, "", kEnough, true);
   for (const auto& path : iterative) add(path, "", kEnough, true);

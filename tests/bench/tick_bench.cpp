@@ -24,7 +24,7 @@ std::vector<NamedLaw> laws() {
 
 constexpr std::size_t kPath = 1024;
 
-std::vector<arm::JointAngles> pathOf(const arm::Geometry& geometry) {
+std::vector<arm::JointAngles> jointPath(const arm::Geometry& geometry) {
   std::vector<arm::JointAngles> joints;
   for (std::size_t i = 0; i < kPath; ++i) {
     const double a = 2 * kPi * static_cast<double>(i) / static_cast<double>(kPath);
@@ -33,8 +33,8 @@ std::vector<arm::JointAngles> pathOf(const arm::Geometry& geometry) {
   return joints;
 }
 
-void measure(benchmark::State& state, const tick::TickProgram& program) {
-  const std::vector<arm::JointAngles> joints = pathOf(program.geometry);
+void measureTick(benchmark::State& state, const tick::TickProgram& program) {
+  const std::vector<arm::JointAngles> joints = jointPath(program.geometry);
   tick::TickState memory = tick::makeState(program);
   tick::TickReport report;
   tick::TickInput input;
@@ -61,7 +61,7 @@ tick::TickProgram programOf(const shape::Shape& shape, const control::Law& law, 
 /// What the kinematics alone takes.
 void measureKinematics(benchmark::State& state, bool whole) {
   const arm::Geometry& geometry = arm::findPreset(arm::kDefaultArm)->geometry;
-  const std::vector<arm::JointAngles> joints = pathOf(geometry);
+  const std::vector<arm::JointAngles> joints = jointPath(geometry);
   std::size_t at = 0;
   for (auto _ : state) {
     if (whole) {
@@ -91,7 +91,7 @@ void registerParts() {
   heat.thermal = all.thermal;
   tick::Entry entry{target::makeConstraint(bench::shapes()[1].shape, target::Side::Both, Vec3::Ones()), laws()[0].law};
   const auto add = [&](const char* name, const safety::Limits& limits) {
-    benchmark::RegisterBenchmark((std::string("tick_parts/") + name).c_str(), measure,
+    benchmark::RegisterBenchmark((std::string("tick_parts/") + name).c_str(), measureTick,
                                  tick::makeProgram(arm.geometry, {entry}, tick::Combine::Sum, limits, arm.limits));
   };
   add("bare", bare);
@@ -105,17 +105,17 @@ void registerParts() {
   add("all_limits_and_observer", all);
 }
 
-const bool kRegistered = [] {
+const bool kTicksRegistered = [] {
   registerParts();
   for (const bench::NamedShape& shape : bench::shapes()) {
     for (const NamedLaw& law : laws()) {
-      benchmark::RegisterBenchmark(("tick/" + shape.name + "/" + law.name).c_str(), measure,
+      benchmark::RegisterBenchmark(("tick/" + shape.name + "/" + law.name).c_str(), measureTick,
                                    programOf(shape.shape, law.law, Vec3::Ones(), 1));
     }
-    benchmark::RegisterBenchmark(("tick_weighted/" + shape.name + "/P").c_str(), measure,
+    benchmark::RegisterBenchmark(("tick_weighted/" + shape.name + "/P").c_str(), measureTick,
                                  programOf(shape.shape, laws()[0].law, Vec3(1.0, 0.5, 0.7), 1));
   }
-  benchmark::RegisterBenchmark("tick/64_spheres/P", measure,
+  benchmark::RegisterBenchmark("tick/64_spheres/P", measureTick,
                                programOf(bench::shapes()[1].shape, laws()[0].law, Vec3::Ones(), 64));
   return true;
 }();

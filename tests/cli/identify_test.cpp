@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/sim/arm_model_file.h"
 #include "tests/cli/session.h"
@@ -13,11 +11,6 @@ namespace {
 
 std::string scratchPath(const std::string& name) {
   return (std::filesystem::temp_directory_path() / ("underact_identify_" + name)).string();
-}
-
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(IdentifyCommand, FindsWithinFivePercentWhatTheSimulationWasGivenAndWritesAFileThatRuns) {
@@ -39,7 +32,7 @@ TEST(IdentifyCommand, FindsWithinFivePercentWhatTheSimulationWasGivenAndWritesAF
   ASSERT_TRUE(static_cast<bool>(file));
   EXPECT_EQ(file.value().arm.name, "again");
   EXPECT_EQ(file.value().arm.mass_kg, numberAt(result, "mass_kg"));
-  EXPECT_NE(textOf(report).find("| Mass |"), std::string::npos);
+  EXPECT_NE(fileContent(report).find("| Mass |"), std::string::npos);
   // What was measured runs as an arm of its own, and moves as the one that it was measured on.
   const auto stepOf = [](const std::string& model) {
     return lines(runCli({"lab", "step", "--scene", shipped("01_point.json"), "--axis", "x", "--arm-model", model,

@@ -15,10 +15,10 @@ using cli::Exit;
 using json::Value;
 
 /// A part of a file, as text: lists of numbers only.
-std::string textOf(const Value& value) {
+std::string numbersText(const Value& value) {
   if (value.kind == json::Kind::Number) return json::numberText(value.number);
   std::string list;
-  for (const Value& item : value.items) list += (list.empty() ? "" : ", ") + textOf(item);
+  for (const Value& item : value.items) list += (list.empty() ? "" : ", ") + numbersText(item);
   return "[" + list + "]";
 }
 
@@ -26,12 +26,13 @@ std::string textOf(const Value& value) {
 std::string linesFrom(const Value& file, const char* key, const char* field) {
   std::string text;
   for (const Value& one : file.find("cases")->items) {
-    text += std::string("{\"") + key + "\": " + textOf(*one.find(field)) + "}\n";
+    text += std::string("{\"") + key + "\": " + numbersText(*one.find(field)) + "}\n";
   }
   return text;
 }
 
-std::vector<Value> answers(const std::vector<std::string>& command, const std::string& in, Exit exit = Exit::Well) {
+std::vector<Value> commandAnswers(const std::vector<std::string>& command, const std::string& in,
+                                  Exit exit = Exit::Well) {
   const Outcome outcome = runCli(command, in);
   EXPECT_EQ(outcome.exit, exit) << outcome.err;
   return lines(outcome.out);
@@ -53,7 +54,7 @@ constexpr const char* kJoints = R"({"q_rad": [0.1, 0.5, 0.2, 0.3, 1.0, 0.4]})";
 
 TEST(KinematicsCommands, ForwardMeetsTheGoldenPoses) {
   const Value file = golden("fk.json");
-  const std::vector<Value> poses = answers({"fk"}, linesFrom(file, "q_rad", "q"));
+  const std::vector<Value> poses = commandAnswers({"fk"}, linesFrom(file, "q_rad", "q"));
   const std::vector<Value>& cases = file.find("cases")->items;
   ASSERT_EQ(poses.size(), cases.size());
   for (std::size_t index = 0; index < cases.size(); ++index) {
@@ -63,7 +64,7 @@ TEST(KinematicsCommands, ForwardMeetsTheGoldenPoses) {
 
 TEST(KinematicsCommands, InverseGivesTheCountsOfTheGoldenPosesAndEachReachesItsPose) {
   const Value file = golden("ik.json");
-  const std::vector<Value> all = answers({"ik"}, linesFrom(file, "X_WT", "T"));
+  const std::vector<Value> all = commandAnswers({"ik"}, linesFrom(file, "X_WT", "T"));
   const std::vector<Value>& cases = file.find("cases")->items;
   ASSERT_EQ(all.size(), cases.size());
   std::string joints;
@@ -75,7 +76,7 @@ TEST(KinematicsCommands, InverseGivesTheCountsOfTheGoldenPosesAndEachReachesItsP
     const Value& solutions = *all[index].find("solutions");
     EXPECT_EQ(solutions.items.size(), cases[index].find("solutions")->items.size()) << status;
     for (const Value& one : solutions.items) {
-      joints += "{\"q_rad\": " + textOf(*one.find("q_rad")) + "}\n";
+      joints += "{\"q_rad\": " + numbersText(*one.find("q_rad")) + "}\n";
       owner.push_back(index);
       for (const char* part : {"shoulder", "elbow", "wrist"}) {
         EXPECT_EQ(std::abs(one.find("branch")->find(part)->number), 1.0);
@@ -88,7 +89,7 @@ TEST(KinematicsCommands, InverseGivesTheCountsOfTheGoldenPosesAndEachReachesItsP
       }
     }
   }
-  const std::vector<Value> again = answers({"fk"}, joints);
+  const std::vector<Value> again = commandAnswers({"fk"}, joints);
   ASSERT_EQ(again.size(), owner.size());
   for (std::size_t index = 0; index < again.size(); ++index) {
     EXPECT_LE(furthest(*again[index].find("X_WT"), *cases[owner[index]].find("T")), 1e-9) << index;  // mm
@@ -97,7 +98,7 @@ TEST(KinematicsCommands, InverseGivesTheCountsOfTheGoldenPosesAndEachReachesItsP
 
 TEST(KinematicsCommands, JacobianMeetsTheGoldenFile) {
   const Value file = golden("jacobian.json");
-  const std::vector<Value> all = answers({"jacobian"}, linesFrom(file, "q_rad", "q"));
+  const std::vector<Value> all = commandAnswers({"jacobian"}, linesFrom(file, "q_rad", "q"));
   const std::vector<Value>& cases = file.find("cases")->items;
   ASSERT_EQ(all.size(), cases.size());
   for (std::size_t index = 0; index < cases.size(); ++index) {
@@ -120,7 +121,7 @@ TEST(KinematicsCommands, JacobianMeetsTheGoldenFile) {
 TEST(KinematicsCommands, ABadLineIsAnsweredAndTheOthersAllTheSame) {
   const std::string in = std::string(kJoints) + "\n[]\n{\"q_rad\": [1, 2]}\n{\"q\": [0,0,0,0,0,0]}\nnonsense\n" +
                          kJoints + "\n{\"q_rad\": [0,0,0,0,0,1e400]}\n";
-  const std::vector<Value> all = answers({"fk"}, in, Exit::BadInput);
+  const std::vector<Value> all = commandAnswers({"fk"}, in, Exit::BadInput);
   ASSERT_EQ(all.size(), 7U);
   EXPECT_NE(all[0].find("X_WT"), nullptr);
   for (const std::size_t bad : {1U, 2U, 3U, 4U, 6U}) {
@@ -129,20 +130,20 @@ TEST(KinematicsCommands, ABadLineIsAnsweredAndTheOthersAllTheSame) {
   }
   EXPECT_NE(all[5].find("X_WT"), nullptr);
   const std::string mirror = "{\"X_WT\": [[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}\n";
-  EXPECT_NE(answers({"ik"}, mirror, Exit::BadInput).at(0).find("error"), nullptr);
+  EXPECT_NE(commandAnswers({"ik"}, mirror, Exit::BadInput).at(0).find("error"), nullptr);
 }
 
 TEST(KinematicsCommands, EveryShippedArmGoesThereAndBackByEveryMethod) {
   for (const arm::Model& model : arm::models()) {
     const std::string there = runCli({"fk", "--arm", model.name}, std::string(kJoints) + "\n").out;
     for (const char* method : {"auto", "closed_form", "iterative"}) {
-      const std::vector<Value> all = answers({"ik", "--arm", model.name, "--method", method}, there);
+      const std::vector<Value> all = commandAnswers({"ik", "--arm", model.name, "--method", method}, there);
       ASSERT_EQ(all.size(), 1U);
       EXPECT_TRUE(all[0].find("reachable")->boolean) << model.name << " " << method;
       ASSERT_FALSE(all[0].find("solutions")->items.empty()) << model.name << " " << method;
       for (const Value& one : all[0].find("solutions")->items) {
         const std::string back =
-            runCli({"fk", "--arm", model.name}, "{\"q_rad\": " + textOf(*one.find("q_rad")) + "}\n").out;
+            runCli({"fk", "--arm", model.name}, "{\"q_rad\": " + numbersText(*one.find("q_rad")) + "}\n").out;
         // The iteration stops within 1e-9 m = 1e-6 mm; the closed forms are far nearer.
         EXPECT_LE(furthest(*lines(back).at(0).find("X_WT"), *lines(there).at(0).find("X_WT")),
                   method == std::string("iterative") ? 2e-6 : 1e-9);
@@ -169,7 +170,7 @@ TEST(KinematicsCommands, APoseCopiedWithSixDecimalsIsTakenAsTheNearestRotation) 
   const std::string line =
       R"({"X_WT": [[-0.538830, -0.828716, -0.151298, 20.7], [0.824928, -0.555470, 0.104633, -23.1], )"
       R"([-0.170752, -0.068430, 0.982935, 31.1], [0, 0, 0, 1]]})";
-  const std::vector<Value> all = answers({"ik"}, line + "\n");
+  const std::vector<Value> all = commandAnswers({"ik"}, line + "\n");
   EXPECT_EQ(all.at(0).find("solutions")->items.size(), 8U);
 }
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "tests/cli/session.h"
@@ -10,11 +9,6 @@ namespace underact::test {
 namespace {
 
 using cli::Exit;
-
-std::string textAtPath(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Records two seconds of a shipped scene; more: further options.
 void record(const std::string& file, const std::string& scene, std::vector<std::string> more = {}) {
@@ -74,9 +68,9 @@ TEST(Log, ExportGivesTheRowsOfACsvRecordingOfTheSameRun) {
   record(csv.path(), "14_circle_influence.json");
   const Outcome outcome = runCli({"log", "export", session.path(), "--out", out.path()});
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
-  const std::vector<std::string> rows = rowsWithoutClock(textAtPath(out.path()));
+  const std::vector<std::string> rows = rowsWithoutClock(fileContent(out.path()));
   EXPECT_EQ(rows.size(), 2001U);
-  EXPECT_EQ(rows, rowsWithoutClock(textAtPath(csv.path())));
+  EXPECT_EQ(rows, rowsWithoutClock(fileContent(csv.path())));
   EXPECT_EQ(runCli({"log", "export", session.path(), "--format", "parquet"}).exit, Exit::Usage) << "it needs a name";
 }
 
@@ -86,7 +80,7 @@ TEST(Log, VerifyFindsDamageAndSaysWhere) {
   const Outcome whole = runCli({"log", "verify", session.path()});
   EXPECT_EQ(whole.exit, Exit::Well) << whole.err;
   EXPECT_EQ(whole.out, "2000 ticks, all of them whole.\n");
-  std::string bytes = textAtPath(session.path());
+  std::string bytes = fileContent(session.path());
   bytes[bytes.size() * 2 / 3] = static_cast<char>(bytes[bytes.size() * 2 / 3] ^ 4);
   std::ofstream(session.path(), std::ios::binary) << bytes;
   const Outcome damaged = runCli({"log", "verify", session.path()});
@@ -100,10 +94,10 @@ TEST(Log, VerifyFindsDamageAndSaysWhere) {
 TEST(Log, RecoverLeavesAClosedSessionAsItIs) {
   const ScratchPath session("s.h5");
   record(session.path(), "02_sphere.json");
-  const std::string before = textAtPath(session.path());
+  const std::string before = fileContent(session.path());
   const Outcome outcome = runCli({"log", "recover", session.path()});
   EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
-  EXPECT_EQ(textAtPath(session.path()), before);
+  EXPECT_EQ(fileContent(session.path()), before);
   EXPECT_EQ(runCli({"log", "recover", "/dev/null/nowhere/s.h5"}).exit, Exit::File);
 }
 
@@ -140,7 +134,7 @@ TEST(ReplayCommand, ComparesOtherGainsWithWhatWasRecorded) {
   const double recorded_N = numberAt(*answer.find("recorded"), "mean_force_N");
   const double now_N = numberAt(*answer.find("replayed"), "mean_force_N");
   EXPECT_LT(now_N, 0.5 * recorded_N);
-  EXPECT_EQ(rowsWithoutClock(textAtPath(csv.path())).size(), 2001U);
+  EXPECT_EQ(rowsWithoutClock(fileContent(csv.path())).size(), 2001U);
   const Outcome other = runCli({"replay", session.path(), "--scene", shipped("04_plane.json")});
   EXPECT_EQ(other.exit, Exit::Well) << other.err;
   EXPECT_GT(numberAt(*lines(other.out).at(0).find("force_difference"), "max_N"), 0.0);

@@ -16,11 +16,6 @@ namespace {
 using cli::Exit;
 namespace fs = std::filesystem;
 
-std::string contentOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Outcome recordTo(const std::string& path, std::vector<std::string> more = {}) {
   std::vector<std::string> all{
       "run", shipped("02_sphere.json"), "--hand", "probe", "--seconds", "0.2", "--fast", "--record", path};
@@ -49,7 +44,7 @@ TEST_P(RecordTo, AFileOrALinkThatIsThereIsRefusedBeforeAnythingRuns) {
     EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
   }
   EXPECT_NE(recordTo(link).err.find("--overwrite"), std::string::npos);
-  EXPECT_EQ(contentOf(file), "mine");
+  EXPECT_EQ(fileContent(file), "mine");
   EXPECT_TRUE(fs::is_symlink(link) && fs::is_symlink(dangling));
   EXPECT_FALSE(fs::exists(folder.file("nowhere")));
 }
@@ -65,7 +60,7 @@ TEST_P(RecordTo, WithOverwriteTheFileIsReplacedAndOfALinkTheLinkAlone) {
     EXPECT_FALSE(fs::is_symlink(path));
     EXPECT_GT(fs::file_size(path), 1000U);
   }
-  EXPECT_EQ(contentOf(file), "mine");
+  EXPECT_EQ(fileContent(file), "mine");
   EXPECT_FALSE(fs::exists(folder.file("nowhere")));
   EXPECT_EQ(recordTo(file, {"--overwrite"}).exit, Exit::Well);
   EXPECT_GT(fs::file_size(file), 1000U);
@@ -120,11 +115,11 @@ TEST(RecordFiles, OtherWordsAreWrittenIntoNoFileThatALinkLeadsTo) {
   const std::string session = folder.file("s.h5"), link = folder.file("link.h5");
   ASSERT_EQ(recordTo(session).exit, Exit::Well);
   fs::create_symlink(session, link);
-  const std::string before = contentOf(session);
+  const std::string before = fileContent(session);
   const Problems problems = record::rewriteWords(link, {.name = "Another"});
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(describe(problems[0]).find("This is a link to another file"), std::string::npos) << describe(problems[0]);
-  EXPECT_EQ(contentOf(session), before);
+  EXPECT_EQ(fileContent(session), before);
 }
 
 /// A person's folder with a scene whose mesh and curve lie in further ones, a hand that jumps, and an arm model.
@@ -161,8 +156,8 @@ TEST(RecordFiles, HoldNoFolderOfThePerson) {
   ASSERT_EQ(run.exit, Exit::Fault) << run.err;
   ASSERT_EQ(runCli({"log", "export", session, "--out", csv}).exit, Exit::Well);
   for (const std::string& path : {session, fault, csv})
-    EXPECT_EQ(contentOf(path).find("some-person"), std::string::npos) << path;
-  EXPECT_NE(contentOf(fault).find("patella.obj"), std::string::npos);
+    EXPECT_EQ(fileContent(path).find("some-person"), std::string::npos) << path;
+  EXPECT_NE(fileContent(fault).find("patella.obj"), std::string::npos);
   Result<record::Session> read = record::Session::open(session);
   ASSERT_TRUE(read);
   for (const record::ChangeRow& change : read.value().changes()) {  // in the file these may be packed

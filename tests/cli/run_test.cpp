@@ -27,11 +27,6 @@ Value summary(const std::vector<std::string>& more, const std::string& scene = "
   return all.empty() ? Value{} : all[0];
 }
 
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The columns of a recording that do not tell of the clock on the wall: all but lateness and tick time.
 std::string withoutTiming(const std::string& csv) {
   std::istringstream rows(csv);
@@ -50,7 +45,7 @@ std::string withoutTiming(const std::string& csv) {
 TEST(Run, ARecordingOfAnInfluencedCircleHasItsAngles) {
   const ScratchPath csv("angles.csv");
   summary({"--hand", "probe", "--seconds", "0.5", "--fast", "--record", csv.path()}, "14_circle_influence.json");
-  std::istringstream rows(textOf(csv.path()));
+  std::istringstream rows(fileContent(csv.path()));
   std::string row;
   std::getline(rows, row);
   int told = 0;
@@ -90,7 +85,7 @@ TEST(Run, AFaultIsInTheSummaryAndInItsFileWithTheTicksBeforeIt) {
   EXPECT_EQ(textAt(told, "kind"), "too_fast");
   EXPECT_EQ(textAt(told, "sentence"), textAt(told, "what") + " Force is off. " + textAt(told, "what_to_do"));
   EXPECT_EQ(textAt(told, "what").find(" 0.0 m/s"), std::string::npos) << textAt(told, "what");
-  const std::vector<Value> kept = {json::parse(textOf(file.path()), "fault").value()};
+  const std::vector<Value> kept = {json::parse(fileContent(file.path()), "fault").value()};
   EXPECT_EQ(textAt(kept[0], "kind"), "too_fast");
   EXPECT_EQ(textAt(kept[0], "what"), textAt(told, "what"));
   const std::size_t rows = kept[0].find("rows")->items.size();
@@ -148,8 +143,8 @@ TEST(Run, TheSameSeedGivesTheSameNumbersFastAndInRealTime) {
     return summary(more, "12_line_pid.json");
   };
   const Value one = with(fast, true), two = with(again, true), three = with(real, false);
-  EXPECT_EQ(withoutTiming(textOf(fast.path())), withoutTiming(textOf(again.path())));
-  EXPECT_EQ(withoutTiming(textOf(fast.path())), withoutTiming(textOf(real.path())));
+  EXPECT_EQ(withoutTiming(fileContent(fast.path())), withoutTiming(fileContent(again.path())));
+  EXPECT_EQ(withoutTiming(fileContent(fast.path())), withoutTiming(fileContent(real.path())));
   for (const char* key : {"peak_force_N", "mean_force_N", "clamped_ticks", "rms_error_mm"}) {
     EXPECT_EQ(numberAt(one, key), numberAt(three, key)) << key;
   }
@@ -169,7 +164,7 @@ TEST(Run, AnotherSeedGivesAnotherTremor) {
 TEST(Run, TheFirstTickIsEngaged) {
   const ScratchPath csv("ramp.csv");
   summary({"--hand", "still", "--seconds", "0.4", "--fast", "--record", csv.path()});
-  std::istringstream rows(textOf(csv.path()));
+  std::istringstream rows(fileContent(csv.path()));
   std::string row;
   std::vector<double> levels;
   for (std::getline(rows, row); std::getline(rows, row);) {

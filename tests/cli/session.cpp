@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace underact::test {
@@ -92,6 +93,11 @@ ScratchFile::ScratchFile(const std::string& text, const std::string& name) {
 
 ScratchFile::~ScratchFile() {
   std::filesystem::remove(path_);
+}
+
+std::string fileContent(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string sceneText(const std::string& constraints, const std::string& more) {

@@ -63,6 +63,9 @@ class ScratchPath {
   std::string path_;
 };
 
+/// What is in a file; empty where it is not there.
+std::string fileContent(const std::string& path);
+
 /// A scene of the constraints given as JSON; more: further members, each ending in a comma.
 std::string sceneText(const std::string& constraints, const std::string& more = "");
 

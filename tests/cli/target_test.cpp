@@ -17,8 +17,8 @@ using json::Value;
 
 constexpr const char* kSphere = R"({"name": "ball", "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50})";
 
-/// The answers of a scene to lines.
-std::vector<Value> answers(const std::string& scene, const std::string& in, Exit exit = Exit::Well) {
+/// The sceneAnswers of a scene to lines.
+std::vector<Value> sceneAnswers(const std::string& scene, const std::string& in, Exit exit = Exit::Well) {
   const ScratchFile file(scene);
   const Outcome outcome = runCli({"target", file.path()}, in);
   EXPECT_EQ(outcome.exit, exit) << outcome.err;
@@ -26,7 +26,7 @@ std::vector<Value> answers(const std::string& scene, const std::string& in, Exit
 }
 
 Value answer(const std::string& scene, const std::string& line) {
-  const std::vector<Value> all = answers(scene, line + "\n");
+  const std::vector<Value> all = sceneAnswers(scene, line + "\n");
   EXPECT_EQ(all.size(), 1U);
   return all.empty() ? Value{} : all[0];
 }
@@ -65,7 +65,7 @@ TEST(Target, ACentreOffTheOriginIsDegenerateForTheSameNumbersInTheLine) {
 
 TEST(Target, AnUntouchedWallIsFree) {
   const std::string wall = R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 1, 0], "side": "outside"})";
-  const std::vector<Value> all = answers(sceneText(wall), "{\"p_mm\": [0, 5, 0]}\n{\"p_mm\": [0, -1, 0]}\n");
+  const std::vector<Value> all = sceneAnswers(sceneText(wall), "{\"p_mm\": [0, 5, 0]}\n{\"p_mm\": [0, -1, 0]}\n");
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(textAt(all[0], "status"), "free");
   EXPECT_TRUE(isNullAt(all[0], "q_mm"));
@@ -100,7 +100,7 @@ TEST(Target, RemembersNothingBetweenLines) {
   const std::string pid = R"("control": {"law": "PID", "kd_N_s_per_mm": 0.01, "ki_N_per_mm_s": 5}, )";
   std::string in;
   for (int line = 0; line < 50; ++line) in += "{\"p_mm\": [" + std::to_string(30 + line % 2) + ", 0, 0]}\n";
-  const std::vector<Value> all = answers(sceneText(kSphere, pid), in);
+  const std::vector<Value> all = sceneAnswers(sceneText(kSphere, pid), in);
   ASSERT_EQ(all.size(), 50U);
   EXPECT_EQ(vectorAt(all[0], "force_N"), vectorAt(all[48], "force_N"));
   EXPECT_NEAR(vectorAt(all[48], "force_N").x(), 10.0, 1e-13);
@@ -117,7 +117,7 @@ TEST(Target, OtherLinesAreAnsweredInOrderAroundBadOnes) {
       "{\"p_mm\": [1e999, 0, 0]}\n"
       "{\"p_mm\": [1, 2, 3], \"p_mm\": [1, 2, 3]}\n"
       "{\"p_mm\": [60, 0, 0]}";
-  const std::vector<Value> all = answers(sceneText(kSphere), in, Exit::BadInput);
+  const std::vector<Value> all = sceneAnswers(sceneText(kSphere), in, Exit::BadInput);
   ASSERT_EQ(all.size(), 9U);
   EXPECT_NEAR(vectorAt(all[0], "q_mm").x(), 50.0, 1e-13);
   EXPECT_NEAR(vectorAt(all[8], "force_N").x(), -5.0, 1e-13);
@@ -135,7 +135,7 @@ TEST(Target, TakesARotationAndRefusesWhatIsNone) {
       "{\"p_mm\": [30, 0, 0], \"R_WT\": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}\n"  // a mirror
       "{\"p_mm\": [30, 0, 0], \"R_WT\": [[2, 0, 0], [0, 1, 0], [0, 0, 1]]}\n"
       "{\"p_mm\": [30, 0, 0], \"R_WT\": [1, 0, 0, 0, 1, 0, 0, 0, 1]}\n";
-  const std::vector<Value> all = answers(sceneText(kSphere), in, Exit::BadInput);
+  const std::vector<Value> all = sceneAnswers(sceneText(kSphere), in, Exit::BadInput);
   ASSERT_EQ(all.size(), 4U);
   EXPECT_EQ(textAt(all[0], "status"), "unique");
   for (std::size_t index = 1; index < 4; ++index) {
@@ -147,7 +147,7 @@ TEST(Target, FarAwayAndVeryNearItIsFinite) {
   const std::string in =
       "{\"p_mm\": [1e100, 1e100, -1e100]}\n{\"p_mm\": [5e-324, 0, 0]}\n{\"p_mm\": [1e-12, 0, 0]}\n{\"p_mm\": [1e200, "
       "0, 0]}\n";
-  const std::vector<Value> all = answers(sceneText(kSphere), in, Exit::BadInput);
+  const std::vector<Value> all = sceneAnswers(sceneText(kSphere), in, Exit::BadInput);
   ASSERT_EQ(all.size(), 4U);
   for (std::size_t index = 0; index < 3; ++index) {
     EXPECT_TRUE(vectorAt(all[index], "force_N").allFinite());

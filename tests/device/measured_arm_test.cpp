@@ -19,7 +19,7 @@ sim::ArmModel heavy() {
   return model;
 }
 
-SimulatedArm::Options optionsOf(const sim::ArmModel& model) {
+SimulatedArm::Options modelOptions(const sim::ArmModel& model) {
   SimulatedArm::Options options;
   options.arm = *arm::findPreset(arm::kDefaultArm);
   options.model = model;
@@ -46,23 +46,23 @@ std::vector<arm::JointAngles> wayOf(std::unique_ptr<SimulatedArm> arm, int ticks
 
 TEST(SimulatedArm, ThatBecomesAModelMovesToTheBitAsOneMadeOfIt) {
   const sim::ArmModel& vendors = *sim::findArmModel(sim::kDefaultArmModel);
-  auto other = std::make_unique<SimulatedArm>(optionsOf(vendors));
+  auto other = std::make_unique<SimulatedArm>(modelOptions(vendors));
   other->become(heavy());
-  const std::vector<arm::JointAngles> as_made = wayOf(std::make_unique<SimulatedArm>(optionsOf(heavy())), 1500);
+  const std::vector<arm::JointAngles> as_made = wayOf(std::make_unique<SimulatedArm>(modelOptions(heavy())), 1500);
   EXPECT_EQ(wayOf(std::move(other), 1500), as_made);
-  EXPECT_NE(wayOf(std::make_unique<SimulatedArm>(optionsOf(vendors)), 1500), as_made);
+  EXPECT_NE(wayOf(std::make_unique<SimulatedArm>(modelOptions(vendors)), 1500), as_made);
 }
 
 TEST(SimulatedArm, ThatBecomesTheVendorsAgainHasItsPresetsEncoders) {
   const sim::ArmModel& vendors = *sim::findArmModel(sim::kDefaultArmModel);
-  auto other = std::make_unique<SimulatedArm>(optionsOf(vendors));
+  auto other = std::make_unique<SimulatedArm>(modelOptions(vendors));
   other->become(heavy());
   other->become(vendors);
-  EXPECT_EQ(wayOf(std::move(other), 1500), wayOf(std::make_unique<SimulatedArm>(optionsOf(vendors)), 1500));
+  EXPECT_EQ(wayOf(std::move(other), 1500), wayOf(std::make_unique<SimulatedArm>(modelOptions(vendors)), 1500));
 }
 
 TEST(SimulatedArm, AHandThatLetsGoMovesNothingUntilItHoldsAgain) {
-  SimulatedArm arm(optionsOf(*sim::findArmModel(sim::kDefaultArmModel)));
+  SimulatedArm arm(modelOptions(*sim::findArmModel(sim::kDefaultArmModel)));
   arm::Sample sample;
   ASSERT_TRUE(arm.read(sample));
   const arm::JointAngles before = sample.q_rad;
@@ -79,7 +79,7 @@ TEST(SimulatedArm, AHandThatLetsGoMovesNothingUntilItHoldsAgain) {
 
 TEST(MeasureSimulated, TellsItsProgressAndCanBeEnded) {
   double last = -1.0;
-  const auto ended = measureSimulated(optionsOf(heavy()), {}, 1, [&last](double share) {
+  const auto ended = measureSimulated(modelOptions(heavy()), {}, 1, [&last](double share) {
     EXPECT_GE(share, last);
     last = share;
     return share < 0.3;

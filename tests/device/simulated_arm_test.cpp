@@ -13,7 +13,7 @@
 namespace underact::device {
 namespace {
 
-SimulatedArm::Options optionsOf(const char* model, int rate_hz = 1000) {
+SimulatedArm::Options touchOptions(const char* model, int rate_hz = 1000) {
   SimulatedArm::Options options;
   options.arm = *arm::findPreset("touch-measured");
   options.model = *sim::findArmModel(model);
@@ -41,7 +41,7 @@ safety::GatedForce wall(const arm::Sample& sample) {
 }
 
 TEST(SimulatedArm, TheStylusButtonIsBitZeroFromTheNextReadOn) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   arm::Sample sample;
   arm.read(sample);
   EXPECT_EQ(sample.buttons, 0U);
@@ -57,7 +57,7 @@ TEST(SimulatedArm, TheStylusButtonIsBitZeroFromTheNextReadOn) {
 
 TEST(SimulatedArm, EachReadIsOnePeriodLater) {
   for (const int rate_hz : {1000, 4000, 100}) {
-    SimulatedArm arm(optionsOf("vendor-nominal", rate_hz));
+    SimulatedArm arm(touchOptions("vendor-nominal", rate_hz));
     arm::Sample sample;
     for (int read = 1; read <= 5; ++read) {
       ASSERT_TRUE(arm.read(sample));
@@ -67,8 +67,8 @@ TEST(SimulatedArm, EachReadIsOnePeriodLater) {
 }
 
 TEST(SimulatedArm, AtAnotherRateItsTimeAndItsHandGoOn) {
-  EXPECT_EQ(SimulatedArm(optionsOf("ideal")).fixedRate(), "");
-  SimulatedArm arm(optionsOf("ideal"));
+  EXPECT_EQ(SimulatedArm(touchOptions("ideal")).fixedRate(), "");
+  SimulatedArm arm(touchOptions("ideal"));
   arm.follow(sim::builtInHand("sweep", 1).value());
   arm::Sample sample;
   std::int64_t time_ns = 0;
@@ -89,7 +89,7 @@ TEST(SimulatedArm, AtAnotherRateItsTimeAndItsHandGoOn) {
 }
 
 TEST(SimulatedArm, LeftAloneItRestsWhereItStarted) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   arm::Sample sample;
   for (int read = 0; read < 1000; ++read) arm.read(sample);
   EXPECT_LE((tipOf(sample) - Vec3(0.0, 0.0, 0.06)).norm(), 2e-15);  // inverse_test: a tip found again
@@ -97,7 +97,7 @@ TEST(SimulatedArm, LeftAloneItRestsWhereItStarted) {
 }
 
 TEST(SimulatedArm, ShowsStepsOrExactAnglesAsItsModelSays) {
-  SimulatedArm stepped(optionsOf("vendor-nominal")), exact(optionsOf("ideal"));
+  SimulatedArm stepped(touchOptions("vendor-nominal")), exact(touchOptions("ideal"));
   arm::Sample coarse, fine;
   stepped.read(coarse);
   exact.read(fine);
@@ -106,7 +106,7 @@ TEST(SimulatedArm, ShowsStepsOrExactAnglesAsItsModelSays) {
 }
 
 TEST(SimulatedArm, StartsWhereItsScriptStarts) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   sim::HandScript script;
   script.path = {{0.0, Vec3(0.02, 0.01, 0.04)}};
   arm.follow(script);
@@ -117,7 +117,7 @@ TEST(SimulatedArm, StartsWhereItsScriptStarts) {
 }
 
 TEST(SimulatedArm, FollowsAScriptFromThenOnWithTheScriptsHand) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   arm::Sample sample;
   for (int read = 0; read < 2000; ++read) arm.read(sample);
   sim::HandScript script;
@@ -132,7 +132,7 @@ TEST(SimulatedArm, FollowsAScriptFromThenOnWithTheScriptsHand) {
 }
 
 TEST(SimulatedArm, AForceStaysInEffectUntilTheNextIsWritten) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   arm.write(gated(Vec3(0.6, 0.0, 0.0)));
   arm::Sample sample;
   for (int read = 0; read < 5000; ++read) arm.read(sample);
@@ -143,7 +143,7 @@ TEST(SimulatedArm, AForceStaysInEffectUntilTheNextIsWritten) {
 }
 
 TEST(SimulatedArm, AMouseThatJumpsIsFollowedAtAFiniteSpeed) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   sim::HandWish wish;
   wish.p_WT = Vec3(0.04, 0.0, 0.06);
   arm.wish(wish);
@@ -164,7 +164,7 @@ TEST(SimulatedArm, AMouseThatJumpsIsFollowedAtAFiniteSpeed) {
 }
 
 TEST(SimulatedArm, BehindAMouseThatMovesEvenlyItLagsByTheFilterAlone) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   arm::Sample sample;
   sim::HandWish wish;
   for (int read = 1; read <= 800; ++read) {  // 50 mm/s, from -20 mm to 20 mm
@@ -177,7 +177,7 @@ TEST(SimulatedArm, BehindAMouseThatMovesEvenlyItLagsByTheFilterAlone) {
 }
 
 TEST(SimulatedArm, AWishThatIsNoPlaceIsNotHeard) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   sim::HandWish wish;
   wish.p_WT = Vec3(0.0, kNotANumber, 0.0);
   arm.wish(wish);
@@ -188,7 +188,7 @@ TEST(SimulatedArm, AWishThatIsNoPlaceIsNotHeard) {
 }
 
 TEST(SimulatedArm, AWishTakesTheStylusFromAScriptWithoutAJump) {
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   arm.follow(sim::builtInHand("still", 0).value());
   arm::Sample sample;
   for (int read = 0; read < 3000; ++read) arm.read(sample);
@@ -208,7 +208,7 @@ TEST(SimulatedArm, AWishTakesTheStylusFromAScriptWithoutAJump) {
 }
 
 TEST(SimulatedArm, GivesTheSameNumbersLiveAndFast) {
-  SimulatedArm live(optionsOf("vendor-nominal")), fast(optionsOf("vendor-nominal"));
+  SimulatedArm live(touchOptions("vendor-nominal")), fast(touchOptions("vendor-nominal"));
   live.follow(sim::builtInHand("tremor", 9).value());
   fast.follow(sim::builtInHand("tremor", 9).value());
   arm::Sample live_sample, fast_sample;
@@ -224,7 +224,7 @@ TEST(SimulatedArm, GivesTheSameNumbersLiveAndFast) {
 }
 
 TEST(SimulatedArm, WishesComeFromAnotherThreadWhole) {  // and ThreadSanitizer watches
-  SimulatedArm arm(optionsOf("ideal"));
+  SimulatedArm arm(touchOptions("ideal"));
   std::atomic<bool> done{false};
   std::thread mouse([&] {
     for (int step = 0; !done.load(); ++step) {
@@ -242,7 +242,7 @@ TEST(SimulatedArm, WishesComeFromAnotherThreadWhole) {  // and ThreadSanitizer w
 }
 
 TEST(SimulatedArm, SaysThatItIsSimulated) {
-  const servo::DeviceInfo info = SimulatedArm(optionsOf("ideal")).info();
+  const servo::DeviceInfo info = SimulatedArm(touchOptions("ideal")).info();
   EXPECT_EQ(info.title, "Simulated arm");
   EXPECT_TRUE(info.simulated);
   EXPECT_FALSE(info.untested);

@@ -14,20 +14,20 @@
 namespace underact::test {
 namespace {
 
-using namespace device::hands;
+namespace hands = device::hands;
 
-std::vector<std::string> theTexts() {
+std::vector<std::string> theMaps() {
   std::vector<std::string> texts;
-  Seen controller, mouse;
-  describeController(controller);
-  describeSpaceMouse(mouse, 22);
-  texts.push_back(mapText({"Controller", "030000005e0400008e02000010010000", controller.usual}));
-  texts.push_back(mapText({"SpaceMouse Pro", "3d-SpaceMouse Pro", mouse.usual}));
+  hands::Seen controller, mouse;
+  hands::describeController(controller);
+  hands::describeSpaceMouse(mouse, 22);
+  texts.push_back(hands::mapText({"Controller", "030000005e0400008e02000010010000", controller.usual}));
+  texts.push_back(hands::mapText({"SpaceMouse Pro", "3d-SpaceMouse Pro", mouse.usual}));
   texts.emplace_back(R"({"underact_hand_map": 1, "id": "x", "ways": {"up": {"triggers": [5, null]}}})");
   return texts;
 }
 
-std::string mutated(Random& random, const std::vector<std::string>& texts) {
+std::string mutatedMap(Random& random, const std::vector<std::string>& texts) {
   static const std::array<const char*, 20> kTokens{"1e308", "-1",   "1e-400", "nan",  "null",      "true",        "[",
                                                    "]",     "{",    "}",      ",",    "\"id\"",    "99",          "0.5",
                                                    "\"",    "\\u0", "[1,2]",  "\xC3", "999999999", "\"axis\": 0,"};
@@ -36,8 +36,8 @@ std::string mutated(Random& random, const std::vector<std::string>& texts) {
 }
 
 /// Empty: it was refused with sentences, or gives a map that any readings move no faster than it may.
-std::string judge(const std::string& text, bool& accepted) {
-  const Result<MapFile> read = readMap(text, "fuzz.json");
+std::string judgeMap(const std::string& text, bool& accepted) {
+  const Result<hands::MapFile> read = hands::readMap(text, "fuzz.json");
   accepted = static_cast<bool>(read);
   if (!read) {
     if (read.problems().empty()) return "Refused with no problem.";
@@ -47,28 +47,29 @@ std::string judge(const std::string& text, bool& accepted) {
     }
     return {};
   }
-  const Map& map = read.value().map;
-  Readings readings;
-  readings.axes = kMostAxes;
-  readings.buttons = kMostButtons;
+  const hands::Map& map = read.value().map;
+  hands::Readings readings;
+  readings.axes = hands::kMostAxes;
+  readings.buttons = hands::kMostButtons;
   readings.axis.fill(1.0);
   readings.pressed = 0x5555555555555555U;
-  const Motion motion = motionOf(map, readings, {{true, true, true, true, true, true}});
-  if (!(motion.v_WT.cwiseAbs().maxCoeff() <= kFastest_m_per_s + 1e-12)) return "Too fast.";
-  if (!(motion.w_WT_W.cwiseAbs().maxCoeff() <= kFastest_rad_per_s + 0.01)) return "Turns too fast.";
-  if (!readMap(mapText(read.value()), "again.json")) return "What was read is not written so that it can be read.";
+  const hands::Motion motion = hands::motionOf(map, readings, {{true, true, true, true, true, true}});
+  if (!(motion.v_WT.cwiseAbs().maxCoeff() <= hands::kFastest_m_per_s + 1e-12)) return "Too fast.";
+  if (!(motion.w_WT_W.cwiseAbs().maxCoeff() <= hands::kFastest_rad_per_s + 0.01)) return "Turns too fast.";
+  if (!hands::readMap(hands::mapText(read.value()), "again.json"))
+    return "What was read is not written so that it can be read.";
   return {};
 }
 
 TEST(HandMapMutations, EachIsRefusedWithSentencesOrMovesWithinBounds) {
   Random random(Seed{20071109});
-  const std::vector<std::string> texts = theTexts();
+  const std::vector<std::string> texts = theMaps();
   const int count = sweep(20'000, 400'000);
   int taken = 0;
   for (int i = 0; i < count; ++i) {
-    const std::string text = mutated(random, texts);
+    const std::string text = mutatedMap(random, texts);
     bool accepted = false;
-    ASSERT_EQ(judge(text, accepted), "") << "mutation " << i << ":\n" << text;
+    ASSERT_EQ(judgeMap(text, accepted), "") << "mutation " << i << ":\n" << text;
     taken += accepted ? 1 : 0;
   }
   EXPECT_GT(taken, count / 100);  // rubbish alone would prove nothing
@@ -76,22 +77,22 @@ TEST(HandMapMutations, EachIsRefusedWithSentencesOrMovesWithinBounds) {
 }
 
 TEST(HandMapMutations, EveryPrefixIsWell) {
-  for (const std::string& text : theTexts()) {
+  for (const std::string& text : theMaps()) {
     bool accepted = false;
     for (std::size_t length = 0; length <= text.size(); ++length)
-      ASSERT_EQ(judge(text.substr(0, length), accepted), "") << length;
+      ASSERT_EQ(judgeMap(text.substr(0, length), accepted), "") << length;
     EXPECT_TRUE(accepted);
   }
 }
 
 TEST(SpaceMouseMutations, AnyBytesGiveAxesWithinTheirWay) {
   Random random(Seed{20071110});
-  Readings readings;
+  hands::Readings readings;
   for (int i = 0; i < sweep(200'000, 5'000'000); ++i) {
     std::vector<std::uint8_t> report(random.below(70));
     for (std::uint8_t& byte : report) byte = static_cast<std::uint8_t>(random.bits());
     if (!report.empty() && random.below(2) == 0) report[0] = static_cast<std::uint8_t>(random.below(5));
-    takeSpaceMouseReport(report, readings);
+    hands::takeSpaceMouseReport(report, readings);
     ASSERT_EQ(readings.axes, 6);
     for (const double axis : readings.axis) ASSERT_LE(std::abs(axis), 1.0);
   }

@@ -15,7 +15,7 @@ namespace {
 
 using mesh_file::Raw;
 
-constexpr std::size_t kLongest = 40'000;
+constexpr std::size_t kLongestMesh = 40'000;
 
 struct Kind {
   const char* name;
@@ -56,14 +56,14 @@ std::vector<Kind> theKinds() {
 }
 
 /// One file made of others by a seed: bytes, numbers, words, cuts, splices, repetitions.
-class Mutator {
+class MeshMutator {
  public:
-  Mutator(const Kind& kind, Seed seed) : kind_(kind), random_(seed) {}
+  MeshMutator(const Kind& kind, Seed seed) : kind_(kind), random_(seed) {}
 
   std::string next() {
     std::string bytes = any(kind_.seeds);
     for (std::size_t count = 1 + random_.below(4); count > 0; --count) mutate(bytes);
-    if (bytes.size() > kLongest) bytes.resize(kLongest);
+    if (bytes.size() > kLongestMesh) bytes.resize(kLongestMesh);
     return bytes;
   }
 
@@ -139,7 +139,8 @@ class Mutator {
   void repeat(std::string& bytes) {
     const std::size_t from = placeIn(bytes);
     const std::string span = bytes.substr(from, random_.below(300));
-    for (std::size_t times = random_.below(60); times > 0 && bytes.size() < kLongest; --times) bytes.insert(from, span);
+    for (std::size_t times = random_.below(60); times > 0 && bytes.size() < kLongestMesh; --times)
+      bytes.insert(from, span);
   }
 
   void insertToken(std::string& bytes) {
@@ -175,7 +176,7 @@ class Mutator {
 };
 
 /// What is wrong with how a file was taken; empty: nothing.
-std::string judge(const Result<Raw>& raw) {
+std::string judgeRaw(const Result<Raw>& raw) {
   if (!raw) {
     if (raw.problems().size() != 1 || raw.problems()[0].sentence.size() < 15) return "no sentence";
     const Sentence& sentence = raw.problems()[0].sentence;
@@ -214,7 +215,7 @@ TEST_P(MeshMutations, AreReadOrRefusedInTimeAndInMemory) {
   const char* stated = std::getenv("UNDERACT_MUTATIONS");
   const int count = stated != nullptr ? std::atoi(stated) : sweep(500, 100'000);
   const ScratchFolder folder;
-  Mutator mutator(kind, Seed{20070601 + GetParam()});
+  MeshMutator mutator(kind, Seed{20070601 + GetParam()});
   int accepted = 0;
   double longest_s = 0.0, longest_cpu_s = 0.0;
   std::int64_t peak_bytes = 0;
@@ -225,7 +226,7 @@ TEST_P(MeshMutations, AreReadOrRefusedInTimeAndInMemory) {
     Result<Raw> raw = timedRead(path, seconds);
     if (seconds > 1.0) raw = timedRead(path, seconds);  // on a busy machine; what hangs, hangs again
     longest_s = std::max(longest_s, seconds);
-    ASSERT_EQ(judge(raw), "") << "mutation " << draw;
+    ASSERT_EQ(judgeRaw(raw), "") << "mutation " << draw;
     if (!raw) continue;
     ++accepted;
     longest_cpu_s = std::max(longest_cpu_s, raw.value().cpu_s);

@@ -46,7 +46,7 @@ std::string judgeCurve(const std::vector<Vec3>& points_W, curve::Kind kind, bool
   return {};
 }
 
-std::string judgeAccepted(const std::vector<Vec3>& points) {
+std::string judgeCurves(const std::vector<Vec3>& points) {
   std::vector<Vec3> points_W;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite()) return "A point is not finite.";
@@ -66,7 +66,7 @@ std::string judgeAccepted(const std::vector<Vec3>& points) {
 
 std::string judgePoints(std::string_view text) {
   const Result<std::vector<Vec3>> points = curve::parsePoints(text, "fuzz.txt");
-  return points ? judgeAccepted(points.value()) : judgeRefusal(points.problems(), text);
+  return points ? judgeCurves(points.value()) : judgeRefusal(points.problems(), text);
 }
 
 bool arePoints(std::string_view text) {

@@ -12,18 +12,18 @@
 namespace underact::test {
 namespace {
 
-std::string fileText(const std::string& name) {
+std::string pathsFile(const std::string& name) {
   std::ifstream file(std::string(UNDERACT_SOURCE) + "/scenes/paths/" + name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::vector<std::string> theTexts() {
-  return {fileText("trefoil.txt"), fileText("signature.txt"), "0 0 0\r\n1,2,3\r\n4;5;6\r\n",
+std::vector<std::string> thePointFiles() {
+  return {pathsFile("trefoil.txt"), pathsFile("signature.txt"), "0 0 0\r\n1,2,3\r\n4;5;6\r\n",
           "x\ty\tz\n1e-3\t.5\t+2\n0\t0\t0\n"};
 }
 
 /// One text made of others by a seed: bytes, tokens, cuts and spans that come again.
-std::string mutated(Random& random, const std::vector<std::string>& texts) {
+std::string mutatedPoints(Random& random, const std::vector<std::string>& texts) {
   static const std::array<const char*, 24> kTokens{
       "1e308", "-1e999", "1e-400", "nan", "inf",          "0x1p3", "+",         "-",
       ",",     ";",      ",,",     "#",   "\r",           "\n",    "\r\n",      "\t",
@@ -35,11 +35,11 @@ std::string mutated(Random& random, const std::vector<std::string>& texts) {
 
 TEST(PointsMutations, EachIsRefusedWithLinesOrMakesCurves) {
   Random random(Seed{20070630});
-  const std::vector<std::string> texts = theTexts();
+  const std::vector<std::string> texts = thePointFiles();
   const int count = sweep(20'000, 400'000);
   int accepted = 0;
   for (int i = 0; i < count; ++i) {
-    const std::string text = mutated(random, texts);
+    const std::string text = mutatedPoints(random, texts);
     ASSERT_EQ(judgePoints(text), "") << "mutation " << i << ":\n" << text;
     accepted += arePoints(text) ? 1 : 0;
   }
@@ -49,7 +49,7 @@ TEST(PointsMutations, EachIsRefusedWithLinesOrMakesCurves) {
 }
 
 TEST(PointsMutations, EveryPrefixIsWell) {
-  for (const std::string& text : theTexts()) {
+  for (const std::string& text : thePointFiles()) {
     for (std::size_t length = 0; length <= text.size(); ++length) {
       ASSERT_EQ(judgePoints(std::string_view(text).substr(0, length)), "") << length;
     }

@@ -20,7 +20,7 @@ std::vector<Bytes> theMessages() {
           bytesOf(Bye{})};
 }
 
-Bytes mutated(Random& random, const std::vector<Bytes>& messages) {
+Bytes mutatedMessage(Random& random, const std::vector<Bytes>& messages) {
   Bytes bytes = messages[random.below(messages.size())];
   for (std::size_t count = 1 + random.below(3); count > 0; --count) {
     const std::size_t at = random.below(bytes.size() + 1);
@@ -54,7 +54,7 @@ TEST(RemoteMutations, EachIsRefusedOrIsTheOneWayToSaySo) {
   const int count = sweep(200'000, 5'000'000);
   int read = 0;
   for (int i = 0; i < count; ++i) {
-    const Bytes bytes = mutated(random, messages);
+    const Bytes bytes = mutatedMessage(random, messages);
     ASSERT_EQ(judgeRemote(bytes), "") << "mutation " << i;
     read += device::remote::readMessage(bytes) ? 1 : 0;
   }

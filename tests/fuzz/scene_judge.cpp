@@ -73,7 +73,7 @@ bool fill(scene::Description& scene) {
   return all;
 }
 
-std::string judgeAccepted(scene::Description scene) {
+std::string judgeDescription(scene::Description scene) {
   if (!scene::check(scene).empty()) return "Read, but check() objects.";
   if (!fill(scene)) return {};
   const Result<tick::TickProgram> program = scene::compile(scene);
@@ -90,7 +90,7 @@ std::string judgeAccepted(scene::Description scene) {
 
 std::string judgeScene(std::string_view text) {
   const Result<scene::Description> read = scene::readScene(text, "fuzz.json");
-  return read ? judgeAccepted(read.value()) : judgeProblems(read.problems(), text);
+  return read ? judgeDescription(read.value()) : judgeProblems(read.problems(), text);
 }
 
 bool isAccepted(std::string_view text) {

@@ -11,8 +11,8 @@
 namespace underact::test {
 namespace {
 
-constexpr std::size_t kLongest = 20000;  // bytes of a mutated scene
-constexpr double kLongestEach_s = 5.0;   // with sanitizers, on a busy machine; a few ms in truth
+constexpr std::size_t kLongestScene = 20000;  // bytes of a mutated scene
+constexpr double kLongestEach_s = 5.0;        // with sanitizers, on a busy machine; a few ms in truth
 
 std::vector<std::string> theScenes() {
   std::vector<std::string> texts;
@@ -30,14 +30,14 @@ std::vector<std::string> theScenes() {
 }
 
 /// One text made of others by a seed: bytes, tokens, numbers, cuts, splices, nests.
-class Mutator {
+class SceneMutator {
  public:
-  explicit Mutator(Seed seed) : random_(seed), seeds_(theScenes()) {}
+  explicit SceneMutator(Seed seed) : random_(seed), seeds_(theScenes()) {}
 
   std::string next() {
     std::string text = any(seeds_);
     for (std::size_t count = 1 + random_.below(4); count > 0; --count) mutate(text);
-    if (text.size() > kLongest) text.resize(kLongest);
+    if (text.size() > kLongestScene) text.resize(kLongestScene);
     return text;
   }
 
@@ -183,7 +183,8 @@ class Mutator {
   void repeatSpan(std::string& text) {
     const std::size_t from = placeIn(text);
     const std::string span = text.substr(from, random_.below(120));
-    for (std::size_t times = random_.below(40); times > 0 && text.size() < kLongest; --times) text.insert(from, span);
+    for (std::size_t times = random_.below(40); times > 0 && text.size() < kLongestScene; --times)
+      text.insert(from, span);
   }
 
   Random random_;
@@ -192,7 +193,7 @@ class Mutator {
 
 TEST(SceneMutations, EachIsRefusedWithPlacesOrLoadsWhole) {
   using Clock = std::chrono::steady_clock;
-  Mutator mutator(Seed{20070601});
+  SceneMutator mutator(Seed{20070601});
   const int count = sweep(5000, 100000);
   int accepted = 0;
   for (int i = 0; i < count; ++i) {

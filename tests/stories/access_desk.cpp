@@ -18,10 +18,6 @@
 namespace underact::gui::test {
 namespace {
 
-QString idOf(const QWidget& widget) {
-  return QString("%1 %2").arg(widget.metaObject()->className(), widget.objectName());
-}
-
 bool hasLetter(const QString& text) {
   return std::any_of(text.begin(), text.end(), [](QChar sign) { return sign.isLetter(); });
 }
@@ -46,7 +42,7 @@ QStringList wrongWithColumns(const QAbstractItemView& view) {
     const QString title = view.model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     const QString spoken = view.model()->headerData(column, Qt::Horizontal, Qt::AccessibleTextRole).toString();
     if (!head->isSectionHidden(column) && title.isEmpty() && spoken.isEmpty())
-      wrong << idOf(view) + QString(": column %1 has no head").arg(column);
+      wrong << idOf(&view) + QString(": column %1 has no head").arg(column);
   }
   return wrong;
 }
@@ -85,6 +81,11 @@ QString wrongWithRole(QWidget& widget) {
 }
 
 }  // namespace
+
+QString idOf(const QWidget* widget) {
+  return widget == nullptr ? QString("nothing")
+                           : QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+}
 
 LargeText::LargeText() : usual_(QApplication::font()) {
   QApplication::setFont(larger(usual_, 2.0));
@@ -129,27 +130,27 @@ QStringList wronglyNamed(QWidget& root) {
   QHash<QString, const QWidget*> known;
   for (QWidget* widget : focusable(root)) {
     for (const QString& what : {wrongWithName(*widget), wrongWithRole(*widget)})
-      if (!what.isEmpty()) wrong << idOf(*widget) + " " + what;
-    if (keepsTab(*widget)) wrong << idOf(*widget) + " keeps the Tab key";
+      if (!what.isEmpty()) wrong << idOf(widget) + " " + what;
+    if (keepsTab(*widget)) wrong << idOf(widget) + " keeps the Tab key";
     if (const auto* view = qobject_cast<QAbstractItemView*>(widget)) wrong << wrongWithColumns(*view);
     if (!widget->isVisible()) continue;
     const bool is_box = qobject_cast<QComboBox*>(widget) != nullptr;
     const QString name = is_box ? widget->accessibleName() : spokenName(*widget);
     const QWidget*& other = known[name];
-    if (other != nullptr) wrong << idOf(*widget) + " is called as is " + idOf(*other) + ": " + name;
+    if (other != nullptr) wrong << idOf(widget) + " is called as is " + idOf(other) + ": " + name;
     other = widget;
   }
   for (QWidget* widget : root.findChildren<QWidget*>()) {
     const auto* label = qobject_cast<QLabel*>(widget);
     const bool has_words = label != nullptr && !label->text().isEmpty() && !Qt::mightBeRichText(label->text());
     if (has_words && !spokenName(*label).contains(QString(label->text()).remove('&')))
-      wrong << idOf(*label) + " does not say its words: " + label->text();
+      wrong << idOf(label) + " does not say its words: " + label->text();
     if (!isPicture(*widget) || widget->window() != root.window()) continue;
     for (const QString& what : {wrongWithName(*widget), wrongWithRole(*widget)})
-      if (!what.isEmpty()) wrong << idOf(*widget) + ", a picture, " + what;
+      if (!what.isEmpty()) wrong << idOf(widget) + ", a picture, " + what;
     const QAccessibleInterface* const spoken = QAccessible::queryAccessibleInterface(widget);
     if (spoken != nullptr && spoken->text(QAccessible::Description).isEmpty())
-      wrong << idOf(*widget) + ", a picture, has no description";
+      wrong << idOf(widget) + ", a picture, has no description";
   }
   return wrong;
 }

@@ -30,6 +30,9 @@ QList<QWidget*> focusable(QWidget& root);
 /// The same, as far as they are seen and enabled.
 QList<QWidget*> reachable(QWidget& root);
 
+/// Its class and its name, for a sentence about it.
+QString idOf(const QWidget* widget);
+
 /// What a screen reader says of it.
 QString spokenName(const QWidget& widget);
 

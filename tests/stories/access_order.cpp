@@ -8,11 +8,6 @@
 namespace underact::gui::test {
 namespace {
 
-QString idOf(const QWidget* widget) {
-  return widget == nullptr ? QString("nothing")
-                           : QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
-}
-
 QRect placeOf(const QWidget& widget) {
   return {widget.mapTo(widget.window(), QPoint()), widget.size()};
 }

@@ -76,7 +76,7 @@ QString action(Beam beam) {
 }
 
 /// What the command line says of the same scene.
-QJsonObject commandLine(const QStringList& more) {
+QJsonObject calibrateCommand(const QStringList& more) {
   QProcess program;
   program.start(UNDERACT_CLI, QStringList{"calibrate", shippedScene("23_two_beams")} + more);
   EXPECT_TRUE(program.waitForFinished(60000));
@@ -102,7 +102,7 @@ TEST(CalibrationStory, TheSimulatedHandFindsWhatTheCommandLineFinds) {
   story.find<QDoubleSpinBox>("panel.calibration.weber")->setValue(20.0);
   const std::uint64_t revision = story.host().revision();
   story.measure(7);
-  const QJsonObject wanted = commandLine({"--seed", "7", "--weber", "0.2"});
+  const QJsonObject wanted = calibrateCommand({"--seed", "7", "--weber", "0.2"});
   const calibration::Measurement& run = story.session().run();
   const auto threshold = thresholdOf(run.staircase);
   ASSERT_TRUE(threshold);

@@ -30,19 +30,19 @@
 namespace underact::gui::test {
 namespace {
 
-constexpr int kTicks = 3000, kStep = 25;  // of the teacher's hand; between two wishes
-constexpr int kAll = kTicks + 2 * kStep;  // in which the ghost has come to its end
+constexpr int kTeacherTicks = 3000, kStep = 25;  // of the teacher's hand; between two wishes
+constexpr int kAll = kTeacherTicks + 2 * kStep;  // in which the ghost has come to its end
 
 /// The teacher's hand: 30 mm to the right and back, in a loop, in 3 s.
 Vec3 teacherAt(int tick) {
-  const double angle_rad = 3.14159265 * std::clamp(tick, 0, kTicks) / kTicks;
+  const double angle_rad = 3.14159265 * std::clamp(tick, 0, kTeacherTicks) / kTeacherTicks;
   return {0.030 * std::sin(angle_rad), 0.015 * std::sin(2.0 * angle_rad), 0.06};
 }
 
 /// How far from the teacher's hand one is at most that comes so many ticks later.
 double largestLag_m(int lag) {
   double largest_m = 0.0;
-  for (int tick = 0; tick <= kTicks; ++tick)
+  for (int tick = 0; tick <= kTeacherTicks; ++tick)
     largest_m = std::max(largest_m, (teacherAt(tick) - teacherAt(tick - lag)).norm());
   return largest_m;
 }
@@ -64,7 +64,7 @@ QString teacherSession() {
     simulated.host->run(500);
     auto recorder = record::Recorder::start(*simulated.host, path.toStdString(), {.name = "Round the ball"});
     EXPECT_TRUE(static_cast<bool>(recorder));
-    for (int tick = 0; tick < kTicks; tick += kStep) {
+    for (int tick = 0; tick < kTeacherTicks; tick += kStep) {
       wish(*simulated.arm, teacherAt(tick));
       simulated.host->run(kStep);
     }
@@ -105,11 +105,11 @@ TEST(GhostStory, WhoFollowsExactlyIsNearAllTheWayAndIsToldSo) {
   Class story;
   EXPECT_TRUE(story.find("ghost")->isVisible());
   EXPECT_EQ(story.text("ghost.time"), "00:00 / 00:03");
-  story.follow(0, kTicks / 2);
+  story.follow(0, kTeacherTicks / 2);
   EXPECT_EQ(story.state().phase, follow::Phase::Going);
   EXPECT_TRUE(story.text("ghost.told").startsWith("Average 0.")) << story.text("ghost.told").toStdString();
   EXPECT_FALSE(story.find("ghost.copy")->isVisible()) << "there is no result yet";
-  story.follow(kTicks / 2, kAll);
+  story.follow(kTeacherTicks / 2, kAll);
   ASSERT_EQ(story.state().phase, follow::Phase::Ended);
   EXPECT_LT(story.state().last_round->largest_m, 0.001);
   EXPECT_EQ(story.state().last_round->nearShare(), 1.0);

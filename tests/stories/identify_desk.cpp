@@ -7,9 +7,7 @@
 namespace underact::gui::test {
 namespace {
 
-using State = IdentifyRun::State;
-
-constexpr int kTicksAFrame = 16, kTicksAtOnce = 250;
+constexpr int kCableTicksAFrame = 16, kTicksAtOnce = 250;
 
 class CableArm final : public servo::DevicePort {
  public:
@@ -91,8 +89,8 @@ IdentifyOnCable::~IdentifyOnCable() {
 }
 
 void IdentifyOnCable::run(int ticks) {
-  for (int done = 0; done < ticks; done += kTicksAFrame) {
-    host.run(std::min(kTicksAFrame, ticks - done));
+  for (int done = 0; done < ticks; done += kCableTicksAFrame) {
+    host.run(std::min(kCableTicksAFrame, ticks - done));
     window.frame();
   }
 }

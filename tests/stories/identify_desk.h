@@ -19,11 +19,12 @@ inline constexpr int kMostTicks = 60'000;  // of the arm at 1 kHz; a measurement
 /// The wizard in a window whose servo ticks by count.
 class Wizard {
  public:
+  using State = IdentifyRun::State;
   /// Opens it on its first page. tick: so many ticks with a frame behind them.
   Wizard(MainWindow& window, std::function<void(int ticks)> tick);
   QWizard* dialog() { return window_.findChild<IdentifyWizard*>(); }
   const IdentifyRun& run() { return window_.findChild<IdentifyTool*>()->run(); }
-  IdentifyRun::State state() { return run().state(); }
+  State state() { return run().state(); }
   template <class Widget = QAbstractButton>
   Widget* in(const QString& name) {
     return qobject_cast<Widget*>(widget(name));

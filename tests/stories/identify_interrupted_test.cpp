@@ -12,8 +12,6 @@
 namespace underact::gui::test {
 namespace {
 
-using State = IdentifyRun::State;
-
 /// Half a second of the line, with the servo at work.
 QString lineSession() {
   QString path = temporaryFile("line.h5");
@@ -39,7 +37,7 @@ void edit(Document& document) {
 
 /// The page says why it stands still, and "Begin again" begins again.
 void expectAWayOn(IdentifyDesk& desk, const char* why) {
-  EXPECT_EQ(desk.wizard.state(), State::Failed);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Failed);
   EXPECT_FALSE(desk.document().isTryingOut());
   EXPECT_TRUE(desk.wizard.shows("identify.why"));
   EXPECT_TRUE(desk.wizard.text("identify.why").contains(why)) << desk.wizard.text("identify.why").toStdString();
@@ -57,22 +55,22 @@ TEST(IdentifyInterruptedStory, EscStopsTheServoAndASceneThatIsEditedMeanwhileSto
   desk.key(Qt::Key_Escape);
   desk.run(100);
   EXPECT_EQ(desk.snapshot().report.force.f_T_W().norm(), 0.0);
-  EXPECT_EQ(desk.wizard.state(), State::Stopped);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Stopped);
   EXPECT_TRUE(desk.wizard.text("identify.why").contains("stopped"));
   desk.wizard.press("identify.repeat");
   desk.run(1000);
-  EXPECT_EQ(desk.wizard.state(), State::Runs);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Runs);
   const scene::Description edited = softer(desk.document().scene());
   edit(desk.document());
   desk.run(100);
-  EXPECT_EQ(desk.wizard.state(), State::Stopped);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Stopped);
   EXPECT_TRUE(desk.wizard.text("identify.why").contains("changed"));
   desk.wizard.keepPicture("identify_stopped");
   desk.wizard.press("identify.repeat");  // the edited scene is the one that is put back now
   desk.run(1000);
   desk.wizard.press("identify.cancel");
   desk.settle();
-  EXPECT_EQ(desk.wizard.state(), State::Idle);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Idle);
   EXPECT_TRUE(scene::isSame(desk.host().scene(), edited));
 }
 
@@ -80,7 +78,7 @@ TEST(IdentifyInterruptedStory, AnotherSceneEndsItWithASentenceAndAWayOn) {
   IdentifyDesk desk;
   desk.wizard.begin();
   desk.run(5000);
-  ASSERT_EQ(desk.wizard.state(), State::Runs);
+  ASSERT_EQ(desk.wizard.state(), Wizard::State::Runs);
   ASSERT_TRUE(desk.perform("scene.open", shippedScene("03_line")));
   const scene::Description line = desk.host().scene();
   desk.run(1000);
@@ -89,7 +87,7 @@ TEST(IdentifyInterruptedStory, AnotherSceneEndsItWithASentenceAndAWayOn) {
   EXPECT_EQ(desk.document().scene().title, line.title);
   desk.wizard.press("identify.repeat");
   desk.run(1000);
-  EXPECT_EQ(desk.wizard.state(), State::Runs);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Runs);
   EXPECT_FALSE(desk.wizard.shows("identify.why"));
   ASSERT_TRUE(desk.perform("scene.open", shippedScene("02_sphere")));  // stopped or not
   expectAWayOn(desk, "Another scene was opened");
@@ -103,9 +101,9 @@ TEST(IdentifyInterruptedStory, WhatWasFoundIsOfTheArmAndOutlivesTheScene) {
   desk.wizard.begin();
   ASSERT_TRUE(desk.wizard.record()) << desk.wizard.run().why().toStdString();
   ASSERT_TRUE(desk.perform("scene.open", shippedScene("03_line")));  // while it is evaluated, or after it
-  ASSERT_TRUE(desk.wizard.comes([&] { return desk.wizard.state() == State::Done; }));
+  ASSERT_TRUE(desk.wizard.comes([&] { return desk.wizard.state() == Wizard::State::Done; }));
   ASSERT_TRUE(desk.perform("scene.open", shippedScene("04_plane")));
-  EXPECT_EQ(desk.wizard.state(), State::Done);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Done);
   expectNear(desk.wizard.in<QTableWidget>("identify.table"), "Mass", 45.0);
   desk.wizard.press("identify.next");
   EXPECT_TRUE(desk.perform("identify.save", temporaryFile("outlived.json")));
@@ -118,19 +116,19 @@ TEST(IdentifyInterruptedStory, ToCancelAnEvaluationIsNotToWaitForIt) {
   desk.wizard.begin();
   ASSERT_TRUE(desk.wizard.record()) << desk.wizard.run().why().toStdString();
   clock.start();
-  ASSERT_TRUE(desk.wizard.comes([&] { return desk.wizard.state() == State::Done; }));
+  ASSERT_TRUE(desk.wizard.comes([&] { return desk.wizard.state() == Wizard::State::Done; }));
   const qint64 whole_ns = clock.nsecsElapsed();
   desk.wizard.press("identify.back");
   desk.wizard.press("identify.back");
   desk.wizard.press("identify.next");
   ASSERT_TRUE(desk.wizard.record()) << desk.wizard.run().why().toStdString();
-  ASSERT_EQ(desk.wizard.state(), State::Evaluates);
+  ASSERT_EQ(desk.wizard.state(), Wizard::State::Evaluates);
   clock.start();
   desk.wizard.press("identify.cancel");
   // Of one and the same work on one machine; the share seen is a hundredth.
   EXPECT_LT(clock.nsecsElapsed(), whole_ns / 2);
   desk.settle();
-  EXPECT_EQ(desk.wizard.state(), State::Idle);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Idle);
   EXPECT_EQ(desk.host().scene().title, "Sphere");
 }
 
@@ -141,12 +139,12 @@ TEST(IdentifyInterruptedStory, ARecordingEndsItAndTheServoIsAsItWasBeforeTheWiza
     const scene::Description before = desk.host().scene();
     desk.wizard.begin();
     desk.run(5000);
-    ASSERT_EQ(desk.wizard.state(), State::Runs);
+    ASSERT_EQ(desk.wizard.state(), Wizard::State::Runs);
     ASSERT_TRUE(desk.perform("replay.open", session));
     expectAWayOn(desk, "A recording was opened");
     EXPECT_EQ(desk.host().running(), servo_runs);
     desk.wizard.press("identify.repeat");
-    EXPECT_EQ(desk.wizard.state(), State::Idle) << "it is being read";
+    EXPECT_EQ(desk.wizard.state(), Wizard::State::Idle) << "it is being read";
     EXPECT_TRUE(desk.wizard.text("identify.why").contains("replayed"));
     ASSERT_TRUE(desk.wizard.comes([&] { return desk.window().player().isOpen(); }));
     desk.run(500);
@@ -157,7 +155,7 @@ TEST(IdentifyInterruptedStory, ARecordingEndsItAndTheServoIsAsItWasBeforeTheWiza
     EXPECT_TRUE(scene::isSame(desk.host().scene(), before));
     desk.wizard.press("identify.repeat");
     desk.run(500);
-    EXPECT_EQ(desk.wizard.state(), State::Runs);
+    EXPECT_EQ(desk.wizard.state(), Wizard::State::Runs);
   }
 }
 
@@ -165,18 +163,18 @@ TEST(IdentifyInterruptedStory, GoingOnAsksAgainWhatTheBeginningAsked) {
   IdentifyOnCable desk;
   Wizard& wizard = *desk.wizard;
   wizard.begin();
-  ASSERT_EQ(wizard.state(), State::Asks);
+  ASSERT_EQ(wizard.state(), Wizard::State::Asks);
   ASSERT_TRUE(desk.window.actions().perform("session.hold_to_run", {true}));
   wizard.press("identify.go");
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   EXPECT_TRUE(wizard.text("identify.why").contains("Hold to run"));
   EXPECT_FALSE(desk.host.running()) << "nothing has begun";
   wizard.press("identify.repeat");
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   ASSERT_TRUE(desk.window.actions().perform("session.hold_to_run", {false}));
   wizard.press("identify.repeat");
   desk.run(500);
-  EXPECT_EQ(wizard.state(), State::Runs);
+  EXPECT_EQ(wizard.state(), Wizard::State::Runs);
 }
 
 TEST(IdentifyInterruptedStory, AnotherRateStopsItUntilTheOldOneIsBack) {
@@ -186,14 +184,14 @@ TEST(IdentifyInterruptedStory, AnotherRateStopsItUntilTheOldOneIsBack) {
   desk.run(3000);
   ASSERT_TRUE(desk.perform("servo.rate", 2000));
   desk.run(100);
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   EXPECT_TRUE(wizard.text("identify.why").contains("1000 Hz"));
   wizard.press("identify.repeat");
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   ASSERT_TRUE(desk.perform("servo.rate", 1000));
   wizard.press("identify.repeat");
   desk.run(500);
-  EXPECT_EQ(wizard.state(), State::Runs);
+  EXPECT_EQ(wizard.state(), Wizard::State::Runs);
 }
 
 TEST(IdentifyInterruptedStory, WhatAnotherMeasurementTriesOutIsNotPutBack) {
@@ -201,11 +199,11 @@ TEST(IdentifyInterruptedStory, WhatAnotherMeasurementTriesOutIsNotPutBack) {
   Wizard& wizard = *desk.wizard;
   Document& document = desk.window.document();
   wizard.begin();
-  ASSERT_EQ(wizard.state(), State::Asks);
+  ASSERT_EQ(wizard.state(), Wizard::State::Asks);
   const scene::Description others = softer(document.scene());
   ASSERT_TRUE(document.tryOut(others).empty());
   wizard.press("identify.go");
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   EXPECT_TRUE(wizard.text("identify.why").contains("Another measurement"));
   wizard.press("identify.cancel");
   EXPECT_TRUE(document.isTryingOut());
@@ -217,16 +215,16 @@ TEST(IdentifyInterruptedStory, AStopWhileItAsksStays) {
   Wizard& wizard = *desk.wizard;
   wizard.begin();
   wizard.press("identify.go");
-  for (int ticks = 0; ticks < kMostTicks && wizard.state() == State::Runs; ticks += 100) desk.run(100);
-  ASSERT_EQ(wizard.state(), State::Asks);
+  for (int ticks = 0; ticks < kMostTicks && wizard.state() == Wizard::State::Runs; ticks += 100) desk.run(100);
+  ASSERT_EQ(wizard.state(), Wizard::State::Asks);
   EXPECT_TRUE(wizard.text("identify.prompt").startsWith("Take the stylus"));
   ASSERT_TRUE(desk.window.actions().perform("session.stop"));
   desk.run(500);
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   EXPECT_EQ(desk.host.snapshot().mode, servo::Mode::Idle);
   wizard.press("identify.repeat");
   desk.run(500);
-  EXPECT_EQ(wizard.state(), State::Runs);
+  EXPECT_EQ(wizard.state(), Wizard::State::Runs);
 }
 
 TEST(IdentifyInterruptedStory, AServoThatThePersonHasStartedAgainIsLeftRunning) {
@@ -236,7 +234,7 @@ TEST(IdentifyInterruptedStory, AServoThatThePersonHasStartedAgainIsLeftRunning) 
     wizard.begin();
     wizard.press("identify.go");
     desk.run(3000);
-    ASSERT_EQ(wizard.state(), State::Runs);
+    ASSERT_EQ(wizard.state(), Wizard::State::Runs);
     if (by_person) {
       ASSERT_TRUE(desk.window.actions().perform("session.stop"));
       desk.run(500);
@@ -264,27 +262,27 @@ TEST(IdentifyInterruptedStory, OnAnotherArmItAsksThePersonAndAFaultMidwayIsTaken
   Wizard& wizard = *desk.wizard;
   wizard.begin();
   desk.run(500);
-  EXPECT_EQ(wizard.state(), State::Asks) << "nothing moves before the person says so";
+  EXPECT_EQ(wizard.state(), Wizard::State::Asks) << "nothing moves before the person says so";
   EXPECT_FALSE(desk.host.running());
   EXPECT_TRUE(wizard.text("identify.prompt").startsWith("Let go"));
   wizard.press("identify.go");
   desk.run(10'000);
-  ASSERT_EQ(wizard.state(), State::Runs);
+  ASSERT_EQ(wizard.state(), Wizard::State::Runs);
   const double share = wizard.run().share();
   desk.plugged_in = false;
   desk.run(100);
   desk.plugged_in = true;
-  EXPECT_EQ(wizard.state(), State::Stopped);
+  EXPECT_EQ(wizard.state(), Wizard::State::Stopped);
   const QString why = wizard.text("identify.why"), button = wizard.in("identify.repeat")->text().remove('&');
   EXPECT_TRUE(why.contains("stopped answering")) << why.toStdString();
   EXPECT_TRUE(why.contains("press “" + button + "”")) << "the button that is there: " << why.toStdString();
   wizard.keepPicture("identify_fault");
   wizard.press("identify.repeat");
   desk.run(100);
-  EXPECT_EQ(wizard.state(), State::Runs);
+  EXPECT_EQ(wizard.state(), Wizard::State::Runs);
   EXPECT_LT(wizard.run().share(), share);
   ASSERT_TRUE(wizard.record()) << wizard.run().why().toStdString();
-  ASSERT_TRUE(wizard.comes([&] { return wizard.state() == State::Done; }));
+  ASSERT_TRUE(wizard.comes([&] { return wizard.state() == Wizard::State::Done; }));
   auto* const table = wizard.in<QTableWidget>("identify.table");
   expectNear(table, "Mass", 45.0);
   expectNear(table, "Friction", 0.26);

@@ -14,8 +14,6 @@
 
 namespace underact::gui::test {
 
-using State = IdentifyRun::State;
-
 TEST(IdentifyStory, TheWizardFindsWhatTheSimulatedArmIsMadeOfAndEndsWithAFile) {
   IdentifyDesk desk;
   const scene::Description before = desk.host().scene();
@@ -26,9 +24,9 @@ TEST(IdentifyStory, TheWizardFindsWhatTheSimulatedArmIsMadeOfAndEndsWithAFile) {
   desk.wizard.press("identify.next");
   desk.wizard.keepPicture("identify_place");
   desk.wizard.press("identify.next");
-  EXPECT_EQ(desk.wizard.state(), State::Asks);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Asks);
   desk.run(6000);
-  EXPECT_EQ(desk.wizard.state(), State::Runs);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Runs);
   EXPECT_FALSE(desk.wizard.in("identify.next")->isEnabled());
   EXPECT_TRUE(desk.document().isTryingOut());
   EXPECT_GT(desk.wizard.in<QProgressBar>("identify.progress")->value(), 100);
@@ -38,7 +36,7 @@ TEST(IdentifyStory, TheWizardFindsWhatTheSimulatedArmIsMadeOfAndEndsWithAFile) {
       << "a fit beside the swings while they are made";
   desk.wizard.keepPicture("identify_running");
   ASSERT_TRUE(desk.wizard.record()) << desk.wizard.run().why().toStdString();
-  ASSERT_TRUE(desk.wizard.comes([&] { return desk.wizard.state() == State::Done; }));
+  ASSERT_TRUE(desk.wizard.comes([&] { return desk.wizard.state() == Wizard::State::Done; }));
   desk.settle();
   EXPECT_TRUE(desk.wizard.in<QWidget>("identify.found")->isVisible());
   auto* const table = desk.wizard.in<QTableWidget>("identify.table");
@@ -129,11 +127,11 @@ TEST(IdentifyStory, CancellingPutsSceneAndHandBack) {
   const scene::Description before = desk.host().scene();
   desk.wizard.begin();
   desk.run(9000);
-  ASSERT_EQ(desk.wizard.state(), State::Runs);
+  ASSERT_EQ(desk.wizard.state(), Wizard::State::Runs);
   EXPECT_FALSE(scene::isSame(desk.host().scene(), before));
   desk.wizard.press("identify.cancel");
   desk.settle();
-  EXPECT_EQ(desk.wizard.state(), State::Idle);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Idle);
   EXPECT_TRUE(scene::isSame(desk.host().scene(), before));
   desk.run(2000);
   EXPECT_EQ(desk.snapshot().mode, servo::Mode::Running);
@@ -149,7 +147,7 @@ TEST(IdentifyStory, ItSaysWhyItCannotBegin) {
   desk.wizard.press("identify.next");
   desk.wizard.in<QDoubleSpinBox>("identify.place.y")->setValue(190.0);
   desk.wizard.press("identify.next");
-  EXPECT_EQ(desk.wizard.state(), State::Idle);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Idle);
   EXPECT_TRUE(desk.wizard.text("identify.why").contains("nearer to the middle"));
   EXPECT_TRUE(desk.wizard.in("identify.repeat")->isVisible());
   desk.wizard.press("identify.back");
@@ -160,7 +158,7 @@ TEST(IdentifyStory, ItSaysWhyItCannotBegin) {
   ASSERT_TRUE(desk.perform("session.hold_to_run", false));
   desk.wizard.press("identify.repeat");
   desk.run(500);
-  EXPECT_EQ(desk.wizard.state(), State::Runs);
+  EXPECT_EQ(desk.wizard.state(), Wizard::State::Runs);
 }
 
 TEST(IdentifyStory, ItLooksRightInDarkOnALargeScreenAndWithLargeText) {

@@ -41,7 +41,7 @@ std::string written(const QString& path) {
 }
 
 /// What is felt with the tip at p_WT.
-Vec3 pushAt(Story& story, const Vec3& p_WT) {
+Vec3 felt(Story& story, const Vec3& p_WT) {
   handTo(story, p_WT);
   return story.snapshot().report.force.f_T_W();
 }
@@ -105,12 +105,12 @@ TEST(LeftHandStory, AMeshIsFeltInTheMirrorAndTheFileStaysAsItWas) {
   const std::vector<Vec3> places{
       {0.010, 0.020, 0.010}, {0.010, 0.020, -0.022}, {-0.030, 0.020, 0.010}, {-0.043, -0.010, 0.010}};
   std::vector<Vec3> right;
-  for (const Vec3& p_WT : places) right.push_back(pushAt(story, p_WT));
+  for (const Vec3& p_WT : places) right.push_back(felt(story, p_WT));
   ASSERT_TRUE(story.perform(kAction, true));
   EXPECT_LT(meshOf(story).scale_mm_per_unit, 0.0);
   double most_N = 0.0;
   for (std::size_t index = 0; index < places.size(); ++index) {
-    const Vec3 left = pushAt(story, seen(places[index]));
+    const Vec3 left = felt(story, seen(places[index]));
     EXPECT_LT((seen(left) - right[index]).norm(), kSame_N) << index;
     most_N = std::max(most_N, left.norm());
   }

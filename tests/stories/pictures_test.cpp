@@ -13,7 +13,7 @@ namespace underact::gui::test {
 namespace {
 
 // A hand that pushes a little, the servo running and everything at rest: the same picture every time.
-void pushAt(Story& story, const Vec3& p_W) {
+void push(Story& story, const Vec3& p_W) {
   sim::HandWish wish;
   wish.p_WT = p_W;
   story.arm().wish(wish);
@@ -41,7 +41,7 @@ TEST(PicturesStory, EachShippedSceneLooksAsItDid) {
                            "08_box_inside", "09_wall", "10_two_spheres_nearest"}) {
     Story story(name);
     story.perform("view.theme.light");
-    pushAt(story, {0.012, 0.018, 0.034});
+    push(story, {0.012, 0.018, 0.034});
     EXPECT_LT(story.imageDifference(name), kTolerance) << name;
   }
 }
@@ -49,14 +49,14 @@ TEST(PicturesStory, EachShippedSceneLooksAsItDid) {
 TEST(PicturesStory, TheDarkViewLooksAsItDid) {
   Story story("02_sphere");
   story.perform("view.theme.dark");
-  pushAt(story, {0.012, 0.018, 0.034});
+  push(story, {0.012, 0.018, 0.034});
   EXPECT_LT(story.imageDifference("sphere_dark"), kTolerance);
 }
 
 TEST(PicturesStory, APictureWithoutTheForceIsNotTheSame) {  // the comparison sees what matters
   Story story("02_sphere");
   story.perform("view.theme.light");
-  pushAt(story, {0.012, 0.018, 0.034});
+  push(story, {0.012, 0.018, 0.034});
   story.view().setFixedSize(640, 480);
   story.settle(300);
   const QImage with = story.view().picture();

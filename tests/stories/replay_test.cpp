@@ -21,7 +21,7 @@
 namespace underact::gui::test {
 namespace {
 
-constexpr int kTicks = 4000;
+constexpr int kSessionTicks = 4000;
 
 /// A session of 4 s: a hand slowly goes into the sphere and out; a marker at 1 s; from 3 s on the sphere is softer.
 QString sessionFile() {
@@ -34,10 +34,10 @@ QString sessionFile() {
     simulated.host->run(1000);
     auto recorder = record::Recorder::start(*simulated.host, path.toStdString(), {.name = "Slow push"});
     EXPECT_TRUE(static_cast<bool>(recorder));
-    for (int tick = 0; tick < kTicks; tick += 50) {
+    for (int tick = 0; tick < kSessionTicks; tick += 50) {
       sim::HandWish wish = simulated.arm->wished();
-      wish.p_WT.z() = 0.05 - 0.0013 * std::sin(3.14159 * tick / kTicks);
-      wish.p_WT.x() = 0.008 * std::sin(6.0 * 3.14159 * tick / kTicks);
+      wish.p_WT.z() = 0.05 - 0.0013 * std::sin(3.14159 * tick / kSessionTicks);
+      wish.p_WT.x() = 0.008 * std::sin(6.0 * 3.14159 * tick / kSessionTicks);
       simulated.arm->wish(wish);
       if (tick == 1000) recorder.value()->mark("half way in");
       if (tick == 3000) {
@@ -85,7 +85,7 @@ TEST(ReplayStory, ASessionOpensPausedWithItsSceneAndForcesGoToNoArm) {
   EXPECT_EQ(story.find<QLabel>("status.device")->text(), "Recorded arm: Slow push");
   EXPECT_FALSE(player.isPlaying());
   EXPECT_EQ(player.row(), 0);
-  EXPECT_EQ(player.lastRow(), kTicks - 1);
+  EXPECT_EQ(player.lastRow(), kSessionTicks - 1);
   EXPECT_EQ(story.find<QLabel>("panel.replay.time")->text(), "0:00.000 / 0:03.999");
   story.run(500);
   EXPECT_EQ(player.row(), 0);
@@ -108,7 +108,7 @@ TEST(ReplayStory, ItPlaysWhatWasRecordedToTheBitAndStopsAtItsEnd) {
   }
   EXPECT_GT(player.comparison().recorded().peakForce_N(), 0.1);
   story.run(600);
-  EXPECT_EQ(player.row(), kTicks - 1);
+  EXPECT_EQ(player.row(), kSessionTicks - 1);
   EXPECT_FALSE(player.isPlaying());
   story.key(Qt::Key_P);
   story.run(11);
@@ -125,7 +125,7 @@ TEST(ReplayStory, ScrubStepsSpeedAndLoop) {
   auto* scrub = story.find<QSlider>("panel.replay.scrub");
   story.click(scrub, {scrub->width() / 2, scrub->height() / 2});
   story.run(1);
-  EXPECT_NEAR(static_cast<double>(player.row()), kTicks / 2.0, 20.0);
+  EXPECT_NEAR(static_cast<double>(player.row()), kSessionTicks / 2.0, 20.0);
   EXPECT_EQ(story.snapshot().report.fault.kind, FaultKind::None);
   ASSERT_TRUE(story.perform("replay.seek", 1.0));
   story.run(1);

@@ -37,7 +37,7 @@ struct StepLab : Story {
   void set(const QString& quantity, double value) { EXPECT_TRUE(perform("step.set", quantity, value)); }
 };
 
-QJsonObject commandLine(const QStringList& more) {
+QJsonObject labStepCommand(const QStringList& more) {
   QProcess program;
   program.start(UNDERACT_CLI, QStringList{"lab", "step", "--scene", shippedScene("01_point"), "--json"} + more);
   EXPECT_TRUE(program.waitForFinished(60000));
@@ -83,7 +83,8 @@ TEST(StepStory, TheArmIsMeasuredAsTheCommandLineMeasuresIt) {
   const std::uint64_t revision = story.host().revision();
   ASSERT_TRUE(story.perform("step.measure"));
   EXPECT_EQ(story.host().revision(), revision);  // on an arm of its own
-  const QJsonObject wanted = commandLine({"--law", "PD", "--kd_N_s_per_mm", "0.004", "--no-limits", "--step_mm", "8"});
+  const QJsonObject wanted =
+      labStepCommand({"--law", "PD", "--kd_N_s_per_mm", "0.004", "--no-limits", "--step_mm", "8"});
   EXPECT_NEAR(story.number(kRise, kMeasured), wanted["rise_10_90_s"].toDouble(), 1e-4);
   EXPECT_NEAR(story.number(kOvershoot, kMeasured), 100.0 * wanted["overshoot_fraction"].toDouble(), 0.01);
   EXPECT_NEAR(story.number(kError, kMeasured), wanted["steady_error_mm"].toDouble(), 1e-4);
@@ -111,7 +112,7 @@ TEST(StepStory, AnArmThatWasMeasuredIsTheOneThatIsStepped) {
   ASSERT_TRUE(story.perform("step.measure"));
   EXPECT_TRUE(story.text("note").contains("“heavy”")) << story.text("note").toStdString();
   EXPECT_TRUE(story.text("note").contains("0.05 N")) << "its friction: " << story.text("note").toStdString();
-  const QJsonObject wanted = commandLine({"--arm-model", arm, "--no-limits"});
+  const QJsonObject wanted = labStepCommand({"--arm-model", arm, "--no-limits"});
   EXPECT_NEAR(story.number(kRise, kMeasured), wanted["rise_10_90_s"].toDouble(), 1e-4);
   EXPECT_NEAR(story.number(kOvershoot, kMeasured), 100.0 * wanted["overshoot_fraction"].toDouble(), 0.01);
   ASSERT_TRUE(story.perform("arm.vendor"));

@@ -11,8 +11,6 @@
 namespace underact::test {
 namespace {
 
-using Table = std::vector<std::vector<std::string>>;
-
 /// A sweep of hands with what every hand file has by itself.
 std::vector<std::string> usualHands(std::vector<std::string> more) {
   std::vector<std::string> all{"hands", "--mass_kg", "0.1", "--damping_N_s_per_m", "4", "--stiffness_N_per_m", "300"};

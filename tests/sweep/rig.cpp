@@ -136,9 +136,9 @@ std::string scene(const std::string& name) {
   return std::string(UNDERACT_SOURCE) + "/scenes/" + name;
 }
 
-std::vector<std::vector<std::string>> table(const std::string& result) {
+Table table(const std::string& result) {
   std::istringstream text(textOf(result));
-  std::vector<std::vector<std::string>> rows;
+  Table rows;
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with("#")) continue;
     std::istringstream fields(line);
@@ -148,8 +148,7 @@ std::vector<std::vector<std::string>> table(const std::string& result) {
   return rows;
 }
 
-const std::string& field(const std::vector<std::vector<std::string>>& table, std::size_t row,
-                         const std::string& column) {
+const std::string& field(const Table& table, std::size_t row, const std::string& column) {
   static const std::string kNone;
   const auto found = std::find(table.at(0).begin(), table.at(0).end(), column);
   if (found == table.at(0).end()) {
@@ -159,7 +158,7 @@ const std::string& field(const std::vector<std::vector<std::string>>& table, std
   return table.at(row).at(static_cast<std::size_t>(found - table.at(0).begin()));
 }
 
-double number(const std::vector<std::vector<std::string>>& table, std::size_t row, const std::string& column) {
+double number(const Table& table, std::size_t row, const std::string& column) {
   return std::stod(field(table, row, column));
 }
 

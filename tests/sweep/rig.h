@@ -62,12 +62,13 @@ std::string textOf(const std::string& path);
 std::string contentOf(const std::string& path);
 std::string scene(const std::string& name);
 
-/// The lines of a result below its header, each cut at its commas; the columns first.
-std::vector<std::vector<std::string>> table(const std::string& result);
-/// The field of a row by the name of its column.
-const std::string& field(const std::vector<std::vector<std::string>>& table, std::size_t row,
-                         const std::string& column);
+using Table = std::vector<std::vector<std::string>>;
 
-double number(const std::vector<std::vector<std::string>>& table, std::size_t row, const std::string& column);
+/// The lines of a result below its header, each cut at its commas; the columns first.
+Table table(const std::string& result);
+/// The field of a row by the name of its column.
+const std::string& field(const Table& table, std::size_t row, const std::string& column);
+
+double number(const Table& table, std::size_t row, const std::string& column);
 
 }  // namespace underact::test

@@ -8,8 +8,6 @@
 namespace underact::test {
 namespace {
 
-using Table = std::vector<std::vector<std::string>>;
-
 TEST(SweepOfWalls, HasTheCellsOfAMapAsTheLabHasThem) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");

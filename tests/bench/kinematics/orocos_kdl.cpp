@@ -41,8 +41,8 @@ std::vector<KDL::JntArray> jointsOf(const std::vector<std::vector<double>>& valu
   return joints;
 }
 
-Line numeric(const Cases& cases, const KDL::Chain& chain, const std::vector<std::vector<double>>& seeds, int restarts,
-             const char* task) {
+Line numericByKdl(const Cases& cases, const KDL::Chain& chain, const std::vector<std::vector<double>>& seeds,
+                  int restarts, const char* task) {
   Line line{cases.arm.name, task, "KDL LMA"};
   KDL::ChainIkSolverPos_LMA solver(chain, 1e-9);  // as near as ours is asked to come; its steps and weights as shipped
   const std::vector<KDL::JntArray> starts = jointsOf(seeds);
@@ -98,9 +98,9 @@ Lines orocosKdl(const Cases& cases) {
   }
   score.into(forward);
   forward.note = "errors: against ours";
-  return {forward, both, numeric(cases, chain, cases.near, 0, "inverse, one, from 0.1 rad off"),
-          numeric(cases, chain, cases.far, 0, "inverse, one, from anywhere"),
-          numeric(cases, chain, cases.far, kRestarts, "inverse, one, with 20 restarts")};
+  return {forward, both, numericByKdl(cases, chain, cases.near, 0, "inverse, one, from 0.1 rad off"),
+          numericByKdl(cases, chain, cases.far, 0, "inverse, one, from anywhere"),
+          numericByKdl(cases, chain, cases.far, kRestarts, "inverse, one, with 20 restarts")};
 }
 
 }  // namespace underact::bench

@@ -24,7 +24,7 @@ Line closedForm(const Cases& cases) {
   return line;
 }
 
-Line numeric(const Cases& cases, const std::vector<std::vector<double>>& seeds, int restarts, const char* task) {
+Line numericByOurs(const Cases& cases, const std::vector<std::vector<double>>& seeds, int restarts, const char* task) {
   Line line{cases.arm.name, task, "underact"};
   chain::NumericOptions options;
   options.restarts = restarts;
@@ -59,9 +59,9 @@ Lines ours(const Cases& cases) {
   return {forward,
           both,
           closedForm(cases),
-          numeric(cases, cases.near, 0, "inverse, one, from 0.1 rad off"),
-          numeric(cases, cases.far, 0, "inverse, one, from anywhere"),
-          numeric(cases, cases.far, kRestarts, "inverse, one, with 20 restarts")};
+          numericByOurs(cases, cases.near, 0, "inverse, one, from 0.1 rad off"),
+          numericByOurs(cases, cases.far, 0, "inverse, one, from anywhere"),
+          numericByOurs(cases, cases.far, kRestarts, "inverse, one, with 20 restarts")};
 }
 
 }  // namespace underact::bench

@@ -29,7 +29,7 @@ std::unique_ptr<Mesh> meshOf(const mesh::Triangles& triangles) {
   return made;
 }
 
-struct Ask {
+struct AskTree {
   const Tree* tree;
   bool from_last;
   bool knows = false;
@@ -60,9 +60,9 @@ int main(int count, char** words) {
   });
   Teller teller(one, words[2]);
   line.note = "its own hints";
-  teller.tell(line, Ask{&tree, false});
+  teller.tell(line, AskTree{&tree, false});
   line.by = "CGAL, hinted";
   line.note = "the last answer is the hint";
-  teller.tell(line, Ask{&tree, true});
+  teller.tell(line, AskTree{&tree, true});
   return 0;
 }

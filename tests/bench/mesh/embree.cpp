@@ -67,7 +67,7 @@ RTCScene sceneOf(RTCDevice device, const mesh::Triangles& triangles) {
   return scene;
 }
 
-struct Ask {
+struct AskScene {
   RTCScene scene;
   const mesh::Triangles* triangles;
   bool from_last;  // the last query's face bounds how far to look
@@ -99,10 +99,10 @@ int main(int count, char** words) {
   Line line = built("Embree", [&] { scene = sceneOf(device, one.triangles); });
   line.note = "floats";
   Teller teller(one, words[2]);
-  teller.tell(line, Ask{scene, &one.triangles, false});
+  teller.tell(line, AskScene{scene, &one.triangles, false});
   line.by = "Embree, warm";
   line.note = "floats; the last face bounds the search";
-  teller.tell(line, Ask{scene, &one.triangles, true});
+  teller.tell(line, AskScene{scene, &one.triangles, true});
   rtcReleaseScene(scene);
   rtcReleaseDevice(device);
   return 0;

@@ -99,7 +99,7 @@ void print(const char* mesh, std::size_t faces, const std::vector<Told>& all) {
   }
 }
 
-void run(const Options& options) {
+void compareAll(const Options& options) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("underact_mesh_bench_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
@@ -133,6 +133,6 @@ int main(int count, char** words) {
     if (std::strcmp(words[i], "--least") == 0) options.least_faces = std::atoi(words[i + 1]);
     if (std::strcmp(words[i], "--most") == 0) options.most_faces = std::atoi(words[i + 1]);
   }
-  underact::bench::run(options);
+  underact::bench::compareAll(options);
   return 0;
 }

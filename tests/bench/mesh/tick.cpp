@@ -54,7 +54,7 @@ constexpr Way kWays[] = {{"wall", target::Side::Outside, mesh::Search::Hybrid, {
                          {"held, local", target::Side::Both, mesh::Search::Local, {}, 0.0},
                          {"held, hybrid, friction", target::Side::Both, mesh::Search::Hybrid, kRough, 0.0}};
 
-void run(int faces, int points) {
+void timeTicks(int faces, int points) {
   const mesh::Triangles triangles = mesh_maker::bumpySphere(faces);
   target::MeshPlace place;
   place.surface = mesh::makeSurface(triangles).value();
@@ -91,6 +91,6 @@ int main(int count, char** words) {
   const int points = count > 1 ? std::max(100, std::atoi(words[1])) : 10000;
   std::printf("%8s  %-24s %17s %19s\n", "", "", "tick, us", "force step, mN");
   std::printf("%8s  %-24s %8s %8s %10s %8s\n", "faces", "bumpy ball", "p50", "p99", "p99", "most");
-  for (const int faces : {20480, 327680, 1310720}) underact::bench::run(faces, points);
+  for (const int faces : {20480, 327680, 1310720}) underact::bench::timeTicks(faces, points);
   return 0;
 }

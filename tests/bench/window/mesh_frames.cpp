@@ -48,7 +48,7 @@ double share(std::vector<double> sorted, double of_all) {
   return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(of_all * static_cast<double>(sorted.size() - 1))];
 }
 
-void measure(SimulatedHost& simulated, MainWindow& window, const char* what) {
+void measureFrames(SimulatedHost& simulated, MainWindow& window, const char* what) {
   std::vector<double> frames_ms;
   const auto counting = QObject::connect(&window.view(), &SceneView::drawn, &window,
                                          [&](double frame_ms) { frames_ms.push_back(frame_ms); });
@@ -108,11 +108,11 @@ void measureOne(const std::string& source, const Row& row, std::size_t most) {
   static_cast<void>(window.document().open(std::move(scene)));
   window.actions().perform("session.start");
   window.actions().perform("layer.section", false);
-  measure(simulated, window, "plain");
+  measureFrames(simulated, window, "plain");
   window.actions().perform("layer.section_follows", true);
   window.actions().perform("section.z", true);
   window.actions().perform("layer.section", true);
-  measure(simulated, window, "cut");
+  measureFrames(simulated, window, "cut");
   window.document().undoStack().setClean();
 }
 

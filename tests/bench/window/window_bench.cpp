@@ -135,7 +135,7 @@ void measureRecorded() {
   }
 }
 
-void measure() {
+void measureAll() {
   {
     SimulatedHost host = makeSimulatedHost({});
     std::printf("scheduling %s, %d Hz\n", host.host->scheduling().name.c_str(), host.host->rateHz());
@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
   } else if (argc > 1 && std::string_view(argv[1]) == "recorded") {
     underact::gui::measureRecorded();
   } else {
-    underact::gui::measure();
+    underact::gui::measureAll();
   }
   return 0;
 }

@@ -21,7 +21,7 @@ double apart(const JointAngles& a_rad, const JointAngles& b_rad) {  // modulo a 
   return furthest_rad;
 }
 
-Solutions solve(const Pose& X_WT) {
+Solutions allSolutions(const Pose& X_WT) {
   return solveAll(thesis().geometry, thesis().limits, X_WT);
 }
 
@@ -31,7 +31,7 @@ double miss(const Solution& one, const Pose& X_WT) {
 }
 
 /// What the closed form divides by at a solution.
-double conditionOf(const Solution& one) {
+double conditionOfSolution(const Solution& one) {
   const SingularityDistances at = singularityDistances(thesis().geometry, one.q_rad);
   const double reach_m = thesis().geometry.upper_m + thesis().geometry.fore_m;
   return std::sin(at.wrist_rad) * std::sin(at.elbow_rad) * (at.shoulder_m / reach_m);
@@ -81,7 +81,7 @@ TEST(Branches, AreExactlyThoseOfTheGoldenFile) {
     ++cases;
     const Pose X_WT = test::poseOf(*one.find("T"));
     const std::string& status = one.find("status")->text;
-    const Solutions solutions = solve(X_WT);
+    const Solutions solutions = allSolutions(X_WT);
     const std::vector<Expected> expected = expectedOf(one);
     EXPECT_EQ(solutions.count, expected.size()) << "line " << one.line << ": " << status;
     EXPECT_EQ(solutions.reachable, status != "unreachable") << "line " << one.line;
@@ -92,7 +92,8 @@ TEST(Branches, AreExactlyThoseOfTheGoldenFile) {
       double tolerance_rad = 3e-6;  // on the boundary: the root of the rounding of the pose, as the file's notes say
       if (status == "regular") {
         tolerance_rad = 0.0;
-        for (const Solution& found : solutions) tolerance_rad = std::max(tolerance_rad, 1e-8 / conditionOf(found));
+        for (const Solution& found : solutions)
+          tolerance_rad = std::max(tolerance_rad, 1e-8 / conditionOfSolution(found));
         tolerance_rad = std::min(tolerance_rad, 1e-6);  // so that no match is an accident
       }
       const bool found = std::any_of(solutions.begin(), solutions.end(),
@@ -111,7 +112,7 @@ TEST(Branches, TellWithinLimitsAsTheGoldenFileDoes) {
   int inside = 0;
   for (const test::Value& one : file.find("cases")->items) {
     if (one.find("status")->text != "regular") continue;
-    const Solutions solutions = solve(test::poseOf(*one.find("T")));
+    const Solutions solutions = allSolutions(test::poseOf(*one.find("T")));
     for (const test::Value& listed : one.find("solutions")->items) {
       const JointAngles q_rad = test::anglesOf(*listed.find("q"));
       const auto found = std::find_if(solutions.begin(), solutions.end(),
@@ -131,7 +132,7 @@ TEST(Branches, ReachTheirPoseWhereverItIs) {  // packaging/soak: 1e6 round trips
     JointAngles q_rad{};
     for (double& angle_rad : q_rad) angle_rad = random.between(-kPi, kPi);
     const Pose X_WT = tipPose(thesis().geometry, q_rad);
-    const Solutions solutions = solve(X_WT);
+    const Solutions solutions = allSolutions(X_WT);
     ASSERT_TRUE(solutions.reachable);
     ASSERT_GT(solutions.count, 0U);
     if (!solutions.singular()) {
@@ -148,7 +149,7 @@ TEST(Branches, ReachTheirPoseWhereverItIs) {  // packaging/soak: 1e6 round trips
       for (const double angle_rad : one.q_rad) ASSERT_TRUE(angle_rad > -kPi && angle_rad <= kPi) << angle_rad;
     }
     if (!solutions.singular()) {
-      ASSERT_LE(nearest_rad, 1e-12 / conditionOf({q_rad, {}, Family::None, false})) << i;
+      ASSERT_LE(nearest_rad, 1e-12 / conditionOfSolution({q_rad, {}, Family::None, false})) << i;
     }
   }
   std::printf("round trips: worst place %.2e mm, worst entry of the rotation %.2e\n", 1e3 * worst_m, worst_angle);
@@ -158,7 +159,7 @@ TEST(Branches, ReachTheirPoseWhereverItIs) {  // packaging/soak: 1e6 round trips
 
 TEST(Branches, FaceAndTurnAwayAsTheirNamesSay) {
   JointAngles q_rad{0.3, 0.8, 0.4, 0.5, 1.1, -0.7};
-  const Solutions solutions = solve(tipPose(thesis().geometry, q_rad));
+  const Solutions solutions = allSolutions(tipPose(thesis().geometry, q_rad));
   EXPECT_LE(apart(solutions.all[0].q_rad, q_rad), 1e-14);
   EXPECT_EQ(solutions.all[0].branch, (Branch{1, 1, 1}));
   for (const Solution& one : solutions) {
@@ -182,7 +183,7 @@ TEST(Branches, NearEachSingularityStayFiniteAndReachThePose) {  // down to the l
         q_rad[2] = std::asin(std::clamp(sine, -1.0, 1.0)) - q_rad[1];
       }
       const Pose X_WT = tipPose(geometry, q_rad);
-      const Solutions solutions = solve(X_WT);
+      const Solutions solutions = allSolutions(X_WT);
       ASSERT_GT(solutions.count, 0U) << singularity << " " << off;
       for (const Solution& one : solutions) ASSERT_LE(miss(one, X_WT), 1e-12) << singularity << " " << off;
       if (off < 3e-7) {
@@ -201,19 +202,19 @@ TEST(Branches, TheBoundaryOfTheReachCountsAsReached) {
   for (const double share : {1.0, 1.0 + 9.9e-10, 1.0 - 1e-13}) {
     Pose X_WT = Pose::Identity();
     X_WT.translation() = geometry.p_WB + share * reach_m * Vec3(0.36, 0.48, 0.8);
-    EXPECT_TRUE(solve(X_WT).reachable) << share;
-    EXPECT_TRUE(solve(X_WT).at_elbow) << share;
+    EXPECT_TRUE(allSolutions(X_WT).reachable) << share;
+    EXPECT_TRUE(allSolutions(X_WT).at_elbow) << share;
   }
   Pose folded = Pose::Identity();
   folded.translation() =
       geometry.p_WB + (geometry.fore_m - geometry.upper_m - 0.9e-9 * reach_m) * Vec3(0.36, 0.48, 0.8);
-  EXPECT_TRUE(solve(folded).reachable);
+  EXPECT_TRUE(allSolutions(folded).reachable);
   folded.translation() = geometry.p_WB + (geometry.fore_m - geometry.upper_m - 2e-9 * reach_m) * Vec3(0.36, 0.48, 0.8);
-  EXPECT_FALSE(solve(folded).reachable);
+  EXPECT_FALSE(allSolutions(folded).reachable);
   Pose beyond = Pose::Identity();
   beyond.translation() = geometry.p_WB + (1.0 + 1.2e-9) * reach_m * Vec3(0.36, 0.48, 0.8);
-  EXPECT_FALSE(solve(beyond).reachable);
-  EXPECT_EQ(solve(beyond).count, 0U);
+  EXPECT_FALSE(allSolutions(beyond).reachable);
+  EXPECT_EQ(allSolutions(beyond).count, 0U);
 }
 
 TEST(Branches, AnArmOfEqualLinksFoldedOntoItsShoulderIsAnsweredToo) {

@@ -32,7 +32,7 @@ double furthest(const JointAngles& a_rad, const JointAngles& b_rad) {  // modulo
   return furthest_rad;
 }
 
-JointAngles solve(const Geometry& geometry, const Pose& X_WT) {
+JointAngles jointsAt(const Geometry& geometry, const Pose& X_WT) {
   return withWrist(reach(geometry, X_WT.translation()).q_rad, X_WT.linear());
 }
 
@@ -44,7 +44,7 @@ TEST(Inverse, MeetsTheGoldenSolutions) {
     ++regular;
     const Pose X_WT = test::poseOf(*one.find("T"));
     EXPECT_TRUE(reach(thesis().geometry, X_WT.translation()).reachable);
-    const JointAngles q_rad = solve(thesis().geometry, X_WT);
+    const JointAngles q_rad = jointsAt(thesis().geometry, X_WT);
     double nearest_rad = kInfinity;
     for (const test::Value& solution : one.find("solutions")->items) {
       nearest_rad = std::min(nearest_rad, furthest(q_rad, test::anglesOf(*solution.find("q"))));
@@ -63,7 +63,7 @@ TEST(Inverse, SingularPosesAreReachedAllTheSame) {
     if (status == "regular" || status == "unreachable") continue;
     ++singular;
     const Pose X_WT = test::poseOf(*one.find("T"));
-    const Pose found = tipPose(thesis().geometry, solve(thesis().geometry, X_WT));
+    const Pose found = tipPose(thesis().geometry, jointsAt(thesis().geometry, X_WT));
     EXPECT_LE((found.translation() - X_WT.translation()).norm(), kTip_m) << status << ", line " << one.line;
     // withWrist() calls joint 5 zero below 1e-9, and so may miss the direction by as much.
     EXPECT_LE((found.linear() - X_WT.linear()).cwiseAbs().maxCoeff(), 2e-9) << status << ", line " << one.line;

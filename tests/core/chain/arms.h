@@ -17,6 +17,8 @@ namespace underact::chain::test {
 
 namespace property = underact::test;
 
+using Angles = std::array<double, 6>;
+
 inline std::vector<Arm> arms() {
   return {puma(), irb120(), omni()};
 }

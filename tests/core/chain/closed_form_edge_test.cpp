@@ -8,7 +8,7 @@
 namespace underact::chain {
 namespace {
 
-using Angles = std::array<double, 6>;
+using test::Angles;
 
 const Chain& omni() {
   static const Chain kChain = test::omni().chain();

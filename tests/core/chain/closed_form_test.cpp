@@ -7,7 +7,7 @@
 namespace underact::chain {
 namespace {
 
-using Angles = std::array<double, 6>;
+using test::Angles;
 
 // What rounding makes of a pose, in reaches and in rad: a few ulp of the joints, each seen over the whole arm. 1e-12 is
 // what may become one on the edge, and does in a sweep as wide as these now and then.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTick_s = 1e-3;
 
-Pose pointing(double angle_rad, const Vec3& p_WT) {
+Pose pointingAt(double angle_rad, const Vec3& p_WT) {
   return test::poseOf(test::about(Vec3::UnitZ(), angle_rad) * test::tipAt(Vec3::Zero()).linear(), p_WT);
 }
 
@@ -137,7 +137,7 @@ TEST(Follow, TwoRunsAreEqualToTheBit) {
 
 TEST(Follow, ABetterMinimumIsAnnouncedAndTakenAfterAWhileAndTheTargetGoesThereSlowly) {
   const Manipulator m = opposed();
-  const Pose X_WT = pointing(3.0, {0.055, 0, 0});
+  const Pose X_WT = pointingAt(3.0, {0.055, 0, 0});
   State state;
   state.theta[0] = -0.5252628586;
   state.p_WP = test::energyAt(m, X_WT, state.theta).tip.X_WT.translation();
@@ -166,7 +166,7 @@ TEST(Follow, ABetterMinimumIsAnnouncedAndTakenAfterAWhileAndTheTargetGoesThereSl
 
 TEST(Follow, TheLeastMinimumIsKept) {
   const Manipulator m = opposed();
-  const Pose X_WT = pointing(3.0, {0.055, 0, 0});
+  const Pose X_WT = pointingAt(3.0, {0.055, 0, 0});
   int cold_steps = 0;
   State state = standing(m, X_WT, cold_steps);
   for (int tick = 0; tick < 2'000; ++tick) {
@@ -183,7 +183,7 @@ TEST(Follow, FromALimitTheWatchFindsTheNearerOneRoundTheOtherWay) {
     wanted.chain = test::ring(shift_rad - 2.0, shift_rad + 2.0);
     wanted.method = Method::Iterative;
     const Manipulator m = test::made(wanted);
-    const Pose X_WT = pointing(0.0, 0.06 * Vec3(std::cos(shift_rad + 2.5), std::sin(shift_rad + 2.5), 0.0));
+    const Pose X_WT = pointingAt(0.0, 0.06 * Vec3(std::cos(shift_rad + 2.5), std::sin(shift_rad + 2.5), 0.0));
     State state;
     state.theta[0] = shift_rad - 2.0;
     state.p_WP = test::energyAt(m, X_WT, state.theta).tip.X_WT.translation();
@@ -221,7 +221,7 @@ TEST(Follow, TheThesissLawStandsWhereItGoesOn) {
   wanted.ko_N_m_per_rad = 0.25;
   wanted.law = ForceLaw::Thesis52;
   const Manipulator m = test::made(wanted);
-  const Pose X_WT = pointing(3.0, {0.055, 0, 0});  // its tip is at the stylus's place, whatever the turn
+  const Pose X_WT = pointingAt(3.0, {0.055, 0, 0});  // its tip is at the stylus's place, whatever the turn
   int cold_steps = 1;
   State state = standing(m, X_WT, cold_steps);
   EXPECT_EQ(cold_steps, 0);
@@ -231,7 +231,7 @@ TEST(Follow, TheThesissLawStandsWhereItGoesOn) {
 
 TEST(Follow, AFirstTickStartsAtHomeAndAColdStartAtTheLeastMinimum) {
   const Manipulator m = opposed();
-  const Pose X_WT = pointing(-3.0, {0.055, 0, 0});  // mirrored: the least minimum is at -0.4766
+  const Pose X_WT = pointingAt(-3.0, {0.055, 0, 0});  // mirrored: the least minimum is at -0.4766
   int cold_steps = 0;
   EXPECT_NEAR(standing(m, X_WT, cold_steps).theta[0], -0.4766366886973705, 1e-9);
   EXPECT_GT(cold_steps, 0);

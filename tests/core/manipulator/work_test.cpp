@@ -39,7 +39,7 @@ Work around(const Manipulator& m, const Mat3& R_WT, const Loop& loop, int points
   return work;
 }
 
-Manipulator thesisRing(ForceLaw law) {
+Manipulator ringOf(ForceLaw law) {
   Wanted wanted;
   wanted.chain = test::ring();
   wanted.orientation = Orientation::Angle;
@@ -77,7 +77,7 @@ TEST(Work, OnAClosedWayAtFixedTurnTheEnergysLawDoesNone) {
 TEST(Work, OnAClosedWayTheThesissLawDoesWhatGreensTheoremSays) {
   // Of the pull along the circle, -(ko e / L) t with e = phi - alpha: round rho = rho0 + a cos s, phi = phi0 + b sin s
   // the work is -(ko / L) pi a b (phi0 - alpha); the pull towards the circle does none.
-  const Manipulator m = thesisRing(ForceLaw::Thesis52);
+  const Manipulator m = ringOf(ForceLaw::Thesis52);
   const double phi0_rad = 0.4, alpha_rad = -0.4, a_m = 0.02, b_rad = 0.5;
   State state;
   const int points = 256;
@@ -95,7 +95,7 @@ TEST(Work, OnAClosedWayTheThesissLawDoesWhatGreensTheoremSays) {
 }
 
 TEST(Work, OnTheSameWayTheEnergysLawDoesNone) {
-  const Manipulator m = thesisRing(ForceLaw::Energy);
+  const Manipulator m = ringOf(ForceLaw::Energy);
   const Loop loop{onRing(0.05, 0.4), onRing(0.015, 0.4), onRing(0.02, 0.4 + kPi / 2), Vec3::Zero()};
   const Work work = around(m, pointing(-0.4), loop, 256);
   EXPECT_NEAR(work.work_J, 0.0, 1e-12);
@@ -129,7 +129,7 @@ Pumped goOn(const Manipulator& m, double from_rad[2], const double to_rad[2], St
 TEST(Work, TurningAndSlidingPumpsWhatTheMissingMomentWouldTakeAndNoMore) {
   // Turn by D, slide, turn back, slide: ks D^2 with 1 / ks = 1 / (kp L^2) + 1 / ko; 18.75 N mm for D = 0.3. Exactly it
   // is twice the least energy at a difference of D, ks D^2 less a share of the joint's fourth order (2e-5 here).
-  const Manipulator m = thesisRing(ForceLaw::Energy);
+  const Manipulator m = ringOf(ForceLaw::Energy);
   const double turn_rad = 0.3;
   const double least_J = leastEnergy(m, test::poseOf(pointing(turn_rad), onRing(0.05, 0.0))).at.energy_J;
   const double corners[4][2] = {{0.0, turn_rad}, {turn_rad, turn_rad}, {turn_rad, 0.0}, {0.0, 0.0}};
@@ -150,7 +150,7 @@ TEST(Work, TurningAndSlidingPumpsWhatTheMissingMomentWouldTakeAndNoMore) {
 
 TEST(Work, APumpIsBoundedHoweverFarTheStylusTurns) {
   // A cycle gains at most twice the energy of half a turn, ko pi^2, whatever is done.
-  const Manipulator m = thesisRing(ForceLaw::Energy);
+  const Manipulator m = ringOf(ForceLaw::Energy);
   for (const double turn_rad : {0.5, 1.5, 2.5, 3.1}) {
     const double corners[4][2] = {{0.0, turn_rad}, {turn_rad, turn_rad}, {turn_rad, 0.0}, {0.0, 0.0}};
     double at_rad[2] = {0.0, 0.0}, force_J = 0.0;

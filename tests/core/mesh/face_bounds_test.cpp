@@ -17,7 +17,7 @@ using test::Random;
 using test::Seed;
 
 /// Faces without neighbours or tree: bounds look at neither.
-Surface surfaceOf(const std::vector<Vec3>& corners) {
+Surface looseFaces(const std::vector<Vec3>& corners) {
   Surface surface;
   for (const Vec3& corner : corners) {
     const auto index = static_cast<std::int32_t>(surface.triangles.p_MV.size());
@@ -68,7 +68,7 @@ TEST(FaceBounds, AreNeverAboveTheDistanceWhateverTheFacesAre) {
   for (int i = 0; i < test::sweep(20000, 1000000); ++i) {
     const double size = powerOfTen(random, -12.0, 12.0);
     const Vec3 middle = size * powerOfTen(random, -2.0, 4.0) * random.direction();
-    const Surface surface = surfaceOf(fourFaces(middle, size, random));
+    const Surface surface = looseFaces(fourFaces(middle, size, random));
     const Vec3 q_M = middle + size * powerOfTen(random, -8.0, 5.0) * random.direction();
     for (const Bounded& one : bounded(surface, q_M)) {
       // Of the oracle's own distance: a root in doubles, squared again.
@@ -88,7 +88,7 @@ TEST(FaceBounds, AreCloseWhereNoAngleIsSharp) {  // or a search would look at al
       corners.insert(corners.end(), {a, a + u, a + random.between(0.0, 1.0) * u + random.between(0.3, 1.0) * v});
     }
     const Vec3 q_M = corners[0] + random.between(0.0, 10.0) * random.direction();
-    for (const Bounded& one : bounded(surfaceOf(corners), q_M))
+    for (const Bounded& one : bounded(looseFaces(corners), q_M))
       ASSERT_GE(one.bound, (1.0 - 0x1p-13) * one.squared - 0x1p-14 * one.longest_squared) << "draw " << i;
   }
 }
@@ -96,15 +96,15 @@ TEST(FaceBounds, AreCloseWhereNoAngleIsSharp) {  // or a search would look at al
 TEST(FaceBounds, SayNothingOfFacesWithoutAnAngleOrBeyondFloats) {
   const Vec3 q_M(0.0, 0.0, 1.0);
   const Vec3 a(3.0, 0.0, 0.0), b(4.0, 0.0, 0.0);
-  const Surface surface = surfaceOf({a, b, b,                                      // an edge
-                                     a, a, a,                                      // a point
-                                     a, b, Vec3(4.0, 0.1, 0.0),                    // sharp: 5.7 degrees
-                                     1e15 * a, 1e15 * b, Vec3(3e15, 1e15, 0.0)});  // squares of areas: 1e60
+  const Surface surface = looseFaces({a, b, b,                                      // an edge
+                                      a, a, a,                                      // a point
+                                      a, b, Vec3(4.0, 0.1, 0.0),                    // sharp: 5.7 degrees
+                                      1e15 * a, 1e15 * b, Vec3(3e15, 1e15, 0.0)});  // squares of areas: 1e60
   for (const float bound : faceBounds(surface, {0, 1, 2, 3}, q_M)) EXPECT_LE(bound, 0.0F);
 }
 
 TEST(FaceBounds, OfOneFaceAreTheSameInEachPlace) {
-  const Surface surface = surfaceOf({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  const Surface surface = looseFaces({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
   const std::array<float, kAtOnce> bounds = faceBounds(surface, {0, 0, 0, 0}, {0.25, 0.25, 2.0});
   for (const float bound : bounds) {
     EXPECT_EQ(bound, bounds[0]);

@@ -23,7 +23,7 @@ std::string problemsOf(const Description& scene) {
   return joined(linesOf(check(scene)));
 }
 
-Description sceneOf(const Shape& shape) {
+Description sceneWithShape(const Shape& shape) {
   Description scene;
   scene.title = "t";
   scene.constraints.push_back({"it", shape, target::Side::Both, {}, {"f", 3, 5, "constraints[0]"}});
@@ -98,9 +98,9 @@ TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
 
 TEST(SceneRules, OnlyAShapeWithSidesTakesASide) {
   for (const Shape& shape : kOneOfEach) {
-    Description scene = sceneOf(shape);
+    Description scene = sceneWithShape(shape);
     scene.constraints[0].side = target::Side::Outside;
-    const bool sides = shape::hasSides(compile(sceneOf(shape)).value().entries[0].constraint.shape);
+    const bool sides = shape::hasSides(compile(sceneWithShape(shape)).value().entries[0].constraint.shape);
     EXPECT_EQ(check(scene).empty(), sides) << typeName(shape);
     EXPECT_EQ(hasSides(shape), sides) << typeName(shape);
   }
@@ -147,7 +147,7 @@ TEST(SceneRules, AGainThatTheLawDoesNotUseIsNoSilentTypo) {
 
 TEST(SceneRules, AZeroGainBesideOthersNeedsTheEuclideanMetric) {
   for (const Shape& shape : kOneOfEach) {
-    Description scene = sceneOf(shape);
+    Description scene = sceneWithShape(shape);
     const bool is_point = std::holds_alternative<Point>(shape);
     scene.control.gains.kp_N_per_mm = Vec3(0.5, 0.0, 0.5);
     const std::string problem = problemsOf(scene);
@@ -176,7 +176,7 @@ TEST(SceneRules, AZeroGainBesideOthersNeedsTheEuclideanMetric) {
 }
 
 TEST(SceneRules, ItIsTheControlThatHoldsForTheConstraintThatCounts) {
-  Description scene = sceneOf(Sphere{Vec3::Zero(), 1.0});
+  Description scene = sceneWithShape(Sphere{Vec3::Zero(), 1.0});
   scene.control.gains.kp_N_per_mm = Vec3(0.5, 0.0, 0.5);
   scene.constraints[0].control = Control{};
   EXPECT_EQ(problemsOf(scene), "");
@@ -185,7 +185,7 @@ TEST(SceneRules, ItIsTheControlThatHoldsForTheConstraintThatCounts) {
 }
 
 TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
-  Description scene = sceneOf(Circle{Vec3(0, kNotANumber, 2e6), Vec3::Zero(), -1.0});
+  Description scene = sceneWithShape(Circle{Vec3(0, kNotANumber, 2e6), Vec3::Zero(), -1.0});
   scene.title = " \n";
   scene.arm = "stylus";
   scene.control.gains.kp_N_per_mm.x() = -kInfinity;

@@ -22,7 +22,7 @@ Entry influenced(const target::Influence& influence) {
   return entry;
 }
 
-TickProgram programOf(const std::vector<Entry>& entries) {
+TickProgram programOfAll(const std::vector<Entry>& entries) {
   return makeProgram(test::thesisGeometry(), entries, Combine::Sum, test::kTestLimits);
 }
 
@@ -46,10 +46,10 @@ TEST(InfluencedTick, FollowsTheStylusOfTheArm) {
 }
 
 TEST(InfluencedTick, OnlyAProgramThatNeedsItPaysForTheWrist) {
-  const TickProgram plain = programOf({test::hold(kRing, P{Vec3::Constant(500.0)})});
+  const TickProgram plain = programOfAll({test::hold(kRing, P{Vec3::Constant(500.0)})});
   EXPECT_FALSE(plain.needs.orientation);
   EXPECT_TRUE(makeState(plain).influences.empty());
-  const TickProgram turned = programOf({influenced({})});
+  const TickProgram turned = programOfAll({influenced({})});
   EXPECT_TRUE(turned.needs.orientation);
   EXPECT_GT(bytesOf(makeState(turned)), bytesOf(makeState(plain)));
   Hand hand(plain);
@@ -58,7 +58,7 @@ TEST(InfluencedTick, OnlyAProgramThatNeedsItPaysForTheWrist) {
 
 TEST(InfluencedTick, AtRestTheTurnIsThatOfTheLine) {
   const Mat3 R_WT = Eigen::AngleAxisd(0.5 * 3.14159265358979, Vec3::UnitY()).toRotationMatrix();  // z along x
-  const TickReport report = answerAtRest(programOf({influenced({0.0})}), {0.0, 0.06, 0.0}, R_WT);
+  const TickReport report = answerAtRest(programOfAll({influenced({0.0})}), {0.0, 0.06, 0.0}, R_WT);
   EXPECT_LE((report.held[0].p_WP - Vec3(0.05, 0.0, 0.0)).norm(), 1e-15);
 }
 

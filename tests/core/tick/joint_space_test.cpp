@@ -23,7 +23,7 @@ Entry joint(const shape::Shape& shape, const control::Law& law, target::Side sid
   return {target::makeConstraint(shape, side, Vec3::Ones()), law, Space::Joint};
 }
 
-TickProgram programOf(const Entry& entry, const arm::JointLimits& limits = arm::kNoJointLimits) {
+TickProgram jointProgram(const Entry& entry, const arm::JointLimits& limits = arm::kNoJointLimits) {
   return makeProgram(test::thesisGeometry(), {entry}, Combine::Sum, test::kTestLimits, limits);
 }
 
@@ -37,7 +37,7 @@ TEST(JointSpace, TheForceIsThatOfTheTorques) {  // oracle: J_p^-T by a general s
   test::Random random(test::Seed{20070451});
   for (int i = 0; i < test::sweep(2'000, 100'000); ++i) {
     const Vec3 p_WT(random.between(-0.08, 0.08), random.between(-0.06, 0.06), random.between(-0.035, 0.035));
-    Hand hand(programOf(joint(kJointPoint, P{kK})));
+    Hand hand(jointProgram(joint(kJointPoint, P{kK})));
     const TickReport& report = hand.at(p_WT);
     const arm::JointAngles q_rad = arm::reach(test::thesisGeometry(), p_WT).q_rad,
                            wanted_rad = arm::reach(test::thesisGeometry(), {0.01, 0.02, 0.03}).q_rad;
@@ -61,7 +61,7 @@ TEST(JointSpace, ItIsNotTheCartesianSpringButOneThatLeansAsideAwayFromItsMiddle)
   double least_deg = 90.0;
   for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 1, 1)}) {
     const Vec3 e_W = -1e-6 * way.normalized();
-    Hand hand(programOf(joint(kJointPoint, P{kK})));
+    Hand hand(jointProgram(joint(kJointPoint, P{kK})));
     const Vec3 f_T_W = hand.at(target - e_W).f_T_W;
     EXPECT_LE((f_T_W - stiffness * e_W).norm(), 1e-4 * f_T_W.norm()) << way.transpose();  // 1 um of 0.1 m, curved
     const double cosine = f_T_W.normalized().dot(e_W.normalized());
@@ -72,7 +72,7 @@ TEST(JointSpace, ItIsNotTheCartesianSpringButOneThatLeansAsideAwayFromItsMiddle)
 
 TEST(JointSpace, AWallNeverPullsAndAnUntouchedOneIsFree) {
   test::Random random(test::Seed{20070452});
-  Hand hand(programOf(joint(kJointFloor, PD{kK, Vec3::Constant(0.3)}, target::Side::Outside)));
+  Hand hand(jointProgram(joint(kJointFloor, PD{kK, Vec3::Constant(0.3)}, target::Side::Outside)));
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p_WT(random.between(-0.05, 0.05), random.between(-0.03, 0.03), random.between(-0.03, 0.03));
     const TickReport& report = hand.at(p_WT);
@@ -87,7 +87,7 @@ TEST(JointSpace, AWallNeverPullsAndAnUntouchedOneIsFree) {
 TEST(JointSpace, HoldsEveryShapeWithEveryLawAndStaysFinite) {
   for (const shape::Shape& shape : test::middleShapes()) {
     for (const control::Law& law : test::everyLaw()) {
-      Hand hand(programOf(joint(shape, law)));
+      Hand hand(jointProgram(joint(shape, law)));
       bool pushed = false;
       for (int tick = 0; tick < 2000; ++tick) {
         const TickReport& report = hand.feed(test::scriptedAngles(tick));
@@ -102,7 +102,7 @@ TEST(JointSpace, HoldsEveryShapeWithEveryLawAndStaysFinite) {
 }
 
 TEST(JointSpace, OnSingularPosesTheForceIsDampedAndFinite) {
-  Hand hand(programOf(joint(kJointPoint, P{kK})));
+  Hand hand(jointProgram(joint(kJointPoint, P{kK})));
   for (const arm::JointAngles& q_rad :
        {arm::JointAngles{0, 0.5, kPi / 2, 0, 1, 0}, arm::JointAngles{0, 0.5, -kPi / 2, 0, 1, 0},
         arm::JointAngles{0.3, kPi / 2, kPi / 2, 0, 1, 0}}) {  // stretched, folded, on axis 1
@@ -115,7 +115,7 @@ TEST(JointSpace, OnSingularPosesTheForceIsDampedAndFinite) {
 
 TEST(JointSpace, ATargetOutOfReachDrawsToTheNearestPlaceAndSaysSo) {
   const shape::Shape far = shape::makePoint({0.0, 0.0, 0.5}, {}).value();
-  Hand hand(programOf(joint(far, P{kK})));
+  Hand hand(jointProgram(joint(far, P{kK})));
   EXPECT_TRUE(hand.at({0.0, 0.0, 0.05}).out_of_reach);
   EXPECT_GT(hand.report().f_T_W.z(), 0.0);
 }
@@ -125,7 +125,7 @@ TEST(JointSpace, ATargetBeyondAJointsLimitIsAskedForAtTheLimit) {
   limits.max_rad[0] = 0.02;  // the target below asks for 0.194
   const shape::Shape aside = shape::makePoint({0.04, 0.0, 0.03}, {}).value();
   const Vec3 p_WT = arm::tipPosition(test::thesisGeometry(), {0.02, 0.6, 0.3, 0, 0, 0});
-  Hand free(programOf(joint(aside, P{kK}))), limited(programOf(joint(aside, P{kK}), limits));
+  Hand free(jointProgram(joint(aside, P{kK}))), limited(jointProgram(joint(aside, P{kK}), limits));
   const Vec3 across_W(std::cos(0.02), 0.0, -std::sin(0.02));  // the way of joint 1
   EXPECT_GT(free.at(p_WT).f_T_W.dot(across_W), 1.0);
   EXPECT_NEAR(limited.at(p_WT).f_T_W.dot(across_W), 0.0, 1e-10);
@@ -136,13 +136,13 @@ TEST(JointSpace, OnlyAProgramThatWorksOnJointsPaysForThem) {
       makeProgram(test::thesisGeometry(), {test::hold(kJointPoint, P{kK})}, Combine::Sum, test::kTestLimits);
   EXPECT_FALSE(cartesian.needs.joints);
   EXPECT_TRUE(makeState(cartesian).followers.empty());
-  const TickProgram joints = programOf(joint(kJointPoint, P{kK}));
+  const TickProgram joints = jointProgram(joint(kJointPoint, P{kK}));
   EXPECT_TRUE(joints.needs.joints);
   EXPECT_GT(bytesOf(makeState(joints)), bytesOf(makeState(cartesian)));
 }
 
 TEST(JointSpace, AGainChangeKeepsTheBranch) {
-  Hand hand(programOf(joint(kJointPoint, P{kK})));
+  Hand hand(jointProgram(joint(kJointPoint, P{kK})));
   hand.at({0.0, 0.0, 0.0});
   TickState next = makeState(hand.program());
   carryOver(hand.state(), next);

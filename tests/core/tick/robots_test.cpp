@@ -17,7 +17,7 @@ using test::Hand;
 
 const control::Law kLaw = control::P{Vec3::Constant(500.0)};
 
-TickProgram programOf(const Manipulator& robot, const control::Law& law = kLaw) {
+TickProgram robotProgram(const Manipulator& robot, const control::Law& law = kLaw) {
   return makeProgram(test::thesisGeometry(), {test::holdTo(robot, law)}, Combine::Sum, test::kTestLimits);
 }
 
@@ -30,7 +30,7 @@ TEST(RobotTick, OnlyAProgramWithARobotCarriesOneAndOnlyATurningOnePaysForTheWris
   EXPECT_FALSE(plain.needs.robots);
   EXPECT_TRUE(makeState(plain).robots.empty());
   for (const Manipulator& robot : test::everyRobot()) {
-    const TickProgram program = programOf(robot);
+    const TickProgram program = robotProgram(robot);
     EXPECT_TRUE(program.needs.robots);
     EXPECT_EQ(program.needs.orientation, robot.orientation != Orientation::None);
     EXPECT_GT(bytesOf(makeState(program)), bytesOf(makeState(plain)));
@@ -39,7 +39,7 @@ TEST(RobotTick, OnlyAProgramWithARobotCarriesOneAndOnlyATurningOnePaysForTheWris
 
 TEST(RobotTick, AStartForgetsTheWatchForBetterMinimaToo) {  // or two Starts in one place would end in two minima
   for (const Manipulator& robot : test::everyRobot()) {
-    Hand used(programOf(robot)), fresh(programOf(robot));
+    Hand used(robotProgram(robot)), fresh(robotProgram(robot));
     for (int tick = 0; tick < 333; ++tick) used.feed(test::scriptedAngles(tick));
     used.input.restart = fresh.input.restart = true;
     for (int tick = 333; tick < 700; ++tick) {
@@ -52,7 +52,7 @@ TEST(RobotTick, AStartForgetsTheWatchForBetterMinimaToo) {  // or two Starts in 
 
 TEST(RobotTick, TheForceIsTheLawsOnTheWayToTheTipAndTheMomentIsNeverSent) {
   for (const Manipulator& robot : test::everyRobot()) {
-    Hand hand(programOf(robot));
+    Hand hand(robotProgram(robot));
     for (int tick = 0; tick < 300; ++tick) {
       const TickReport& report = hand.feed(test::scriptedAngles(tick));
       const Held& held = report.held[0];
@@ -73,7 +73,7 @@ TEST(RobotTick, TheForceIsTheLawsOnTheWayToTheTipAndTheMomentIsNeverSent) {
 
 TEST(RobotTick, TheTipFollowsTheHandOfTheArm) {  // to the least energy that a cold start finds, once it has settled
   for (const Manipulator& robot : test::everyRobot()) {
-    const TickProgram program = programOf(robot);
+    const TickProgram program = robotProgram(robot);
     Hand hand(program);
     const arm::JointAngles q_rad = test::scriptedAngles(4321);
     for (int tick = 0; tick < 3000; ++tick) hand.feed(q_rad);
@@ -90,7 +90,7 @@ TEST(RobotTick, TheTipFollowsTheHandOfTheArm) {  // to the least energy that a c
 
 TEST(RobotTick, AChangeOfGainsKeepsTheJointsAndAnotherSceneDoesNot) {
   const Manipulator robot = test::everyRobot().back();
-  Hand hand(programOf(robot));
+  Hand hand(robotProgram(robot));
   for (int tick = 0; tick < 100; ++tick) hand.feed(test::scriptedAngles(tick));
   TickState next = makeState(hand.program()), fresh = makeState(hand.program());
   carryOver(hand.state(), next);
@@ -101,7 +101,7 @@ TEST(RobotTick, AChangeOfGainsKeepsTheJointsAndAnotherSceneDoesNot) {
 }
 
 TEST(RobotTick, AfterALongPauseItBeginsAnewWithoutASlew) {
-  Hand hand(programOf(test::everyRobot()[0]));
+  Hand hand(robotProgram(test::everyRobot()[0]));
   for (int tick = 0; tick < 10; ++tick) hand.feed(test::scriptedAngles(0));
   const TickReport& report = hand.feed(test::scriptedAngles(2000), 0.5);  // it was elsewhere meanwhile
   EXPECT_FALSE(report.held[0].robot.slewing);
@@ -120,7 +120,7 @@ TEST(RobotTick, OfTwoRobotsTheNearerOneHolds) {
 }
 
 TEST(RobotTick, AStylusThatNothingIsKnownOfGivesNoRobot) {
-  Hand hand(programOf(test::everyRobot()[0]));
+  Hand hand(robotProgram(test::everyRobot()[0]));
   hand.feed(test::scriptedAngles(5));
   hand.input.has_sample = false;
   EXPECT_EQ(hand.feed(test::scriptedAngles(6)).held.size(), 0U);

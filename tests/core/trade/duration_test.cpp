@@ -2,14 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scene/read.h"
+#include "tests/core/trade/shipped.h"
 
 namespace underact::trade {
 namespace {
-
-scene::Description shipped(const std::string& name) {
-  return scene::readSceneFile(std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json").value();
-}
 
 /// What measurePoints() and measureStandings() took of a processor like that of the figures in the guide, in all five
 /// hands. tick_ns: as it is predicted for the scene.
@@ -29,14 +25,14 @@ constexpr Known kKnown[]{{"05_circle", 275.0, 2.0, 1000, 1.31},    {"05_circle",
 
 TEST(Duration, IsWithinTwiceOfWhatScenesOfEachKindTook) {
   for (const Known& one : kKnown) {
-    const double about_s = secondsToMeasure(shipped(one.scene), 5, one.seconds, one.rate_hz, one.tick_ns);
+    const double about_s = secondsToMeasure(test::shipped(one.scene), 5, one.seconds, one.rate_hz, one.tick_ns);
     EXPECT_GT(about_s, 0.5 * one.took_s) << one.scene << " at " << one.rate_hz << " Hz";
     EXPECT_LT(about_s, 2.0 * one.took_s) << one.scene << " at " << one.rate_hz << " Hz";
   }
 }
 
 TEST(Duration, EachHandTakesAsLongAndALongerRunMore) {
-  const scene::Description scene = shipped("05_circle");
+  const scene::Description scene = test::shipped("05_circle");
   const double one_s = secondsToMeasure(scene, 1, 5.0, 1000, 275.0);
   EXPECT_DOUBLE_EQ(secondsToMeasure(scene, 5, 5.0, 1000, 275.0), 5.0 * one_s);
   EXPECT_DOUBLE_EQ(secondsToMeasure(scene, 1, 10.0, 1000, 275.0), 2.0 * one_s);  // ten blocks of 0.5 s, then as many

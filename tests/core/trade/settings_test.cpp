@@ -3,14 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/compile.h"
-#include "core/scene/read.h"
+#include "tests/core/trade/shipped.h"
 
 namespace underact::trade {
 namespace {
-
-scene::Description shipped(const char* name) {
-  return scene::readSceneFile(std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json").value();
-}
 
 Settings others() {
   Settings settings;
@@ -24,7 +20,7 @@ Settings others() {
 
 TEST(Settings, WhatASceneHasUseForIsPutIntoItAndReadBack) {
   for (const char* name : {"12_line_pid", "18_sphere_of_two_joints", "19_four_bar", "28_trefoil_path", "02_sphere"}) {
-    const scene::Description scene = shipped(name), changed = withSettings(scene, others());
+    const scene::Description scene = test::shipped(name), changed = withSettings(scene, others());
     const Settings read = settingsOf(changed, 4000);
     EXPECT_EQ(read.simulation, others().simulation) << name;
     EXPECT_TRUE(!hasSearch(scene) || read.search == others().search) << name;
@@ -36,13 +32,13 @@ TEST(Settings, WhatASceneHasUseForIsPutIntoItAndReadBack) {
 
 TEST(Settings, AScenesOwnAreTheProgramsWhereItSaysNothing) {
   for (const char* name : {"01_point", "16_one_joint_robot", "02_sphere"})
-    EXPECT_EQ(settingsOf(shipped(name), 1000), Settings{}) << name;
+    EXPECT_EQ(settingsOf(test::shipped(name), 1000), Settings{}) << name;
 }
 
 TEST(Settings, OnlyWhatTheSceneHasIsToldAsADifference) {
   const auto told = [](const char* name) {
     std::string words;
-    for (const Difference& one : differences(shipped(name), Settings{}, others()))
+    for (const Difference& one : differences(test::shipped(name), Settings{}, others()))
       words += one.what + ": " + one.before + " -> " + one.after + "\n";
     return words;
   };
@@ -59,14 +55,14 @@ TEST(Settings, OnlyWhatTheSceneHasIsToldAsADifference) {
 }
 
 TEST(Settings, AWallOfAMeshIsNotSought) {
-  EXPECT_FALSE(hasSearch(shipped("27_bracket")));
-  EXPECT_TRUE(hasSearch(shipped("28_trefoil_path")));
-  EXPECT_FALSE(hasSearch(shipped("02_sphere")));
+  EXPECT_FALSE(hasSearch(test::shipped("27_bracket")));
+  EXPECT_TRUE(hasSearch(test::shipped("28_trefoil_path")));
+  EXPECT_FALSE(hasSearch(test::shipped("02_sphere")));
 }
 
 TEST(Settings, TheThesissForceLawHasNoSolver) {
-  EXPECT_FALSE(hasSolver(shipped("17_thesis_force_law")));
-  EXPECT_TRUE(hasSolver(shipped("16_one_joint_robot")));
+  EXPECT_FALSE(hasSolver(test::shipped("17_thesis_force_law")));
+  EXPECT_TRUE(hasSolver(test::shipped("16_one_joint_robot")));
 }
 
 }  // namespace
