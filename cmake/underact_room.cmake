@@ -1,7 +1,7 @@
 # underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
-#               [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
+#               [PRECOMPILES header ...] [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
 # Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it; WITHOUT: those of
-# them that are rooms of their own. A LINKS
+# them that are rooms of their own. PRECOMPILES: headers that it reads once, in place of those of core/base. A LINKS
 # that is no target yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp
 # is left out of the room and becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other
 # programs that it starts; OPENS: targets that make files which it opens. Whoever builds it has them, too.
@@ -28,7 +28,7 @@ endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/underact/version.h @ONLY)
 
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
@@ -41,6 +41,11 @@ function(underact_room folder)
   endforeach()
   add_library(underact_${name} STATIC ${sources})
   set_target_properties(underact_${name} PROPERTIES LINKER_LANGUAGE CXX)
+  if(room_PRECOMPILES)
+    underact_compile(underact_${name} HEADERS ${room_PRECOMPILES})
+  else()
+    underact_compile(underact_${name} LIKE underact_base)
+  endif()
   target_compile_options(underact_${name} PRIVATE ${UNDERACT_WARNINGS})
   target_link_libraries(underact_${name} PUBLIC underact_flags ${room_SHOWS} PRIVATE ${room_USES})
   foreach(link IN LISTS room_LINKS)
@@ -53,6 +58,7 @@ function(underact_room folder)
     add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
     target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
     target_link_libraries(${room_PROGRAM} PRIVATE underact_${name})
+    underact_compile(${room_PROGRAM} LIKE underact_${name})
     if(room_STARTS OR room_OPENS)
       add_dependencies(${room_PROGRAM} ${room_STARTS} ${room_OPENS})
     endif()

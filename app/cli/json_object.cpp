@@ -15,7 +15,7 @@ std::string listOf(const List& values, Text text) {
 }  // namespace
 
 void JsonObject::addText(std::string_view key, std::string_view value) {
-  addRaw(key, json::quoted(value));
+  addRaw(key, json::quotedText(value));
 }
 
 void JsonObject::addNumber(std::string_view key, double value) {
@@ -31,7 +31,7 @@ void JsonObject::addList(std::string_view key, std::span<const double> values) {
 }
 
 void JsonObject::addTexts(std::string_view key, const std::vector<std::string>& values) {
-  addRaw(key, listOf(values, json::quoted));
+  addRaw(key, listOf(values, json::quotedText));
 }
 
 void JsonObject::addMatrix(std::string_view key, const Eigen::MatrixXd& value) {
@@ -48,7 +48,7 @@ void JsonObject::addList(std::string_view key, const std::vector<JsonObject>& va
 
 void JsonObject::addRaw(std::string_view key, const std::string& json) {
   if (!members_.empty()) members_ += ", ";
-  members_ += json::quoted(key) + ": " + json;
+  members_ += json::quotedText(key) + ": " + json;
 }
 
 }  // namespace underact::cli

@@ -49,8 +49,9 @@ std::string searchIndex(const Guide& guide) {
       if (section.title.empty() && section.text.empty()) continue;
       std::string text = section.text;
       for (char& letter : text) letter = letter == '\n' ? ' ' : letter;
-      made += "[" + json::quoted(entry.name) + "," + json::quoted(entry.page.title) + "," +
-              json::quoted(section.anchor) + "," + json::quoted(section.title) + "," + json::quoted(text) + "],\n";
+      made += "[" + json::quotedText(entry.name) + "," + json::quotedText(entry.page.title) + "," +
+              json::quotedText(section.anchor) + "," + json::quotedText(section.title) + "," + json::quotedText(text) +
+              "],\n";
     }
   }
   return made + "];\n";

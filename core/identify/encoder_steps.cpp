@@ -1,9 +1,9 @@
 #include "core/identify/encoder_steps.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/decompositions.h"
 #include "core/base/units.h"
 
 namespace underact::identify {
@@ -103,14 +103,13 @@ Vec3 slowNoise(std::span<const Row> rows, double period_s) {
     const double t = 2.0 * static_cast<double>(row) / static_cast<double>(length) - 1.0;
     powers.row(row) << 1.0, t, t * t;
   }
-  const auto solver = powers.colPivHouseholderQr();
   Vec3 squares = Vec3::Zero();
   double count = 0.0;
   for (std::size_t from = 0; from + length <= rows.size(); from += length) {
     if ((rows[from + length - 1].p_WT - rows[from].p_WT).norm() < kLeastWay_m) continue;
     for (std::size_t index = 0; index < length; ++index)
       places.row(static_cast<Eigen::Index>(index)) = (rows[from + index].p_WT - rows[from].p_WT).transpose();
-    const Eigen::MatrixXd left = places - powers * solver.solve(places);
+    const Eigen::MatrixXd left = places - powers * leastSquares(powers, places);
     squares += left.colwise().squaredNorm().transpose();
     count += static_cast<double>(length) - 3.0;
   }

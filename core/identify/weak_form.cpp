@@ -1,9 +1,9 @@
 #include "core/identify/weak_form.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/decompositions.h"
 #include "core/base/units.h"
 
 namespace underact::identify {
@@ -86,7 +86,7 @@ std::optional<Body> firstGuess(std::span<const Block> blocks) {
     shares.row(row) << block.inertia, block.sign * block.friction, block.way, -block.time;
     forces[row] = block.force;
   }
-  const Eigen::Vector4d found = shares.colPivHouseholderQr().solve(forces);
+  const Eigen::Vector4d found = leastSquares(shares, forces);
   if (!found.allFinite()) return {};
   return Body{std::max(found[0], kLeastMass_kg), std::max(found[1], 0.0), std::max(found[2], 0.0), found[3]};
 }

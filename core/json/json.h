@@ -35,6 +35,6 @@ Result<Value> parse(std::string_view text, const std::string& file_name);
 std::string numberText(double value);
 
 /// A string with quotes, escaped.
-std::string quoted(std::string_view text);
+std::string quotedText(std::string_view text);
 
 }  // namespace underact::json

@@ -37,7 +37,7 @@ std::string numberText(double value) {
   return {buffer.data(), written.ptr};
 }
 
-std::string quoted(std::string_view text) {
+std::string quotedText(std::string_view text) {
   std::string result = "\"";
   for (std::size_t at = 0; at < text.size();) {
     const auto c = static_cast<unsigned char>(text[at]);

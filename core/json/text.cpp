@@ -98,7 +98,7 @@ std::string shown(std::string_view text) {
   for (std::size_t count = 0; count < kLongestShown && end < text.size(); ++count) {
     end += std::max<std::size_t>(1, codePointLength(text, end));
   }
-  return quoted(end < text.size() ? std::string(text.substr(0, end)) + "..." : std::string(text));
+  return quotedText(end < text.size() ? std::string(text.substr(0, end)) + "..." : std::string(text));
 }
 
 std::string plainKey(std::string_view key) {
@@ -129,11 +129,11 @@ Sentence listed(const std::vector<std::string>& words, const char* last) {
   if (words.empty()) return {};
   std::string before;
   for (std::size_t index = 0; index + 1 < words.size(); ++index)
-    before += (index == 0 ? "" : ", ") + quoted(words[index]);
-  if (before.empty()) return quoted(words.back());
+    before += (index == 0 ? "" : ", ") + quotedText(words[index]);
+  if (before.empty()) return quotedText(words.back());
   return said(last == std::string_view("or") ? QT_TRANSLATE_NOOP("problem", "%1 or %2")
                                              : QT_TRANSLATE_NOOP("problem", "%1 and %2"),
-              {before, quoted(words.back())});
+              {before, quotedText(words.back())});
 }
 
 }  // namespace underact::json

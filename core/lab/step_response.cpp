@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/arm/preset.h"
-#include "core/base/eigenvalues.h"
+#include "core/base/decompositions.h"
 #include "core/base/fault.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"

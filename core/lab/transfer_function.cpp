@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/eigenvalues.h"
+#include "core/base/decompositions.h"
 #include "core/base/translate.h"
 
 namespace underact::lab {

@@ -34,7 +34,7 @@ class JsonRow {
     add(std::to_string(value));
   }
   void number(double value) { add(json::numberText(value)); }
-  void word(std::string_view value) { add(json::quoted(value)); }
+  void word(std::string_view value) { add(json::quotedText(value)); }
 
  private:
   void add(std::string_view value) {
@@ -46,7 +46,7 @@ class JsonRow {
 };
 
 void member(std::string& text, std::string_view key, std::string_view json) {
-  text.append(text.empty() ? "{\n  " : ",\n  ").append(json::quoted(key)).append(": ").append(json);
+  text.append(text.empty() ? "{\n  " : ",\n  ").append(json::quotedText(key)).append(": ").append(json);
 }
 
 using Members = std::vector<std::pair<std::string, std::string>>;
@@ -54,7 +54,7 @@ using Members = std::vector<std::pair<std::string, std::string>>;
 std::string object(const Members& members) {
   std::string text;
   for (const auto& [key, json] : members) {
-    text.append(text.empty() ? "{" : ", ").append(json::quoted(key)).append(": ").append(json);
+    text.append(text.empty() ? "{" : ", ").append(json::quotedText(key)).append(": ").append(json);
   }
   return text + "}";
 }
@@ -71,7 +71,7 @@ std::string lateText(const servo::LateTicks& late) {
 template <class Text>
 std::string listText(const std::vector<Text>& phrases) {
   std::string text;
-  for (const std::string& phrase : phrases) text.append(text.empty() ? "" : ", ").append(json::quoted(phrase));
+  for (const std::string& phrase : phrases) text.append(text.empty() ? "" : ", ").append(json::quotedText(phrase));
   return "[" + text + "]";
 }
 
@@ -155,21 +155,22 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
   const auto yesNo = [](bool is) { return std::string(is ? "true" : "false"); };
   std::string text;
   member(text, "underact_fault", "1");
-  member(text, "program", json::quoted(kVersion));
-  member(text, "what", json::quoted(words.what));
-  member(text, "what_to_do", json::quoted(words.what_to_do));
-  member(text, "kind", json::quoted(words.kind));
+  member(text, "program", json::quotedText(kVersion));
+  member(text, "what", json::quotedText(words.what));
+  member(text, "what_to_do", json::quotedText(words.what_to_do));
+  member(text, "kind", json::quotedText(words.kind));
   member(text, "seen", json::numberText(report.fault.seen));
   member(text, "allowed", json::numberText(report.fault.allowed));
-  member(text, "time", json::quoted(isoTime(report.unix_time_s)));
+  member(text, "time", json::quotedText(isoTime(report.unix_time_s)));
   member(text, "tick", std::to_string(report.tick));
   member(text, "rate_hz", std::to_string(report.rate_hz));
   member(text, "device",
-         object(Members{{"title", json::quoted(report.device.title)},
+         object(Members{{"title", json::quotedText(report.device.title)},
                         {"simulated", yesNo(report.device.simulated)},
                         {"untested", yesNo(report.device.untested)}}));
-  member(text, "scheduling",
-         object(Members{{"name", json::quoted(report.scheduling.name)}, {"also", listText(report.scheduling.also)}}));
+  member(
+      text, "scheduling",
+      object(Members{{"name", json::quotedText(report.scheduling.name)}, {"also", listText(report.scheduling.also)}}));
   member(text, "late_ticks", lateText(report.late));
   member(text, "scene", scene::writeScene(scene::withoutFolders(report.scene)));
   while (text.back() == '\n') text.pop_back();  // of the scene's own file

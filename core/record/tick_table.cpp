@@ -8,7 +8,7 @@
 namespace underact::record {
 namespace {
 
-constexpr std::array kColumns{
+constexpr std::array kTickColumns{
     Column{"tick", "", "number of the tick since the servo was made", Kind::Integer},
     Column{"time_ns", "ns", "of the sample, on the arm's clock", Kind::Integer},
     Column{"q_rad", "rad", "joint angles 1 to 6 in the DH convention", Kind::Real, 6},
@@ -59,7 +59,7 @@ Eigen::Vector4d quaternionOf(const servo::TickRecord& record, const arm::Geometr
 }  // namespace
 
 std::span<const Column> tickColumns() {
-  return kColumns;
+  return kTickColumns;
 }
 
 void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer) {
@@ -94,7 +94,7 @@ std::vector<servo::TickRecord> unpackTicks(const Block& block) {
   const auto nanoseconds = [](double us) { return std::llround(us / kMicrosecondPerNanosecond); };
   std::vector<servo::TickRecord> records;
   records.reserve(static_cast<std::size_t>(block.rows));
-  for (Unpacker unpacker(kColumns, block); !unpacker.isDone();) {
+  for (Unpacker unpacker(kTickColumns, block); !unpacker.isDone();) {
     servo::TickRecord& record = records.emplace_back();
     record.tick = unpacker.integer();
     record.time_ns = unpacker.integer();

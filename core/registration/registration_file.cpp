@@ -14,7 +14,6 @@ namespace {
 using json::Findings;
 using json::numberText;
 using json::ObjectReader;
-using json::quoted;
 using json::Value;
 
 constexpr double kMostSpread_mm = 1e3;
@@ -178,10 +177,12 @@ Result<Registration> readRegistrationFile(const std::string& path) {
 
 std::string registrationText(const Registration& registration) {
   std::string text = "{\n  \"underact_registration\": 1";
-  const auto add = [&text](const char* key, const std::string& value) { text += ",\n  " + quoted(key) + ": " + value; };
-  add("arm", quoted(registration.arm));
-  add("date", quoted(registration.date));
-  if (!registration.program.empty()) add("program", quoted(registration.program));
+  const auto add = [&text](const char* key, const std::string& value) {
+    text += ",\n  " + json::quotedText(key) + ": " + value;
+  };
+  add("arm", json::quotedText(registration.arm));
+  add("date", json::quotedText(registration.date));
+  if (!registration.program.empty()) add("program", json::quotedText(registration.program));
   std::string marks;
   for (const Touch& touch : registration.touches) marks += (marks.empty() ? "\n    " : ",\n    ") + touchText(touch);
   add("marks", "[" + marks + "\n  ]");

@@ -38,12 +38,12 @@ using Members = std::vector<std::pair<std::string, std::string>>;
 /// On one line where it fits, else a key a line.
 std::string objectText(const Members& members, std::size_t indent) {
   std::string line;
-  for (const auto& [key, value] : members) line += (line.empty() ? "" : ", ") + json::quoted(key) + ": " + value;
+  for (const auto& [key, value] : members) line += (line.empty() ? "" : ", ") + json::quotedText(key) + ": " + value;
   if (line.find('\n') == std::string::npos && indent + line.size() + 2 <= kLineWidth) return "{" + line + "}";
   const std::string margin(indent, ' ');
   std::string lines;
   for (const auto& [key, value] : members) {
-    lines += (lines.empty() ? "\n  " : ",\n  ") + margin + json::quoted(key) + ": " + value;
+    lines += (lines.empty() ? "\n  " : ",\n  ") + margin + json::quotedText(key) + ": " + value;
   }
   return "{" + lines + "\n" + margin + "}";
 }
@@ -53,7 +53,7 @@ std::string gainText(const Vec3& gain) {
 }
 
 std::string velocityText(const Velocity& velocity) {
-  Members members{{"filter", json::quoted(filterName(velocity))}};
+  Members members{{"filter", json::quotedText(filterName(velocity))}};
   std::visit(
       [&](const auto& filter) {
         const std::decay_t<decltype(filter)> usual;
@@ -67,19 +67,19 @@ std::string velocityText(const Velocity& velocity) {
 
 std::string controlText(const Control& control, std::size_t indent) {
   const Control usual;
-  Members members{{"law", json::quoted(wordOf(kLawWords, control.law))}};
+  Members members{{"law", json::quotedText(wordOf(kLawWords, control.law))}};
   for (const GainField& field : kGainFields) {
     const Vec3& gain = control.gains.*field.member;
     if (!sameBits(gain, usual.gains.*field.member)) members.emplace_back(field.key, gainText(gain));
   }
   if (control.anisotropy != usual.anisotropy) {
-    members.emplace_back("anisotropy", json::quoted(wordOf(kAnisotropyWords, control.anisotropy)));
+    members.emplace_back("anisotropy", json::quotedText(wordOf(kAnisotropyWords, control.anisotropy)));
   }
   if (!(control.velocity == usual.velocity)) members.emplace_back("velocity", velocityText(control.velocity));
   if (control.passivity != usual.passivity) {
-    members.emplace_back("passivity", json::quoted(wordOf(kPassivityWords, control.passivity)));
+    members.emplace_back("passivity", json::quotedText(wordOf(kPassivityWords, control.passivity)));
   }
-  if (control.space != usual.space) members.emplace_back("space", json::quoted(wordOf(kSpaceWords, control.space)));
+  if (control.space != usual.space) members.emplace_back("space", json::quotedText(wordOf(kSpaceWords, control.space)));
   return objectText(members, indent);
 }
 
@@ -97,7 +97,7 @@ std::string influenceText(const Influence& influence) {
   const Influence usual;
   Members members{{"t", text(influence.t)}};
   if (influence.stylus_axis != usual.stylus_axis) {
-    members.emplace_back("stylus_axis", json::quoted(wordOf(kStylusAxisWords, influence.stylus_axis)));
+    members.emplace_back("stylus_axis", json::quotedText(wordOf(kStylusAxisWords, influence.stylus_axis)));
   }
   if (influence.blend_deg != usual.blend_deg) members.emplace_back("blend_deg", text(influence.blend_deg));
   return objectText(members, 6);
@@ -108,7 +108,7 @@ void addNumber(Members& members, const char* key, double number) {
 }
 
 std::string jointText(const Joint& joint) {
-  Members members{{"type", json::quoted(wordOf(kJointWords, joint.type))}, {"axis", text(joint.axis)}};
+  Members members{{"type", json::quotedText(wordOf(kJointWords, joint.type))}, {"axis", text(joint.axis)}};
   if (joint.type == chain::JointType::Revolute) members.emplace_back("point_mm", text(joint.point_mm));
   if (joint.min) members.emplace_back("min", text(*joint.min));
   if (joint.max) members.emplace_back("max", text(*joint.max));
@@ -121,7 +121,7 @@ std::string solverText(const Solver& solver) {
   const Solver usual;
   Members members;
   if (solver.method != usual.method) {
-    members.emplace_back("method", json::quoted(wordOf(kSolverWords, solver.method)));
+    members.emplace_back("method", json::quotedText(wordOf(kSolverWords, solver.method)));
   }
   if (solver.max_steps != usual.max_steps) members.emplace_back("max_steps", std::to_string(solver.max_steps));
   if (solver.tolerance != usual.tolerance) members.emplace_back("tolerance", text(solver.tolerance));
@@ -146,35 +146,36 @@ void addManipulator(Members& members, const VirtualManipulator& robot) {
   members.emplace_back("joints", "[" + joints + "\n      ]");
   members.emplace_back("X_WV_home", poseText(robot.X_WV_home));
   if (robot.orientation != manipulator::Orientation::None) {
-    members.emplace_back("orientation", json::quoted(wordOf(kOrientationWords, robot.orientation)));
+    members.emplace_back("orientation", json::quotedText(wordOf(kOrientationWords, robot.orientation)));
   }
   addNumber(members, "ko_N_mm_per_rad", robot.ko_N_mm_per_rad);
   if (!(robot.solver == Solver{})) members.emplace_back("solver", solverText(robot.solver));
   if (robot.force_law != manipulator::ForceLaw::Energy) {
-    members.emplace_back("force_law", json::quoted(wordOf(kForceLawWords, robot.force_law)));
+    members.emplace_back("force_law", json::quotedText(wordOf(kForceLawWords, robot.force_law)));
   }
 }
 
 template <class FromFile>
 void addPlacement(Members& members, const FromFile& shape) {
   const FromFile usual;
-  members.emplace_back("file", json::quoted(shape.file));
+  members.emplace_back("file", json::quotedText(shape.file));
   if (shape.scale_mm_per_unit != usual.scale_mm_per_unit) {
     members.emplace_back("scale_mm_per_unit", text(shape.scale_mm_per_unit));
   }
   if (!sameBits(shape.X_WM, usual.X_WM)) members.emplace_back("X_WM", poseText(shape.X_WM));
-  if (shape.search != usual.search) members.emplace_back("search", json::quoted(wordOf(kSearchWords, shape.search)));
+  if (shape.search != usual.search)
+    members.emplace_back("search", json::quotedText(wordOf(kSearchWords, shape.search)));
 }
 
 void addMesh(Members& members, const Mesh& mesh) {
   addPlacement(members, mesh);
   if (mesh.smooth_deg != Mesh{}.smooth_deg) members.emplace_back("smooth_deg", text(mesh.smooth_deg));
-  if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quoted(mesh.checksum));
+  if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quotedText(mesh.checksum));
 }
 
 void addCurve(Members& members, const Curve& curve) {
   addPlacement(members, curve);
-  if (curve.kind != Curve{}.kind) members.emplace_back("kind", json::quoted(wordOf(kCurveWords, curve.kind)));
+  if (curve.kind != Curve{}.kind) members.emplace_back("kind", json::quotedText(wordOf(kCurveWords, curve.kind)));
   if (curve.closed) members.emplace_back("closed", "true");
   if (!curve.guide) return;
   const CurveGuide usual;
@@ -192,8 +193,8 @@ std::string frictionText(const Friction& friction) {
 
 std::string constraintText(const Constraint& constraint, std::size_t index) {
   Members members;
-  if (constraint.name != madeUpName(constraint, index)) members.emplace_back("name", json::quoted(constraint.name));
-  members.emplace_back("type", json::quoted(typeName(constraint.shape)));
+  if (constraint.name != madeUpName(constraint, index)) members.emplace_back("name", json::quotedText(constraint.name));
+  members.emplace_back("type", json::quotedText(typeName(constraint.shape)));
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) addManipulator(members, *robot);
   if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) addMesh(members, *mesh);
   if (const auto* curve = std::get_if<Curve>(&constraint.shape)) addCurve(members, *curve);
@@ -209,7 +210,7 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
       },
       constraint.shape);
   if (constraint.side != target::Side::Both) {
-    members.emplace_back("side", json::quoted(wordOf(kSideWords, constraint.side)));
+    members.emplace_back("side", json::quotedText(wordOf(kSideWords, constraint.side)));
   }
   if (constraint.influence) members.emplace_back("influence", influenceText(*constraint.influence));
   if (constraint.friction) members.emplace_back("friction", frictionText(*constraint.friction));
@@ -218,10 +219,10 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
 }
 
 std::string teachingText(const Teaching& teaching) {
-  Members members{{"group", json::quoted(wordOf(kGroupWords, teaching.group))}};
-  if (!teaching.feel.empty()) members.emplace_back("feel", json::quoted(teaching.feel));
-  if (!teaching.try_this.empty()) members.emplace_back("try", json::quoted(teaching.try_this));
-  if (!teaching.equation.empty()) members.emplace_back("equation", json::quoted(teaching.equation));
+  Members members{{"group", json::quotedText(wordOf(kGroupWords, teaching.group))}};
+  if (!teaching.feel.empty()) members.emplace_back("feel", json::quotedText(teaching.feel));
+  if (!teaching.try_this.empty()) members.emplace_back("try", json::quotedText(teaching.try_this));
+  if (!teaching.equation.empty()) members.emplace_back("equation", json::quotedText(teaching.equation));
   return objectText(members, 2);
 }
 
@@ -229,7 +230,7 @@ std::string simulationText(const Simulation& simulation) {
   const Simulation usual;
   Members members;
   if (simulation.integrator != usual.integrator)
-    members.emplace_back("integrator", json::quoted(wordOf(kIntegratorWords, simulation.integrator)));
+    members.emplace_back("integrator", json::quotedText(wordOf(kIntegratorWords, simulation.integrator)));
   if (simulation.substep_us != usual.substep_us) members.emplace_back("substep_us", text(simulation.substep_us));
   return objectText(members, 2);
 }
@@ -238,13 +239,13 @@ std::string simulationText(const Simulation& simulation) {
 
 std::string writeScene(const Description& scene, const std::optional<Teaching>& teaching) {
   const Description usual;
-  std::string result = "{\n  \"underact_scene\": 1,\n  \"title\": " + json::quoted(scene.title);
-  if (scene.about != usual.about) result += ",\n  \"about\": " + json::quoted(scene.about);
+  std::string result = "{\n  \"underact_scene\": 1,\n  \"title\": " + json::quotedText(scene.title);
+  if (scene.about != usual.about) result += ",\n  \"about\": " + json::quotedText(scene.about);
   if (teaching) result += ",\n  \"teach\": " + teachingText(*teaching);
-  if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quoted(scene.arm);
+  if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quotedText(scene.arm);
   if (!isUsual(scene.control)) result += ",\n  \"control\": " + controlText(scene.control, 2);
   if (scene.combine != usual.combine)
-    result += ",\n  \"combine\": " + json::quoted(wordOf(kCombineWords, scene.combine));
+    result += ",\n  \"combine\": " + json::quotedText(wordOf(kCombineWords, scene.combine));
   if (!(scene.simulation == usual.simulation)) result += ",\n  \"simulation\": " + simulationText(scene.simulation);
   result += ",\n  \"constraints\": [";
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {

@@ -15,7 +15,7 @@ namespace {
 using json::Findings;
 using json::numberText;
 using json::ObjectReader;
-using json::quoted;
+using json::quotedText;
 using json::Value;
 
 constexpr double kHeaviest_kg = 100.0, kMost = 1e6;
@@ -149,13 +149,13 @@ std::string placesText(const std::vector<Vec3>& places_mm) {
 }
 
 std::string provenanceText(const Provenance& from) {
-  std::string text = "{\n    \"device\": " + quoted(from.device);
+  std::string text = "{\n    \"device\": " + quotedText(from.device);
   const auto add = [&text](const char* key, const std::string& value) {
-    if (!value.empty()) text += ",\n    " + quoted(key) + ": " + value;
+    if (!value.empty()) text += ",\n    " + quotedText(key) + ": " + value;
   };
-  const auto words = [](const std::string& value) { return value.empty() ? value : quoted(value); };
+  const auto words = [](const std::string& value) { return value.empty() ? value : quotedText(value); };
   add("serial", words(from.serial));
-  add("date", quoted(from.date));
+  add("date", quotedText(from.date));
   add("program", words(from.program));
   add("method", words(from.method));
   add("rate_hz", from.rate_hz > 0 ? std::to_string(from.rate_hz) : "");
@@ -188,9 +188,11 @@ Result<ArmModelFile> readArmModelFile(const std::string& path) {
 std::string armModelText(const ArmModelFile& file) {
   const ArmModel& arm = file.arm;
   std::string text = "{\n  \"underact_arm_model\": 1";
-  const auto add = [&text](const char* key, const std::string& value) { text += ",\n  " + quoted(key) + ": " + value; };
-  add("name", quoted(arm.name));
-  add("title", quoted(arm.title));
+  const auto add = [&text](const char* key, const std::string& value) {
+    text += ",\n  " + quotedText(key) + ": " + value;
+  };
+  add("name", quotedText(arm.name));
+  add("title", quotedText(arm.title));
   add("provenance", provenanceText(file.provenance));
   add("mass_kg", numberText(arm.mass_kg));
   add("friction_N", numberText(arm.friction_N));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "core/base/eigenvalues.h"
+#include "core/base/decompositions.h"
 #include "core/base/units.h"
 
 namespace underact::stability {

@@ -111,8 +111,8 @@ std::string Options::canonical() const {
   std::string text;
   for (const auto& [name, values] : values_) {
     std::string list;
-    for (const std::string& value : values) list += (list.empty() ? "" : ", ") + json::quoted(value);
-    text += (text.empty() ? "" : ", ") + json::quoted(name) + ": [" + list + "]";
+    for (const std::string& value : values) list += (list.empty() ? "" : ", ") + json::quotedText(value);
+    text += (text.empty() ? "" : ", ") + json::quotedText(name) + ": [" + list + "]";
   }
   return "{" + text + "}";
 }

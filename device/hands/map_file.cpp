@@ -219,8 +219,8 @@ Result<MapFile> readMapFile(const std::string& path) {
 }
 
 std::string mapText(const MapFile& file) {
-  std::string text = "{\n  \"underact_hand_map\": 1,\n  \"device\": " + json::quoted(file.device) +
-                     ",\n  \"id\": " + json::quoted(file.id) + ",\n  \"ways\": {";
+  std::string text = "{\n  \"underact_hand_map\": 1,\n  \"device\": " + json::quotedText(file.device) +
+                     ",\n  \"id\": " + json::quotedText(file.id) + ",\n  \"ways\": {";
   for (std::size_t way = 0; way < kWays; ++way) {
     text += std::string(way == 0 ? "" : ",") + "\n    \"" + kWayNames[way] + "\": " + wayText(file.map.ways[way], way);
   }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/eigenvalues.h"
+#include "core/base/decompositions.h"
 #include "core/chain/kinematics.h"
 
 namespace underact::gui {

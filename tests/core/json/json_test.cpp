@@ -179,8 +179,9 @@ TEST(Json, QuotedTextReadsBackToItself) {
   std::string text;
   for (int c = 0; c < 0x80; ++c) text += static_cast<char>(c);
   text += "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80";
-  EXPECT_EQ(valueOf(json::quoted(text)).text, text);
-  EXPECT_EQ(json::quoted("a\xFFz"), "\"a\xEF\xBF\xBDz\"");  // what is no UTF-8 becomes a mark, not an unreadable file
+  EXPECT_EQ(valueOf(json::quotedText(text)).text, text);
+  EXPECT_EQ(json::quotedText("a\xFFz"),
+            "\"a\xEF\xBF\xBDz\"");  // what is no UTF-8 becomes a mark, not an unreadable file
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 namespace underact {
 
-// Eigen's solvers take five to fifteen seconds to compile wherever they are used: here they are compiled once.
+// Eigen's decompositions take five to fifteen seconds to compile wherever they are used: here they are compiled once.
 
 /// Of a symmetric matrix, rising; each axis is a column, of length 1.
 struct PrincipalAxes {
@@ -15,5 +15,9 @@ PrincipalAxes principalAxes(const Mat3& symmetric);
 
 /// Of any square matrix that is finite; conjugates are side by side (Eigen's EigenSolver).
 Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& matrix);
+
+/// The x (n x m) that makes each column of A x - b least, of A (k x n, k >= n) and b (k x m), both finite (Eigen's
+/// ColPivHouseholderQR). Where the columns of A depend on each other, one of many.
+Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
 
 }  // namespace underact

@@ -1,6 +1,7 @@
-#include "core/base/eigenvalues.h"
+#include "core/base/decompositions.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 namespace underact {
 
@@ -11,6 +12,10 @@ PrincipalAxes principalAxes(const Mat3& symmetric) {
 
 Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& matrix) {
   return matrix.eigenvalues();
+}
+
+Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {
+  return A.colPivHouseholderQr().solve(b);
 }
 
 }  // namespace underact
