@@ -153,3 +153,5 @@ void endWithStarter() {
 }
 
 }  // namespace underact::seal
+
+#undef UNDERACT_SANITIZED

@@ -16,7 +16,7 @@
 namespace underact::test {
 namespace {
 
-using namespace device::hands;
+namespace hands = device::hands;
 
 /// As a SpaceNavigator describes itself: page 1, usage 8; reports 1 and 2 of three numbers each, 3 of two buttons.
 const std::vector<std::uint8_t> kDescriptor{
@@ -58,7 +58,7 @@ class UhidSpaceMouse {
 TEST(SpaceMouseInTheMachine, IsFoundReadAndMissedWhenItGoes) {
   const char* const asked = std::getenv("UNDERACT_UHID");
   if (asked == nullptr || *asked != '1') GTEST_SKIP() << "tests/vm/run does this in a virtual machine";
-  SpaceMice mice(device::hidapiBus(), 50'000'000);
+  hands::SpaceMice mice(device::hidapiBus(), 50'000'000);
   EXPECT_TRUE(mice.look().empty());
   {
     const UhidSpaceMouse mouse;
@@ -69,7 +69,7 @@ TEST(SpaceMouseInTheMachine, IsFoundReadAndMissedWhenItGoes) {
     EXPECT_TRUE(comes([&] {  // again and again, as the mouse itself does
       mouse.say({1, 0x5E, 0x01, 0x51, 0xFF, 0x00, 0x00});
       mouse.say({2, 0x00, 0x00, 0x00, 0x00, 0x23, 0x00});
-      const Readings now = readings();
+      const hands::Readings now = readings();
       return now.axis[0] == 1.0 && now.axis[1] == -0.5 && now.axis[5] == 0.1;
     }));
     EXPECT_TRUE(comes([&] { return readings().axis[0] == 0.0; }));  // silent: at rest

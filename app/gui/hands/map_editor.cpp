@@ -20,7 +20,7 @@
 
 namespace underact::gui {
 
-using namespace device::hands;
+namespace hands = device::hands;
 
 void MapEditor::setDevice(const QString& id) {
   if (id == id_) return;
@@ -37,7 +37,7 @@ const HandEntry* MapEditor::entry() const {
 }
 
 QString MapEditor::field(const char* part) const {
-  return QString("%1.%2").arg(wayName(static_cast<Way>(way_)), part);
+  return QString("%1.%2").arg(hands::wayName(static_cast<hands::Way>(way_)), part);
 }
 
 void MapEditor::set(const QString& field, const QVariant& value, bool fresh) {
@@ -64,11 +64,11 @@ void MapEditor::rebuild() {
   if (now == nullptr) return;
   title_->setText(tr("What moves what: %1").arg(sentenceText(now->seen.name)));
   ways_[way_]->setChecked(true);
-  way_title_->setText(wayTitle(static_cast<Way>(way_)));
+  way_title_->setText(wayTitle(static_cast<hands::Way>(way_)));
   fillSources(*now);
   fillButtons(*now);
-  const AxisMap &map = now->map.ways[way_], &usual = now->seen.usual.ways[way_];
-  const bool turns = way_ >= kMoves;
+  const hands::AxisMap &map = now->map.ways[way_], &usual = now->seen.usual.ways[way_];
+  const bool turns = way_ >= hands::kMoves;
   inverted_->setChecked(map.inverted);
   zone_->present(100.0 * map.dead_zone, 100.0 * usual.dead_zone);
   fine_->present(map.exponent - 1.0, usual.exponent - 1.0);
@@ -86,19 +86,19 @@ void MapEditor::rebuild() {
 
 void MapEditor::fillSources(const HandEntry& now) {
   const QSignalBlocker quiet(source_);
-  const Source& current = now.map.ways[way_].source;
+  const hands::Source& current = now.map.ways[way_].source;
   source_->clear();
-  for (const Source& source : sourcesFor(now.seen, current))
-    source_->addItem(sourceTitle(now.seen, source), QString::fromStdString(sourceText(source)));
-  source_->setCurrentIndex(source_->findData(QString::fromStdString(sourceText(current))));
+  for (const hands::Source& source : sourcesFor(now.seen, current))
+    source_->addItem(sourceTitle(now.seen, source), QString::fromStdString(hands::sourceText(source)));
+  source_->setCurrentIndex(source_->findData(QString::fromStdString(hands::sourceText(current))));
 }
 
 void MapEditor::fillButtons(const HandEntry& now) {
-  for (std::size_t press = 0; press < kPresses; ++press) {
+  for (std::size_t press = 0; press < hands::kPresses; ++press) {
     QComboBox* const box = presses_[press];
     const QSignalBlocker quiet(box);
     box->clear();
-    const int buttons = std::max(std::min(now.seen.readings.buttons, kMostButtons), now.map.presses[press] + 1);
+    const int buttons = std::max(std::min(now.seen.readings.buttons, hands::kMostButtons), now.map.presses[press] + 1);
     for (int button = -1; button < buttons; ++button) {
       const auto index = static_cast<std::size_t>(std::max(button, 0));
       const auto& names = now.seen.button_names;
@@ -113,18 +113,19 @@ void MapEditor::presentLearning() {
   const QString learning = hands_.learning();
   asked_->setText(hands_.asked());
   asked_->setVisible(!learning.isEmpty());
-  learn_->setText(learning == wayName(static_cast<Way>(way_)) ? tr("Cancel") : tr("Learn…"));
-  for (std::size_t press = 0; press < kPresses; ++press)
-    press_learns_[press]->setText(learning == pressName(static_cast<Press>(press)) ? tr("Cancel") : tr("Learn…"));
+  learn_->setText(learning == hands::wayName(static_cast<hands::Way>(way_)) ? tr("Cancel") : tr("Learn…"));
+  for (std::size_t press = 0; press < hands::kPresses; ++press)
+    press_learns_[press]->setText(learning == hands::pressName(static_cast<hands::Press>(press)) ? tr("Cancel")
+                                                                                                 : tr("Learn…"));
 }
 
 void MapEditor::present() {
   const HandEntry* const now = entry();
   if (now == nullptr) return;
-  for (std::size_t way = 0; way < kWays; ++way) {
-    const AxisMap& map = now->map.ways[way];
-    const double moved = deflection(map.source, now->seen.readings);
-    bars_[way]->present(map.inverted ? -moved : moved, share(map, now->seen.readings), map.dead_zone);
+  for (std::size_t way = 0; way < hands::kWays; ++way) {
+    const hands::AxisMap& map = now->map.ways[way];
+    const double moved = hands::deflection(map.source, now->seen.readings);
+    bars_[way]->present(map.inverted ? -moved : moved, hands::share(map, now->seen.readings), map.dead_zone);
   }
 }
 

@@ -22,7 +22,7 @@
 
 namespace underact::gui {
 
-using namespace device::hands;
+namespace hands = device::hands;
 
 namespace {
 
@@ -54,13 +54,13 @@ MapEditor::MapEditor(MovingHands& hands, Actions& actions, QWidget* parent)
 
 void MapEditor::buildWays(QGridLayout* grid) {
   auto* group = new QButtonGroup(this);
-  for (std::size_t way = 0; way < kWays; ++way) {
-    const QString title = wayTitle(static_cast<Way>(way)), name = wayName(static_cast<Way>(way));
+  for (std::size_t way = 0; way < hands::kWays; ++way) {
+    const QString title = wayTitle(static_cast<hands::Way>(way)), name = hands::wayName(static_cast<hands::Way>(way));
     auto* button = new QToolButton(this);
     button->setObjectName("panel.hands.way." + name);
     button->setText(title);
     button->setAccessibleName(title);
-    button->setToolTip(tr("Shows what moves it: what %1.").arg(wayGoal(static_cast<Way>(way))));
+    button->setToolTip(tr("Shows what moves it: what %1.").arg(wayGoal(static_cast<hands::Way>(way))));
     button->setCheckable(true);
     button->setProperty("role", "choice");
     button->setFocusPolicy(Qt::StrongFocus);
@@ -105,15 +105,15 @@ QWidget* MapEditor::buildOne() {
   zone_ = row("dead_zone", tr("Dead zone"), {tr("So much of the stick's way does nothing."), "%", 1, 50, 0, 90.0});
   fine_ = row("fine", tr("Fine"),
               {tr("How fine it is near the middle: the speed grows with the way to the power 1 + this. 0: evenly."), "",
-               10, 30, 1, kFinest - 1.0});
-  speed_ = row(
-      "speed", tr("Speed"),
-      {tr("Of the tip, with the stick at its end."), tr("mm/s"), 1, 300, 0, kFastest_m_per_s * kMillimetrePerMetre});
-  turn_speed_ =
-      row("turn_speed", tr("Speed"),
-          {tr("Of the turn, with the stick at its end."), tr("°/s"), 1, 180, 0, kFastest_rad_per_s / kRadPerDegree});
+               10, 30, 1, hands::kFinest - 1.0});
+  speed_ = row("speed", tr("Speed"),
+               {tr("Of the tip, with the stick at its end."), tr("mm/s"), 1, 300, 0,
+                hands::kFastest_m_per_s * kMillimetrePerMetre});
+  turn_speed_ = row(
+      "turn_speed", tr("Speed"),
+      {tr("Of the turn, with the stick at its end."), tr("°/s"), 1, 180, 0, hands::kFastest_rad_per_s / kRadPerDegree});
   connect(source_, &QComboBox::activated, this, [this] { set(field("source"), source_->currentData()); });
-  connect(learn_, &QPushButton::clicked, this, [this] { learn(wayName(static_cast<Way>(way_))); });
+  connect(learn_, &QPushButton::clicked, this, [this] { learn(hands::wayName(static_cast<hands::Way>(way_))); });
   connect(inverted_, &QCheckBox::clicked, this, [this](bool on) { set(field("inverted"), on); });
   connect(zone_, &ValueRow::changed, this, [this](double v, bool fresh) { set(field("dead_zone"), v / 100.0, fresh); });
   connect(fine_, &ValueRow::changed, this, [this](double v, bool fresh) { set(field("exponent"), v + 1.0, fresh); });
@@ -131,8 +131,9 @@ QWidget* MapEditor::buildPresses() {
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
   grid->addWidget(sectionTitle(tr("Buttons"), box), 0, 0, 1, 3);
-  for (std::size_t press = 0; press < kPresses; ++press) {
-    const QString title = pressTitle(static_cast<Press>(press)), name = pressName(static_cast<Press>(press));
+  for (std::size_t press = 0; press < hands::kPresses; ++press) {
+    const QString title = pressTitle(static_cast<hands::Press>(press)),
+                  name = hands::pressName(static_cast<hands::Press>(press));
     const QByteArray object = ("panel.hands.press." + name).toLatin1();
     presses_[press] = chooser(object.constData(), title, tr("The button that is this one."), box);
     press_learns_[press] = pushButton("panel.hands.learn." + name, tr("Learn…"),

@@ -17,7 +17,7 @@
 
 namespace underact::gui {
 
-using namespace device::hands;
+namespace hands = device::hands;
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // as often as a 3D mouse spe
 constexpr int kSave_ms = 300;
 constexpr const char* kUnused = "hands/unused";
 
-bool isSameSeen(const Seen& one, const Seen& other) {
+bool isSameSeen(const hands::Seen& one, const hands::Seen& other) {
   const auto isSame = [](const device::Missing& a, const device::Missing& b) { return a.sentence == b.sentence; };
   return one.id == other.id && one.name == other.name &&
          std::equal(one.missing.begin(), one.missing.end(), other.missing.begin(), other.missing.end(), isSame);
@@ -36,7 +36,7 @@ bool isSameSeen(const Seen& one, const Seen& other) {
 /// A change of one device's map; a drag of a slider is one.
 class MapEdit : public QUndoCommand {
  public:
-  MapEdit(MovingHands& hands, QString id, Map before, Map after, QString field, bool fresh)
+  MapEdit(MovingHands& hands, QString id, hands::Map before, hands::Map after, QString field, bool fresh)
       : hands_(hands), id_(std::move(id)), before_(before), after_(after), field_(std::move(field)), fresh_(fresh) {}
   void undo() override { hands_.setMap(id_, before_); }
   void redo() override { hands_.setMap(id_, after_); }
@@ -51,12 +51,13 @@ class MapEdit : public QUndoCommand {
  private:
   MovingHands& hands_;
   QString id_;
-  Map before_, after_;
+  hands::Map before_, after_;
   QString field_;
   bool fresh_;
 };
 
-MovingHands::MovingHands(servo::Host& host, Hand& hand, std::vector<Port*> ports, Actions& actions, QWidget* window)
+MovingHands::MovingHands(servo::Host& host, Hand& hand, std::vector<hands::Port*> ports, Actions& actions,
+                         QWidget* window)
     : QObject(window), host_(host), hand_(hand), ports_(std::move(ports)), actions_(actions), window_(window) {
   for (const QString& id : QSettings().value(kUnused).toStringList()) unused_.insert(id);
   looks_.setTimerType(Qt::PreciseTimer);
@@ -85,7 +86,7 @@ QString MovingHands::whyAtRest() const {
 
 QString MovingHands::trouble() const {
   QStringList lines;
-  for (const Port* port : ports_) {
+  for (const hands::Port* port : ports_) {
     if (!port->trouble().empty()) lines << sentenceText(port->trouble());
   }
   for (const auto& [id, problem] : problems_) lines << problem;
@@ -99,20 +100,20 @@ void MovingHands::look() {
   const double dt_s = time_ns_ < 0 ? 0.0 : kSecondPerNanosecond * static_cast<double>(time_ns - time_ns_);
   time_ns_ = time_ns;
   const bool is_free = hand_.arm() != nullptr && window_->isActiveWindow() && !learning_;
-  Motion all;
+  hands::Motion all;
   bool stops = false;
   for (HandEntry& entry : entries_) {
-    entry.awake = is_free ? awakened(entry.awake, entry.map, entry.seen.readings) : Awake{};
-    const Motion motion = motionOf(entry.map, entry.seen.readings, entry.awake);
+    entry.awake = is_free ? hands::awakened(entry.awake, entry.map, entry.seen.readings) : hands::Awake{};
+    const hands::Motion motion = hands::motionOf(entry.map, entry.seen.readings, entry.awake);
     stops = stops || motion.stop;
     entry.moves = is_free && entry.used && !motion.isAtRest();
-    if (is_free && entry.used) all = together(all, motion);
+    if (is_free && entry.used) all = hands::together(all, motion);
   }
   // On the way down alone: Start while it is held would be taken back at once.
   if (stops && !std::exchange(stops_, stops)) actions_.perform("session.stop");
   stops_ = stops;
   hand_.press(is_free ? all.stylus_buttons : 0U);
-  move(is_free ? all : Motion{}, dt_s);
+  move(is_free ? all : hands::Motion{}, dt_s);
   if (learning_) {
     const HandEntry* const entry = find(learning_->id);
     if (entry == nullptr)
@@ -123,14 +124,14 @@ void MovingHands::look() {
   if (is_new) emit changed();
 }
 
-void MovingHands::move(const Motion& motion, double dt_s) {
+void MovingHands::move(const hands::Motion& motion, double dt_s) {
   const servo::Snapshot snapshot = host_.snapshot();
   const bool moves = !motion.isAtRest() && snapshot.ticks > 0;
   if (moves) {
     const arm::Preset* preset = arm::findPreset(host_.scene().arm);
     if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
     const Pose X_WT = arm::tipPose(preset->geometry, snapshot.report.sample.q_rad);
-    hand_.moveTo(moved(hand_.arm()->wished(), motion, dt_s, X_WT));
+    hand_.moveTo(hands::moved(hand_.arm()->wished(), motion, dt_s, X_WT));
   } else if (moved_) {
     hand_.rest();
   }
@@ -141,9 +142,9 @@ void MovingHands::move(const Motion& motion, double dt_s) {
 bool MovingHands::takeSeen() {
   std::vector<HandEntry> now;
   bool is_new = false;
-  for (Port* port : ports_) {
+  for (hands::Port* port : ports_) {
     const std::string before = port->trouble();
-    for (Seen& seen : port->look()) take(std::move(seen), now, is_new);
+    for (hands::Seen& seen : port->look()) take(std::move(seen), now, is_new);
     is_new = is_new || port->trouble() != before;
   }
   is_new = is_new || now.size() != entries_.size();
@@ -152,7 +153,7 @@ bool MovingHands::takeSeen() {
   return is_new;
 }
 
-void MovingHands::take(Seen seen, std::vector<HandEntry>& now, bool& is_new) {
+void MovingHands::take(hands::Seen seen, std::vector<HandEntry>& now, bool& is_new) {
   const QString id = QString::fromStdString(seen.id);
   const auto known =
       std::find_if(entries_.begin(), entries_.end(), [&](const HandEntry& one) { return one.id() == id; });
@@ -178,7 +179,7 @@ void MovingHands::readMap(HandEntry& entry) {
     return;
   }
   entry.map = entry.seen.usual;
-  const Result<std::optional<Map>> kept = store_.load(entry.seen.id);
+  const Result<std::optional<hands::Map>> kept = store_.load(entry.seen.id);
   if (!kept) {
     const Problem& problem = kept.problems()[0];
     const QString where = QString::fromStdString(describe({{}, problem.place}));
@@ -204,7 +205,7 @@ void MovingHands::use(const QString& id, bool on) {
   emit changed();
 }
 
-bool MovingHands::change(const QString& id, const Map& map, const QString& field, bool fresh) {
+bool MovingHands::change(const QString& id, const hands::Map& map, const QString& field, bool fresh) {
   const HandEntry* const entry = find(id);
   if (entry == nullptr) return false;
   if (!(entry->map == map)) undo_.push(new MapEdit(*this, id, entry->map, map, field, fresh));
@@ -215,7 +216,7 @@ bool MovingHands::reset(const QString& id) {
   return usual_.count(id) > 0 && change(id, usual_[id], "reset");
 }
 
-void MovingHands::setMap(const QString& id, const Map& map) {
+void MovingHands::setMap(const QString& id, const hands::Map& map) {
   maps_[id].map = map;
   problems_.erase(id);
   for (HandEntry& entry : entries_) {
@@ -230,7 +231,7 @@ void MovingHands::setMap(const QString& id, const Map& map) {
 
 void MovingHands::save() {
   for (const QString& id : std::exchange(unsaved_, {})) {
-    const MapFile& file = maps_[id];
+    const hands::MapFile& file = maps_[id];
     if (file.map == usual_[id]) {
       store_.forget(file.id);
       continue;

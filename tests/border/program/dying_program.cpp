@@ -13,9 +13,8 @@
 #include "core/servo/host.h"
 #include "tests/border/wire_port.h"
 
+namespace underact {
 namespace {
-
-using namespace underact;
 
 volatile std::sig_atomic_t is_asked_to_end = 0;
 
@@ -58,8 +57,10 @@ void follow(servo::Host& host, const std::string& way) {
 }
 
 }  // namespace
+}  // namespace underact
 
 int main(int argc, char** argv) {
+  using namespace underact;
   if (argc != 4) return 2;
   std::signal(SIGUSR1, [](int) { is_asked_to_end = 1; });
   servo::HostOptions options;

@@ -16,12 +16,11 @@
 namespace underact::mesh_file {
 namespace {
 
-using namespace test;
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::byte>;
 
-Bytes someBytes(std::size_t count, Seed seed) {
-  Random random(seed);
+Bytes someBytes(std::size_t count, test::Seed seed) {
+  test::Random random(seed);
   Bytes bytes(count);
   for (std::byte& byte : bytes) byte = static_cast<std::byte>(random.bits());
   return bytes;
@@ -39,11 +38,11 @@ std::string contentOf(const fs::path& path) {
 }
 
 TEST(Cache, GivesBackWhatWasPut) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/made/on/demand");
   EXPECT_FALSE(cache.get("a"));
   for (const std::size_t count : {0U, 1U, 5'000'000U}) {
-    const Bytes bytes = someBytes(count, Seed{count});
+    const Bytes bytes = someBytes(count, test::Seed{count});
     ASSERT_TRUE(put(cache, "a", bytes));
     EXPECT_EQ(cache.get("a"), bytes);
   }
@@ -52,9 +51,9 @@ TEST(Cache, GivesBackWhatWasPut) {
 }
 
 TEST(Cache, WhatIsDamagedIsNotThereAndIsReplaced) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path());
-  const Bytes bytes = someBytes(300, Seed{1});
+  const Bytes bytes = someBytes(300, test::Seed{1});
   ASSERT_TRUE(put(cache, "a", bytes));
   const fs::path path = fs::path(folder.path()) / "a.mesh";
   const std::string whole = contentOf(path);
@@ -75,9 +74,9 @@ TEST(Cache, WhatIsDamagedIsNotThereAndIsReplaced) {
 }
 
 TEST(Cache, TheOnesUsedLongestAgoGo) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path(), 3500);
-  const Bytes bytes = someBytes(1000, Seed{2});
+  const Bytes bytes = someBytes(1000, test::Seed{2});
   const auto age = [&](const std::string& key, int hours) {
     fs::last_write_time(fs::path(folder.path()) / (key + ".mesh"),
                         fs::file_time_type::clock::now() - std::chrono::hours(hours));
@@ -92,37 +91,38 @@ TEST(Cache, TheOnesUsedLongestAgoGo) {
   EXPECT_FALSE(cache.get("b"));
   EXPECT_TRUE(cache.get("c"));
   EXPECT_TRUE(cache.get("d"));
-  EXPECT_FALSE(put(cache, "e", someBytes(3500, Seed{3})));  // larger than all of it
+  EXPECT_FALSE(put(cache, "e", someBytes(3500, test::Seed{3})));  // larger than all of it
   EXPECT_TRUE(cache.get("d"));
 }
 
 TEST(Cache, TouchesNothingThatIsNotItsOwn) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   folder.write("letter.txt", std::string(10'000, 'x'));
   folder.write("old.part", "left by a program that was killed");
   folder.write("new.part", "being written");
   fs::last_write_time(folder.path() + "/old.part", fs::file_time_type::clock::now() - std::chrono::hours(2));
   const Cache cache(folder.path(), 2000);
-  ASSERT_TRUE(put(cache, "a", someBytes(100, Seed{4})));
+  ASSERT_TRUE(put(cache, "a", someBytes(100, test::Seed{4})));
   EXPECT_TRUE(fs::exists(folder.path() + "/letter.txt"));
   EXPECT_TRUE(fs::exists(folder.path() + "/new.part"));
   EXPECT_FALSE(fs::exists(folder.path() + "/old.part"));
 }
 
 TEST(Cache, AFolderThatMayNotBeIsNoError) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const std::string file = folder.write("file", "no folder");
   for (const std::string& place : {file + "/below", std::string("/proc/nowhere"), std::string("/dev/null")}) {
     const Cache cache(place);
-    EXPECT_FALSE(put(cache, "a", someBytes(10, Seed{5}))) << place;
+    EXPECT_FALSE(put(cache, "a", someBytes(10, test::Seed{5}))) << place;
     EXPECT_FALSE(cache.get("a")) << place;
   }
 }
 
 TEST(Cache, KeysAreNoPaths) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
-  for (const char* key : {"", "../a", "a/b", "a.b", "A"}) EXPECT_FALSE(put(cache, key, someBytes(10, Seed{6}))) << key;
+  for (const char* key : {"", "../a", "a/b", "a.b", "A"})
+    EXPECT_FALSE(put(cache, key, someBytes(10, test::Seed{6}))) << key;
 }
 
 TEST(Cache, IsWhereTheSystemWantsCaches) {
@@ -148,15 +148,15 @@ TEST(Cache, IsWhereTheSystemWantsCaches) {
 }
 
 TEST(Cache, ManyAtOnceGetWholeEntriesOrNone) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   std::array<Bytes, 4> contents;
-  for (std::size_t k = 0; k < 4; ++k) contents[k] = someBytes(50'000 + k, Seed{k});
+  for (std::size_t k = 0; k < 4; ++k) contents[k] = someBytes(50'000 + k, test::Seed{k});
   std::atomic<int> wrong = 0, right = 0;
   std::vector<std::thread> threads;
   for (std::size_t thread = 0; thread < 4; ++thread) {
     threads.emplace_back([&, thread] {
       const Cache cache(folder.path(), 120'000);  // so that there is always one to go
-      Random random(Seed{thread});
+      test::Random random(test::Seed{thread});
       for (int round = 0; round < 100; ++round) {
         const std::size_t k = random.below(4);
         const std::string key(1, static_cast<char>('a' + k));

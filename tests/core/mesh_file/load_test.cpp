@@ -18,12 +18,10 @@
 namespace underact::mesh_file {
 namespace {
 
-using namespace test;
-
 TEST(LoadMesh, TheSecondTimeItComesFromTheCacheAndIsTheSame) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
-  const std::string path = folder.write("m.stl", stlBinary(soup(turnedOver(ball(20.0F, 3)))));
+  const std::string path = folder.write("m.stl", test::stlBinary(test::soup(test::turnedOver(test::ball(20.0F, 3)))));
   const Result<Loaded> first = loadMesh(path, {}, cache), second = loadMesh(path, {}, cache);
   ASSERT_TRUE(first);
   ASSERT_TRUE(second);
@@ -39,19 +37,19 @@ TEST(LoadMesh, TheSecondTimeItComesFromTheCacheAndIsTheSame) {
 }
 
 TEST(LoadMesh, TheSameBytesUnderAnotherNameAreTheSameAndOthersAreNot) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
-  ASSERT_TRUE(loadMesh(folder.write("a.obj", obj(cube(1.0F))), {}, cache));
-  EXPECT_TRUE(loadMesh(folder.write("b.obj", obj(cube(1.0F))), {}, cache).value().from_cache);
-  const Result<Loaded> other = loadMesh(folder.write("a.obj", obj(cube(2.0F))), {}, cache);
+  ASSERT_TRUE(loadMesh(folder.write("a.obj", test::obj(test::cube(1.0F))), {}, cache));
+  EXPECT_TRUE(loadMesh(folder.write("b.obj", test::obj(test::cube(1.0F))), {}, cache).value().from_cache);
+  const Result<Loaded> other = loadMesh(folder.write("a.obj", test::obj(test::cube(2.0F))), {}, cache);
   EXPECT_FALSE(other.value().from_cache);
   EXPECT_EQ(largestExtent(other.value().facts), 2.0);
 }
 
 TEST(LoadMesh, ADamagedEntryIsBuiltAnew) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
-  const std::string path = folder.write("m.obj", obj(cube(1.0F)));
+  const std::string path = folder.write("m.obj", test::obj(test::cube(1.0F)));
   ASSERT_TRUE(loadMesh(path, {}, cache));
   for (const auto& entry : std::filesystem::directory_iterator(cache.folder())) {
     std::fstream file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
@@ -63,11 +61,11 @@ TEST(LoadMesh, ADamagedEntryIsBuiltAnew) {
 }
 
 TEST(LoadMesh, IsTheSurfaceThatTheFileHolds) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache none("/dev/null");
-  const Result<Loaded> loaded = loadMesh(folder.write("m.ply", plyText(ball(10.0F, 4))), {}, none);
+  const Result<Loaded> loaded = loadMesh(folder.write("m.ply", test::plyText(test::ball(10.0F, 4))), {}, none);
   ASSERT_TRUE(loaded);
-  Random random(Seed{20070601});
+  test::Random random(test::Seed{20070601});
   for (int draw = 0; draw < 200; ++draw) {
     const Vec3 q = 30.0 * random.direction();
     mesh::SearchState state;
@@ -79,7 +77,7 @@ TEST(LoadMesh, IsTheSurfaceThatTheFileHolds) {
 }
 
 TEST(LoadMesh, WithoutAFaceIsAProblemThatSaysWhy) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Result<Loaded> loaded = loadMesh(folder.write("m.obj", "v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\nf 1 1 1\n"));
   ASSERT_FALSE(loaded);
   EXPECT_EQ(
@@ -89,7 +87,7 @@ TEST(LoadMesh, WithoutAFaceIsAProblemThatSaysWhy) {
 }
 
 TEST(LoadMesh, ToldSharesGrowToTheWhole) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   double last = 0.0;
   std::vector<std::string> steps;
   mesh::Watch watch;
@@ -98,7 +96,7 @@ TEST(LoadMesh, ToldSharesGrowToTheWhole) {
     last = share;
     if (steps.empty() || steps.back() != step) steps.emplace_back(step);
   };
-  ASSERT_TRUE(loadMesh(folder.write("m.obj", obj(ball(1.0F, 6))), watch, Cache(folder.path() + "/cache")));
+  ASSERT_TRUE(loadMesh(folder.write("m.obj", test::obj(test::ball(1.0F, 6))), watch, Cache(folder.path() + "/cache")));
   EXPECT_EQ(last, 1.0);
   EXPECT_EQ(steps.front(), "Reading the file");
   EXPECT_EQ(steps.back(), "Ready");
@@ -113,12 +111,12 @@ bool hasHalves(const Cache& cache) {
 }
 
 TEST(LoadMesh, ThatIsCancelledEndsSoonAndKeepsNothingHalf) {
-  const ScratchFolder folder;
-  const std::string path = folder.write("m.ply", plyBinary(ball(1.0F, 7)));  // 131,072 faces
+  const test::ScratchFolder folder;
+  const std::string path = folder.write("m.ply", test::plyBinary(test::ball(1.0F, 7)));  // 131,072 faces
   double latest_s = 0.0;
   for (const int after_ms : {0, 20, 60, 100, 150, 200, 300, 400}) {
     const Cache cache(folder.path() + "/cache" + std::to_string(after_ms));
-    CancelledAfter cancelled{std::chrono::milliseconds(after_ms)};
+    test::CancelledAfter cancelled{std::chrono::milliseconds(after_ms)};
     const Result<Loaded> loaded = loadMesh(path, cancelled.watch(), cache);
     const double seconds = cancelled.secondsSince();
     EXPECT_FALSE(hasHalves(cache)) << after_ms;
@@ -131,9 +129,9 @@ TEST(LoadMesh, ThatIsCancelledEndsSoonAndKeepsNothingHalf) {
 }
 
 TEST(LoadMesh, AFileThatIsWrittenMeanwhileIsNotKept) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
-  const std::string path = folder.write("m.obj", obj(ball(1.0F, 5)));
+  const std::string path = folder.write("m.obj", test::obj(test::ball(1.0F, 5)));
   mesh::Watch watch;
   bool is_written = false;
   watch.progress = [&](const char* step, double /*share*/) {
@@ -148,14 +146,14 @@ TEST(LoadMesh, AFileThatIsWrittenMeanwhileIsNotKept) {
 }
 
 TEST(SurfaceBytes, ThatAreDamagedAreNoneOrWhole) {
-  const ScratchFolder folder;
-  const Result<Loaded> loaded = loadMesh(folder.write("m.obj", obj(cube(1.0F))), {}, Cache("/dev/null"));
+  const test::ScratchFolder folder;
+  const Result<Loaded> loaded = loadMesh(folder.write("m.obj", test::obj(test::cube(1.0F))), {}, Cache("/dev/null"));
   const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);
   ASSERT_NE(mesh::surfaceOfBytes(bytes), nullptr);
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     ASSERT_EQ(mesh::surfaceOfBytes(std::span(bytes).first(length)), nullptr);
   }
-  Random random(Seed{3});
+  test::Random random(test::Seed{3});
   for (int draw = 0; draw < 5000; ++draw) {
     std::vector<std::byte> damaged = bytes;
     damaged[random.below(damaged.size())] ^= static_cast<std::byte>(1U << random.below(8));

@@ -11,15 +11,13 @@
 namespace underact::mesh_file {
 namespace {
 
-using namespace test;
-
-Raw readOrFail(const ScratchFolder& folder, const std::string& name, const std::string& content) {
+Raw readOrFail(const test::ScratchFolder& folder, const std::string& name, const std::string& content) {
   Result<Raw> raw = readFile(folder.write(name, content));
   EXPECT_TRUE(raw) << name << ": " << (raw ? "" : raw.problems()[0].sentence);
   return raw ? std::move(raw).value() : Raw{};
 }
 
-std::string problemOf(const ScratchFolder& folder, const std::string& name, const std::string& content) {
+std::string problemOf(const test::ScratchFolder& folder, const std::string& name, const std::string& content) {
   const Result<Raw> raw = readFile(folder.write(name, content));
   EXPECT_FALSE(raw) << name;
   return raw ? "" : raw.problems()[0].sentence;
@@ -39,19 +37,19 @@ void expectSame(const mesh::Triangles& read, const mesh::Triangles& meant, const
 }
 
 TEST(ReadFile, EveryFormatComesBackToTheBit) {
-  const ScratchFolder folder;
-  const mesh::Triangles meant = ball(0.1F, 2);  // 0.1 and its like are no short decimals
-  for (const auto& [name, content] :
-       std::vector<std::pair<std::string, std::string>>{{"b.stl", stlBinary(meant)},
-                                                        {"solid.stl", stlBinary(meant, "solid by a careless writer")},
-                                                        {"t.stl", stlText(meant)},
-                                                        {"m.obj", obj(meant)},
-                                                        {"m.off", off(meant)},
-                                                        {"t.ply", plyText(meant)},
-                                                        {"l.ply", plyBinary(meant)},
-                                                        {"b.ply", plyBinary(meant, true)},
-                                                        {"no extension", plyBinary(meant)},
-                                                        {"wrong.obj", stlBinary(meant)}}) {
+  const test::ScratchFolder folder;
+  const mesh::Triangles meant = test::ball(0.1F, 2);  // 0.1 and its like are no short decimals
+  for (const auto& [name, content] : std::vector<std::pair<std::string, std::string>>{
+           {"b.stl", test::stlBinary(meant)},
+           {"solid.stl", test::stlBinary(meant, "solid by a careless writer")},
+           {"t.stl", test::stlText(meant)},
+           {"m.obj", test::obj(meant)},
+           {"m.off", test::off(meant)},
+           {"t.ply", test::plyText(meant)},
+           {"l.ply", test::plyBinary(meant)},
+           {"b.ply", test::plyBinary(meant, true)},
+           {"no extension", test::plyBinary(meant)},
+           {"wrong.obj", test::stlBinary(meant)}}) {
     const Raw raw = readOrFail(folder, name, content);
     expectSame(raw.triangles, meant, name);
     EXPECT_EQ(raw.polygons, static_cast<std::int64_t>(meant.faces.size())) << name;
@@ -60,8 +58,8 @@ TEST(ReadFile, EveryFormatComesBackToTheBit) {
 }
 
 TEST(ReadFile, LinesMayEndAsTheyDoAnywhere) {
-  const ScratchFolder folder;
-  const mesh::Triangles meant = cube(3.0F);
+  const test::ScratchFolder folder;
+  const mesh::Triangles meant = test::cube(3.0F);
   for (const char* end : {"\r\n", "\r", "\n\n"}) {
     const auto with = [end](std::string text) {
       for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += std::string(end).size()) {
@@ -69,11 +67,11 @@ TEST(ReadFile, LinesMayEndAsTheyDoAnywhere) {
       }
       return text;
     };
-    expectSame(readOrFail(folder, "m.stl", with(stlText(meant))).triangles, meant, "STL");
-    expectSame(readOrFail(folder, "m.obj", with(obj(meant))).triangles, meant, "OBJ");
-    expectSame(readOrFail(folder, "m.off", with(off(meant))).triangles, meant, "OFF");
+    expectSame(readOrFail(folder, "m.stl", with(test::stlText(meant))).triangles, meant, "STL");
+    expectSame(readOrFail(folder, "m.obj", with(test::obj(meant))).triangles, meant, "OBJ");
+    expectSame(readOrFail(folder, "m.off", with(test::off(meant))).triangles, meant, "OFF");
   }
-  std::string header = plyBinary(meant);
+  std::string header = test::plyBinary(meant);
   for (std::size_t at = 0; (at = header.find('\n', at)) != std::string::npos && at < 200; at += 2) {
     header.replace(at, 1, "\r\n");
     if (header.compare(at + 2, 10, "end_header") == 0) {
@@ -85,14 +83,14 @@ TEST(ReadFile, LinesMayEndAsTheyDoAnywhere) {
 }
 
 TEST(ReadFile, ASolidMayBeCalledAnything) {
-  const ScratchFolder folder;
-  std::string content = stlText(cube(1.0F));
+  const test::ScratchFolder folder;
+  std::string content = test::stlText(test::cube(1.0F));
   content.replace(0, 13, "solid router facet outer loop vertex 1 2 3");
-  expectSame(readOrFail(folder, "m.stl", content).triangles, cube(1.0F), "named");
+  expectSame(readOrFail(folder, "m.stl", content).triangles, test::cube(1.0F), "named");
 }
 
 TEST(ReadFile, WhatIsNotReadIsPassedOver) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   mesh::Triangles meant;
   meant.p_MV = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   meant.faces = {{0, 1, 2}};
@@ -120,26 +118,26 @@ TEST(ReadFile, WhatIsNotReadIsPassedOver) {
 }
 
 TEST(ReadFile, PolygonsAreCutWithinThemselves) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   // A quad whose fourth corner is bent in, a star of ten corners, a U of eight: areas by hand.
   const Raw arrow = readOrFail(folder, "q.obj", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 3 4 1\n");
   EXPECT_EQ(arrow.triangles.faces.size(), 4U);
-  EXPECT_NEAR(areaOf(arrow.triangles), 2 * 4.0, 1e-12);
+  EXPECT_NEAR(test::areaOf(arrow.triangles), 2 * 4.0, 1e-12);
   const Raw u = readOrFail(folder, "u.off",
                            "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n2 3 0\n2 1 0\n1 1 0\n1 3 0\n0 3 0\n8 0 1 2 3 4 5 6 7\n");
   EXPECT_EQ(u.triangles.faces.size(), 6U);
-  EXPECT_NEAR(areaOf(u.triangles), 9.0 - 2.0, 1e-12);
+  EXPECT_NEAR(test::areaOf(u.triangles), 9.0 - 2.0, 1e-12);
   std::string star = "";
   for (int k = 0; k < 10; ++k) {
     const double r = k % 2 == 0 ? 2.0 : 0.5, a = 0.628318530717958648 * k;
     star += "v " + std::to_string(r * std::cos(a)) + " " + std::to_string(r * std::sin(a)) + " 0\n";
   }
   const Raw cut = readOrFail(folder, "s.obj", star + "f 1 2 3 4 5 6 7 8 9 10\n");
-  EXPECT_NEAR(areaOf(cut.triangles), 10 * 0.5 * 2.0 * 0.5 * std::sin(0.628318530717958648), 1e-5);  // 6 decimals
+  EXPECT_NEAR(test::areaOf(cut.triangles), 10 * 0.5 * 2.0 * 0.5 * std::sin(0.628318530717958648), 1e-5);  // 6 decimals
 }
 
 TEST(ReadFile, WhatIsNoFaceIsLeftOutAndCounted) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nv 1.#QNAN 0 0\nv 1e-999 0 1\n";
   const Raw raw = readOrFail(
       folder, "m.obj", corners + "f 1 2 3\nf 1 2 4\nf 1 5 2\nf 3 6 2 1\nf 1 2 9\nf 0 1 2\nf 1 1 2\nf 1 2\nf 1 2 7\n");
@@ -151,33 +149,33 @@ TEST(ReadFile, WhatIsNoFaceIsLeftOutAndCounted) {
   for (const Eigen::Vector3f& p_MV : raw.triangles.p_MV) EXPECT_TRUE(p_MV.allFinite());
 
   const float nan = std::nanf(""), inf = INFINITY;
-  mesh::Triangles soup_of = soup(cube(1.0F));
+  mesh::Triangles soup_of = test::soup(test::cube(1.0F));
   soup_of.p_MV[4].x() = nan;
   soup_of.p_MV[10].z() = -inf;
   soup_of.p_MV[15] = soup_of.p_MV[16];
-  for (const std::string& content : {stlBinary(soup_of), stlText(soup_of)}) {
+  for (const std::string& content : {test::stlBinary(soup_of), test::stlText(soup_of)}) {
     const Raw stl = readOrFail(folder, "m.stl", content);
     EXPECT_EQ(stl.triangles.faces.size(), 9U);
     EXPECT_EQ(stl.dropped.not_finite, 2);
     EXPECT_EQ(stl.dropped.without_extent, 1);
   }
-  const Raw ply = readOrFail(folder, "m.ply", plyBinary(soup_of));
+  const Raw ply = readOrFail(folder, "m.ply", test::plyBinary(soup_of));
   EXPECT_EQ(ply.dropped.not_finite, 2);
-  EXPECT_EQ(readOrFail(folder, "t.ply", plyText(soup_of)).dropped.not_finite, 2);
-  EXPECT_EQ(readOrFail(folder, "m.off", off(soup_of)).dropped.not_finite, 2);
+  EXPECT_EQ(readOrFail(folder, "t.ply", test::plyText(soup_of)).dropped.not_finite, 2);
+  EXPECT_EQ(readOrFail(folder, "m.off", test::off(soup_of)).dropped.not_finite, 2);
 }
 
 TEST(ReadFile, FacesThatOpenMeshRefusesAreNotLost) {
   // Three faces at one edge, and one of them again the other way round.
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Raw raw = readOrFail(folder, "m.off",
                              "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 1 0 4\n");
   EXPECT_EQ(raw.triangles.faces.size(), 4U);
 }
 
 TEST(ReadFile, NormalsOfAnStlAgainstItsCornersAreCounted) {
-  const ScratchFolder folder;
-  std::string content = stlBinary(cube(1.0F));
+  const test::ScratchFolder folder;
+  std::string content = test::stlBinary(test::cube(1.0F));
   for (std::size_t face = 0; face < 5; ++face) {
     for (std::size_t axis = 0; axis < 3; ++axis) content[84 + 50 * face + 4 * axis + 3] ^= static_cast<char>(0x80);
   }
@@ -187,9 +185,9 @@ TEST(ReadFile, NormalsOfAnStlAgainstItsCornersAreCounted) {
 }
 
 TEST(ReadFile, DamageIsSaidInASentence) {
-  const ScratchFolder folder;
-  const mesh::Triangles good = cube(1.0F);
-  const std::string stl = stlBinary(good), ply = plyBinary(good);
+  const test::ScratchFolder folder;
+  const mesh::Triangles good = test::cube(1.0F);
+  const std::string stl = test::stlBinary(good), ply = test::plyBinary(good);
   const auto head = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
   };
@@ -200,16 +198,16 @@ TEST(ReadFile, DamageIsSaidInASentence) {
            {"head.stl", stl.substr(0, 60),
             "The file is cut short or damaged: it says that it holds a binary STL mesh, and is too short for them."},
            {"none.stl", stl.substr(0, 80) + std::string(4, '\0'), "The file holds no faces."},
-           {"word.stl", head(stlText(good), "endloop", "endlopp"),
+           {"word.stl", head(test::stlText(good), "endloop", "endlopp"),
             "The file is damaged: line 7 does not end the three corners of a face (endloop)."},
-           {"number.stl", head(stlText(good), "vertex 0", "vertex O"),
+           {"number.stl", head(test::stlText(good), "vertex 0", "vertex O"),
             "The file is damaged: line 4 is no corner of a face (vertex x y z)."},
            {"line.obj", "v 0 0 0\nv 1 0\n", "The file is damaged: line 2 is no corner (v x y z)."},
            {"face.obj", "v 0 0 0\nf 1 x 2\n", "The file is damaged: line 2 is no face."},
-           {"many.off", head(off(good), "8 12 0", "8000000000 12 0"),
+           {"many.off", head(test::off(good), "8 12 0", "8000000000 12 0"),
             "The file is cut short or damaged: it says that it holds 8000000000 corners and 12 faces, and is too short "
             "for them."},
-           {"more.off", head(off(good), "8 12 0", "8 20 0"),
+           {"more.off", head(test::off(good), "8 12 0", "8 20 0"),
             "The file is damaged: line 24 is the last, and corners or faces are missing."},
            {"binary.off", "OFF BINARY\n",
             "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY."},
@@ -221,16 +219,16 @@ TEST(ReadFile, DamageIsSaidInASentence) {
             "them."},
            {"list.ply", head(ply, std::string("\3\0", 2), std::string("\xFF\0", 2)),
             "The file is damaged: face 1 of 12 cannot be read."},
-           {"text.ply", head(plyText(good), "\n0 0 0\n", "\n0 0 zero\n"),
+           {"text.ply", head(test::plyText(good), "\n0 0 0\n", "\n0 0 zero\n"),
             "The file is damaged: corner 1 of 8 cannot be read."},
-           {"points.ply", head(plyText(good), "element face 12", "element face 0"),
+           {"points.ply", head(test::plyText(good), "element face 12", "element face 0"),
             "The PLY file holds points and no faces. A surface needs faces: make them in the program that made the "
             "points."},
-           {"whole.ply", head(plyText(good), "property float y", "property int y"),
+           {"whole.ply", head(test::plyText(good), "property float y", "property int y"),
             "The PLY file holds y of its corners as whole numbers. Save it with float or double coordinates."},
-           {"twice.ply", head(plyText(good), "comment by hand", "element vertex 3"),
+           {"twice.ply", head(test::plyText(good), "comment by hand", "element vertex 3"),
             "The PLY header is damaged: it names corners or faces twice."},
-           {"odd.ply", head(plyText(good), "property float x", "property half x"),
+           {"odd.ply", head(test::plyText(good), "property float x", "property half x"),
             "The PLY header is damaged: line 5 makes no sense."},
            {"photo.png", "\x89PNG\r\n\x1A\n",
             "This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and "
@@ -241,7 +239,7 @@ TEST(ReadFile, DamageIsSaidInASentence) {
 }
 
 TEST(ReadFile, WhatIsNoFileIsSaid) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   EXPECT_EQ(readFile(folder.path()).problems()[0].sentence, "This is a folder, not a mesh file.");
   EXPECT_EQ(readFile(folder.path() + "/none.stl").problems()[0].sentence,
             "The file cannot be opened: No such file or directory.");
@@ -249,7 +247,7 @@ TEST(ReadFile, WhatIsNoFileIsSaid) {
       readFile("/dev/null").problems()[0].sentence,
       "This is a pipe, a device or a socket, not a regular file, so a mesh is not read from it. Save what it gives "
       "as a file, and name that.");
-  const std::string path = folder.write("real.obj", obj(cube(1.0F)));
+  const std::string path = folder.write("real.obj", test::obj(test::cube(1.0F)));
   std::filesystem::create_symlink(path, folder.path() + "/link.obj");
   EXPECT_TRUE(readFile(folder.path() + "/link.obj"));
   std::filesystem::resize_file(folder.write("huge.stl", ""), (std::uint64_t{4} << 30) + 1);  // sparse

@@ -13,8 +13,6 @@
 namespace underact::mesh_file {
 namespace {
 
-using namespace test;
-
 /// Another program in the reader's place, as long as it lives.
 class InPlaceOfTheReader {
  public:
@@ -26,13 +24,13 @@ class InPlaceOfTheReader {
   ~InPlaceOfTheReader() { ::unsetenv("UNDERACT_MESH_READER"); }
 
   std::string problem(const mesh::Watch& watch = {}) {
-    const Result<Raw> raw = readFile(folder_.write("m.obj", obj(cube(1.0F))), watch);
+    const Result<Raw> raw = readFile(folder_.write("m.obj", test::obj(test::cube(1.0F))), watch);
     EXPECT_FALSE(raw);
     return raw ? "" : raw.problems()[0].sentence;
   }
 
  private:
-  ScratchFolder folder_;
+  test::ScratchFolder folder_;
 };
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -40,7 +38,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 TEST(ReaderProcess, SaysASentenceWithItsPatternsSoThatTheWindowCanSayItInItsLanguage) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const Result<Raw> raw = readFile(folder.write("many.off", "OFF\n8000000000 12 0\n0 0 0\n"));
   ASSERT_FALSE(raw);
   const Sentence& sentence = raw.problems()[0].sentence;
@@ -83,8 +81,8 @@ TEST(ReaderProcess, ThatLiesIsNotBelieved) {
 
 TEST(ReaderProcess, ThatIsNotThereIsSaid) {
   ::setenv("UNDERACT_MESH_READER", "/dev/null/nowhere/reader", 1);
-  const ScratchFolder folder;
-  const Result<Raw> raw = readFile(folder.write("m.obj", obj(cube(1.0F))));
+  const test::ScratchFolder folder;
+  const Result<Raw> raw = readFile(folder.write("m.obj", test::obj(test::cube(1.0F))));
   ::unsetenv("UNDERACT_MESH_READER");
   ASSERT_FALSE(raw);
   EXPECT_EQ(raw.problems()[0].sentence,
@@ -95,13 +93,13 @@ TEST(ReaderProcess, ThatIsNotThereIsSaid) {
 
 TEST(ReaderProcess, IsEndedAtOnceWhereItIsCancelled) {
   InPlaceOfTheReader reader("while :; do :; done");
-  CancelledAfter cancelled(std::chrono::milliseconds(100));
+  test::CancelledAfter cancelled(std::chrono::milliseconds(100));
   EXPECT_EQ(reader.problem(cancelled.watch()), kCancelled);
   EXPECT_LT(cancelled.secondsSince(), 0.2);
 }
 
 TEST(ReaderProcess, TellsHowFarItIs) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   double last = 0.0;
   int told = 0;
   mesh::Watch watch;
@@ -111,13 +109,13 @@ TEST(ReaderProcess, TellsHowFarItIs) {
     last = share;
     ++told;
   };
-  ASSERT_TRUE(readFile(folder.write("m.obj", obj(ball(1.0F, 6))), watch));
+  ASSERT_TRUE(readFile(folder.write("m.obj", test::obj(test::ball(1.0F, 6))), watch));
   EXPECT_GT(told, 50);
 }
 
 TEST(Message, ThatIsDamagedAnywhereIsNoMessageOrOneThatIsWhole) {
   Message message;
-  message.raw.triangles = ball(1.0F, 1);
+  message.raw.triangles = test::ball(1.0F, 1);
   message.raw.polygons = 32;
   std::vector<std::byte> bytes;
   ASSERT_TRUE(writeMessage(message, [&bytes](std::span<const std::byte> part) {
@@ -128,7 +126,7 @@ TEST(Message, ThatIsDamagedAnywhereIsNoMessageOrOneThatIsWhole) {
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     ASSERT_FALSE(readMessage(std::span(bytes).first(length))) << length;
   }
-  Random random(Seed{20070601});
+  test::Random random(test::Seed{20070601});
   int whole = 0;
   for (int draw = 0; draw < 20'000; ++draw) {
     std::vector<std::byte> damaged = bytes;

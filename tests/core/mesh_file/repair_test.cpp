@@ -15,7 +15,6 @@
 namespace underact::mesh_file {
 namespace {
 
-using namespace test;
 using mesh::Triangles;
 
 /// What holds of every repaired mesh, whatever it was.
@@ -50,7 +49,7 @@ Repaired repaired(const Triangles& triangles) {
 }
 
 TEST(Repair, ASoundMeshStaysAsItIs) {
-  const Repaired done = repaired(cube(10.0F));
+  const Repaired done = repaired(test::cube(10.0F));
   EXPECT_TRUE(isClosed(done.facts));
   EXPECT_EQ(done.facts.faces, 12);
   EXPECT_EQ(done.facts.corners, 8);
@@ -66,7 +65,7 @@ TEST(Repair, ASoundMeshStaysAsItIs) {
 }
 
 TEST(Repair, ASoupIsWelded) {
-  const Repaired done = repaired(soup(ball(20.0F, 3)));
+  const Repaired done = repaired(test::soup(test::ball(20.0F, 3)));
   EXPECT_EQ(done.facts.corners, 258);  // 4 * 4^3 + 2
   EXPECT_EQ(done.facts.welded, 3 * 512 - 258);
   EXPECT_TRUE(isClosed(done.facts));
@@ -74,21 +73,21 @@ TEST(Repair, ASoupIsWelded) {
 
 TEST(Repair, CornersWithinTheToleranceAreWeldedAndNoOthers) {
   // The diagonal of a cube of edge 10 is 17.32, so the tolerance is 1.732e-5: moved by 1e-5 each way, or by 4e-5.
-  Triangles loose = soup(cube(10.0F));
-  Random random(Seed{7});
+  Triangles loose = test::soup(test::cube(10.0F));
+  test::Random random(test::Seed{7});
   for (Eigen::Vector3f& p_MV : loose.p_MV) p_MV += 0.4e-5F * random.direction().cast<float>();
   const Repaired welded = repaired(loose);
   EXPECT_NEAR(welded.facts.weld_tolerance, 1.732e-5, 1e-8);
   EXPECT_EQ(welded.facts.corners, 8);
   EXPECT_TRUE(isClosed(welded.facts));
-  loose = soup(cube(10.0F));
+  loose = test::soup(test::cube(10.0F));
   for (std::size_t face = 0; face < 6; ++face) loose.p_MV[3 * face].x() += 4e-5F;
   EXPECT_GT(repaired(loose).facts.corners, 8);
 }
 
 TEST(Repair, WeldingFindsWhatComparingEachWithEachFinds) {
-  Random random(Seed{20071203});
-  for (int draw = 0; draw < sweep(40, 1000); ++draw) {
+  test::Random random(test::Seed{20071203});
+  for (int draw = 0; draw < test::sweep(40, 1000); ++draw) {
     Triangles cloud;
     const int groups = 30;
     for (int k = 0; k < groups; ++k) {
@@ -110,7 +109,7 @@ TEST(Repair, WeldingFindsWhatComparingEachWithEachFinds) {
 }
 
 TEST(Repair, FacesWithoutExtentAndDuplicatesGo) {
-  Triangles triangles = cube(1.0F);
+  Triangles triangles = test::cube(1.0F);
   triangles.faces.push_back({0, 0, 1});
   triangles.faces.push_back(triangles.faces[3]);
   triangles.faces.push_back({triangles.faces[5][1], triangles.faces[5][0], triangles.faces[5][2]});  // the other way
@@ -122,7 +121,7 @@ TEST(Repair, FacesWithoutExtentAndDuplicatesGo) {
 
 TEST(Repair, AFaceOnALineStaysWhereItClosesASeam) {
   // A cube one of whose edges has a corner in its middle on one side alone: a face on a line is between.
-  Triangles triangles = cube(2.0F);
+  Triangles triangles = test::cube(2.0F);
   triangles.p_MV.emplace_back(1.0F, 0.0F, 0.0F);  // between corners 0 and 1
   for (mesh::Face& face : triangles.faces) {
     const bool has_edge = std::ranges::count(face, 0) > 0 && std::ranges::count(face, 1) > 0;
@@ -144,13 +143,13 @@ TEST(Repair, AFaceOnALineStaysWhereItClosesASeam) {
 }
 
 TEST(Repair, FacesAreTurnedSoThatTheOutsideIsOut) {
-  const Repaired over = repaired(turnedOver(ball(5.0F, 2)));
+  const Repaired over = repaired(test::turnedOver(test::ball(5.0F, 2)));
   EXPECT_EQ(over.facts.turned, 128);
-  EXPECT_GT(volumeOf(over.triangles), 0.0);
-  EXPECT_NEAR(volumeOf(over.triangles), over.facts.volume, 1e-9);
-  Random random(Seed{20070601});
-  for (int draw = 0; draw < sweep(50, 2000); ++draw) {
-    Triangles mixed = soup(ball(5.0F, 2));
+  EXPECT_GT(test::volumeOf(over.triangles), 0.0);
+  EXPECT_NEAR(test::volumeOf(over.triangles), over.facts.volume, 1e-9);
+  test::Random random(test::Seed{20070601});
+  for (int draw = 0; draw < test::sweep(50, 2000); ++draw) {
+    Triangles mixed = test::soup(test::ball(5.0F, 2));
     std::int64_t turned = 0;
     for (mesh::Face& face : mixed.faces) {
       if (random.below(2) == 0) continue;
@@ -160,12 +159,12 @@ TEST(Repair, FacesAreTurnedSoThatTheOutsideIsOut) {
     const Repaired done = repaired(mixed);
     ASSERT_TRUE(isClosed(done.facts));
     ASSERT_EQ(done.facts.turned, turned);
-    ASSERT_NEAR(volumeOf(done.triangles), volumeOf(ball(5.0F, 2)), 1e-4);  // floats, welded
+    ASSERT_NEAR(test::volumeOf(done.triangles), test::volumeOf(test::ball(5.0F, 2)), 1e-4);  // floats, welded
   }
 }
 
 TEST(Repair, AnOpenSurfaceStandsAsMostOfItDoes) {
-  Triangles open = sheet(4);
+  Triangles open = test::sheet(4);
   std::swap(open.faces[0][1], open.faces[0][2]);
   std::swap(open.faces[9][1], open.faces[9][2]);
   const Repaired done = repaired(open);
@@ -179,21 +178,21 @@ TEST(Repair, AnOpenSurfaceStandsAsMostOfItDoes) {
 }
 
 TEST(Repair, AHollowKeepsItsWallAndASecondBallItsOutside) {
-  const Triangles hollow = joined(ball(10.0F, 2), turnedOver(ball(5.0F, 2)));
+  const Triangles hollow = test::joined(test::ball(10.0F, 2), test::turnedOver(test::ball(5.0F, 2)));
   const Repaired done = repaired(hollow);
   EXPECT_EQ(done.facts.turned, 0);
   EXPECT_EQ(done.facts.closed_parts, 2);
   EXPECT_EQ(done.facts.nested_parts, 1);
-  EXPECT_NEAR(volumeOf(done.triangles), volumeOf(hollow), 1e-9);
-  Triangles apart = turnedOver(ball(5.0F, 2));
+  EXPECT_NEAR(test::volumeOf(done.triangles), test::volumeOf(hollow), 1e-9);
+  Triangles apart = test::turnedOver(test::ball(5.0F, 2));
   for (Eigen::Vector3f& p_MV : apart.p_MV) p_MV.x() += 20.0F;
-  const Repaired two = repaired(joined(ball(10.0F, 2), apart));
+  const Repaired two = repaired(test::joined(test::ball(10.0F, 2), apart));
   EXPECT_EQ(two.facts.turned, 128);
   EXPECT_EQ(two.facts.nested_parts, 0);
 }
 
 TEST(Repair, HolesAreCountedAndMeasured) {
-  Triangles open = cube(10.0F);
+  Triangles open = test::cube(10.0F);
   open.faces.erase(open.faces.begin(), open.faces.begin() + 2);  // the bottom
   open.faces.erase(open.faces.begin());                          // half of the top: another hole, corners apart
   const Repaired done = repaired(open);
@@ -201,12 +200,12 @@ TEST(Repair, HolesAreCountedAndMeasured) {
   EXPECT_EQ(done.facts.border_edges, 7);
   EXPECT_NEAR(done.facts.longest_border, 40.0, 1e-12);
   EXPECT_FALSE(isClosed(done.facts));
-  EXPECT_EQ(repaired(sheet(3)).facts.borders, 1);
-  EXPECT_NEAR(repaired(sheet(3)).facts.longest_border, 12.0, 1e-12);
+  EXPECT_EQ(repaired(test::sheet(3)).facts.borders, 1);
+  EXPECT_NEAR(repaired(test::sheet(3)).facts.longest_border, 12.0, 1e-12);
 }
 
 TEST(Repair, EdgesWithMoreThanTwoFacesAreCounted) {
-  Triangles fin = cube(1.0F);
+  Triangles fin = test::cube(1.0F);
   fin.p_MV.emplace_back(-1.0F, -1.0F, 0.5F);
   fin.faces.push_back({0, 4, 8});
   const Repaired done = repaired(fin);
@@ -237,23 +236,23 @@ TEST(Repair, AStripThatIsTwistedOnceHasNoOutside) {
 }
 
 TEST(Repair, CrossingsAreFound) {
-  Triangles shifted = ball(5.0F, 2);
+  Triangles shifted = test::ball(5.0F, 2);
   for (Eigen::Vector3f& p_MV : shifted.p_MV) p_MV.x() += 7.0F;
-  const Repaired done = repaired(joined(ball(5.0F, 2), shifted));
+  const Repaired done = repaired(test::joined(test::ball(5.0F, 2), shifted));
   EXPECT_GT(done.facts.crossings, 10);
-  EXPECT_EQ(repaired(joined(ball(5.0F, 2), ball(2.0F, 2))).facts.crossings, 0);
+  EXPECT_EQ(repaired(test::joined(test::ball(5.0F, 2), test::ball(2.0F, 2))).facts.crossings, 0);
   // Two squares in one plane, one over the other, and beside each other.
-  Triangles over = sheet(2), beside = sheet(2);
+  Triangles over = test::sheet(2), beside = test::sheet(2);
   for (Eigen::Vector3f& p_MV : over.p_MV) p_MV += Eigen::Vector3f(0.3F, 0.4F, 0.0F);
   for (Eigen::Vector3f& p_MV : beside.p_MV) p_MV += Eigen::Vector3f(2.5F, 0.0F, 0.0F);
-  EXPECT_GT(repaired(joined(sheet(2), over)).facts.crossings, 0);
-  EXPECT_EQ(repaired(joined(sheet(2), beside)).facts.crossings, 0);
+  EXPECT_GT(repaired(test::joined(test::sheet(2), over)).facts.crossings, 0);
+  EXPECT_EQ(repaired(test::joined(test::sheet(2), beside)).facts.crossings, 0);
 }
 
 TEST(Repair, CrossingsAreThoseThatSamplesFind) {  // oracle: points along each edge change sides of the other within it
-  Random random(Seed{20070601});
+  test::Random random(test::Seed{20070601});
   int crossing = 0;
-  for (int draw = 0; draw < sweep(2000, 100'000); ++draw) {
+  for (int draw = 0; draw < test::sweep(2000, 100'000); ++draw) {
     Triangles two;
     for (int k = 0; k < 6; ++k) two.p_MV.emplace_back(random.inBox(1.0).cast<float>());
     two.faces = {{0, 1, 2}, {3, 4, 5}};
@@ -286,23 +285,23 @@ TEST(Repair, AdversarialMeshesComeThrough) {
   corners_alone.p_MV = {{0, 0, 0}, {1, 1, 1}};
   one.p_MV = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   one.faces = {{0, 1, 2}};
-  nans = cube(1.0F);
+  nans = test::cube(1.0F);
   nans.p_MV[3] = {nan, inf, -inf};
-  indexes = cube(1.0F);
+  indexes = test::cube(1.0F);
   indexes.faces[0] = {INT32_MAX, INT32_MIN, -1};
   EXPECT_EQ(repaired(none).facts.faces, 0);
   EXPECT_EQ(repaired(corners_alone).facts.corners, 0);
   EXPECT_EQ(repaired(one).facts.borders, 1);
   EXPECT_GT(repaired(nans).facts.not_finite, 0);
   EXPECT_EQ(repaired(indexes).facts.out_of_range, 1);
-  Triangles same = cube(1.0F);
+  Triangles same = test::cube(1.0F);
   for (Eigen::Vector3f& p_MV : same.p_MV) p_MV = {1e14F, 1e14F, 1e14F};
   EXPECT_EQ(repaired(same).facts.faces, 0);
-  Triangles far = cube(1.0F);
+  Triangles far = test::cube(1.0F);
   for (Eigen::Vector3f& p_MV : far.p_MV) p_MV += Eigen::Vector3f::Constant(1e6F);
   EXPECT_TRUE(isClosed(repaired(far).facts));
   EXPECT_NEAR(repaired(far).facts.volume, 1.0, 1e-9);  // of differences of floats, which are whole here
-  Triangles tiny = cube(1e-40F);                       // below the normal floats
+  Triangles tiny = test::cube(1e-40F);                 // below the normal floats
   repaired(tiny);
 }
 
@@ -320,7 +319,7 @@ TEST(Repair, FansNeedlesAndSliversComeThroughInTime) {
   const Repaired cone = repaired(fan);
   EXPECT_EQ(cone.facts.faces, n);
   EXPECT_EQ(cone.facts.borders, 1);
-  Random random(Seed{1});
+  test::Random random(test::Seed{1});
   for (int k = 0; k < 20'000; ++k) {  // each across all the others
     const Vec3 p = random.inBox(1.0);
     const auto first = static_cast<std::int32_t>(needles.p_MV.size());
@@ -341,14 +340,14 @@ TEST(Repair, FansNeedlesAndSliversComeThroughInTime) {
 }
 
 TEST(Repair, TheSameMeshGivesTheSameBits) {
-  const Triangles triangles = soup(joined(ball(3.0F, 3), sheet(10)));
+  const Triangles triangles = test::soup(test::joined(test::ball(3.0F, 3), test::sheet(10)));
   const Repaired a = repaired(triangles), b = repaired(triangles);
   EXPECT_EQ(a.triangles.faces, b.triangles.faces);
   EXPECT_EQ(std::memcmp(&a.facts, &b.facts, sizeof a.facts), 0);
 }
 
 TEST(Repair, EndsSoonWhereItIsCancelled) {
-  const Triangles triangles = soup(ball(3.0F, 7));  // 131,072 faces
+  const Triangles triangles = test::soup(test::ball(3.0F, 7));  // 131,072 faces
   for (const int after_ms : {1, 10, 20, 40, 80}) {
     std::atomic<bool> cancelled = false;
     std::chrono::steady_clock::time_point since;

@@ -66,9 +66,6 @@ T whole(double value) {
 }
 
 }  // namespace
-}  // namespace underact::test::hd
-
-using namespace underact::test::hd;
 
 #define HD_API __attribute__((visibility("default")))
 
@@ -220,3 +217,7 @@ HD_API Control* underactHdControl() {
   return &Library::the();
 }
 }
+
+#undef HD_API
+
+}  // namespace underact::test::hd
