@@ -4,6 +4,16 @@
 # folder (tests/house/hidden_names.py). So a new file can only be wrong itself, wherever the border of a unit then falls.
 include_guard()
 
+if(UNDERACT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(UNDERACT_CCACHE_PROGRAM ccache)
+  if(UNDERACT_CCACHE_PROGRAM)  # it takes precompiled headers where it is told that a change of macros is no matter
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${UNDERACT_CCACHE_PROGRAM})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
+    endif()
+  endif()
+endif()
+
 option(CMAKE_UNITY_BUILD "Compile the files of a folder together" ON)
 
 set(UNDERACT_COMMON_HEADERS
@@ -15,7 +25,7 @@ set(UNDERACT_WINDOW_HEADERS
     <QGridLayout> <QHeaderView> <QJsonObject> <QLabel> <QLineEdit> <QList> <QMainWindow> <QMenu> <QMessageBox> <QPainter>
     <QProgressBar> <QPushButton> <QScrollArea> <QSettings> <QSignalBlocker> <QSlider> <QString> <QTableWidget> <QTimer> <QToolButton>
     <vtkActor.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
-    core/scene/description.h core/scene/edit.h core/servo/host.h core/servo/snapshot.h)  # ours that nearly all of it includes
+    <core/scene/description.h> <core/scene/edit.h> <core/servo/host.h> <core/servo/snapshot.h>)  # ours that nearly all of it includes
 
 # underact_compile(TARGET [HEADERS header ...] [LIKE target]): of the files of TARGET, those of a folder together, at most twenty at a
 # time; with HEADERS precompiled, or with those of another target.

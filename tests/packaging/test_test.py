@@ -66,6 +66,7 @@ class Test(Scripts):
         self.assertEqual((status, lines[-1]), (0, "90 passed, 0 failed"))
         self.assertEqual(calls[0], "install-deps run test check package")
         self.assertEqual(calls[1], "cmake --preset ci")
+        self.assertIn("compile alone", calls)
         self.assertEqual(len([call for call in calls if call.startswith("ctest")]), 3)
 
     def test_the_slowest_twenty_are_listed_with_their_times(self):
@@ -82,6 +83,8 @@ class Test(Scripts):
         self.assertEqual((status, lines[-1]), (1, "88 passed, 2 failed"))
         status, lines, _ = self.run_it("--sanitizers", BREAK="asan")
         self.assertEqual((status, lines[-1]), (1, "60 passed, 1 failed"))
+        status, lines, _ = self.run_it("--strict", BREAK="alone")
+        self.assertEqual((status, lines[-1]), (1, "30 passed, 1 failed"))
         status, lines, _ = self.run_it(EMPTY="release")
         self.assertEqual((status, lines[-1]), (1, "0 passed, 1 failed"))
         status, lines, calls = self.run_it(INSTALLED="1")

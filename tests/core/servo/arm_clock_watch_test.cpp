@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/servo/clock.h"
 #include "tests/support/property.h"
 
 namespace underact::servo {
