@@ -1,5 +1,6 @@
 #include "core/base/decompositions.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
@@ -16,6 +17,10 @@ Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& matrix) {
 
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {
   return A.colPivHouseholderQr().solve(b);
+}
+
+Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {
+  return A.ldlt().solve(b);
 }
 
 }  // namespace underact

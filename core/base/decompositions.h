@@ -20,4 +20,8 @@ Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& matrix);
 /// ColPivHouseholderQR). Where the columns of A depend on each other, one of many.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
 
+/// The x of A x = b, of a symmetric A (n x n) that is not indefinite, of which the lower half counts, and b (n x m),
+/// both finite (Eigen's LDLT). Not finite where A is singular beyond its scale.
+Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
+
 }  // namespace underact

@@ -1,12 +1,12 @@
 #include "core/identify/body_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "core/base/decompositions.h"
 #include "core/base/translate.h"
 #include "core/identify/weak_form.h"
 
@@ -170,7 +170,7 @@ double Fit::tryStep(double caution) {
     matrix -= normal.across * inverse.back() * normal.across.transpose();
     pull += normal.shared_pull - normal.across * inverse.back() * normal.own_pull;
   }
-  const Shared way = matrix.ldlt().solve(pull);
+  const Shared way = solveSymmetric(matrix, pull);
   if (!way.allFinite()) return -1.0;
   Shared shared = shared_ + way;
   shared[0] = std::max(shared[0], 0.3 * shared_[0]);  // never to 0 in one leap
@@ -205,7 +205,7 @@ BodyFit Fit::result() const {
   }
   const double count = static_cast<double>(windows_.size()), free = std::max(1.0, samples - 4.0 - 2.0 * count);
   fit.residual_m = std::sqrt(squares_ / samples);
-  const Eigen::Matrix4d inverse = matrix.ldlt().solve(Eigen::Matrix4d::Identity());
+  const Eigen::Matrix4d inverse = solveSymmetric(matrix, Eigen::Matrix4d::Identity());
   const Eigen::Matrix4d by_windows = count / std::max(1.0, count - 1.0) * (inverse * clusters * inverse);
   Shared deviation;
   for (Eigen::Index which = 0; which < 4; ++which)

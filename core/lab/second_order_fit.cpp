@@ -1,9 +1,9 @@
 #include "core/lab/second_order_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/decompositions.h"
 #include "core/base/trig.h"
 #include "core/base/types.h"
 #include "core/base/units.h"
@@ -56,7 +56,7 @@ class Distance {
     const Eigen::Map<const Eigen::VectorXd> value(value_.data(), shape.size());
     Mat3 normal = slope.transpose() * slope;
     normal.diagonal() *= 1.0 + damping;
-    const Vec3 way = normal.ldlt().solve(slope.transpose() * (value - gain * shape));
+    const Vec3 way = solveSymmetric(normal, slope.transpose() * (value - gain * shape));
     return parameters + way.head<2>();
   }
 
