@@ -121,7 +121,7 @@ TEST(ShippedTable, EveryShippedScenesFrontHasThreePointsAtLeast) {
 }
 
 TEST(Front, IsWhatNothingElseBeatsInBoth) {
-  test::Random random(test::Seed{20261122});
+  underact::test::Random random(underact::test::Seed{20261122});
   for (int round = 0; round < 200; ++round) {
     std::vector<Point> points(1 + random.below(40));
     for (Point& point : points) {
