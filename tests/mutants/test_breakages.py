@@ -1,0 +1,73 @@
+"""The list of breakages is true: it cannot rot while nobody runs it."""
+
+import fnmatch
+import importlib.util
+import re
+import unittest
+from collections import Counter
+from pathlib import Path
+
+from breakages import BREAKAGES
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
+SPEC = importlib.util.spec_from_file_location("mutants", FOLDER / "__main__.py")
+mutants = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(mutants)
+
+
+def rooms() -> list[str]:
+    """All of them, the deepest first."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    found = re.findall(r"^\s*underact_room\((\S+)", text, re.MULTILINE)
+    return sorted(found, key=len, reverse=True)
+
+
+def suites_and_names() -> set[str]:
+    """Of all tests of GoogleTest, as a filter has them."""
+    pattern = re.compile(r"^TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)", re.MULTILINE)
+    found = set()
+    for path in (ROOT / "tests").rglob("*.cpp"):
+        found |= {".".join(words) for words in pattern.findall(path.read_text(encoding="utf-8"))}
+    return found
+
+
+class Breakages(unittest.TestCase):
+    def test_are_sixty_and_each_another(self):
+        self.assertEqual(len(BREAKAGES), 60)
+        self.assertEqual(len({(one.file, one.old) for one in BREAKAGES}), 60)
+        self.assertEqual(len({one.says for one in BREAKAGES}), 60)
+
+    def test_stand_exactly_once_in_their_files_and_change_them(self):
+        for one in BREAKAGES:
+            mutants.line_of(ROOT, one)  # says which, and raises
+            self.assertNotEqual(one.old.split(), one.new.split(), one.file)
+
+    def test_are_of_every_room(self):
+        of = Counter(
+            next(room for room in rooms() if one.file.startswith(room + "/")) for one in BREAKAGES
+        )
+        self.assertEqual(set(rooms()) - set(of), set())
+        self.assertGreaterEqual(of["app/gui"], 10)
+
+    def test_have_tests_that_there_are(self):
+        known = suites_and_names()
+        self.assertGreater(len(known), 1000)
+        for one in BREAKAGES:
+            for pattern in one.only.split(":"):
+                self.assertTrue(fnmatch.filter(known, pattern), f"{one.file}: {pattern}")
+
+    def test_live_in_three_places_at_most(self):
+        self.assertLessEqual(sum(bool(one.lives) for one in BREAKAGES), mutants.MOST_ALIVE)
+
+
+class ATextThatIsNotThereOnce(unittest.TestCase):
+    def test_is_an_error_of_the_list(self):
+        for old in ("no such text", "#include"):
+            wrong = mutants.Breakage("", "core/tick/step.cpp", old, "", "", "")
+            with self.assertRaisesRegex(mutants.ListError, "not once"):
+                mutants.line_of(ROOT, wrong)
+
+
+if __name__ == "__main__":
+    unittest.main()
