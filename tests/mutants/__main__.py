@@ -46,6 +46,15 @@ def line_of(root: Path, breakage: Breakage) -> int:
     return text[: text.index(breakage.old)].count("\n") + 1
 
 
+def end_session(session: int) -> None:
+    """Kills what is left of a session: ninja, for one, has a process group for each command."""
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            # Behind the name, which stands in brackets: state, parent, group, session.
+            if int(status.read_text().rpartition(")")[2].split()[3]) == session:
+                os.kill(int(status.parent.name), signal.SIGKILL)
+
+
 def run(command: list[str], limit_s: float, cwd: Path, more: dict[str, str]) -> tuple[bool, str]:
     """Whether it ended well in time, and what it said. All that it started ends with it."""
     with subprocess.Popen(
@@ -65,18 +74,23 @@ def run(command: list[str], limit_s: float, cwd: Path, more: dict[str, str]) -> 
         except subprocess.TimeoutExpired:
             return False, f"It took more than {limit_s:.0f} s."
         finally:
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(child.pid, signal.SIGKILL)
+            end_session(child.pid)
 
 
 def copy_tracked(source: Path) -> None:
     """Brings `source` to what is tracked here; what is the same already is not touched."""
+    mark = source / "build/of_mutants"  # only what was made here is brought up to date
+    if source.is_dir() and any(source.iterdir()) and not mark.is_file():
+        raise ListError(f"{source}: This folder has files of other origin. Name a new one.")
+    mark.parent.mkdir(parents=True, exist_ok=True)
+    mark.touch()
     names = subprocess.run(
         ["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout.split("\0")
     wanted = {name for name in names if name and (ROOT / name).is_file()}
     for path in [path for path in source.rglob("*") if path.is_file() or path.is_symlink()]:
-        if str(path.relative_to(source)) not in wanted:
+        name = str(path.relative_to(source))
+        if name not in wanted and not name.startswith("build/"):
             path.unlink()
     for name in wanted:
         there, here = source / name, ROOT / name
@@ -90,13 +104,13 @@ class Bench:
     """The copy, its build and what ctest knows of it."""
 
     def __init__(self, folder: Path, jobs: int) -> None:
-        self.source, self.binary, self.jobs = folder / "source", folder / "build", jobs
+        # The build where developers have theirs: so it finds what ccache has of other trees.
+        self.source, self.binary, self.jobs = folder, folder / "build/release", jobs
         self.known: dict[str, dict] = {}
         self.compiling = {"CCACHE_BASEDIR": str(self.source), "CCACHE_NOHASHDIR": "1"}
 
     def configure(self) -> None:
         """Copies and configures, as the preset `ci`, without benchmarks."""
-        self.source.mkdir(parents=True, exist_ok=True)
         copy_tracked(self.source)
         words = ["cmake", "--preset", "ci", "-B", str(self.binary), "-DUNDERACT_BENCH=OFF"]
         well, said = run([*words, "-DUNDERACT_SANITIZE="], 600, self.source, self.compiling)

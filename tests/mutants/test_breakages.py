@@ -3,6 +3,8 @@
 import fnmatch
 import importlib.util
 import re
+import tempfile
+import time
 import unittest
 from collections import Counter
 from pathlib import Path
@@ -67,6 +69,30 @@ class ATextThatIsNotThereOnce(unittest.TestCase):
             wrong = mutants.Breakage("", "core/tick/step.cpp", old, "", "", "")
             with self.assertRaisesRegex(mutants.ListError, "not once"):
                 mutants.line_of(ROOT, wrong)
+
+
+class WhatIsRun(unittest.TestCase):
+    def test_ends_with_all_that_it_started_when_its_time_is_over(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = "set -m; sleep 600 & echo $! > pid; wait"  # in a process group of its own
+            well, said = mutants.run(["bash", "-c", script], 1.0, Path(folder), {})
+            self.assertFalse(well)
+            self.assertIn("more than 1 s", said)
+            status = Path("/proc", (Path(folder) / "pid").read_text().strip(), "stat")
+            for _ in range(100):
+                if not status.is_file() or status.read_text().rpartition(")")[2].split()[0] == "Z":
+                    return
+                time.sleep(0.1)
+            self.fail("It is still there.")
+
+
+class AFolderWithOtherFiles(unittest.TestCase):
+    def test_is_not_built_in(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "letter.txt").write_text("dear all")
+            with self.assertRaisesRegex(mutants.ListError, "other origin"):
+                mutants.copy_tracked(Path(folder))
+            self.assertTrue((Path(folder) / "letter.txt").is_file())
 
 
 if __name__ == "__main__":
