@@ -158,6 +158,15 @@ TEST(SceneView, OrbitAndPanMoveThePictureAndNotTheHand) {
   }
 }
 
+TEST(SceneView, OrbitEndsAboveAndBelowAndNothingStandsOnItsHead) {
+  for (const double way : {4000.0, -4000.0}) {
+    Shown shown(sceneOf(kSphere));
+    shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
+    shown.drag({60, 300}, QPointF(60, 300 + way));
+    EXPECT_NEAR(shown.view.viewpoint().camera.elevation_rad, std::copysign(0.5 * kPi, way), 1e-12);
+  }
+}
+
 TEST(SceneView, TheWheelZoomsTowardsThePointer) {
   Shown shown(sceneOf(kSphere));
   const Vec3 p(0.02, 0.01, 0), q(0.03, 0.01, 0);

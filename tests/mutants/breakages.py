@@ -481,8 +481,8 @@ BREAKAGES = [
         old="if (!was_running_ || is_held_) host_.stop();",
         new="if (!was_running_) host_.stop();",
         program="stories",
-        test="stories.ReplayStory",
-        only="ReplayStory.Leaving*",
+        test="stories.DevicesStory",
+        only="DevicesStory.AfterAReplay*",
     ),
     Breakage(
         says="the greatest cut of a limit is forgotten as soon as it cuts less",

@@ -15,6 +15,7 @@
 #include "app/gui/devices/arm_search.h"
 #include "app/gui/devices/fix_dialog.h"
 #include "app/gui/fault_dialog.h"
+#include "app/gui/replay/player.h"
 #include "tests/openhaptics/stand_in.h"
 #include "tests/stories/story.h"
 
@@ -112,6 +113,23 @@ TEST(DevicesStory, AnArmIsOpenedAndPushesOnlyOnTheUsersWord) {
   EXPECT_EQ(desk.label("panel.devices.in_use"), "In use: Simulated arm.");
   desk.story.perform("session.start");
   EXPECT_TRUE(desk.comes([&] { return desk.label("status.mode") == "Running"; }));
+}
+
+TEST(DevicesStory, AfterAReplayTheArmInSomebodysHandDoesNotPushUnasked) {
+  DevicesDesk desk;
+  ASSERT_TRUE(desk.use("openhaptics"));
+  desk.story.perform("session.start");
+  ASSERT_TRUE(desk.comes([&] { return desk.force_N() > 0.1; }));
+  ASSERT_TRUE(desk.story.perform("replay.open", QString(UNDERACT_SOURCE "/tests/golden/session.h5")));
+  Player& player = desk.story.window().player();
+  ASSERT_TRUE(desk.comes([&] {
+    desk.story.window().frame();
+    return player.isOpen() && !player.isLoading();
+  }));
+  ASSERT_TRUE(desk.story.perform("replay.close"));
+  EXPECT_TRUE(desk.comes([&] { return desk.label("status.mode") == "Stopped"; }));
+  desk.story.run(300);
+  EXPECT_EQ(desk.force_N(), 0.0);
 }
 
 TEST(DevicesStory, AnUnpluggedArmIsSaidAndComesBackOnTheUsersWord) {

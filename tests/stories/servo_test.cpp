@@ -53,6 +53,7 @@ TEST(ServoStory, ALimitIsSeenWhileItActsAndRememberedAfterwards) {
   EXPECT_FALSE(text(story, "status.force").contains("limited"));
   const QString note = text(story, "panel.servo.limit.clamp.note");
   EXPECT_TRUE(note.contains(" s ago, at most ")) << note.toStdString();
+  EXPECT_GT(note.section("at most ", 1).section(' ', 0, 0).toDouble(), 5.0) << note.toStdString();
   EXPECT_EQ(text(story, "panel.servo.limit.frozen.note"), "has not acted");
 }
 

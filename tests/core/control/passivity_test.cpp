@@ -178,6 +178,21 @@ TEST(Controller, AddsNothingWhereNothingIsMissing) {
   }
 }
 
+TEST(Controller, WhatWasDissipatedLongAgoPaysForHalfAMillijoule) {
+  EnergyState energy;
+  Passage passage;
+  passage.pulls = true;
+  passage.dt_s = kTick_s;
+  passage.level = 1.0;
+  passage.f_T_W = {-1.0, 0, 0};
+  passage.way_T_W = {0.001, 0, 0};  // 1 mJ a tick is taken
+  for (int n = 0; n < 100; ++n) {
+    observe(energy, passage);
+    remember(energy, passage, passage.f_T_W);
+  }
+  EXPECT_NEAR(energy.balance_J, 5e-4, 1e-12);
+}
+
 TEST(Controller, ByHand) {  // 10 N/m, 1 mm a tick: K dx^2 / 2 = 5e-6 J is missing, over 1 mm: 5 mN against the way
   Spring spring;
   spring.stiffness_N_per_m = 10.0;

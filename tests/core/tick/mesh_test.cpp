@@ -188,6 +188,17 @@ TEST(MeshTick, ATargetThatWasMovedHoldsOnNoMoreOneOfOtherGainsDoes) {
   EXPECT_FALSE(anew.grips[0].holds);  // else the target would stay 2 mm above its floor
 }
 
+TEST(MeshTick, AfterARestartFrictionHoldsOnNoMore) {
+  Entry floor = test::hold(shape::makePlane(Vec3::Zero(), Vec3::UnitY(), {}).value(), control::P{Vec3::Constant(500.0)},
+                           target::Side::Outside);
+  floor.constraint.friction = {1.0, 1.0};
+  Hand hand({floor}, Combine::Sum);
+  hand.at({0, -0.004, 0});
+  EXPECT_NEAR(hand.at({0.002, -0.004, 0}).held[0].p_WP.x(), 0.0, 1e-9);  // it sticks where it came in
+  hand.input.restart = true;
+  EXPECT_NEAR(hand.at({0.003, -0.004, 0}).held[0].p_WP.x(), 0.003, 1e-9);
+}
+
 TEST(MeshTick, MovingTheMeshKeepsTheProxyAndForgetsTheWay) {
   const mesh::Triangles triangles = mesh_maker::plate(1.0, 2000);
   const target::MeshPlace place = placed(triangles);

@@ -132,6 +132,16 @@ TEST(HandMotion, AHandMovesAsFarAsItsSpeedSays) {
   EXPECT_EQ(moved(wish, {}, 1.0, at(wish.p_WT)).p_WT, wish.p_WT);
 }
 
+TEST(HandMotion, APauseOfTheProgramIsNoLongStep) {
+  sim::HandWish wish;
+  Motion motion;
+  motion.v_WT = {0.01, 0.0, 0.0};
+  motion.w_WT_W = {0.0, 1.0, 0.0};
+  const sim::HandWish next = moved(wish, motion, 2.0, at(wish.p_WT));
+  EXPECT_NEAR(next.p_WT.x(), 0.01 * kLongestStep_s, 1e-15);
+  EXPECT_LT((next.R_WT - Eigen::AngleAxisd(kLongestStep_s, Vec3::UnitY()).toRotationMatrix()).norm(), 1e-12);
+}
+
 TEST(HandMotion, ItGoesNoFurtherBeforeTheTipThanTheLeashAndNeverOutOfReach) {
   test::Random random(test::Seed{20071108});
   for (int i = 0; i < test::sweep(2000, 100'000); ++i) {
