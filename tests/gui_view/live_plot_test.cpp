@@ -74,6 +74,20 @@ TEST(PlotHistory, HoldsTenSecondsAtTenThousandTicks) {
   EXPECT_EQ(history.size(), 1U);
 }
 
+TEST(PlotHistory, TakesTheRoomThatItsRateNeedsAndNoMore) {
+  PlotHistory history;
+  EXPECT_EQ(history.room(), 0U);
+  for (std::int64_t tick = 0; tick < 40'000; ++tick) {
+    history.add(recordAt(tick, 1e-3 * static_cast<double>(tick), 0));
+    ASSERT_GE(history.size(), static_cast<std::size_t>(std::min<std::int64_t>(tick + 1, 10'000)));
+    for (const std::size_t back : {std::size_t{0}, history.size() / 2, history.size() - 1}) {  // also where it grew
+      const auto then = static_cast<float>(tick - static_cast<std::int64_t>(back));
+      ASSERT_NEAR(history.row(history.size() - 1 - back).error_mm, then, 0.01F);
+    }
+  }
+  EXPECT_LE(history.room(), 16'384U);  // 1.2 MB
+}
+
 TEST(PlotHistory, PathKeepsTheExtremesAndLeavesOutWhatIsNoNumber) {
   PlotHistory history;
   for (std::int64_t tick = 0; tick < 10'000; ++tick) {

@@ -9,6 +9,8 @@
 namespace underact::gui {
 namespace {
 
+constexpr std::size_t kRoomAtFirst = 1024;
+
 float onScreen(double value, double factor) {
   return static_cast<float>(factor * value);
 }
@@ -79,8 +81,6 @@ PlotRow plotRowOf(const servo::TickRecord& record) {
   return fresh;
 }
 
-PlotHistory::PlotHistory() : rows_(kCapacity) {}
-
 void PlotHistory::clear() {
   first_ = size_ = 0;
 }
@@ -91,11 +91,18 @@ void PlotHistory::add(const servo::TickRecord& record, const RecordedBeside& rec
   fresh.recorded_N = recorded.force_N;
   if (size_ > 0 && fresh.time_s < newest_s()) clear();
   while (size_ > 0 && (size_ == kCapacity || row(0).time_s < fresh.time_s - kSpan_s)) {
-    first_ = (first_ + 1) % kCapacity;
+    first_ = (first_ + 1) % rows_.size();
     --size_;
   }
-  rows_[(first_ + size_) % kCapacity] = fresh;
+  if (size_ == rows_.size()) grow();
+  rows_[(first_ + size_) % rows_.size()] = fresh;
   ++size_;
+}
+
+void PlotHistory::grow() {
+  std::rotate(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(first_), rows_.end());
+  first_ = 0;
+  rows_.resize(std::clamp(2 * rows_.size(), kRoomAtFirst, kCapacity));
 }
 
 std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
