@@ -282,11 +282,36 @@ class Engine : public QIconEngine {
   Theme theme_;
 };
 
+class FileEngine : public QIconEngine {
+ public:
+  explicit FileEngine(const QString& path) : path_(path) {}
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    file().paint(painter, rect, Qt::AlignCenter, mode, state);
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    return file().pixmap(size, mode, state);
+  }
+  QIconEngine* clone() const override { return new FileEngine(*this); }
+
+ private:
+  const QIcon& file() {
+    if (read_.isNull()) read_ = QIcon(path_);
+    return read_;
+  }
+
+  QString path_;
+  QIcon read_;
+};
+
 }  // namespace
 
 QIcon icon(const QString& name, const Theme& theme) {
   const Draw draw = drawings().value(name, nullptr);
   return draw == nullptr ? QIcon() : QIcon(new Engine(draw, theme));
+}
+
+QIcon fileIcon(const QString& path) {
+  return QIcon(new FileEngine(path));
 }
 
 QColor alarm(const Theme& theme) {

@@ -11,6 +11,9 @@ namespace underact::gui {
 /// "reset", a shape's type ("sphere"), "file", "underact". An unknown name gives an empty icon.
 QIcon icon(const QString& name, const Theme& theme);
 
+/// Of a picture file, which is read when the icon is painted for the first time. It says it has the size asked for.
+QIcon fileIcon(const QString& path);
+
 /// The colour of Stop and of a fault: not one of the meanings in the view, so it stands out there.
 QColor alarm(const Theme& theme);
 

@@ -146,7 +146,7 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 /// Its picture; a scene of one's own has that of its type.
 QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
   const QString picture = scenePicture(item.data(kPathRole).toString(), theme_.dark);
-  return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : QIcon(picture);
+  return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : fileIcon(picture);
 }
 
 void ScenesPanel::rebuild() {
