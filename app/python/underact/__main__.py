@@ -18,14 +18,15 @@ def _ending_of(kind: str, out: Path, many: bool) -> Path:
 
 def plot(options: argparse.Namespace) -> int:
     """Draws one kind of plot, or all, into files."""
-    from . import plots, style
     from .session import Session
 
-    if options.out.suffix.lower().lstrip(".") not in style.FORMATS:
-        print(f"--out {options.out}: a picture ends in .png, .svg or .pdf.", file=sys.stderr)
-        return USAGE
-    kinds = list(plots.KINDS) if options.kind == "all" else [options.kind]
     with Session(options.file, options.damaged) as session:
+        from . import plots, style  # half a second, for no file that is refused
+
+        if options.out.suffix.lower().lstrip(".") not in style.FORMATS:
+            print(f"--out {options.out}: a picture ends in .png, .svg or .pdf.", file=sys.stderr)
+            return USAGE
+        kinds = list(plots.KINDS) if options.kind == "all" else [options.kind]
         view = plots.view_of(session, options.from_s, options.to_s)
     for kind in kinds:
         figure = plots.draw(kind, view, options.width)
