@@ -7,13 +7,15 @@
 #include <QFile>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <optional>
 
+#include "tests/stories/held_paints.h"
 #include "tests/stories/picture_difference.h"
 
 namespace underact::gui::test {
 namespace {
 
-constexpr int kTicksAFrame = 250;
+constexpr int kTicksAFrame = 250, kTicksAPaint = 1000;
 constexpr QSize kPictureSize(640, 480);  // of the view: the same whatever the fonts make of the docks
 
 QTemporaryDir& folder() {
@@ -39,6 +41,14 @@ void forgetSettings() {
 }
 
 Story::Story(const QString& scene, const Beginning& beginning) : simulated_(makeSimulatedHost(beginning.servo)) {
+  {
+    const HeldPaints held;
+    open(scene, beginning);
+  }
+  settle();
+}
+
+void Story::open(const QString& scene, const Beginning& beginning) {
   if (beginning.first_start) {
     forgetSettings();
     QSettings().setValue("hints/has_pushed", true);  // the welcome has stories of its own
@@ -57,7 +67,6 @@ Story::Story(const QString& scene, const Beginning& beginning) : simulated_(make
     EXPECT_TRUE(perform("scene.open", scene.contains('/') ? scene : shippedScene(scene)));
   }
   if (beginning.servo.clock == servo::Clock::Manual) run(1);  // a servo always ticks: it knows where the stylus is
-  settle();
 }
 
 Story::~Story() {
@@ -74,6 +83,13 @@ void Story::run(int ticks) {
     simulated_.host->run(std::min(kTicksAFrame, ticks - done));
     window_->frame();
   }
+  unpainted_ticks_ += ticks;
+  std::optional<HeldPaints> held;
+  if (unpainted_ticks_ < kTicksAPaint) {
+    held.emplace();
+  } else {
+    unpainted_ticks_ = 0;
+  }
   QCoreApplication::processEvents();
 }
 
@@ -86,27 +102,34 @@ QWidget* Story::findWidget(const QString& name) {
 }
 
 void Story::press(QWidget* at, const QPoint& where) {
+  const HeldPaints held;
   QTest::mousePress(at->window()->windowHandle(), Qt::LeftButton, {}, at->mapTo(at->window(), where));
 }
 
 void Story::moveTo(QWidget* at, const QPoint& where) {
+  const HeldPaints held;
   QTest::mouseMove(at->window()->windowHandle(), at->mapTo(at->window(), where));
 }
 
 void Story::release(QWidget* at, const QPoint& where) {
+  const HeldPaints held;
   QTest::mouseRelease(at->window()->windowHandle(), Qt::LeftButton, {}, at->mapTo(at->window(), where));
 }
 
 void Story::click(QWidget* at, const QPoint& where) {
   // The pointer comes before the click, as it does by hand; and no two clicks make a double click.
   moveTo(at, where);
-  QTest::mouseClick(at->window()->windowHandle(), Qt::LeftButton, {}, at->mapTo(at->window(), where));
+  {
+    const HeldPaints held;
+    QTest::mouseClick(at->window()->windowHandle(), Qt::LeftButton, {}, at->mapTo(at->window(), where));
+  }
   QTest::qWait(QApplication::doubleClickInterval() / 8);
 }
 
 void Story::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QWindow* window = QGuiApplication::focusWindow();
   ASSERT_NE(window, nullptr);
+  const HeldPaints held;
   QTest::keyClick(window, key, modifiers);
 }
 
@@ -118,6 +141,7 @@ void Story::bringToFront(QWidget* window) {
 }
 
 void Story::type(QWidget* number, const QString& text) {
+  const HeldPaints held;
   number->setFocus(Qt::TabFocusReason);
   key(Qt::Key_A, Qt::ControlModifier);
   for (const QChar letter : text) QTest::keyClick(number->window()->windowHandle(), letter.toLatin1());
@@ -126,6 +150,7 @@ void Story::type(QWidget* number, const QString& text) {
 
 void Story::dragHandTo(const Vec3& p_W, bool hold) {
   constexpr int kSteps = 20;
+  const HeldPaints held;
   const QPointF from = view().screenOf(snapshot().report.p_WT);
   const QPointF way = view().screenOf(p_W) - view().screenOf(arm().wished().p_WT);
   press(&view(), from.toPoint());

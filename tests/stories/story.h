@@ -36,7 +36,7 @@ class Story {
   bool perform(const QString& name, const Argument&... arguments) {
     return window_->actions().perform(name, QVariantList{QVariant(arguments)...});
   }
-  /// Ticks, with a frame now and then; not seconds.
+  /// Ticks, with a frame now and then and, more seldom, a paint; not seconds.
   void run(int ticks);
   servo::Snapshot snapshot() { return simulated_.host->snapshot(); }
   double force_N() { return snapshot().report.force.f_T_W().norm(); }
@@ -51,7 +51,8 @@ class Story {
     return qobject_cast<Widget*>(findWidget(name));
   }
 
-  // Mouse and keys as the window system sends them: to the window, which hands them on to what is there.
+  // Mouse and keys as the window system sends them: to the window, which hands them on to what is there. What they
+  // change is painted when the window next waits for something.
   void press(QWidget* at, const QPoint& where);
   void moveTo(QWidget* at, const QPoint& where);
   void release(QWidget* at, const QPoint& where);
@@ -72,11 +73,13 @@ class Story {
   double imageDifference(const QString& name);
 
  private:
+  void open(const QString& scene, const Beginning& beginning);
   QWidget* findWidget(const QString& name);
 
   SimulatedHost simulated_;
   std::unique_ptr<ThemeWatcher> theme_;
   std::unique_ptr<MainWindow> window_;
+  int unpainted_ticks_ = 0;
 };
 
 QString shippedScene(const QString& name);
