@@ -66,11 +66,11 @@ TEST(PicturesStory, APictureWithoutTheForceIsNotTheSame) {  // the comparison se
 }
 
 TEST(PicturesStory, TheWindowForTheReadme) {
+  Story story("02_sphere", {.servo = {.clock = servo::Clock::Thread}});  // so that its status line is a real one
+  story.perform("session.start");
+  feelTheBall(story);
   for (const char* theme : {"light", "dark"}) {
-    Story story("02_sphere", {.servo = {.clock = servo::Clock::Thread}});  // so that its status line is a real one
     story.perform(QString("view.theme.") + theme);
-    story.perform("session.start");
-    feelTheBall(story);
     story.savePicture(QString("window_") + theme);
   }
 }
@@ -121,13 +121,13 @@ TEST(PicturesStory, TextOfTwiceTheSizeIsNotCut) {
 // To be looked at by people: build/.../pictures/window_WIDTH_THEME.png.
 TEST(PicturesStory, TheWindowAtEverySize) {
   for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
+    Story story(size.width() == 1024 ? "12_line_pid" : "02_sphere", {.size = size});
+    story.perform("session.start");
+    feelTheBall(story);
+    const QString folder = QString(UNDERACT_BINARY) + "/pictures";
+    QDir().mkpath(folder);
     for (const char* theme : {"light", "dark"}) {
-      Story story(size.width() == 1024 ? "12_line_pid" : "02_sphere", {.size = size});
       story.perform(QString("view.theme.") + theme);
-      story.perform("session.start");
-      feelTheBall(story);
-      const QString folder = QString(UNDERACT_BINARY) + "/pictures";
-      QDir().mkpath(folder);
       EXPECT_TRUE(story.picture().save(QString("%1/window_%2_%3.png").arg(folder).arg(size.width()).arg(theme)));
     }
   }
