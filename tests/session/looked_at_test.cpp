@@ -31,10 +31,12 @@ TEST(NewSession, IsMadeThoughItsFileIsLookedAtJustThen) {
       ::close(fd);
     }
   });
-  int made = 0;
-  for (; next < kTimes; ++next) made += SessionWriter::create(nameOf(next), {}) ? 1 : 0;
+  for (; next < kTimes; ++next) {
+    const auto made = SessionWriter::create(nameOf(next), {});
+    EXPECT_TRUE(made) << next << ": " << (made ? "" : made.problems().front().sentence);
+  }
   list.join();
-  EXPECT_EQ(made, kTimes) << "looked at " << looked_at << " times";
+  EXPECT_GT(looked_at, 0);
 }
 
 }  // namespace underact::record
