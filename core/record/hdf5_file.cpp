@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <thread>
 #include <utility>
 
 #include "core/base/named_file.h"
@@ -22,11 +20,6 @@ namespace {
 // What a writer is just changing is read again, each time after twice the pause: 24 times take 20 ms. The library's own
 // 100 would be for ever where the file is damaged.
 constexpr unsigned kAttempts = 24;
-
-// A list of the folder may be looking at the new file just then, and holds it as long as it takes to see that nothing
-// is in it yet.
-constexpr int kTriesToMake = 50;
-constexpr std::chrono::milliseconds kLetGo{10};
 
 Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {path}}};
@@ -147,12 +140,10 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   const NewFile made = NewFile::make(path, existing);  // the library would let others read it
   if (!made.isGood()) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
   const Id access = accessList();
-  for (int tries = 0; tries < kTriesToMake && !impl->file.isGood(); ++tries) {
-    if (tries > 0) std::this_thread::sleep_for(kLetGo);
-    errno = 0;
-    impl->file = Id(H5Fcreate(made.sameFile(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-    if (errno != EWOULDBLOCK) break;
-  }
+  // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file where
+  // somebody else, as a list of the folder, got it in between. Others are told by our own.
+  H5Pset_file_locking(access, false, true);
+  impl->file = Id(H5Fcreate(made.sameFile(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   bool good = impl->file.isGood();
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);
   for (const Table& wanted : tables) {

@@ -1,11 +1,10 @@
-// A list of the folder finds a new session's file before anything is in it, and holds it for a moment.
+// A list of the folder finds a new session's file before anything is in it, again and again, and holds it for a moment.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <thread>
 
 #include "core/record/session_writer.h"
@@ -19,15 +18,10 @@ TEST(NewSession, IsMadeThoughItsFileIsLookedAtJustThen) {
   const auto nameOf = [&folder](int time) { return folder.file("s" + std::to_string(time) + ".h5"); };
   std::atomic<int> next{0}, looked_at{0};
   std::thread list([&] {
-    for (int seen = -1; next < kTimes;) {
-      const int time = next;
-      const int fd = time == seen ? -1 : ::open(nameOf(time).c_str(), O_RDONLY | O_CLOEXEC);
+    while (next < kTimes) {
+      const int fd = ::open(nameOf(next).c_str(), O_RDONLY | O_CLOEXEC);
       if (fd < 0) continue;
-      seen = time;
-      if (::flock(fd, LOCK_SH | LOCK_NB) == 0) {
-        ++looked_at;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      }
+      if (::flock(fd, LOCK_SH | LOCK_NB) == 0) ++looked_at;
       ::close(fd);
     }
   });
