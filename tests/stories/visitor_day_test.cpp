@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <fstream>
 
+#include "tests/stories/held_paints.h"
 #include "tests/stories/visitor_desk.h"
 #include "tests/support/random.h"
 
@@ -18,8 +19,10 @@ using underact::test::Random;
 constexpr double kMost_N = 0.5 * 0.88;
 constexpr int kTicksAStep = 500;
 constexpr double kSampled_h = 1.0 / 6.0, kDay_h = 8.0;
-// Scenes come and go with what the graphics driver keeps of them: 8 MiB to and fro, measured; a leak adds up.
-constexpr double kMostResident_MiB = 64.0, kMostAllocated_MiB = 16.0;
+// Scenes come and go with what the graphics driver keeps of them: 8 MiB to and fro in a day, none in ten minutes,
+// measured. A leak adds up: of 11 kB in each of the 290 paints, it is found in ten minutes.
+constexpr double kMostResident_MiB = 14.0, kMostAllocated_MiB = 3.0;
+constexpr double kMostResidentInADay_MiB = 64.0, kMostAllocatedInADay_MiB = 16.0;
 
 std::int64_t ticksOfADay() {
   const double asked_h = qEnvironmentVariable("UNDERACT_VISITOR_HOURS").toDouble();
@@ -135,7 +138,10 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
   double most_N = 0.0, first_resident_MiB = 0.0, first_allocated_MiB = 0.0;
   static_cast<void>(desk.cable->takeMost_N());
   for (std::int64_t ticks = 0; ticks < day; ticks += kTicksAStep) {
-    visitors.act();
+    {
+      const HeldPaints held;
+      visitors.act();
+    }
     if (desk.plugged_in && visitors.pullsTheCable()) {
       desk.plugged_in = false;
       ++pulled;
@@ -161,7 +167,7 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
       ASSERT_TRUE(desk.host->running());
       ++answered;
     }
-    if (ticks % 10'000 == 0) QCoreApplication::processEvents();
+    if (ticks % 1000 == 0) QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // which only a loop that runs does by itself
     if (ticks == day / 5 - day / 5 % kTicksAStep) {
       first_resident_MiB = resident_MiB();
@@ -177,8 +183,9 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
   EXPECT_GE(faults, pulled / 2);
   EXPECT_GE(answered, faults);
   EXPECT_EQ(scenes.size(), 5u);
-  EXPECT_LT(resident_MiB(), first_resident_MiB + kMostResident_MiB);
-  EXPECT_LT(allocated_MiB(), first_allocated_MiB + kMostAllocated_MiB);
+  const bool is_sampled = day <= static_cast<std::int64_t>(kSampled_h * 3.6e6);
+  EXPECT_LT(resident_MiB(), first_resident_MiB + (is_sampled ? kMostResident_MiB : kMostResidentInADay_MiB));
+  EXPECT_LT(allocated_MiB(), first_allocated_MiB + (is_sampled ? kMostAllocated_MiB : kMostAllocatedInADay_MiB));
   EXPECT_GT(most_N, 0.1) << "nobody felt anything all day";
 }
 
