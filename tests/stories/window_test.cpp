@@ -183,6 +183,24 @@ TEST(WindowStory, NothingIsCutAtTheSmallestUsableSize) {
   }
 }
 
+TEST(WindowStory, WhatAStoryHoldsBackIsPaintedWhenItWaitsOrASecondHasPassed) {
+  Story story("02_sphere");
+  const auto moveAndRun = [&story](double x_m, int ticks) {
+    sim::HandWish wish;
+    wish.p_WT = Vec3(x_m, 0.0, 0.06);
+    story.arm().wish(wish);
+    story.run(ticks);
+  };
+  const qint64 at_first = story.view().framesDrawn();
+  for (int step = 0; step < 10; ++step) moveAndRun(0.002 * step, 25);
+  EXPECT_EQ(story.view().framesDrawn(), at_first);
+  story.settle();
+  const qint64 settled = story.view().framesDrawn();
+  EXPECT_GT(settled, at_first);
+  moveAndRun(-0.02, 1000);
+  EXPECT_GT(story.view().framesDrawn(), settled);
+}
+
 TEST(WindowStory, TheProgramDrawsAPictureAndSaysWhatItIs) {
   QProcess program;
   const QString out = temporaryFile("picture.png");
