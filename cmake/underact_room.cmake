@@ -8,8 +8,9 @@
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not, and, in precompiled
-# headers, std::string's copies out of bounds. Compiled with others, a test's fixture in an unnamed namespace looks to it as one in a header. The next compiler warns of something else: so a
-# warning is an error only where CMAKE_COMPILE_WARNING_AS_ERROR says so, as the preset "ci" does.
+# headers, std::string's copies out of bounds. Compiled with others, a test's fixture in an unnamed namespace looks to it as one in
+# a header. The next compiler warns of something else: so a warning is an error only where CMAKE_COMPILE_WARNING_AS_ERROR says so,
+# as the preset "ci" does.
 set(UNDERACT_WARNINGS -Wall -Wextra -Wconversion -Wshadow
                       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-subobject-linkage>)
 

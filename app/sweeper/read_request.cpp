@@ -28,10 +28,10 @@ void readOptions(const Value& object, Options::Values& values, Findings& finding
     const std::string path = "options." + json::plainKey(object.keys[member]);
     const Value& value = object.items[member];
     const bool is_list = value.kind == json::Kind::Array;
-    std::vector<std::string>& words = values[object.keys[member]];
-    if (!words.empty()) findings.add(object.key_places[member], path, "This key stands here twice.");
+    const auto [at, is_first] = values.try_emplace(object.keys[member]);
+    if (!is_first) findings.add(object.key_places[member], path, "This key stands here twice.");
     for (const Value& item : is_list ? value.items : std::vector{value}) {
-      if (std::optional<std::string> word = wordOf(item, path, findings)) words.push_back(std::move(*word));
+      if (std::optional<std::string> word = wordOf(item, path, findings)) at->second.push_back(std::move(*word));
     }
   }
 }

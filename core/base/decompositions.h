@@ -21,7 +21,7 @@ Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& matrix);
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
 
 /// The x of A x = b, of a symmetric A (n x n) that is not indefinite, of which the lower half counts, and b (n x m),
-/// both finite (Eigen's LDLT). Not finite where A is singular beyond its scale.
+/// both finite (Eigen's LDLT). Where A is singular, what it does not reach is left out of x.
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
 
 }  // namespace underact

@@ -98,22 +98,25 @@ Vec3 restNoise(std::span<const Row> rows) {
 
 Vec3 slowNoise(std::span<const Row> rows, double period_s) {
   const auto length = static_cast<std::size_t>(std::lround(kStretch_s / period_s));
-  Eigen::MatrixXd powers(length, 3), places(length, 3);
-  for (Eigen::Index row = 0; row < powers.rows(); ++row) {
+  std::vector<std::size_t> moving;  // where the stretches begin
+  for (std::size_t from = 0; from + length <= rows.size(); from += length) {
+    if ((rows[from + length - 1].p_WT - rows[from].p_WT).norm() >= kLeastWay_m) moving.push_back(from);
+  }
+  const auto count = static_cast<Eigen::Index>(length), stretches = static_cast<Eigen::Index>(moving.size());
+  Eigen::MatrixXd powers(count, 3), places(count, 3 * stretches);
+  for (Eigen::Index row = 0; row < count; ++row) {
     const double t = 2.0 * static_cast<double>(row) / static_cast<double>(length) - 1.0;
     powers.row(row) << 1.0, t, t * t;
+    for (Eigen::Index which = 0; which < stretches; ++which) {
+      const std::size_t from = moving[static_cast<std::size_t>(which)];
+      places.block<1, 3>(row, 3 * which) = rows[from + static_cast<std::size_t>(row)].p_WT - rows[from].p_WT;
+    }
   }
+  const Eigen::MatrixXd left = places - powers * leastSquares(powers, places);
   Vec3 squares = Vec3::Zero();
-  double count = 0.0;
-  for (std::size_t from = 0; from + length <= rows.size(); from += length) {
-    if ((rows[from + length - 1].p_WT - rows[from].p_WT).norm() < kLeastWay_m) continue;
-    for (std::size_t index = 0; index < length; ++index)
-      places.row(static_cast<Eigen::Index>(index)) = (rows[from + index].p_WT - rows[from].p_WT).transpose();
-    const Eigen::MatrixXd left = places - powers * leastSquares(powers, places);
-    squares += left.colwise().squaredNorm().transpose();
-    count += static_cast<double>(length) - 3.0;
-  }
-  return (squares / count).cwiseSqrt();
+  for (Eigen::Index which = 0; which < stretches; ++which)
+    squares += left.middleCols<3>(3 * which).colwise().squaredNorm().transpose();
+  return (squares / (static_cast<double>(stretches) * (static_cast<double>(length) - 3.0))).cwiseSqrt();
 }
 
 }  // namespace underact::identify

@@ -40,10 +40,10 @@ Problems notThere(const std::string& path) {
   return file ? Problems{} : file.problems();
 }
 
-Id accessList() {
+Id accessList(bool locks = true) {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // what SWMR takes
-  H5Pset_file_locking(access, true, true);                         // not where the file system knows no locks
+  H5Pset_file_locking(access, locks, true);                        // not where the file system knows no locks
   return access;
 }
 
@@ -139,10 +139,9 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
         path, said(QT_TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const NewFile made = NewFile::make(path, existing);  // the library would let others read it
   if (!made.isGood()) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
-  const Id access = accessList();
   // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file where
   // somebody else, as a list of the folder, got it in between. Others are told by our own.
-  H5Pset_file_locking(access, false, true);
+  const Id access = accessList(false);
   impl->file = Id(H5Fcreate(made.sameFile(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   bool good = impl->file.isGood();
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);

@@ -433,8 +433,8 @@ BREAKAGES = [
     Breakage(
         says="in a sweep's file the second of two keys counts in silence",
         file="app/sweeper/read_request.cpp",
-        old="if (!words.empty()) findings.add(object.key_places[member]",
-        new="if (words.size() > 1) findings.add(object.key_places[member]",
+        old="if (!is_first) findings.add(object.key_places[member]",
+        new="if (at->second.size() > 1) findings.add(object.key_places[member]",
         program="sweep_program_test",
         test="sweep_program_test",
         only="SweepCommand.*File*",

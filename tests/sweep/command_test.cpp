@@ -143,7 +143,7 @@ TEST(SweepCommand, TellsWhatIsWrongWithItsFile) {
     return sweepHere({"from", file, "--out", folder.file("r.csv")});
   };
   const Said many = said(R"({"underact_sweep": 2, "kind": "feet", "seed": 1.5,
-    "options": {"draws": true, "seconds": 1, "seconds": 2}, "more": 1})");
+    "options": {"draws": true, "draws": 1}, "more": 1})");
   EXPECT_EQ(many.exit, Exit::BadInput);
   for (const char* words : {"must be 1", "must be \"hands\"", "from 0 to 2^53", "options.draws", "twice", "more"})
     EXPECT_NE(many.err.find(words), std::string::npos) << words << " in\n" << many.err;
