@@ -43,6 +43,12 @@ void FocusStyle::frame(QWidget* focused) {
 
 void FocusStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                const QWidget* widget) const {
+  if (element == PE_IndicatorDockWidgetResizeHandle) {
+    const bool is_under = option->state.testFlag(State_MouseOver);
+    const QColor line =
+        mixed(option->palette.color(QPalette::Window), option->palette.color(QPalette::WindowText), 0.16);
+    return painter->fillRect(option->rect, is_under ? focusColour(option->palette) : line);
+  }
   if (element != PE_FrameFocusRect) QProxyStyle::drawPrimitive(element, option, painter, widget);
   const bool is_field = element == PE_FrameLineEdit && hasKeys(*option);
   const bool is_ring = element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange);
@@ -73,6 +79,11 @@ int FocusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
   if (hint == SH_FocusFrame_AboveWidget) return 1;
   if (hint == SH_FocusFrame_Mask) return 0;  // a mask would leave what is beyond the edge alone
   return QProxyStyle::styleHint(hint, option, widget, more);
+}
+
+int FocusStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+  if (metric == PM_DockWidgetSeparatorExtent) return 1;
+  return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 }  // namespace underact::gui

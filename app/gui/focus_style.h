@@ -7,7 +7,7 @@ namespace underact::gui {
 
 /// Qt's Fusion, the one style that takes light and dark from a palette everywhere, with a ring around what has the
 /// focus by the keyboard that stands out from the ground at 3:1 or more: Fusion's own is nearly transparent, too dark
-/// on a dark ground, and lists and texts have none.
+/// on a dark ground, and lists and texts have none. Between docks stands a thin line.
 class FocusStyle : public QProxyStyle {
   Q_OBJECT
  public:
@@ -23,6 +23,7 @@ class FocusStyle : public QProxyStyle {
                           const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* more) const override;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
 
  private:
   void frame(QWidget* focused);

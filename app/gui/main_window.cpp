@@ -27,6 +27,7 @@
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/icons.h"
 #include "app/gui/identify/identify_tool.h"
+#include "app/gui/late_sheets.h"
 #include "app/gui/live/live_data.h"
 #include "app/gui/panels.h"
 #include "app/gui/problems_box.h"
@@ -215,7 +216,7 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::setTheme(const Theme& theme) {
-  setStyleSheet(gui::styleSheet(theme));
+  sheets_->set(gui::styleSheet(theme));
   actions_->setIcons([&theme](const QString& name) { return icon(name, theme); });
   setWindowIcon(icon("underact", theme));
   view_->setTheme(theme);

@@ -31,6 +31,7 @@ class GuideTool;
 class Hand;
 class MovingHands;
 class IdentifyTool;
+class LateSheets;
 class LiveData;
 class LoadStrip;
 class MeshFiles;
@@ -140,6 +141,7 @@ class MainWindow : public QMainWindow {
   ArmInUse* arm_in_use_;
   IdentifyTool* identify_;
   GuideTool* guide_;
+  LateSheets* sheets_;
   QHash<QString, QDockWidget*> docks_;
   QHash<QString, Panel*> panels_;
   bool arranged_ = false;

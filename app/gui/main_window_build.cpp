@@ -26,6 +26,7 @@
 #include "app/gui/help_dialog.h"
 #include "app/gui/identify/identify_tool.h"
 #include "app/gui/language_actions.h"
+#include "app/gui/late_sheets.h"
 #include "app/gui/left_hand.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/live/live_data.h"
@@ -84,7 +85,8 @@ MainWindow::MainWindow(const WindowParts& parts)
       pacer_(new FramePacer(this)),
       arm_in_use_(new ArmInUse(parts.arm, settings_.arm_model, this)),
       identify_(new IdentifyTool({parts.host, *document_, *view_, *player_, *arm_in_use_, *arms_}, *actions_, this)),
-      guide_(new GuideTool(*actions_, settings_.guide_page, settings_.guide_zoom, this)) {
+      guide_(new GuideTool(*actions_, settings_.guide_page, settings_.guide_zoom, this)),
+      sheets_(new LateSheets(this)) {
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);

@@ -39,8 +39,6 @@ QToolBar QToolButton[role="record"]:checked { background: %redground; border-col
 QToolBar QToolButton[role="menu"] { padding-right: 22px; }
 QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 6px; }
 QToolBar QLabel { color: %quiet; padding: 0 4px; }
-QMainWindow::separator { background: %line; width: 1px; height: 1px; }
-QMainWindow::separator:hover { background: %blue; }
 QDockWidget { titlebar-close-icon: none; font-weight: 600; }
 QDockWidget::title { text-align: left; padding: 6px 12px; border-bottom: 1px solid %line; }
 QStatusBar { border-top: 1px solid %line; }
