@@ -53,10 +53,6 @@ SYSTEM = {**C_LIBRARY, **DISPLAY}
 # functions it asks for. Making the bundle stops where one more is asked for, or where one is looked
 # up before it is called, or where a program of ours calls NEVER_CALLED.
 LEFT_OUT = {
-    # vtkPlotParallelCoordinates::UpdateTableCache() is the one caller; the window draws with
-    # vtkChartXY, which makes no such plot. Behind it are libtiff with the GPL's libjbig, Open MPI
-    # and twenty more.
-    ("libvtkChartsCore-9.1.so.1", "libvtkInfovisCore-9.1.so.1"): {"_ZN19vtkStringToCategory3NewEv"},
     # HDF5's driver of files on S3 (H5FDros3.c, H5FDs3comms.c) calls these. No program opens an
     # address, and behind libcurl are Kerberos, LDAP, two kinds of TLS and twenty more.
     ("libhdf5_serial.so.103", "libcurl.so.4"): {
@@ -71,7 +67,7 @@ LEFT_OUT = {
     },
     ("libhdf5_serial.so.103", "libcrypto.so.3"): {"EVP_sha256", "HMAC", "SHA256"},
 }
-NEVER_CALLED = ("ParallelCoordinates", "H5Pset_fapl_ros3", "H5FD_ros3", "H5FD_s3comms")
+NEVER_CALLED = ("H5Pset_fapl_ros3", "H5FD_ros3", "H5FD_s3comms")
 
 # Parts of packages that are under another licence than the package, as its copyright file says:
 # never carried.

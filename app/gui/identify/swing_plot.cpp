@@ -1,7 +1,6 @@
 #include "app/gui/identify/swing_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -51,7 +50,6 @@ struct SwingPlot::Impl {
     const double room_mm = std::max(0.5, 0.08 * (most_mm - least_mm));
     chart.setTitle(SwingPlot::tr("Tip along %1 [mm]").arg(QLatin1Char(picture.axis)));
     chart.setRange(from_s, to_s, least_mm - room_mm, most_mm + room_mm);
-    chart.pointsChanged();
   }
 
   Chart chart{
@@ -70,7 +68,6 @@ SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   impl_->chart.reserve(kPoints);
   impl_->draw({});
-  hold(std::array{&impl_->chart});
   setTheme(Theme::light());
 }
 
@@ -97,7 +94,7 @@ std::vector<Chart*> SwingPlot::shown() const {
 }
 
 void SwingPlot::place(double scale) {
-  impl_->chart.setPlace(rect(), height(), scale, font());
+  impl_->chart.setPlace(rect(), scale, font());
 }
 
 }  // namespace underact::gui

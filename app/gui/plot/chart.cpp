@@ -1,14 +1,5 @@
 #include "app/gui/plot/chart.h"
 
-#include <vtkAxis.h>
-#include <vtkBrush.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
-#include <vtkPen.h>
-#include <vtkPlot.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
-
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
@@ -24,6 +15,7 @@ constexpr double kGap = 8.0;
 constexpr double kLabelRoom_px = 56.0;                                        // between two words on the x axis
 constexpr double kLineRoom_px = 26.0;                                         // between two words on the y axis
 constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  // of the legend
+constexpr double kDash_px = 8.0, kDashGap_px = 5.0;
 
 QString tickText(double value, int decimals) {
   if (std::abs(value) < 1e-9) value = 0.0;
@@ -43,10 +35,24 @@ QFont boldOf(QFont font) {
   return font;
 }
 
-void setPen(vtkPen& pen, const QColor& colour, float width) {
-  pen.SetColor(static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
-               static_cast<unsigned char>(colour.blue()), static_cast<unsigned char>(colour.alpha()));
-  pen.SetWidth(width);
+/// Of a line from a to b, what lies in the box; false: nothing. Liang and Barsky, "A new concept and method for line
+/// clipping", 1984: the shares of the way at which it comes in and goes out.
+bool clipLine(const QRectF& box, QPointF& a, QPointF& b) {
+  const QPointF way = b - a;
+  double in = 0.0, out = 1.0;
+  for (const auto& [step, room] : {std::pair{-way.x(), a.x() - box.left()},
+                                   {way.x(), box.right() - a.x()},
+                                   {-way.y(), a.y() - box.top()},
+                                   {way.y(), box.bottom() - a.y()}}) {
+    if (step == 0.0 && room < 0.0) return false;
+    if (step < 0.0) in = std::max(in, room / step);
+    if (step > 0.0) out = std::min(out, room / step);
+  }
+  if (in > out) return false;
+  const QPointF from = a;
+  if (out < 1.0) b = from + out * way;
+  if (in > 0.0) a = from + in * way;
+  return true;
 }
 
 int decimals(const std::vector<double>& places) {
@@ -57,52 +63,16 @@ int decimals(const std::vector<double>& places) {
 
 Chart::Chart(const QString& title, const QString& x_title, const std::vector<Curve>& curves)
     : title_(title), x_title_(x_title), curves_(curves), points_(curves.size()) {
-  chart_->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  chart_->SetRenderEmpty(true);
-  chart_->SetShowLegend(false);
-  chart_->GetBackgroundBrush()->SetOpacity(0);
-  for (int side = 0; side < 4; ++side) {
-    vtkAxis* axis = chart_->GetAxis(side);
-    axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetLabelsVisible(false);
-    axis->SetTitle("");
-    axis->SetTickLength(0.0F);
-    axis->SetTicksVisible(false);
-    axis->SetGridVisible(side == vtkAxis::LEFT || side == vtkAxis::BOTTOM);
-  }
-  for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
-    auto table = vtkSmartPointer<vtkTable>::New();
-    for (const char* name : {"x", "y"}) {
-      const vtkNew<vtkFloatArray> column;
-      column->SetName(name);
-      table->AddColumn(column);
-    }
-    tables_.push_back(table);
-    plots_.push_back(chart_->AddPlot(vtkChart::LINE));
-    plots_.back()->SetInputData(table, 0, 1);
-    if (curves_[curve].dashed) plots_.back()->GetPen()->SetLineType(vtkPen::DASH_LINE);
-  }
   reserve(4);
 }
-
-Chart::~Chart() = default;
 
 void Chart::setColours(const Theme& theme, const std::vector<QColor>& curves) {
   theme_ = theme;
   colours_ = curves;
-  const QColor grid = mixed(theme.background, theme.quiet, 0.4);
-  for (const int side : {vtkAxis::LEFT, vtkAxis::BOTTOM}) {
-    setPen(*chart_->GetAxis(side)->GetPen(), theme.quiet, 1.0F);
-    setPen(*chart_->GetAxis(side)->GetGridPen(), grid, 1.0F);
-  }
-  for (std::size_t curve = 0; curve < plots_.size(); ++curve) {
-    setPen(*plots_[curve]->GetPen(), colours_[curve], static_cast<float>(curves_[curve].width * scale_));
-  }
 }
 
-void Chart::setPlace(const QRectF& area, double widget_height, double scale, const QFont& font) {
+void Chart::setPlace(const QRectF& area, double scale, const QFont& font) {
   usual_font_ = font;
-  widget_height_ = widget_height;
   font_ = smaller(font);
   const QFontMetricsF metrics(font_);
   const double left = std::ceil(metrics.horizontalAdvance(QStringLiteral("\u221200.0")) + kGap);
@@ -114,19 +84,14 @@ void Chart::setPlace(const QRectF& area, double widget_height, double scale, con
   axes_ = area.adjusted(left, top, -1.5 * kGap, -bottom);
   if (axes_.width() < 8.0) axes_.setWidth(8.0);
   if (axes_.height() < 8.0) axes_.setHeight(8.0);
-  const auto pixels = [scale](double length) { return static_cast<float>(std::round(scale * length)); };
-  chart_->SetSize(vtkRectf(pixels(axes_.left()), pixels(widget_height - axes_.bottom()), pixels(axes_.width()),
-                           pixels(axes_.height())));
   scale_ = scale;
-  if (!colours_.empty()) setColours(theme_, colours_);
   setTicks();
 }
 
 void Chart::setCurveShown(std::size_t curve, bool shown) {
   if (curves_[curve].shown == shown) return;
   curves_[curve].shown = shown;
-  plots_[curve]->SetVisible(shown);
-  setPlace(area_, widget_height_, scale_, usual_font_);  // the legend may go below the title, or back
+  setPlace(area_, scale_, usual_font_);  // the legend may go below the title, or back
 }
 
 std::size_t Chart::columns() const {
@@ -139,8 +104,6 @@ void Chart::setRange(double x_from, double x_to, double y_from, double y_to) {
   x_to_ = x_to;
   y_from_ = y_from;
   y_to_ = y_to;
-  chart_->GetAxis(vtkAxis::BOTTOM)->SetRange(x_from, x_to);
-  chart_->GetAxis(vtkAxis::LEFT)->SetRange(y_from, y_to);
   setTicks();
 }
 
@@ -148,22 +111,12 @@ void Chart::setTicks() {
   x_ticks_ = ticks(x_from_, x_to_, static_cast<int>(axes_.width() / kLabelRoom_px));
   const int most = static_cast<int>(axes_.height() / kLineRoom_px);
   y_ticks_ = tick_step_ > 0.0 ? multiples(y_from_, y_to_, tick_step_, most) : ticks(y_from_, y_to_, most);
-  for (const auto& [side, places] : {std::pair{vtkAxis::BOTTOM, &x_ticks_}, {vtkAxis::LEFT, &y_ticks_}}) {
-    const vtkNew<vtkDoubleArray> positions;
-    const vtkNew<vtkStringArray> words;
-    for (const double place : *places) {
-      positions->InsertNextValue(place);
-      words->InsertNextValue("");
-    }
-    chart_->GetAxis(side)->SetCustomTickPositions(positions, words);
-  }
 }
 
 void Chart::reserve(std::size_t count) {
   for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
     if (points_[curve].size() == count) continue;
     points_[curve].assign(count, {});
-    tables_[curve]->SetNumberOfRows(static_cast<vtkIdType>(count));
   }
 }
 
@@ -176,18 +129,71 @@ QPointF Chart::placeOf(double x) const {
   return {axes_.left() + (x - x_from_) / (x_to_ - x_from_) * axes_.width(), axes_.center().y()};
 }
 
-void Chart::pointsChanged() {
+QPointF Chart::placeOf(double x, double y) const {
+  return {axes_.left() + (x - x_from_) / (x_to_ - x_from_) * axes_.width(),
+          axes_.bottom() - (y - y_from_) / (y_to_ - y_from_) * axes_.height()};
+}
+
+void Chart::paint(QPainter& painter) {
+  paintGrid(painter);
+  painter.save();
+  painter.setClipRect(axes_);
+  painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
-    float* x = vtkFloatArray::SafeDownCast(tables_[curve]->GetColumn(0))->GetPointer(0);
-    float* y = vtkFloatArray::SafeDownCast(tables_[curve]->GetColumn(1))->GetPointer(0);
-    for (const PlotPoint& point : points_[curve]) {
-      *x++ = point.x;
-      *y++ = point.y;
-    }
-    tables_[curve]->GetColumn(0)->Modified();
-    tables_[curve]->GetColumn(1)->Modified();
-    tables_[curve]->Modified();
+    if (curves_[curve].shown) paintCurve(painter, curve);
   }
+  painter.restore();
+  paintWords(painter);
+}
+
+void Chart::paintGrid(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(QPen(mixed(theme_.background, theme_.quiet, 0.4), 1.0));
+  for (const double tick : x_ticks_) {
+    const double x = placeOf(tick, y_from_).x();
+    painter.drawLine(QPointF(x, axes_.top()), QPointF(x, axes_.bottom()));
+  }
+  for (const double tick : y_ticks_) {
+    const double y = placeOf(x_from_, tick).y();
+    painter.drawLine(QPointF(axes_.left(), y), QPointF(axes_.right(), y));
+  }
+  painter.setPen(QPen(theme_.quiet, 1.0));
+  painter.drawLine(axes_.bottomLeft(), axes_.topLeft());
+  painter.drawLine(axes_.bottomLeft(), axes_.bottomRight());
+}
+
+/// Only what lies within the axes goes to the painter, in lines without a gap: it would follow the rest as far as it
+/// goes, dash by dash.
+void Chart::paintCurve(QPainter& painter, std::size_t curve) {
+  const double width = static_cast<double>(curves_[curve].width);
+  QPen pen(colours_[curve], width, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin);
+  if (curves_[curve].dashed) pen.setDashPattern({kDash_px / width, kDashGap_px / width});
+  painter.setPen(pen);
+  const QRectF box = axes_.adjusted(-width, -width, width, width);
+  const auto end = [&] {
+    if (line_.size() > 1) painter.drawPolyline(line_.data(), static_cast<int>(line_.size()));
+    line_.clear();
+  };
+  bool has_last = false;
+  QPointF last;
+  for (const PlotPoint& point : points_[curve]) {
+    const QPointF place = placeOf(static_cast<double>(point.x), static_cast<double>(point.y));
+    if (!std::isfinite(place.x()) || !std::isfinite(place.y())) {
+      end();
+      has_last = false;
+      continue;
+    }
+    if (has_last && place != last) {
+      QPointF from = last, to = place;
+      const bool is_seen = clipLine(box, from, to);
+      if (!is_seen || line_.empty() || line_.back() != from) end();
+      if (is_seen && line_.empty()) line_.push_back(from);
+      if (is_seen) line_.push_back(to);
+    }
+    last = place;
+    has_last = true;
+  }
+  end();
 }
 
 void Chart::paintWords(QPainter& painter) const {

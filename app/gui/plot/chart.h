@@ -1,7 +1,4 @@
 #pragma once
-#include <vtkChartXY.h>
-#include <vtkNew.h>
-
 #include <QColor>
 #include <QFont>
 #include <QRectF>
@@ -15,13 +12,11 @@
 #include "app/gui/theme.h"
 
 class QPainter;
-class vtkFloatArray;
-class vtkPlot;
-class vtkTable;
 
 namespace underact::gui {
 
-/// One chart: VTK draws grid and curves, Qt the words. Its table is made once for a width; a frame only fills it.
+/// One chart: grid, curves, words. Its points are made once for a width; a frame only fills them. Points of a curve
+/// that are not finite break its line.
 class Chart {
  public:
   struct Curve {
@@ -31,9 +26,7 @@ class Chart {
     bool shown = true;
   };
   Chart(const QString& title, const QString& x_title, const std::vector<Curve>& curves);
-  ~Chart();
 
-  vtkChartXY* item() const { return chart_; }
   /// A curve that is not shown is not in the legend either.
   void setCurveShown(std::size_t curve, bool shown);
   void setTitle(const QString& title) { title_ = title; }
@@ -42,8 +35,8 @@ class Chart {
   /// Ticks of y at multiples of least, 2 least, ...; 0: at round numbers.
   void setTickStep(double least) { tick_step_ = least; }
   void setColours(const Theme& theme, const std::vector<QColor>& curves);
-  /// area: logical pixels from the top left of the widget, of this height; the axes stand inside.
-  void setPlace(const QRectF& area, double widget_height, double scale, const QFont& font);
+  /// area: logical pixels from the top left of the widget; the axes stand inside. scale: device pixels a logical one.
+  void setPlace(const QRectF& area, double scale, const QFont& font);
   /// Of the axes, in device pixels.
   std::size_t columns() const;
 
@@ -57,11 +50,14 @@ class Chart {
   std::optional<double> xAt(const QPointF& place) const;
   /// Where an x stands, half way up the axes.
   QPointF placeOf(double x) const;
-  void pointsChanged();
-  void paintWords(QPainter& painter) const;
+  void paint(QPainter& painter);
 
  private:
   void setTicks();
+  QPointF placeOf(double x, double y) const;
+  void paintGrid(QPainter& painter) const;
+  void paintCurve(QPainter& painter, std::size_t curve);
+  void paintWords(QPainter& painter) const;
   void paintLegend(QPainter& painter, double base) const;
   double nameWidth(const Curve& curve) const;
   double legendWidth() const;
@@ -74,7 +70,6 @@ class Chart {
   std::vector<QColor> colours_;
   Theme theme_ = Theme::light();
   QFont usual_font_, font_;
-  double widget_height_ = 1.0;
   QRectF area_, axes_;
   int legend_lines_ = 0;  // below the title; 0: both have room in one line
   double scale_ = 1.0;
@@ -82,9 +77,7 @@ class Chart {
   double tick_step_ = 0.0;
   std::vector<double> x_ticks_, y_ticks_;
   std::vector<std::vector<PlotPoint>> points_;
-  vtkNew<vtkChartXY> chart_;
-  std::vector<vtkSmartPointer<vtkTable>> tables_;
-  std::vector<vtkPlot*> plots_;
+  std::vector<QPointF> line_;  // of the curve that is painted
 };
 
 }  // namespace underact::gui

@@ -1,65 +1,52 @@
 #include "app/gui/plot/chart_widget.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
 #include <QEvent>
-#include <QVBoxLayout>
-#include <algorithm>
+#include <QPainter>
 
 #include "app/gui/plot/chart.h"
-#include "app/gui/view/gl_surface.h"
 
 namespace underact::gui {
 
-ChartWidget::ChartWidget(QWidget* parent)
-    : QWidget(parent),
-      surface_(new GlSurface([this](QSize pixels) { before(pixels); },
-                             [this](QPainter& painter) {
-                               for (const Chart* chart : shown()) chart->paintWords(painter);
-                             },
-                             this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(surface_);
+ChartWidget::ChartWidget(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
-ChartWidget::~ChartWidget() {
-  delete surface_;
-}
+ChartWidget::~ChartWidget() = default;
 
-void ChartWidget::hold(std::span<Chart* const> charts) {
-  const vtkNew<vtkContextActor> actor;
-  for (const Chart* chart : charts) actor->GetScene()->AddItem(chart->item());
-  surface_->renderer().AddActor(actor);
-  actor->GetScene()->SetRenderer(&surface_->renderer());
-}
-
-void ChartWidget::before(QSize pixels) {
+void ChartWidget::paint(QPaintDevice& paper) {
+  const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
   const bool places = pixels != placed_;
   placed_ = pixels;
-  if (places) place(pixels.height() / std::max(1.0, static_cast<double>(height())));
+  if (places) place(devicePixelRatioF());
   prepare(places);
+  QPainter painter(&paper);
+  painter.fillRect(rect(), background_);
+  for (Chart* chart : shown()) chart->paint(painter);
+  ++frames_;
 }
 
 QImage ChartWidget::picture() {
-  if (surface_->size() != size()) surface_->setGeometry(rect());  // never shown: no layout has been at work
-  return surface_->picture();
+  QImage image((QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}), QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  paint(image);
+  return image;
 }
 
 void ChartWidget::setBackground(const Theme& theme) {
-  surface_->setBackground(theme.background);
+  background_ = theme.background;
 }
 
 void ChartWidget::draw() {
-  surface_->update();
+  update();
 }
 
 void ChartWidget::placeAnew() {
   placed_ = {};
   draw();
+}
+
+void ChartWidget::paintEvent(QPaintEvent*) {
+  paint(*this);
 }
 
 void ChartWidget::changeEvent(QEvent* event) {

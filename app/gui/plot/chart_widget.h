@@ -1,6 +1,7 @@
 #pragma once
+#include <QColor>
+#include <QImage>
 #include <QWidget>
-#include <span>
 #include <vector>
 
 #include "app/gui/theme.h"
@@ -8,23 +9,21 @@
 namespace underact::gui {
 
 class Chart;
-class GlSurface;
 
-/// A widget full of charts. Which they are and where they stand says who derives from it; it draws when draw() or
-/// placeAnew() is called, and only then.
+/// A widget full of charts, painted by Qt into the window's own picture: an OpenGL context of its own, even a shared
+/// one, costs software GL 20 MB and a tenth of a second. Which they are and where they stand says who derives from it;
+/// it draws when draw() or placeAnew() is called, and only then.
 class ChartWidget : public QWidget {
   Q_OBJECT
  public:
   ~ChartWidget() override;
   /// Also where it was never shown.
   QImage picture();
+  qint64 framesDrawn() const { return frames_; }
 
  protected:
   explicit ChartWidget(QWidget* parent);
-  /// All charts that may ever be shown. Once.
-  void hold(std::span<Chart* const> charts);
   void setBackground(const Theme& theme);
-  GlSurface& surface() const { return *surface_; }
   void draw();
   /// Widths, fonts or legends are others: place() comes before the next picture.
   void placeAnew();
@@ -34,12 +33,14 @@ class ChartWidget : public QWidget {
   virtual void place(double scale) = 0;
   /// Before each picture. placed: place() was called for it.
   virtual void prepare(bool /*placed*/) {}
+  void paintEvent(QPaintEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
-  void before(QSize pixels);
-  GlSurface* surface_;
+  void paint(QPaintDevice& paper);
+  QColor background_;
   QSize placed_;
+  qint64 frames_ = 0;
 };
 
 }  // namespace underact::gui

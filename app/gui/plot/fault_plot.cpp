@@ -1,7 +1,6 @@
 #include "app/gui/plot/fault_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,7 +40,6 @@ FaultPlot::FaultPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_uni
   setAccessibleName(tr("The second before the fault"));
   setToolTip(tr("Force and lateness of the ticks before the fault, which is at the right edge."));
   setMinimumSize(240, 140);
-  hold(std::array{&impl_->force, &impl_->lateness});
   setTheme(Theme::light());
 }
 
@@ -64,8 +62,6 @@ void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_h
   const double late_us = std::max(greatestY(my.lateness.points(0)), kLeastLateness_us);
   my.force.setRange(-1.0, 0.0, 0.0, roundUp(kFaultRoom * std::max(sent_N, asked_N)));
   my.lateness.setRange(-1.0, 0.0, 0.0, roundUp(kFaultRoom * late_us));
-  my.force.pointsChanged();
-  my.lateness.pointsChanged();
   draw();
 }
 
@@ -83,8 +79,8 @@ std::vector<Chart*> FaultPlot::shown() const {
 
 void FaultPlot::place(double scale) {
   const double half = 0.5 * width(), high = height();
-  impl_->force.setPlace({0.0, 0.0, half, high}, high, scale, font());
-  impl_->lateness.setPlace({half, 0.0, half, high}, high, scale, font());
+  impl_->force.setPlace({0.0, 0.0, half, high}, scale, font());
+  impl_->lateness.setPlace({half, 0.0, half, high}, scale, font());
 }
 
 }  // namespace underact::gui

@@ -2,12 +2,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
-#include "app/gui/view/gl_surface.h"
 #include "core/arm/preset.h"
 
 namespace underact::gui {
@@ -35,7 +33,6 @@ double greatestOf(std::span<const PlotPoint> points) {
 
 struct LivePlot::Impl {
   explicit Impl(LivePlot* owner) : plot(owner) {
-    angles.item()->SetVisible(false);
     angles.setTickStep(45.0);
     angles.setRange(-PlotHistory::kSpan_s, 0.0, -180.0, 180.0);
   }
@@ -51,7 +48,7 @@ struct LivePlot::Impl {
     double left = 0.0;
     for (Chart* chart : shown()) {
       const double wide = chart == &path ? path_width : each;
-      chart->setPlace({left, 0.0, wide, height}, height, scale, plot->font());
+      chart->setPlace({left, 0.0, wide, height}, scale, plot->font());
       left += wide;
     }
     energy.reserve(6 * (energy.columns() + 2));
@@ -95,7 +92,6 @@ struct LivePlot::Impl {
     error.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, top_mm);
     force.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, force_range.end());
     path.setRange(-away_range.end(), away_range.end(), -along_range.end(), along_range.end());
-    for (Chart* chart : {&error, &force, &path}) chart->pointsChanged();
     if (angles_shown) drawAngles();
     if (energy_shown) drawEnergy(now_s);
   }
@@ -115,14 +111,12 @@ struct LivePlot::Impl {
     const double top_mJ = stored_range.update(most_mJ, now_s), bottom_mJ = active_range.update(-least_mJ, now_s);
     // Room below zero also while nothing is there, so that the zero line is a line and not the frame.
     energy.setRange(-PlotHistory::kSpan_s, 0.0, -std::max(bottom_mJ, kBelowZero * top_mJ), top_mJ);
-    energy.pointsChanged();
   }
 
   /// Where all would be too narrow to be read, the one against displacement leaves its room to those against time.
   void letPathFit(bool fits) {
     if (fits == path_fits) return;
     path_fits = fits;
-    path.item()->SetVisible(fits);
     QMetaObject::invokeMethod(
         plot, [this] { emit plot->pathShown(path_fits); }, Qt::QueuedConnection);  // not in a paint
   }
@@ -140,7 +134,6 @@ struct LivePlot::Impl {
     thinAngle(history, &PlotRow::alpha_deg, angles.columns(), angles.points(0));
     thinAngle(history, &PlotRow::beta_deg, angles.columns(), angles.points(1));
     thinAngle(history, &PlotRow::theta_deg, angles.columns(), angles.points(2));
-    angles.pointsChanged();
   }
 
   LivePlot* plot;
@@ -180,8 +173,6 @@ LivePlot::LivePlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_uniqu
   setAccessibleDescription(
       tr("Error and force over the last 10 seconds, and force against displacement along one axis."));
   setMinimumSize(240, 120);
-  hold(std::array{&impl_->error, &impl_->force, &impl_->path, &impl_->angles, &impl_->energy});
-  connect(&surface(), &GlSurface::drawn, this, &LivePlot::drawn);
   setTheme(Theme::light());
 }
 
@@ -234,14 +225,12 @@ int LivePlot::axis() const {
 void LivePlot::showAngles(bool shown) {
   if (shown == impl_->angles_shown) return;
   impl_->angles_shown = shown;
-  impl_->angles.item()->SetVisible(shown);
   placeAnew();  // the others give or take room
 }
 
 void LivePlot::showEnergy(bool shown) {
   if (shown == impl_->energy_shown) return;
   impl_->energy_shown = shown;
-  impl_->energy.item()->SetVisible(shown);
   placeAnew();
 }
 
@@ -257,13 +246,6 @@ void LivePlot::setForceLimit(double continuous_N) {
   impl_->limit_N = continuous_N;
   impl_->data_changed = true;
   draw();
-}
-
-qint64 LivePlot::framesDrawn() const {
-  return surface().framesDrawn();
-}
-int LivePlot::glErrors() const {
-  return surface().errors();
 }
 
 std::vector<Chart*> LivePlot::shown() const {

@@ -8,7 +8,7 @@
 namespace underact::gui {
 
 /// The last 10 s of error [mm] and of force asked and sent [N] against time, and of one axis' displacement against
-/// force (thesis figure 4.3), as VTK charts; and, of a scene with an influence, of the angles of stylus, tip and target
+/// force (thesis figure 4.3); and, of a scene with an influence, of the angles of stylus, tip and target
 /// (thesis figure 5.7); and the energy in the constraints [mJ], marked where it is below zero. Every tick goes in; what
 /// is drawn is thinned to the widget's width by minimum and maximum, so that a spike of one tick is seen.
 class LivePlot : public ChartWidget {
@@ -30,12 +30,9 @@ class LivePlot : public ChartWidget {
   bool showsEnergy() const;
   /// The line in the force plot, N.
   void setForceLimit(double continuous_N);
-  qint64 framesDrawn() const;
-  int glErrors() const;
 
  signals:
-  void pathShown(bool shown);   // there is room for displacement against force, or not
-  void drawn(double frame_ms);  // after each picture: the time it took to draw
+  void pathShown(bool shown);  // there is room for displacement against force, or not
 
  protected:
   std::vector<Chart*> shown() const override;

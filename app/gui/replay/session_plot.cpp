@@ -9,7 +9,6 @@
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
 #include "app/gui/replay/thin_session.h"
-#include "app/gui/view/gl_surface.h"
 
 namespace underact::gui {
 namespace {
@@ -49,9 +48,6 @@ struct SessionPlot::Impl {
     for (Chart* chart : {&force_lines, &error_lines}) chart->setTickStep(kStep_dB);
   }
 
-  std::vector<Chart*> all() {
-    return {&error, &force, &along[0], &along[1], &along[2], &angles, &energy, &force_lines, &error_lines};
-  }
   /// From left to right.
   std::vector<Chart*> shown() {
     switch (kind) {
@@ -71,17 +67,11 @@ struct SessionPlot::Impl {
   bool isAgainstTime() const {
     return kind != SessionPlotKind::ForceAgainstDisplacement && kind != SessionPlotKind::Spectrum;
   }
-  void showKind() {
-    for (Chart* chart : all()) chart->item()->SetVisible(false);
-    for (Chart* chart : shown()) chart->item()->SetVisible(true);
-  }
-
   void prepare(bool placed) {
     if (placed) fill();
     if (!placed && !cursor_changed) return;
     cursor_changed = false;
     putCursor();
-    for (Chart* chart : shown()) chart->pointsChanged();
   }
 
   void place(double scale) {
@@ -90,7 +80,7 @@ struct SessionPlot::Impl {
     const double each = width / static_cast<double>(charts.size());
     double left = 0.0;
     for (Chart* chart : charts) {
-      chart->setPlace({left, 0.0, each, height}, height, scale, plot->font());
+      chart->setPlace({left, 0.0, each, height}, scale, plot->font());
       chart->reserve(4 * (std::max(chart->columns(), kPathGroups) + 2));
       left += each;
     }
@@ -244,9 +234,6 @@ SessionPlot::SessionPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make
   setAccessibleName(tr("Plots of the whole session"));
   setAccessibleDescription(tr("Force and error, displacement, angles, energy or spectrum, as chosen above."));
   setMinimumSize(240, 96);
-  hold(impl_->all());
-  surface().setAttribute(Qt::WA_TransparentForMouseEvents);
-  impl_->showKind();
   setTheme(Theme::light());
 }
 
@@ -260,7 +247,6 @@ void SessionPlot::setSession(std::shared_ptr<const SessionData> session) {
 
 void SessionPlot::setKind(SessionPlotKind kind) {
   impl_->kind = kind;
-  impl_->showKind();
   placeAnew();
 }
 

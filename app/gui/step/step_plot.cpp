@@ -1,7 +1,6 @@
 #include "app/gui/step/step_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -96,7 +95,6 @@ struct StepPlot::Impl {
     drawMarks(shown, kStepRoom * most);
     const double low = least < -1e-3 * most ? kStepRoom * least : 0.0;
     time.setRange(0.0, shown.seconds, low, kStepRoom * most);
-    time.pointsChanged();
   }
 
   void drawMarks(const StepPicture& shown, double top) {
@@ -154,7 +152,6 @@ struct StepPlot::Impl {
     }
     plane.setCurveShown(kZeros, !zeros.empty());
     plane.setRange(x_from, x_to, -y_to, y_to);
-    plane.pointsChanged();
   }
 
   Chart time{StepPlot::tr("Response to a step of 1"), StepPlot::tr("time [s]"), timeCurves()};
@@ -172,7 +169,6 @@ StepPlot::StepPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_uniqu
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   impl_->time.reserve(kPoints);
   impl_->plane.reserve(kPoints);
-  hold(std::array{&impl_->time, &impl_->plane});
   setTheme(Theme::light());
 }
 
@@ -207,8 +203,8 @@ std::vector<Chart*> StepPlot::shown() const {
 
 void StepPlot::place(double scale) {
   const double wide = width(), high = height(), upper = std::round(0.56 * high);
-  impl_->time.setPlace({0.0, 0.0, wide, upper}, high, scale, font());
-  impl_->plane.setPlace({0.0, upper, wide, high - upper}, high, scale, font());
+  impl_->time.setPlace({0.0, 0.0, wide, upper}, scale, font());
+  impl_->plane.setPlace({0.0, upper, wide, high - upper}, scale, font());
 }
 
 }  // namespace underact::gui

@@ -12,8 +12,6 @@
 
 // What CMake's vtk_module_autoinit() would do for every program that links the room.
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
-VTK_MODULE_INIT(vtkRenderingFreeType)
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
 
 namespace underact::gui {
 
