@@ -4,6 +4,7 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <cstdio>
+#include <ctime>
 #include <utility>
 
 #include "app/gui/actions.h"
@@ -61,7 +62,19 @@ void giveLargeBlocksBack() {
 #endif
 }
 
-int runWindow(const options::WindowOptions& options, const QElapsedTimer& since_start) {
+/// When main() began, and what the processor had done by then.
+struct Began {
+  QElapsedTimer clock;
+  std::clock_t processor = std::clock();
+};
+
+void printFirstPicture(const Began& began, double frame_ms) {
+  const double processor_ms = 1e3 * static_cast<double>(std::clock() - began.processor) / CLOCKS_PER_SEC;
+  std::fprintf(stderr, "first picture after %lld ms (%.0f ms of the processor), drawn in %.1f ms\n",
+               began.clock.elapsed(), processor_ms, frame_ms);
+}
+
+int runWindow(const options::WindowOptions& options, const Began& began) {
   SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz.value_or(readSettings().servo_rate_hz),
                                                .scheduling = options.scheduling,
                                                .max_late = options.max_late});
@@ -71,10 +84,8 @@ int runWindow(const options::WindowOptions& options, const QElapsedTimer& since_
   MainWindow window(
       {*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen, {&controllers, &space_mice}});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
-    QObject::connect(&window.view(), &SceneView::drawn, &window, [&since_start, first = true](double frame_ms) mutable {
-      if (first)
-        std::fprintf(stderr, "first picture after %lld ms, drawn in %.1f ms\n", since_start.elapsed(), frame_ms);
-      first = false;
+    QObject::connect(&window.view(), &SceneView::drawn, &window, [&began, first = true](double frame_ms) mutable {
+      if (std::exchange(first, false)) printFirstPicture(began, frame_ms);
     });
   }
   window.show();
@@ -103,8 +114,8 @@ int runWindow(const options::WindowOptions& options, const QElapsedTimer& since_
 }
 
 int run(int argc, char** argv) {
-  QElapsedTimer since_start;
-  since_start.start();
+  Began began;
+  began.clock.start();
   giveLargeBlocksBack();
   const options::WindowOptions options = options::parseWindowOptions({argv + 1, argv + argc});
   if (!options.said.empty()) {
@@ -128,7 +139,7 @@ int run(int argc, char** argv) {
   speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");  // pictures go into pages
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);
   if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
-  return runWindow(options, since_start);
+  return runWindow(options, began);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "tests/stories/story.h"
+#include "tests/support/resident_memory.h"
 
 namespace underact::gui::test {
 namespace {
@@ -22,6 +23,9 @@ double latenessWhile(Story& story, const std::function<void(int)>& each) {
   }
   return lateness.percentiles().p99_us;
 }
+
+// With software GL, which takes more than half of it.
+constexpr double kMostWithOneScene_MB = 240.0;
 
 }  // namespace
 
@@ -61,7 +65,7 @@ TEST(RealTimeStory, TheViewFollowsTheHand) {
   EXPECT_EQ(story.snapshot().dropped, 0);
 }
 
-TEST(RealTimeStory, TheProgramDrawsItsFirstPictureByItself) {
+TEST(RealTimeStory, TheProgramDrawsItsFirstPictureByItselfAndStaysSmall) {
   QProcess program;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert("UNDERACT_TIMING", "1");
@@ -74,8 +78,14 @@ TEST(RealTimeStory, TheProgramDrawsItsFirstPictureByItself) {
   }
   const auto match = QRegularExpression("first picture after (\\d+) ms").match(said);
   EXPECT_TRUE(match.hasMatch()) << said.toStdString();
-  // A number for the reader; the goal of 1.5 s is the benchmark's.
-  std::printf("first picture after %s ms\n", match.captured(1).toUtf8().constData());
+  QTest::qWait(3000);  // the plots have something to show
+  const double resident = 1e-6 * underact::test::residentBytes(static_cast<long>(program.processId()));
+  // The first is a number for the reader; its goal of 0.4 s is the benchmark's, which has its machine.
+  std::printf("first picture after %s ms, then %.0f MB resident\n", match.captured(1).toUtf8().constData(), resident);
+#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed, and a shadow of all
+  EXPECT_LT(resident, kMostWithOneScene_MB);
+#endif
+  EXPECT_GT(resident, 20.0);
   program.kill();
   program.waitForFinished();
 }

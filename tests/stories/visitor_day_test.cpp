@@ -5,11 +5,11 @@
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QDialog>
-#include <fstream>
 
 #include "tests/stories/held_paints.h"
 #include "tests/stories/visitor_desk.h"
 #include "tests/support/random.h"
+#include "tests/support/resident_memory.h"
 
 namespace underact::gui::test {
 namespace {
@@ -32,10 +32,7 @@ std::int64_t ticksOfADay() {
 
 /// Of this process, MiB.
 double resident_MiB() {
-  std::ifstream file("/proc/self/statm");
-  double all = 0.0, resident = 0.0;
-  file >> all >> resident;
-  return resident * 4096.0 / (1 << 20);
+  return underact::test::residentBytes(::getpid()) / (1 << 20);
 }
 
 double allocated_MiB() {

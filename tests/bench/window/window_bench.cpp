@@ -19,11 +19,13 @@
 #include "core/record/recorder.h"
 #include "core/scene/read.h"
 #include "tests/bench/window/mesh_frames.h"
+#include "tests/bench/window/starts.h"
 
 // In one run, in turn: the servo alone, and the servo beside a window that draws a moving stylus at 1280 x 800, that is
 // dragged to other sizes, and that is given another scene every 200 ms; then a servo of 4 kHz beside the window,
 // recorded and not (alone with the argument "recorded"). Each 10 s; the figures are of that time alone. With the
-// argument "meshes" only how long pictures of large meshes take.
+// argument "meshes" only how long pictures of large meshes take; with "starts" only how long the program takes to its
+// first picture, and its memory.
 namespace underact::gui {
 namespace {
 
@@ -161,6 +163,8 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   if (argc > 1 && std::string_view(argv[1]) == "meshes") {
     underact::gui::measureMeshFrames(UNDERACT_SOURCE);
+  } else if (argc > 1 && std::string_view(argv[1]) == "starts") {
+    underact::gui::measureStarts();
   } else if (argc > 1 && std::string_view(argv[1]) == "recorded") {
     underact::gui::measureRecorded();
   } else {

@@ -1,0 +1,57 @@
+#include "tests/bench/window/starts.h"
+
+#include <QProcess>
+#include <QRegularExpression>
+#include <QThread>
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "tests/support/resident_memory.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kStarts = 11;
+constexpr int kPlotsRun_ms = 5'000;
+
+void printRange(const char* what, std::vector<double> values, const char* unit) {
+  if (values.empty()) return;
+  std::sort(values.begin(), values.end());
+  std::printf("%-34s median %6.0f  least %6.0f  most %6.0f %s\n", what, values[values.size() / 2], values.front(),
+              values.back(), unit);
+}
+
+}  // namespace
+
+void measureStarts() {
+  std::vector<double> first_ms, processor_ms, resident;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("UNDERACT_TIMING", "1");
+  for (int start = 0; start < kStarts; ++start) {
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    program.start(UNDERACT_WINDOW, {QString(UNDERACT_SOURCE) + "/scenes/02_sphere.json"});
+    QByteArray said;
+    for (int waited = 0; waited < 300 && !said.contains('\n'); ++waited) {
+      program.waitForReadyRead(100);
+      said += program.readAllStandardError();
+    }
+    static const QRegularExpression kFirst("first picture after (\\d+) ms \\((\\d+) ms of the processor\\)");
+    const QRegularExpressionMatch first = kFirst.match(QString::fromLatin1(said));
+    if (!first.hasMatch()) std::printf("no picture: %s\n", said.constData());
+    if (first.hasMatch()) {
+      first_ms.push_back(first.captured(1).toDouble());
+      processor_ms.push_back(first.captured(2).toDouble());
+      QThread::msleep(kPlotsRun_ms);
+      resident.push_back(1e-6 * underact::test::residentBytes(static_cast<long>(program.processId())));
+    }
+    program.kill();
+    program.waitForFinished();
+  }
+  printRange("first picture after main", first_ms, "ms");
+  printRange("of the processor", processor_ms, "ms");
+  printRange("resident, one scene, after 5 s", resident, "MB");
+}
+
+}  // namespace underact::gui
