@@ -1,5 +1,7 @@
 # The stories that TSan runs, and the race it must see among them.
-stories_program(threads_stories main.cpp story.cpp picture_difference.cpp mesh_desk.cpp threads_test.cpp planted_race.cpp)
+set(shared ${stories})
+list(FILTER shared EXCLUDE REGEX "_test.cpp$")
+stories_program(threads_stories ${shared} threads_test.cpp planted_race.cpp)
 if(NOT XVFB_RUN)
   message(WARNING "xvfb-run is missing: the stories are built, but ctest does not run them.")
   return()
