@@ -31,7 +31,7 @@ class Scripts(unittest.TestCase):
             self.write(name, text)
 
     def write(self, name, text):
-        (self.folder / name).parent.mkdir(exist_ok=True)
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
         (self.folder / name).write_text(text, encoding="utf-8")
         (self.folder / name).chmod(0o755)
 

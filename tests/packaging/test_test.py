@@ -36,6 +36,7 @@ class Test(Scripts):
     STAND_INS = {
         "packaging/install-deps": CALLED + "exit ${INSTALLED:-0}\n",
         "packaging/compile": BUILD,
+        "tests/house/each_alone": CALLED + '[ "${BREAK:-}" != alone ]\n',
         "bin/cmake": CALLED,
         "bin/ctest": CTEST,
     }
@@ -66,7 +67,7 @@ class Test(Scripts):
         self.assertEqual((status, lines[-1]), (0, "90 passed, 0 failed"))
         self.assertEqual(calls[0], "install-deps run test check package")
         self.assertEqual(calls[1], "cmake --preset ci")
-        self.assertIn("compile alone", calls)
+        self.assertIn("each_alone build/alone", calls)
         self.assertEqual(len([call for call in calls if call.startswith("ctest")]), 3)
 
     def test_the_slowest_twenty_are_listed_with_their_times(self):
