@@ -26,14 +26,14 @@ std::int64_t now_ns() {
   return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
 }
 
-void say(const std::string& word) {
-  [[maybe_unused]] const ssize_t written = ::write(servo::kGuardDeviceFd, word.data(), word.size());
+void say(int device_fd, const std::string& word) {
+  [[maybe_unused]] const ssize_t written = ::write(device_fd, word.data(), word.size());
 }
 
 /// The program is gone.
-int sayLast(const std::string& word) {
+int sayLast(int device_fd, const std::string& word) {
   for (int time = 0; time < kTimes; ++time) {
-    say(word);
+    say(device_fd, word);
     ::poll(nullptr, 0, kBetween_ms);
   }
   return 1;
@@ -60,19 +60,22 @@ std::optional<Duty> readDuty(int argc, const char* const* argv) {
 int watch(const Duty& duty) {
   void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED, servo::kGuardLineFd, 0);
   if (memory == MAP_FAILED) return 2;
-  auto& line = *static_cast<servo::GuardLine*>(memory);
+  return watch(duty, *static_cast<servo::GuardLine*>(memory), servo::kGuardLifeFd, servo::kGuardDeviceFd);
+}
+
+int watch(const Duty& duty, servo::GuardLine& line, int life_fd, int device_fd) {
   const int look_ms = static_cast<int>(std::clamp<std::int64_t>(duty.limit_ns / kLooksInLimit / 1'000'000, 1, 1000));
   std::int64_t seen = line.beats.load(std::memory_order_relaxed), seen_ns = now_ns();
-  pollfd life{servo::kGuardLifeFd, POLLIN, 0};
+  pollfd life{life_fd, POLLIN, 0};
   for (;;) {
-    if (::poll(&life, 1, look_ms) > 0) return line.farewell == 0 ? sayLast(duty.word) : 0;
+    if (::poll(&life, 1, look_ms) > 0) return line.farewell == 0 ? sayLast(device_fd, duty.word) : 0;
     line.looks.fetch_add(1, std::memory_order_relaxed);
     const std::int64_t count = line.beats.load(std::memory_order_relaxed), time_ns = now_ns();
     if (count != seen) {
       seen = count;
       seen_ns = time_ns;
     } else if (time_ns - seen_ns >= duty.limit_ns) {
-      say(duty.word);
+      say(device_fd, duty.word);
     }
   }
 }

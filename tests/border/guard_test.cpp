@@ -1,10 +1,19 @@
 // The guard itself is killed, stopped or gone: it is missed, it is replaced, and the one that came in its place guards.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <new>
 
+#include "app/guard/watch.h"
+#include "core/servo/guard_line.h"
 #include "tests/border/own_guard.h"
 #include "tests/border/wired_program.h"
 #include "tests/support/comes.h"
@@ -31,7 +40,53 @@ class GuardedProgram : public test::WiredProgram {
   }
 };
 
+/// A guard in a process of its own, over memory and pipes of the test's; ended with it.
+class BareGuard {
+ public:
+  explicit BareGuard(const guard::Duty& duty) {
+    void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    line_ = new (memory) servo::GuardLine;
+    int life[2], arm[2];
+    if (::pipe2(life, O_CLOEXEC) != 0 || ::pipe2(arm, O_CLOEXEC | O_NONBLOCK) != 0) std::abort();
+    life_ = life[1];
+    arm_ = arm[0];
+    child_ = ::fork();
+    if (child_ == 0) ::_exit(guard::watch(duty, *line_, life[0], arm[1]));
+    ::close(life[0]);
+    ::close(arm[1]);
+  }
+  ~BareGuard() {
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+    ::close(life_);
+    ::close(arm_);
+    ::munmap(line_, sizeof(servo::GuardLine));
+  }
+  void beat() { line_->beats.fetch_add(1); }
+  /// What the arm was told since it was asked last.
+  std::string told() {
+    char text[64];
+    const ssize_t count = ::read(arm_, text, sizeof text);
+    return {text, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+  }
+
+ private:
+  servo::GuardLine* line_;
+  int life_ = -1, arm_ = -1;
+  pid_t child_ = -1;
+};
+
 }  // namespace
+
+TEST(Guard, AProgramThatTicksSlowlyButInTimeIsLeftAlone) {
+  BareGuard guard({1'000'000'000, "zero"});
+  for (int beat = 0; beat < 6; ++beat) {  // 2.7 s, with two looks of the guard between two
+    guard.beat();
+    std::this_thread::sleep_for(std::chrono::milliseconds(450));
+    ASSERT_EQ(guard.told(), "") << beat;
+  }
+  EXPECT_TRUE(comes([&] { return guard.told().starts_with("zero"); })) << "it stands still";
+}
 
 TEST(Guard, KilledItIsMissedAndReplacedAndTheNewOneSaysTheLastWord) {
   const OwnGuard own;

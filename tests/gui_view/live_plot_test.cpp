@@ -180,6 +180,7 @@ TEST(PlotRange, GrowsAtOnceAndShrinksLater) {
   EXPECT_EQ(range.update(0.9, 0.2), 5.0);
   EXPECT_EQ(range.update(4.0, 1.9), 5.0);  // used again: the wait starts anew
   EXPECT_EQ(range.update(0.9, 2.3), 5.0);
+  EXPECT_EQ(range.update(0.9, 4.2), 5.0);  // 1.9 s are too few
   EXPECT_EQ(range.update(0.9, 4.4), 1.0);
   EXPECT_EQ(range.update(std::nan(""), 4.5), 1.0);
   EXPECT_EQ(ticks(-10.0, 0.0, 6).size(), 6U);

@@ -15,4 +15,16 @@ TEST(Run, ToldFromOneThatComputesOneThatOnlyWaitsIsNoFaultOfTheFile) {
             "be slow. Copy it to this computer, and open the copy.");
 }
 
+TEST(Run, OneThatWritesWithoutEndIsEndedSoonAfterItsShare) {
+  Errand errand;
+  errand.program = "/usr/bin/yes";  // a letter that is no share of the way
+  errand.argument = "y";
+  errand.most_output = 100'000;
+  errand.most_cpu_s = errand.most_time_s = 20.0;
+  const Answer answer = run(errand, {});
+  EXPECT_EQ(answer.ending, Ending::WroteTooMuch);
+  EXPECT_GT(answer.output.size(), errand.most_output);
+  EXPECT_LT(answer.output.size(), errand.most_output + 2'000'000) << "a block beyond it";
+}
+
 }  // namespace underact::helper

@@ -298,6 +298,17 @@ TEST(Plant, ALimitStopsItAndLetsItGoAgain) {
   }
 }
 
+TEST(Plant, FromBeyondItsReachTheTipComesBackAsFastAsItCame) {  // a stop takes what goes outwards alone
+  const Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
+  const Vec3 out_W(0.0, 1.0, 0.0);
+  PlantState state = restAt(plant, kMiddle);
+  state.p_WT = kMiddle + 1.0 * out_W;
+  state.v_WT = -out_W;
+  const PlantState back = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kPlantMillisecond_ns);
+  ASSERT_TRUE(isInside(plant, back));
+  EXPECT_NEAR((back.v_WT - state.v_WT).norm(), 0.0, 1e-12);  // no force, no damping, no spring: nothing slows it
+}
+
 TEST(Plant, AtAStopTheTipSlidesAndDoesNotLeap) {
   for (const arm::Preset& preset : arm::presets()) {
     const Plant plant{preset, *findArmModel("vendor-nominal"), {}};

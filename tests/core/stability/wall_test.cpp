@@ -51,6 +51,15 @@ TEST(SampledWall, EveryRowOfTheTableIsFoundByTheEigenvaluesAndInTheSimulatedLoop
   }
 }
 
+TEST(SampledWall, CoarserEncodersCountSoManyTimesLess) {
+  SampledWall wall;
+  wall.coarseness = 4.0;
+  const arm::Preset& arm = *arm::findPreset(arm::kDefaultArm);
+  const sim::Plant plant = plantOf(wall);
+  for (std::size_t joint = 0; joint < arm.counts_per_turn.size(); ++joint)
+    EXPECT_EQ(plant.arm.counts_per_turn[joint], arm.counts_per_turn[joint] / 4.0) << joint;
+}
+
 /// Walls between the table's: other masses, hands, rates and delays, drawn once and for all.
 SampledWall drawnWall(test::Random& random) {
   SampledWall wall;
