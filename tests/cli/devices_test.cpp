@@ -51,7 +51,7 @@ TEST(Devices, AreTriedWithoutForceForAReport) {
 // What the driver says of the arm itself is in the report of a real one.
 TEST(Devices, ReportWhatTheArmSaysOfItself) {
   const ScratchPath report("report.txt");
-  const ProcessOutcome outcome = shell("UNDERACT_OPENHAPTICS=" UNDERACT_STAND_IN " " + program() +
+  const ProcessOutcome outcome = shell("UNDERACT_OPENHAPTICS='" UNDERACT_STAND_IN "' " + program() +
                                        " devices --report openhaptics --seconds 0.3 --out " + report.path() + " 2>&1");
   EXPECT_EQ(outcome.exit, 0) << outcome.out;
   const std::string text = shell("cat " + report.path()).out;
@@ -71,7 +71,7 @@ TEST(Devices, AreHeldByAPersonAndTheSimulatedArmByAHand) {
 TEST(Devices, RunASceneByTheirOwnClock) {
   const ScratchPath csv("touch.csv");
   const std::string command =
-      "UNDERACT_OPENHAPTICS=" UNDERACT_STAND_IN " " + program() + " run " + shipped("02_sphere.json") +
+      "UNDERACT_OPENHAPTICS='" UNDERACT_STAND_IN "' " + program() + " run " + shipped("02_sphere.json") +
       " --seconds 0.3 --max-late 100000 --device openhaptics --overwrite --record " + csv.path() + " 2>&1";
   ProcessOutcome outcome = shell(command);
   for (int again = 0; again < 2 && outcome.exit == 3; ++again) outcome = shell(command);  // a busy machine stood still

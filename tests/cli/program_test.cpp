@@ -39,10 +39,11 @@ TEST(Program, NoCommandAndUnknownOnesAreWrongUsage) {
 
 TEST(Process, AnswersEachLineBeforeTheNextIsSent) {
   // The second line is sent only once the first answer has come: a pipe that held answers back would hang here.
-  const std::string command = "bash -c 'set -e; coproc " + program() + " target \"" + shipped("02_sphere.json") +
-                              "\"; for i in 1 2 3; do echo \"{\\\"p_mm\\\": [$i, 0, 0]}\" >&${COPROC[1]}; "
-                              "read -t 20 -u ${COPROC[0]} answer; echo \"$answer\"; done'";
-  // The quotes of program() end those of bash -c for a moment, and take them up again.
+  const std::string command =
+      "bash -c 'set -e; coproc \"$0\" target \"$1\"; for i in 1 2 3; do "
+      "echo \"{\\\"p_mm\\\": [$i, 0, 0]}\" >&${COPROC[1]}; "
+      "read -t 20 -u ${COPROC[0]} answer; echo \"$answer\"; done' " +
+      program() + " '" + shipped("02_sphere.json") + "'";
   const ProcessOutcome outcome = shell(command);
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_EQ(lines(outcome.out).size(), 3U) << outcome.out;
