@@ -1,5 +1,6 @@
 """Man pages and completion as their readers have them: man, bash, zsh and fish."""
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
@@ -22,7 +23,7 @@ def complete(program, *words):
     """What bash offers for the last of the words."""
     array = " ".join(f"'{word}'" for word in (program, *words))
     name = "_" + program.replace("-", "_")
-    script = (f"source {DESCRIBED / 'bash' / program}; COMP_WORDS=({array}); "
+    script = (f"source {shlex.quote(str(DESCRIBED / 'bash' / program))}; COMP_WORDS=({array}); "
               f"COMP_CWORD={len(words)}; {name}; printf '%s\\n' \"${{COMPREPLY[@]}}\"")
     return set(run("bash", "-u", "-c", script)[0].split())
 
@@ -82,7 +83,7 @@ class Described(unittest.TestCase):
         for typed, offered in [("underact-cli repl", "replay"),
                                ("underact-cli run --scheduling f", "fifo"),
                                ("underact-cli log ver", "verify")]:
-            script = f"source {DESCRIBED / 'fish' / 'underact-cli.fish'}; complete -C '{typed}'"
+            script = f"source {shlex.quote(str(DESCRIBED / 'fish' / 'underact-cli.fish'))}; complete -C '{typed}'"
             lines = run("fish", "--no-config", "-c", script)[0].split("\n")
             self.assertIn(offered, [line.split("\t")[0] for line in lines], typed)
 

@@ -129,7 +129,7 @@ TEST(Killed, IsNotRecoveredWhileItStillRecords) {
   host->run(500);
   std::this_thread::sleep_for(100ms);
   // Another process: within one, HDF5 knows that the file is open.
-  const std::string command = std::string(UNDERACT_CLI) + " log recover " + folder.file("s.h5") + " 2>&1";
+  const std::string command = "'" UNDERACT_CLI "' log recover '" + folder.file("s.h5") + "' 2>&1";
   std::FILE* const pipe = popen(command.c_str(), "r");
   std::array<char, 400> said{};
   ASSERT_GT(std::fread(said.data(), 1, said.size() - 1, pipe), 0U);
