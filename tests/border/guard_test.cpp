@@ -45,13 +45,18 @@ class BareGuard {
  public:
   explicit BareGuard(const guard::Duty& duty) {
     void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) std::abort();
     line_ = new (memory) servo::GuardLine;
     int life[2], arm[2];
     if (::pipe2(life, O_CLOEXEC) != 0 || ::pipe2(arm, O_CLOEXEC | O_NONBLOCK) != 0) std::abort();
     life_ = life[1];
     arm_ = arm[0];
     child_ = ::fork();
-    if (child_ == 0) ::_exit(guard::watch(duty, *line_, life[0], arm[1]));
+    if (child_ < 0) std::abort();  // nobody to be killed later
+    if (child_ == 0) {
+      ::close(life_);  // so that it ends with the test
+      ::_exit(guard::watch(duty, *line_, life[0], arm[1]));
+    }
     ::close(life[0]);
     ::close(arm[1]);
   }

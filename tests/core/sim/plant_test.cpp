@@ -302,7 +302,7 @@ TEST(Plant, FromBeyondItsReachTheTipComesBackAsFastAsItCame) {  // a stop takes 
   const Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
   const Vec3 out_W(0.0, 1.0, 0.0);
   PlantState state = restAt(plant, kMiddle);
-  state.p_WT = kMiddle + 1.0 * out_W;
+  state.p_WT = kMiddle + out_W;
   state.v_WT = -out_W;
   const PlantState back = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kPlantMillisecond_ns);
   ASSERT_TRUE(isInside(plant, back));
