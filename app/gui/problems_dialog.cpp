@@ -2,8 +2,8 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -42,10 +42,10 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
-  auto* buttons = new QDialogButtonBox(this);
-  QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-  QPushButton* another = buttons->addButton(tr("&Open another…"), QDialogButtonBox::ActionRole);
-  QPushButton* close = buttons->addButton(QDialogButtonBox::Close);
+  // In a row of our own: the box of Qt 6.8 leaves buttons of a role out of the order of Tab.
+  auto* copy = new QPushButton(tr("&Copy"), this);
+  auto* another = new QPushButton(tr("&Open another…"), this);
+  auto* close = new QPushButton(tr("Close"), this);
   copy->setObjectName("dialog.problems.copy");
   copy->setAccessibleName(tr("Copy the problems"));
   another->setObjectName("dialog.problems.another");
@@ -53,19 +53,23 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   close->setObjectName("dialog.problems.close");
   close->setAccessibleName(tr("Close"));
   close->setDefault(true);
-  close->setIcon({});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(12);
   column->addWidget(heading_);
   column->addWidget(table_, 1);
-  column->addWidget(buttons);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(copy);
+  buttons->addWidget(another);
+  buttons->addStretch();
+  buttons->addWidget(close);
+  column->addLayout(buttons);
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
   connect(another, &QPushButton::clicked, this, [this] {
     hide();
     emit openAnother();
   });
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
 
 void ProblemsDialog::show(const QString& path, const Problems& problems) {

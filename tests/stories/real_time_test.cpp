@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QLabel>
 #include <QProcess>
 #include <QRegularExpression>
@@ -26,6 +27,7 @@ double latenessWhile(Story& story, const std::function<void(int)>& each) {
 
 // With software GL, which takes more than half of it.
 constexpr double kMostWithOneScene_MB = 240.0;
+constexpr double kMoreOfMesa25_MB = 40.0;  // its llvmpipe keeps so much more than that of Mesa 22 (figures.md)
 
 }  // namespace
 
@@ -80,10 +82,12 @@ TEST(RealTimeStory, TheProgramDrawsItsFirstPictureByItselfAndStaysSmall) {
   EXPECT_TRUE(match.hasMatch()) << said.toStdString();
   QTest::qWait(3000);  // the plots have something to show
   const double resident = 1e-6 * underact::test::residentBytes(static_cast<long>(program.processId()));
+  QFile maps(QString("/proc/%1/maps").arg(program.processId()));
+  const bool is_mesa_25 = maps.open(QIODevice::ReadOnly) && maps.readAll().contains("libgallium-");
   // The first is a number for the reader; its goal of 0.4 s is the benchmark's, which has its machine.
   std::printf("first picture after %s ms, then %.0f MB resident\n", match.captured(1).toUtf8().constData(), resident);
 #ifndef __SANITIZE_ADDRESS__  // which keeps what is freed, and a shadow of all
-  EXPECT_LT(resident, kMostWithOneScene_MB);
+  EXPECT_LT(resident, kMostWithOneScene_MB + (is_mesa_25 ? kMoreOfMesa25_MB : 0.0));
 #endif
   EXPECT_GT(resident, 20.0);
   program.kill();
