@@ -31,7 +31,8 @@ def _chunk(dataset: h5py.Dataset, start: int, filters: list[int]) -> np.ndarray:
     try:
         mask, packed = dataset.id.read_direct_chunk((start,) + (0,) * (dataset.ndim - 1))
     except (OSError, RuntimeError, ValueError, MemoryError):
-        # It was never written: zeros (h5py 3.13 asks for no memory then, and takes that for a lack of it). If it cannot be read, this says so, too.
+        # It was never written: zeros (h5py 3.13 asks for no memory then, and takes that for a lack
+        # of it). If it cannot be read, this says so, too.
         return dataset[start : start + dataset.chunks[0]]
     size = dataset.chunks[0] * row_bytes(dataset)
     for index, one in reversed([*enumerate(filters)]):
