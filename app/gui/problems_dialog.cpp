@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/push_button.h"
 #include "app/gui/words.h"
 
 namespace underact::gui {
@@ -42,16 +43,12 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
-  // In a row of our own: the box of Qt 6.8 leaves buttons of a role out of the order of Tab.
-  auto* copy = new QPushButton(tr("&Copy"), this);
-  auto* another = new QPushButton(tr("&Open another…"), this);
-  auto* close = new QPushButton(tr("Close"), this);
-  copy->setObjectName("dialog.problems.copy");
-  copy->setAccessibleName(tr("Copy the problems"));
-  another->setObjectName("dialog.problems.another");
-  another->setAccessibleName(tr("Open another scene file"));
-  close->setObjectName("dialog.problems.close");
-  close->setAccessibleName(tr("Close"));
+  // In a row, not in a QDialogButtonBox: in that of Qt 6.8 Tab went past the first two.
+  QPushButton* copy = pushButton("dialog.problems.copy", tr("&Copy"), {}, this, tr("Copy the problems"));
+  QPushButton* another =
+      pushButton("dialog.problems.another", tr("&Open another…"), {}, this, tr("Open another scene file"));
+  QPushButton* close = pushButton("dialog.problems.close", tr("Close"), {}, this);
+  for (QPushButton* button : {copy, another, close}) button->setAutoDefault(true);  // Enter presses the one in focus
   close->setDefault(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);

@@ -201,8 +201,7 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   H5Pset(access, "clear_status_flags", &clear);  // as h5clear does
   impl->file = Id(H5Fopen(impl->opened.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   if (!impl->file.isGood()) {
-    // HDF5 1.14 asks for other things after the lock was refused: what errno says is of those.
-    if (errno == EWOULDBLOCK || Presence::isAt(impl->opened))
+    if (Presence::isAt(impl->opened))  // not by errno: HDF5 1.14 asks for other things after the lock was refused
       return problemAt(path,
                        said(QT_TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
     return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));

@@ -27,7 +27,7 @@ double latenessWhile(Story& story, const std::function<void(int)>& each) {
 
 // With software GL, which takes more than half of it.
 constexpr double kMostWithOneScene_MB = 240.0;
-constexpr double kMoreOfMesa25_MB = 40.0;  // its llvmpipe keeps so much more than that of Mesa 22 (figures.md)
+constexpr double kMoreOfMesa25_MB = 40.0;  // Debian 13's driver, see figures.md; Debian 12's is within the bound
 
 }  // namespace
 

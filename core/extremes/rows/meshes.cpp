@@ -54,8 +54,8 @@ Outcome judgeTriangle(Input& input) {
   const double size = input.number("size", [](Dice& dice) { return dice.scale(); });
   const std::array<Vec3, 3> corners = drawTriangle(input, size, Vec3::Zero());
   const Vec3 q = drawPoint(input, corners, size);
-  const Vec3 &a = corners[0], &b = corners[1],
-             &c = corners[2];  // Clang 14 cannot take parts of a binding into a lambda
+  // No binding: Clang 14 cannot take its parts into a lambda.
+  const Vec3 &a = corners[0], &b = corners[1], &c = corners[2];
   const mesh::OnTriangle got =
       asTheServo([&] { return mesh::onTriangle(a.cast<float>(), b.cast<float>(), c.cast<float>(), q); });
   const Real3 ra = real(a), rb = real(b), rc = real(c), rq = real(q);
