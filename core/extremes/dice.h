@@ -9,7 +9,8 @@
 namespace underact::extremes {
 
 /// Draws what hurts: scales of all sizes, directions on and beside the axes, places beside what is degenerate. The same
-/// numbers on every machine: no library's own logarithm has a part in them.
+/// numbers on every machine and by every compiler: no library's own logarithm has a part in them, and no two of them are
+/// drawn for the arguments of one call, whose order is the compiler's own.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -21,7 +22,8 @@ class Dice {
 
   /// 2^low to 2^high, all powers of two equally likely.
   double power(int low, int high) {
-    return std::ldexp(1.0 + share(), low + static_cast<int>(below(static_cast<std::size_t>(high - low))));
+    const int exponent = low + static_cast<int>(below(static_cast<std::size_t>(high - low)));
+    return std::ldexp(1.0 + share(), exponent);
   }
   /// 1e-12 to 1e12.
   double scale() { return power(-40, 40); }
@@ -29,6 +31,9 @@ class Dice {
   double ratio() { return one(3) ? power(-20, 20) : between(0.2, 2.0); }
   /// 2^-k, k up to 60, either sign; seldom 0.
   double closeness() { return one(8) ? 0.0 : sign() * power(-60, 0); }
+
+  /// Three of ratio().
+  Vec3 ratios() { return {ratio(), ratio(), ratio()}; }  // in braces they are drawn in their order
 
   Vec3 inBox(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
   /// Unit to a few ulp: along an axis, a little off one, in a plane of two, or anywhere.

@@ -17,7 +17,7 @@ Outcome judgeClamp(Input& input) {
     const double size = dice.one(2) ? dice.scale() : dice.power(-1060, 1022);
     return Vec3(dice.one(3)
                     ? Vec3(size * dice.direction())
-                    : Vec3(size * dice.between(-1, 1), dice.scale() * dice.between(-1, 1), size * dice.closeness()));
+                    : Vec3{size * dice.between(-1, 1), dice.scale() * dice.between(-1, 1), size * dice.closeness()});
   });
   const double max_N = input.number("max_force_N", [&](Dice& dice) {
     if (dice.one(2)) return std::clamp(dice.between(0.5, 2.0) * largestOf(f_T_W), 1e-12, 1e300);  // the edge itself
@@ -105,7 +105,10 @@ Outcome judgeAny(Input& input) {
     worst = std::max(worst, is_finite ? ulpsOf(beyond > 0 ? beyond : Real(0), limits.max_force_N) : kInfinity);
     return f_T_W;
   };
-  for (int i = 0; i < 12; ++i) tick(drawAsked(true), dice.one(4) ? drawOdd(dice) : dice.power(-17, 0), state);
+  for (int i = 0; i < 12; ++i) {
+    const double dt_s = dice.one(4) ? drawOdd(dice) : dice.power(-17, 0);
+    tick(drawAsked(true), dt_s, state);
+  }
   safety::GateState fresh;
   fresh.heat = state.heat;
   for (int i = 0; i < 4; ++i) {

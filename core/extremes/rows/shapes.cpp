@@ -134,7 +134,7 @@ Outcome judgeBox(Input& input) {
   const double size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
   const Vec3 size_of_m = input.vector("sizes_m", [&](Dice& dice) {
     if (dice.one(3)) return Vec3(Vec3::Constant(size_m));  // many ties
-    return Vec3(size_m * Vec3(dice.ratio(), dice.ratio(), dice.ratio()));
+    return Vec3(size_m * dice.ratios());
   });
   const Vec3 p_WC = drawCentre(input, size_m);
   const Mat3 R_WB = input.matrix("R_WB", [](Dice& dice) { return dice.one(3) ? Mat3(Mat3::Identity()) : dice.turn(); });

@@ -126,7 +126,7 @@ Outcome judgeEllipticCylinder(Input& input) {
 
 Outcome judgeParallelepiped(Input& input) {
   const Drawn drawn = drawScaled(input);
-  const Vec3 sizes = input.vector("sizes", [](Dice& dice) { return Vec3(dice.ratio(), dice.ratio(), dice.ratio()); });
+  const Vec3 sizes = input.vector("sizes", [](Dice& dice) { return dice.ratios(); });
   const Mat3 R_WB = input.matrix("R_WB", [](Dice& dice) { return dice.one(3) ? Mat3(Mat3::Identity()) : dice.turn(); });
   const shape::Box box = shape::makeBox(drawn.p_WC, drawn.size_m * sizes, R_WB, {}).value();
   const shape::Parallelepiped solid = shape::scaled(box, drawn.scale);
