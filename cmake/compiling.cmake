@@ -19,11 +19,13 @@ option(CMAKE_UNITY_BUILD "Compile the files of a folder together" ON)
 set(UNDERACT_COMMON_HEADERS
     <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <mutex> <optional> <ostream>
     <span> <string> <string_view> <thread> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <boost/lockfree/spsc_queue.hpp>)
-set(UNDERACT_WINDOW_HEADERS
+set(UNDERACT_WIDGET_HEADERS
     ${UNDERACT_COMMON_HEADERS}
     <QAction> <QApplication> <QBoxLayout> <QCheckBox> <QComboBox> <QDialog> <QDir> <QEvent> <QFileDialog> <QFileInfo> <QFormLayout>
     <QGridLayout> <QHeaderView> <QJsonObject> <QLabel> <QLineEdit> <QList> <QMainWindow> <QMenu> <QMessageBox> <QPainter>
-    <QProgressBar> <QPushButton> <QScrollArea> <QSettings> <QSignalBlocker> <QSlider> <QString> <QTableWidget> <QTimer> <QToolButton>
+    <QProgressBar> <QPushButton> <QScrollArea> <QSettings> <QSignalBlocker> <QSlider> <QString> <QTableWidget> <QTimer> <QToolButton>)
+set(UNDERACT_WINDOW_HEADERS
+    ${UNDERACT_WIDGET_HEADERS}
     <vtkActor.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
     <core/scene/description.h> <core/scene/edit.h> <core/servo/host.h> <core/servo/snapshot.h>)  # ours that nearly all of it includes
 

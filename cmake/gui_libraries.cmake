@@ -2,4 +2,3 @@
 # only what draws is asked for, and app/gui/view brings its pictures into a Qt 6 widget.
 find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets DBus Test)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore RenderingCore RenderingOpenGL2)
-set(UNDERACT_GUI_LIBRARIES Qt6::Widgets Qt6::OpenGLWidgets Qt6::DBus ${VTK_LIBRARIES})

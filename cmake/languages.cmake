@@ -13,5 +13,5 @@ foreach(text IN LISTS texts)
   list(APPEND languages ${language})
 endforeach()
 # Later formats keep when each file was made, and no two builds would give the same bytes.
-qt_add_resources(underact_gui languages PREFIX /languages BASE ${PROJECT_BINARY_DIR}/languages FILES ${languages}
+qt_add_resources(underact_gui_model languages PREFIX /languages BASE ${PROJECT_BINARY_DIR}/languages FILES ${languages}
                  OPTIONS --format-version 1)

@@ -1,10 +1,11 @@
-# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
-#               [PRECOMPILES header ...] [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
-# Makes one static target, underact_<last part of FOLDER>, of the sources of FOLDER and the folders below it; WITHOUT: those of
-# them that are rooms of their own. PRECOMPILES: headers that it reads once, in place of those of core/base. A LINKS
-# that is no target yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp
-# is left out of the room and becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other
-# programs that it starts; OPENS: targets that make files which it opens. Whoever builds it has them, too.
+# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...] [PRECOMPILES header ... | LIKE room]
+#               [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
+# Makes one static target of the sources of FOLDER and the folders below it; WITHOUT: those of them that are rooms of their own (all:
+# every one). A room is called as its folder is, without core/, device/ or app/: gui/kit, whose target is underact_gui_kit. PRECOMPILES: headers
+# that it reads once; else it has those of the room LIKE which it is compiled, of base where none is named. A LINKS that is no target
+# yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp is left out of the room and
+# becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other programs that it starts; OPENS:
+# targets that make files which it opens. Whoever builds it has them, too.
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not, and, in precompiled
@@ -28,38 +29,64 @@ endif()
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/underact/version.h @ONLY)
 
+# The target of a room, or of a folder that is one.
+function(underact_target_of room into)
+  string(REGEX REPLACE "^(core|device|app)/" "" name ${room})
+  string(REPLACE "/" "_" name ${name})
+  set(${into} underact_${name} PARENT_SCOPE)
+endfunction()
+
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT;LIKE" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
-  get_filename_component(name ${folder} NAME)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h
-                                              ${PROJECT_SOURCE_DIR}/${folder}/*.qrc)
+  underact_target_of(${folder} target)
+  set(recurse _RECURSE)
+  if(room_WITHOUT STREQUAL "all")
+    set(recurse)
+  endif()
+  file(GLOB${recurse} sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
   foreach(other IN LISTS room_WITHOUT)
     list(FILTER sources EXCLUDE REGEX "/${folder}/${other}/")
   endforeach()
-  add_library(underact_${name} STATIC ${sources})
-  set_target_properties(underact_${name} PROPERTIES LINKER_LANGUAGE CXX)
-  if(room_PRECOMPILES)
-    underact_compile(underact_${name} HEADERS ${room_PRECOMPILES})
-  else()
-    underact_compile(underact_${name} LIKE underact_base)
+  if(NOT room_LIKE)
+    set(room_LIKE base)
   endif()
-  target_compile_options(underact_${name} PRIVATE ${UNDERACT_WARNINGS})
-  target_link_libraries(underact_${name} PUBLIC underact_flags ${room_SHOWS} PRIVATE ${room_USES})
+  underact_target_of(${room_LIKE} like)
+  set(public PUBLIC)
+  if(NOT sources)
+    add_library(${target} INTERFACE)
+    set(public INTERFACE)
+  else()
+    add_library(${target} STATIC ${sources})
+    set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
+    if(folder MATCHES "^app/gui/")
+      set_target_properties(${target} PROPERTIES AUTOMOC ON)
+    endif()
+    if(room_PRECOMPILES)
+      underact_compile(${target} HEADERS ${room_PRECOMPILES})
+      set(like ${target})
+    else()
+      underact_compile(${target} LIKE ${like})
+    endif()
+    target_compile_options(${target} PRIVATE ${UNDERACT_WARNINGS})
+    target_link_libraries(${target} PRIVATE ${room_USES})
+  endif()
+  target_link_libraries(${target} ${public} underact_flags ${room_SHOWS})
   foreach(link IN LISTS room_LINKS)
-    if(NOT TARGET underact_${link})
+    underact_target_of(${link} below)
+    if(NOT TARGET ${below})
       message(FATAL_ERROR "${folder} links ${link}, which stands below it or nowhere: links point upwards.")
     endif()
-    target_link_libraries(underact_${name} PUBLIC underact_${link})
+    target_link_libraries(${target} ${public} ${below})
   endforeach()
   if(room_PROGRAM)
     add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
     target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
-    target_link_libraries(${room_PROGRAM} PRIVATE underact_${name})
-    underact_compile(${room_PROGRAM} LIKE underact_${name})
+    target_link_libraries(${room_PROGRAM} PRIVATE ${target})
+    underact_compile(${room_PROGRAM} LIKE ${like})
     if(room_STARTS OR room_OPENS)
       add_dependencies(${room_PROGRAM} ${room_STARTS} ${room_OPENS})
     endif()
@@ -70,4 +97,30 @@ function(underact_room folder)
       install(TARGETS ${room_PROGRAM} RUNTIME DESTINATION ${room_IN} COMPONENT ${room_COMPONENT})
     endif()
   endif()
+endfunction()
+
+# underact_feature(FOLDER [LINKS room ...]): a room of the window that does one thing, and has a feature.cpp that gives its row,
+# NAMEFeature(). Without its line, or its folder, the window does without it.
+set(UNDERACT_FEATURES)
+function(underact_feature folder)
+  cmake_parse_arguments(PARSE_ARGV 1 feature "" "" "LINKS")
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${folder}/feature.cpp)
+    message(FATAL_ERROR "${folder} has no feature.cpp.")
+  endif()
+  underact_room(${folder} LINKS gui/feature ${feature_LINKS} LIKE gui/view)
+  string(REGEX REPLACE "^app/" "" room ${folder})
+  set(UNDERACT_FEATURES ${UNDERACT_FEATURES} ${room} PARENT_SCOPE)
+endfunction()
+
+# underact_features(OUT): writes the table of them, in their order; OUT: the source that has it.
+function(underact_features out)
+  set(UNDERACT_FEATURE_DECLARATIONS)
+  set(UNDERACT_FEATURE_ROWS)
+  foreach(room IN LISTS UNDERACT_FEATURES)
+    get_filename_component(name ${room} NAME)
+    string(APPEND UNDERACT_FEATURE_DECLARATIONS "FeatureRow ${name}Feature();\n")
+    string(APPEND UNDERACT_FEATURE_ROWS "          ${name}Feature(),\n")
+  endforeach()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/features.cpp.in ${PROJECT_BINARY_DIR}/generated/underact/features.cpp @ONLY)
+  set(${out} ${PROJECT_BINARY_DIR}/generated/underact/features.cpp PARENT_SCOPE)
 endfunction()

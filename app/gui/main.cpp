@@ -7,20 +7,18 @@
 #include <ctime>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/application.h"
-#include "app/gui/curve/curve_files.h"
-#include "app/gui/document.h"
-#include "app/gui/focus_style.h"
-#include "app/gui/language.h"
-#include "app/gui/main_window.h"
-#include "app/gui/mesh/mesh_files.h"
-#include "app/gui/picture.h"
-#include "app/gui/replay/replay_actions.h"
-#include "app/gui/scene_library.h"
-#include "app/gui/simulated_host.h"
-#include "app/gui/spoken.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/application.h"
+#include "app/gui/kit/focus_style.h"
+#include "app/gui/kit/spoken.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/language.h"
+#include "app/gui/model/scene_library.h"
+#include "app/gui/model/simulated_host.h"
 #include "app/gui/view/gl_surface.h"
+#include "app/gui/view/picture.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/window/main_window.h"
 #include "app/options/window_options.h"
 #include "core/base/current_folder.h"
 #include "device/hands/controllers.h"
@@ -47,9 +45,9 @@ bool hasScreen() {
 }
 
 // The scene asked for, else the last one, else the sphere.
-QString sceneToOpen(const options::WindowOptions& options) {
+QString sceneToOpen(const options::WindowOptions& options, const std::vector<FeatureRow>& rows) {
   const QString asked = QString::fromStdString(options.scene);
-  if (!asked.isEmpty() && !isSession(asked) && !isMeshFile(asked) && !isCurveFile(asked)) return asked;
+  if (!asked.isEmpty() && openerOf(asked, rows).isEmpty()) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
@@ -89,7 +87,7 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
     });
   }
   window.show();
-  const QString scene = sceneToOpen(options);
+  const QString scene = sceneToOpen(options, window.rows());
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
   // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
@@ -102,9 +100,8 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   const QString device = options.device.empty() ? readSettings().device : QString::fromStdString(options.device);
   if (!device.isEmpty() && device != "simulated") window.actions().perform("devices.use", device);
   const QString asked = QString::fromStdString(options.scene);
-  if (isSession(asked)) window.openSession(asked);
-  if (isMeshFile(asked)) window.actions().perform("mesh.add", asked);
-  if (isCurveFile(asked)) window.actions().perform("curve.add", asked);
+  const QString opener = asked.isEmpty() ? QString() : openerOf(asked, window.rows());
+  if (!opener.isEmpty()) window.actions().perform(opener, asked);
   if (options.visitors) {
     QStringList scenes;
     for (const std::string& path : options.visitor_scenes) scenes << QString::fromStdString(path);

@@ -55,24 +55,104 @@
         <translation>im Ruhezustand</translation>
     </message>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
+        <source>type</source>
+        <translation>Art</translation>
     </message>
     <message>
-        <source>Nothing was measured.</source>
-        <translation>Es wurde nichts gemessen.</translation>
+        <source>Revolute: it turns about its axis. Prismatic: it slides along it.</source>
+        <translation>Drehgelenk: Es dreht sich um seine Achse. Schubgelenk: Es gleitet an ihr entlang.</translation>
     </message>
     <message>
-        <source>p99 is %1 times and p99.9 %2 times that of a loop that does nothing.</source>
-        <translation>p99 ist das %1-Fache und p99.9 das %2-Fache einer Schleife, die nichts tut.</translation>
+        <source>axis
+x</source>
+        <translation>Achse
+x</translation>
     </message>
     <message>
-        <source>The servo is as punctual as this machine allows: </source>
-        <translation>Der Servo ist so pünktlich, wie dieser Rechner es erlaubt: </translation>
+        <source>The axis' direction at home, of any length, in W: S = (axis, point x axis).</source>
+        <translation>Die Richtung der Achse in Grundstellung, beliebig lang, in W: S = (Achse, Punkt x Achse).</translation>
     </message>
     <message>
-        <source>The servo is later than this machine would allow: </source>
-        <translation>Der Servo ist unpünktlicher, als dieser Rechner es erlauben würde: </translation>
+        <source>
+y</source>
+        <translation>
+y</translation>
+    </message>
+    <message>
+        <source>The axis' direction at home.</source>
+        <translation>Die Richtung der Achse in Grundstellung.</translation>
+    </message>
+    <message>
+        <source>
+z</source>
+        <translation>
+z</translation>
+    </message>
+    <message>
+        <source>point
+x [mm]</source>
+        <translation>Punkt
+x [mm]</translation>
+    </message>
+    <message>
+        <source>A point on the axis at home, in W; a joint that slides needs none.</source>
+        <translation>Ein Punkt auf der Achse in Grundstellung, in W; ein Schubgelenk braucht keinen.</translation>
+    </message>
+    <message>
+        <source>
+y [mm]</source>
+        <translation>
+y [mm]</translation>
+    </message>
+    <message>
+        <source>A point on the axis at home.</source>
+        <translation>Ein Punkt auf der Achse in Grundstellung.</translation>
+    </message>
+    <message>
+        <source>
+z [mm]</source>
+        <translation>
+z [mm]</translation>
+    </message>
+    <message>
+        <source>min
+[° mm]</source>
+        <translation>min.
+[° mm]</translation>
+    </message>
+    <message>
+        <source>The least value, degrees or mm; empty: no limit.</source>
+        <translation>Der kleinste Wert, Grad oder mm; leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>max
+[° mm]</source>
+        <translation>max.
+[° mm]</translation>
+    </message>
+    <message>
+        <source>The largest value, degrees or mm; empty: no limit.</source>
+        <translation>Der größte Wert, Grad oder mm; leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>spring k
+[N mm/rad, N/mm]</source>
+        <translation>Feder k
+[N mm/rad, N/mm]</translation>
+    </message>
+    <message>
+        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.</source>
+        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Es bewegt sich frei.</translation>
+    </message>
+    <message>
+        <source>rest
+[° mm]</source>
+        <translation>Ruhe
+[° mm]</translation>
+    </message>
+    <message>
+        <source>Where the spring pulls nowhere, degrees or mm.</source>
+        <translation>Wo die Feder nirgendwohin zieht, Grad oder mm.</translation>
     </message>
     <message>
         <source>revolute</source>
@@ -81,6 +161,50 @@
     <message>
         <source>prismatic</source>
         <translation>Schubgelenk</translation>
+    </message>
+    <message>
+        <source>"%1" is no number. Type one such as −12.5.</source>
+        <translation>„%1“ ist keine Zahl. Geben Sie eine ein, etwa −12,5.</translation>
+    </message>
+    <message>
+        <source>A joint is revolute or prismatic.</source>
+        <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Hold the button</source>
+        <translation>Taste halten</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Stoppt</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>/recorded.underact.json</source>
+        <translation>/recorded.underact.json</translation>
+    </message>
+    <message>
+        <source>/new.underact.json</source>
+        <translation>/new.underact.json</translation>
     </message>
     <message>
         <source>not made</source>
@@ -291,6 +415,14 @@
         <translation> und </translation>
     </message>
     <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation>%1, %2, %3 mm</translation>
+    </message>
+    <message>
         <source>%1
 Timed: %2. Error: %3; root of the mean square.
 Allowed: %4, since that is %5.</source>
@@ -359,116 +491,68 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>STL (Text)</translation>
     </message>
     <message>
-        <source>Line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
+        <source>This file cannot be read. Open it to see why.</source>
+        <translation>Diese Datei lässt sich nicht lesen. Öffnen Sie sie, um den Grund zu sehen.</translation>
     </message>
     <message>
-        <source>type</source>
-        <translation>Art</translation>
+        <source>real time: not granted</source>
+        <translation>Echtzeit: nicht gewährt</translation>
     </message>
     <message>
-        <source>Revolute: it turns about its axis. Prismatic: it slides along it.</source>
-        <translation>Drehgelenk: Es dreht sich um seine Achse. Schubgelenk: Es gleitet an ihr entlang.</translation>
+        <source>real time: %1</source>
+        <translation>Echtzeit: %1</translation>
     </message>
     <message>
-        <source>axis
-x</source>
-        <translation>Achse
-x</translation>
+        <source>%1 is a file, not a folder. Choose another folder for the recordings.</source>
+        <translation>%1 ist eine Datei, kein Ordner. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>The axis' direction at home, of any length, in W: S = (axis, point x axis).</source>
-        <translation>Die Richtung der Achse in Grundstellung, beliebig lang, in W: S = (Achse, Punkt x Achse).</translation>
+        <source>The folder %1 cannot be made. Choose another folder for the recordings.</source>
+        <translation>Der Ordner %1 lässt sich nicht anlegen. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>
-y</source>
-        <translation>
-y</translation>
+        <source>Nothing can be written into the folder %1. Choose another folder for the recordings.</source>
+        <translation>In den Ordner %1 lässt sich nichts schreiben. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>The axis' direction at home.</source>
-        <translation>Die Richtung der Achse in Grundstellung.</translation>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
     </message>
     <message>
-        <source>
-z</source>
-        <translation>
-z</translation>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
     </message>
     <message>
-        <source>point
-x [mm]</source>
-        <translation>Punkt
-x [mm]</translation>
+        <source>1 day</source>
+        <translation>1 Tag</translation>
     </message>
     <message>
-        <source>A point on the axis at home, in W; a joint that slides needs none.</source>
-        <translation>Ein Punkt auf der Achse in Grundstellung, in W; ein Schubgelenk braucht keinen.</translation>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
     </message>
     <message>
-        <source>
-y [mm]</source>
-        <translation>
-y [mm]</translation>
+        <source>%1 kB</source>
+        <translation>%1 kB</translation>
     </message>
     <message>
-        <source>A point on the axis at home.</source>
-        <translation>Ein Punkt auf der Achse in Grundstellung.</translation>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
     </message>
     <message>
-        <source>
-z [mm]</source>
-        <translation>
-z [mm]</translation>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
     <message>
-        <source>min
-[° mm]</source>
-        <translation>min.
-[° mm]</translation>
+        <source>%1, enough for %2</source>
+        <translation>%1, reicht für %2</translation>
     </message>
     <message>
-        <source>The least value, degrees or mm; empty: no limit.</source>
-        <translation>Der kleinste Wert, Grad oder mm; leer: keine Grenze.</translation>
+        <source>q%1: above %2 N/mm at %3 Hz the stylus may buzz somewhere in the workspace.</source>
+        <translation>q%1: Über %2 N/mm kann der Stift bei %3 Hz irgendwo im Arbeitsraum brummen.</translation>
     </message>
     <message>
-        <source>max
-[° mm]</source>
-        <translation>max.
-[° mm]</translation>
-    </message>
-    <message>
-        <source>The largest value, degrees or mm; empty: no limit.</source>
-        <translation>Der größte Wert, Grad oder mm; leer: keine Grenze.</translation>
-    </message>
-    <message>
-        <source>spring k
-[N mm/rad, N/mm]</source>
-        <translation>Feder k
-[N mm/rad, N/mm]</translation>
-    </message>
-    <message>
-        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.</source>
-        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Es bewegt sich frei.</translation>
-    </message>
-    <message>
-        <source>rest
-[° mm]</source>
-        <translation>Ruhe
-[° mm]</translation>
-    </message>
-    <message>
-        <source>Where the spring pulls nowhere, degrees or mm.</source>
-        <translation>Wo die Feder nirgendwohin zieht, Grad oder mm.</translation>
-    </message>
-    <message>
-        <source>"%1" is no number. Type one such as −12.5.</source>
-        <translation>„%1“ ist keine Zahl. Geben Sie eine ein, etwa −12,5.</translation>
-    </message>
-    <message>
-        <source>A joint is revolute or prismatic.</source>
-        <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
+        <source>%1: above %2 N/mm at %3 Hz the stylus may buzz in a hand with %4 N s/m of damping.</source>
+        <translation>%1: Über %2 N/mm kann der Stift bei %3 Hz in einer Hand mit %4 N s/m Dämpfung brummen.</translation>
     </message>
     <message>
         <source>at its least, %1</source>
@@ -483,20 +567,20 @@ z [mm]</translation>
         <translation>Dieses Gelenk gibt es nicht.</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
+        <source>Nothing was measured.</source>
+        <translation>Es wurde nichts gemessen.</translation>
     </message>
     <message>
-        <source>/recorded.underact.json</source>
-        <translation>/recorded.underact.json</translation>
+        <source>p99 is %1 times and p99.9 %2 times that of a loop that does nothing.</source>
+        <translation>p99 ist das %1-Fache und p99.9 das %2-Fache einer Schleife, die nichts tut.</translation>
     </message>
     <message>
-        <source>/new.underact.json</source>
-        <translation>/new.underact.json</translation>
+        <source>The servo is as punctual as this machine allows: </source>
+        <translation>Der Servo ist so pünktlich, wie dieser Rechner es erlaubt: </translation>
     </message>
     <message>
-        <source>This file cannot be read. Open it to see why.</source>
-        <translation>Diese Datei lässt sich nicht lesen. Öffnen Sie sie, um den Grund zu sehen.</translation>
+        <source>The servo is later than this machine would allow: </source>
+        <translation>Der Servo ist unpünktlicher, als dieser Rechner es erlauben würde: </translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -613,50 +697,6 @@ z [mm]</translation>
     <message>
         <source>Markers %1</source>
         <translation>Marken %1</translation>
-    </message>
-    <message>
-        <source>%1 is a file, not a folder. Choose another folder for the recordings.</source>
-        <translation>%1 ist eine Datei, kein Ordner. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
-    </message>
-    <message>
-        <source>The folder %1 cannot be made. Choose another folder for the recordings.</source>
-        <translation>Der Ordner %1 lässt sich nicht anlegen. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
-    </message>
-    <message>
-        <source>Nothing can be written into the folder %1. Choose another folder for the recordings.</source>
-        <translation>In den Ordner %1 lässt sich nichts schreiben. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 min %2 s</translation>
-    </message>
-    <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
-    </message>
-    <message>
-        <source>1 day</source>
-        <translation>1 Tag</translation>
-    </message>
-    <message>
-        <source>%1 days</source>
-        <translation>%1 Tage</translation>
-    </message>
-    <message>
-        <source>%1 kB</source>
-        <translation>%1 kB</translation>
-    </message>
-    <message>
-        <source>%1 MB</source>
-        <translation>%1 MB</translation>
-    </message>
-    <message>
-        <source>%1 GB</source>
-        <translation>%1 GB</translation>
-    </message>
-    <message>
-        <source>%1, enough for %2</source>
-        <translation>%1, reicht für %2</translation>
     </message>
     <message>
         <source>%1 away</source>
@@ -839,44 +879,8 @@ z [mm]</translation>
         <translation>%1 statisch, %2 dynamisch</translation>
     </message>
     <message>
-        <source>q%1: above %2 N/mm at %3 Hz the stylus may buzz somewhere in the workspace.</source>
-        <translation>q%1: Über %2 N/mm kann der Stift bei %3 Hz irgendwo im Arbeitsraum brummen.</translation>
-    </message>
-    <message>
-        <source>%1: above %2 N/mm at %3 Hz the stylus may buzz in a hand with %4 N s/m of damping.</source>
-        <translation>%1: Über %2 N/mm kann der Stift bei %3 Hz in einer Hand mit %4 N s/m Dämpfung brummen.</translation>
-    </message>
-    <message>
-        <source>Hold the button</source>
-        <translation>Taste halten</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Gestoppt</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>Läuft</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>Stoppt</translation>
-    </message>
-    <message>
-        <source>Fault</source>
-        <translation>Störung</translation>
-    </message>
-    <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1, %2, %3 mm</translation>
-    </message>
-    <message>
-        <source>real time: not granted</source>
-        <translation>Echtzeit: nicht gewährt</translation>
-    </message>
-    <message>
-        <source>real time: %1</source>
-        <translation>Echtzeit: %1</translation>
+        <source>Status</source>
+        <translation>Status</translation>
     </message>
 </context>
 <context>
@@ -2807,76 +2811,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>panel</name>
     <message>
-        <source>Scenes</source>
-        <translation>Szenen</translation>
-    </message>
-    <message>
-        <source>The scenes that come with the program, and your own.</source>
-        <translation>Die Szenen, die mit dem Programm kommen, und Ihre eigenen.</translation>
-    </message>
-    <message>
-        <source>Feel</source>
-        <translation>Fühlen</translation>
-    </message>
-    <message>
-        <source>How hard the constraint pulls, axis by axis.</source>
-        <translation>Wie stark die Bindung zieht, Achse für Achse.</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>What the stylus is held to, in numbers.</source>
-        <translation>Woran der Stift gehalten wird, in Zahlen.</translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation>Arm</translation>
     </message>
     <message>
         <source>Where the joints and the tip of the arm are.</source>
         <translation>Wo die Gelenke und die Spitze des Arms sind.</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Error and force over the last 10 s, and one axis' displacement against its force.</source>
-        <translation>Fehler und Kraft der letzten 10 s, und die Auslenkung einer Achse gegen ihre Kraft.</translation>
-    </message>
-    <message>
-        <source>Kinematics</source>
-        <translation>Kinematik</translation>
-    </message>
-    <message>
-        <source>Joints, DH table, inverse solutions, Jacobian and singularities.</source>
-        <translation>Gelenke, DH-Tabelle, inverse Lösungen, Jacobi-Matrix und Singularitäten.</translation>
-    </message>
-    <message>
-        <source>DH table</source>
-        <translation>DH-Tabelle</translation>
-    </message>
-    <message>
-        <source>A DH table to be changed, drawn with the arm's joints beside the arm.</source>
-        <translation>Eine DH-Tabelle zum Ändern, mit den Gelenken des Arms neben dem Arm gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Transforms</source>
-        <translation>Transformationen</translation>
-    </message>
-    <message>
-        <source>Turns and shifts put together, in both orders side by side.</source>
-        <translation>Drehungen und Verschiebungen zusammengesetzt, in beiden Reihenfolgen nebeneinander.</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>The robot that exists only in software: joints, springs, turning stiffness, solver.</source>
-        <translation>Der virtuelle Roboter: Gelenke, Federn, Drehsteifigkeit, Löser.</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -2895,12 +2835,28 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Welche Arme angeschlossen sind, was für ihre Nutzung fehlt und welcher in Gebrauch ist.</translation>
     </message>
     <message>
-        <source>Second arm</source>
-        <translation>Zweiter Arm</translation>
+        <source>DH table</source>
+        <translation>DH-Tabelle</translation>
     </message>
     <message>
-        <source>Another arm beside the first, with a scene of its own.</source>
-        <translation>Ein weiterer Arm neben dem ersten, mit einer eigenen Szene.</translation>
+        <source>A DH table to be changed, drawn with the arm's joints beside the arm.</source>
+        <translation>Eine DH-Tabelle zum Ändern, mit den Gelenken des Arms neben dem Arm gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Transforms</source>
+        <translation>Transformationen</translation>
+    </message>
+    <message>
+        <source>Turns and shifts put together, in both orders side by side.</source>
+        <translation>Drehungen und Verschiebungen zusammengesetzt, in beiden Reihenfolgen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>How hard the constraint pulls, axis by axis.</source>
+        <translation>Wie stark die Bindung zieht, Achse für Achse.</translation>
     </message>
     <message>
         <source>Hands</source>
@@ -2911,28 +2867,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Maus, Gamepads und 3D-Mäuse: welche da sind und was sie bewegen.</translation>
     </message>
     <message>
-        <source>Lessons</source>
-        <translation>Lektionen</translation>
+        <source>Kinematics</source>
+        <translation>Kinematik</translation>
     </message>
     <message>
-        <source>Exercises in robot kinematics and forces, checked by what the hand does.</source>
-        <translation>Übungen zu Roboterkinematik und Kräften, geprüft an dem, was die Hand tut.</translation>
-    </message>
-    <message>
-        <source>Servo</source>
-        <translation>Servo</translation>
-    </message>
-    <message>
-        <source>How evenly the servo ticks, which limits cut the force, how it is scheduled.</source>
-        <translation>Wie gleichmäßig der Servo taktet, welche Grenzen die Kraft kürzen, wie seine Zeitplanung ist.</translation>
-    </message>
-    <message>
-        <source>Step response</source>
-        <translation>Sprungantwort</translation>
-    </message>
-    <message>
-        <source>How the tip follows a target that jumps: rise, settling, overshoot, poles, and the arm measured beside the model.</source>
-        <translation>Wie die Spitze einem springenden Ziel folgt: Anstieg, Einschwingen, Überschwingen, Pole und der gemessene Arm neben dem Modell.</translation>
+        <source>Joints, DH table, inverse solutions, Jacobian and singularities.</source>
+        <translation>Gelenke, DH-Tabelle, inverse Lösungen, Jacobi-Matrix und Singularitäten.</translation>
     </message>
     <message>
         <source>Lab</source>
@@ -2943,12 +2883,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Was jede Wahl zwischen Tempo und Genauigkeit kostet, und ein Schieberegler entlang der besten.</translation>
     </message>
     <message>
-        <source>Sessions</source>
-        <translation>Sitzungen</translation>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Record, mark, and find what was recorded.</source>
-        <translation>Aufzeichnen, Marken setzen und Aufgezeichnetes finden.</translation>
+        <source>Exercises in robot kinematics and forces, checked by what the hand does.</source>
+        <translation>Übungen zu Roboterkinematik und Kräften, geprüft an dem, was die Hand tut.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Error and force over the last 10 s, and one axis' displacement against its force.</source>
+        <translation>Fehler und Kraft der letzten 10 s, und die Auslenkung einer Achse gegen ihre Kraft.</translation>
     </message>
     <message>
         <source>Session plots</source>
@@ -2958,28 +2906,72 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <source>The whole session that is replayed, in plots: force, angles, energy, spectrum.</source>
         <translation>Die ganze wiedergegebene Sitzung in Diagrammen: Kraft, Winkel, Energie, Spektrum.</translation>
     </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>The robot that exists only in software: joints, springs, turning stiffness, solver.</source>
+        <translation>Der virtuelle Roboter: Gelenke, Federn, Drehsteifigkeit, Löser.</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>The scenes that come with the program, and your own.</source>
+        <translation>Die Szenen, die mit dem Programm kommen, und Ihre eigenen.</translation>
+    </message>
+    <message>
+        <source>Second arm</source>
+        <translation>Zweiter Arm</translation>
+    </message>
+    <message>
+        <source>Another arm beside the first, with a scene of its own.</source>
+        <translation>Ein weiterer Arm neben dem ersten, mit einer eigenen Szene.</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>How evenly the servo ticks, which limits cut the force, how it is scheduled.</source>
+        <translation>Wie gleichmäßig der Servo taktet, welche Grenzen die Kraft kürzen, wie seine Zeitplanung ist.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Record, mark, and find what was recorded.</source>
+        <translation>Aufzeichnen, Marken setzen und Aufgezeichnetes finden.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>What the stylus is held to, in numbers.</source>
+        <translation>Woran der Stift gehalten wird, in Zahlen.</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>How the tip follows a target that jumps: rise, settling, overshoot, poles, and the arm measured beside the model.</source>
+        <translation>Wie die Spitze einem springenden Ziel folgt: Anstieg, Einschwingen, Überschwingen, Pole und der gemessene Arm neben dem Modell.</translation>
+    </message>
 </context>
 <context>
     <name>problem</name>
     <message>
+        <source>That is the first arm. Choose another one here, or there.</source>
+        <translation>Das ist der erste Arm. Wählen Sie hier oder dort einen anderen.</translation>
+    </message>
+    <message>
         <source>Another measurement is at work. End it first.</source>
         <translation>Eine andere Messung läuft. Beenden Sie diese zuerst.</translation>
-    </message>
-    <message>
-        <source>This window was opened with one arm alone.</source>
-        <translation>Dieses Fenster wurde mit nur einem Arm geöffnet.</translation>
-    </message>
-    <message>
-        <source>A session is being recorded, and it is of one arm. Stop the recording, then choose.</source>
-        <translation>Eine Sitzung wird aufgezeichnet, und sie gehört zu einem Arm. Stoppen Sie die Aufzeichnung und wählen Sie dann.</translation>
-    </message>
-    <message>
-        <source>A recording is replayed. Close it, then choose.</source>
-        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und wählen Sie dann.</translation>
-    </message>
-    <message>
-        <source>A measurement is at work on this arm. End it, then choose.</source>
-        <translation>Auf diesem Arm läuft eine Messung. Beenden Sie sie und wählen Sie dann.</translation>
     </message>
     <message>
         <source>There is no such row.</source>
@@ -3014,6 +3006,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>„Nur mit Taste“ ist an, und die Hand muss loslassen können. Schalten Sie es zuerst aus.</translation>
     </message>
     <message>
+        <source>This window was opened with one arm alone.</source>
+        <translation>Dieses Fenster wurde mit nur einem Arm geöffnet.</translation>
+    </message>
+    <message>
+        <source>A session is being recorded, and it is of one arm. Stop the recording, then choose.</source>
+        <translation>Eine Sitzung wird aufgezeichnet, und sie gehört zu einem Arm. Stoppen Sie die Aufzeichnung und wählen Sie dann.</translation>
+    </message>
+    <message>
+        <source>A recording is replayed. Close it, then choose.</source>
+        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und wählen Sie dann.</translation>
+    </message>
+    <message>
+        <source>A measurement is at work on this arm. End it, then choose.</source>
+        <translation>Auf diesem Arm läuft eine Messung. Beenden Sie sie und wählen Sie dann.</translation>
+    </message>
+    <message>
+        <source>What was typed while it recorded is not in the file. Edit the session's words below.</source>
+        <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
+    </message>
+    <message>
         <source>Nothing was touched.</source>
         <translation>Es wurde nichts berührt.</translation>
     </message>
@@ -3030,20 +3042,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Blatt kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>That is the first arm. Choose another one here, or there.</source>
-        <translation>Das ist der erste Arm. Wählen Sie hier oder dort einen anderen.</translation>
-    </message>
-    <message>
         <source>The file cannot be made there. Choose another folder.</source>
         <translation>Die Datei kann dort nicht angelegt werden. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>The file that stands there cannot be replaced. Choose another name.</source>
         <translation>Die Datei, die dort steht, kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>What was typed while it recorded is not in the file. Edit the session's words below.</source>
-        <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
     </message>
     <message>
         <source>The file is damaged: reading broke off after %1 corners and %2 faces.</source>
@@ -6689,12 +6693,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>step of work</name>
     <message>
-        <source>Joining the points</source>
-        <translation>verbindet die Punkte</translation>
-    </message>
-    <message>
         <source>Preparing the picture</source>
         <translation>bereitet das Bild vor</translation>
+    </message>
+    <message>
+        <source>Joining the points</source>
+        <translation>verbindet die Punkte</translation>
     </message>
     <message>
         <source>reading points</source>
@@ -6847,6 +6851,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Nimmt die Geisterhand weg.</translation>
     </message>
     <message>
+        <source>Recorded session</source>
+        <translation>Aufgezeichnete Sitzung</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What could be read is followed.</source>
+        <translation>„%1“ ist beschädigt. Was lesbar war, lässt sich verfolgen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be followed. Everything stays as it is.</source>
+        <translation>„%1“ kann man nicht folgen. Alles bleibt, wie es ist.</translation>
+    </message>
+    <message>
         <source>Followed for %1 s: %2 mm away on average, %3 mm at most, %4 % of the time within %5 mm.</source>
         <translation>%1 s lang gefolgt: im Mittel %2 mm entfernt, höchstens %3 mm, %4 % der Zeit innerhalb von %5 mm.</translation>
     </message>
@@ -6975,6 +6991,22 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Taste %1</translation>
     </message>
     <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>What the mouse and the keys do.</source>
+        <translation>Was Maus und Tasten tun.</translation>
+    </message>
+    <message>
+        <source>&amp;About Underact</source>
+        <translation>Ü&amp;ber Underact</translation>
+    </message>
+    <message>
+        <source>Version, licence, and what was never tried.</source>
+        <translation>Version, Lizenz und was nie erprobt wurde.</translation>
+    </message>
+    <message>
         <source>As the &amp;system</source>
         <translation>Wie das &amp;System</translation>
     </message>
@@ -6997,14 +7029,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The window speaks it from the next start on.</source>
         <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
-    </message>
-    <message>
-        <source>&amp;Left-handed</source>
-        <translation>&amp;Linkshändig</translation>
-    </message>
-    <message>
-        <source>Mirrors every scene, for the stylus in the left hand; lessons and recordings stay as they are.</source>
-        <translation>Spiegelt jede Szene, für den Stift in der linken Hand; Lektionen und Aufzeichnungen bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>✓ Solved</source>
@@ -7047,74 +7071,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Menu</source>
-        <translation>Menü</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>Open rece&amp;nt</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Servo</source>
-        <translation>&amp;Servo</translation>
-    </message>
-    <message>
-        <source>Sessio&amp;ns</source>
-        <translation>Sitzu&amp;ngen</translation>
-    </message>
-    <message>
-        <source>&amp;Replay</source>
-        <translation>&amp;Wiedergabe</translation>
-    </message>
-    <message>
-        <source>&amp;Ghost hand</source>
-        <translation>&amp;Geisterhand</translation>
-    </message>
-    <message>
-        <source>Less&amp;ons</source>
-        <translation>&amp;Lektionen</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>L&amp;ayers</source>
-        <translation>Ebe&amp;nen</translation>
-    </message>
-    <message>
-        <source>T&amp;heme</source>
-        <translation>&amp;Farbschema</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>Sp&amp;rache</translation>
-    </message>
-    <message>
-        <source>&amp;Layout</source>
-        <translation>La&amp;yout</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>Tool bar</source>
-        <translation>Symbolleiste</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
         <source>Add &amp;mesh…</source>
         <translation>Dreiecks&amp;netz hinzufügen …</translation>
     </message>
@@ -7129,6 +7085,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>What was found in the file of the scene's mesh, what was repaired, and how it can be felt.</source>
         <translation>Was in der Datei des Dreiecksnetzes der Szene gefunden wurde, was repariert wurde und wie es sich fühlen lässt.</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed</source>
+        <translation>&amp;Linkshändig</translation>
+    </message>
+    <message>
+        <source>Mirrors every scene, for the stylus in the left hand; lessons and recordings stay as they are.</source>
+        <translation>Spiegelt jede Szene, für den Stift in der linken Hand; Lektionen und Aufzeichnungen bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>Underact: marks for registering an arm. Print at 100 %, tape it to the desk, the arm behind or beside it. This edge is away from you.</source>
@@ -7225,6 +7189,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Ends the replay: the arm and the scene from before are there again.</source>
         <translation>Beendet die Wiedergabe: Der Arm und die Szene von vorher sind wieder da.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What could be read is replayed.</source>
+        <translation>„%1“ ist beschädigt. Was lesbar war, wird wiedergegeben.</translation>
+    </message>
+    <message>
+        <source>A scene of “%1” cannot be run. The one before it stays.</source>
+        <translation>Eine Szene von „%1“ kann nicht ausgeführt werden. Die vorige bleibt.</translation>
+    </message>
+    <message>
+        <source>“%1” was not opened. Scene and arm stay as they are.</source>
+        <translation>„%1“ wurde nicht geöffnet. Szene und Arm bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -7501,6 +7477,170 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Always dark.</source>
         <translation>Immer dunkel.</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open rece&amp;nt</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Servo</source>
+        <translation>&amp;Servo</translation>
+    </message>
+    <message>
+        <source>Sessio&amp;ns</source>
+        <translation>Sitzu&amp;ngen</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost hand</source>
+        <translation>&amp;Geisterhand</translation>
+    </message>
+    <message>
+        <source>Less&amp;ons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>L&amp;ayers</source>
+        <translation>Ebe&amp;nen</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sp&amp;rache</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>La&amp;yout</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Symbolleiste</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>Lets the servo push; also after a fault.</source>
+        <translation>Lässt den Servo drücken; auch nach einer Störung.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Lets go: the force goes to zero. Esc does it from anywhere.</source>
+        <translation>Lässt los: Die Kraft geht auf null. Esc tut es von überall.</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>&amp;Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a scene file.</source>
+        <translation>Öffnet eine Szenendatei.</translation>
+    </message>
+    <message>
+        <source>&amp;Save tuned scene as…</source>
+        <translation>Abgestimmte Szene &amp;speichern unter …</translation>
+    </message>
+    <message>
+        <source>Saves the scene with its gains as they are now.</source>
+        <translation>Speichert die Szene mit ihren jetzigen Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Stops the servo and closes the window.</source>
+        <translation>Stoppt den Servo und schließt das Fenster.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Takes the last change of a gain back.</source>
+        <translation>Nimmt die letzte Änderung einer Verstärkung zurück.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Makes the change again.</source>
+        <translation>Führt die Änderung noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>What the view shows.</source>
+        <translation>Was die Ansicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Puts every panel back to where it was at first.</source>
+        <translation>Setzt jeden Bereich dorthin zurück, wo er anfangs war.</translation>
     </message>
 </context>
 <context>
@@ -11137,30 +11277,6 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MainWindow</name>
     <message>
-        <source>A scene of “%1” cannot be run. The one before it stays.</source>
-        <translation>Eine Szene von „%1“ kann nicht ausgeführt werden. Die vorige bleibt.</translation>
-    </message>
-    <message>
-        <source>“%1” was not opened. Scene and arm stay as they are.</source>
-        <translation>„%1“ wurde nicht geöffnet. Szene und Arm bleiben, wie sie sind.</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged. What could be read is followed.</source>
-        <translation>„%1“ ist beschädigt. Was lesbar war, lässt sich verfolgen.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be followed. Everything stays as it is.</source>
-        <translation>„%1“ kann man nicht folgen. Alles bleibt, wie es ist.</translation>
-    </message>
-    <message>
-        <source>Recorded session</source>
-        <translation>Aufgezeichnete Sitzung</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged. What could be read is replayed.</source>
-        <translation>„%1“ ist beschädigt. Was lesbar war, wird wiedergegeben.</translation>
-    </message>
-    <message>
         <source>%1 (mirrored)[*] – Underact</source>
         <translation>%1 (gespiegelt)[*] – Underact</translation>
     </message>
@@ -11175,122 +11291,6 @@ und %2 weitere</translation>
     <message>
         <source>Panels in this place</source>
         <translation>Bereiche an dieser Stelle</translation>
-    </message>
-    <message>
-        <source>&amp;Start</source>
-        <translation>&amp;Start</translation>
-    </message>
-    <message>
-        <source>Lets the servo push; also after a fault.</source>
-        <translation>Lässt den Servo drücken; auch nach einer Störung.</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>S&amp;topp</translation>
-    </message>
-    <message>
-        <source>Lets go: the force goes to zero. Esc does it from anywhere.</source>
-        <translation>Lässt los: Die Kraft geht auf null. Esc tut es von überall.</translation>
-    </message>
-    <message>
-        <source>&amp;Open file…</source>
-        <translation>&amp;Datei öffnen …</translation>
-    </message>
-    <message>
-        <source>Opens a scene file.</source>
-        <translation>Öffnet eine Szenendatei.</translation>
-    </message>
-    <message>
-        <source>&amp;Save tuned scene as…</source>
-        <translation>Abgestimmte Szene &amp;speichern unter …</translation>
-    </message>
-    <message>
-        <source>Saves the scene with its gains as they are now.</source>
-        <translation>Speichert die Szene mit ihren jetzigen Verstärkungen.</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter …</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Stops the servo and closes the window.</source>
-        <translation>Stoppt den Servo und schließt das Fenster.</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>Takes the last change of a gain back.</source>
-        <translation>Nimmt die letzte Änderung einer Verstärkung zurück.</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Makes the change again.</source>
-        <translation>Führt die Änderung noch einmal aus.</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>La&amp;yers</source>
-        <translation>&amp;Ebenen</translation>
-    </message>
-    <message>
-        <source>What the view shows.</source>
-        <translation>Was die Ansicht zeigt.</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>&amp;Reset</source>
-        <translation>&amp;Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Puts every panel back to where it was at first.</source>
-        <translation>Setzt jeden Bereich dorthin zurück, wo er anfangs war.</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>&amp;Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>What the mouse and the keys do.</source>
-        <translation>Was Maus und Tasten tun.</translation>
-    </message>
-    <message>
-        <source>&amp;About Underact</source>
-        <translation>Ü&amp;ber Underact</translation>
-    </message>
-    <message>
-        <source>Version, licence, and what was never tried.</source>
-        <translation>Version, Lizenz und was nie erprobt wurde.</translation>
-    </message>
-    <message>
-        <source>Status</source>
-        <translation>Status</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -11988,12 +11988,12 @@ und %2 weitere</translation>
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>&amp;Open another…</source>
-        <translation>&amp;Andere öffnen …</translation>
-    </message>
-    <message>
         <source>Copy the problems</source>
         <translation>Die Probleme kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Open another…</source>
+        <translation>&amp;Andere öffnen …</translation>
     </message>
     <message>
         <source>Open another scene file</source>
@@ -12492,6 +12492,10 @@ und %2 weitere</translation>
     <message>
         <source>%1: recorded here %2 N, error %3 mm</source>
         <translation>%1: hier aufgezeichnet %2 N, Fehler %3 mm</translation>
+    </message>
+    <message>
+        <source>A session is being replayed. Close the replay first.</source>
+        <translation>Eine Sitzung wird wiedergegeben. Schließen Sie zuerst die Wiedergabe.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -13218,6 +13222,10 @@ und %2 weitere</translation>
         <translation>Szene wird geladen …</translation>
     </message>
     <message>
+        <source>The second arm is on. Switch it off first.</source>
+        <translation>Der zweite Arm ist eingeschaltet. Schalten Sie ihn zuerst aus.</translation>
+    </message>
+    <message>
         <source> (untested)</source>
         <translation> (nicht erprobt)</translation>
     </message>
@@ -13536,6 +13544,10 @@ und %2 weitere</translation>
     <message>
         <source>Marks this moment in the recording.</source>
         <translation>Markiert diesen Moment in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>A session is being recorded. Stop the recording first.</source>
+        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
         <source>Stop &amp;recording</source>
@@ -14995,20 +15007,8 @@ und %2 weitere</translation>
         <translation>Im Besuchermodus: welche Szenen, wie lange, wie viel Kraft und wie man ihn beendet.</translation>
     </message>
     <message>
-        <source>A session is being recorded. Stop the recording first.</source>
-        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>A session is being replayed. Close the replay first.</source>
-        <translation>Eine Sitzung wird wiedergegeben. Schließen Sie zuerst die Wiedergabe.</translation>
-    </message>
-    <message>
         <source>A measurement has a scene of its own in effect. End it first.</source>
         <translation>Eine Messung verwendet gerade eine eigene Szene. Beenden Sie sie zuerst.</translation>
-    </message>
-    <message>
-        <source>The second arm is on. Switch it off first.</source>
-        <translation>Der zweite Arm ist eingeschaltet. Schalten Sie ihn zuerst aus.</translation>
     </message>
     <message>
         <source>Visitor mode</source>

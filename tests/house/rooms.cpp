@@ -30,14 +30,14 @@ std::optional<std::string> roomOf(const Rooms& rooms, const std::string& path) {
 struct Library {
   const char* name;
   std::regex header;               // what its includes begin with
-  std::vector<std::string> rooms;  // empty: none
+  std::vector<std::string> rooms;  // empty: none; "app/gui/*": that folder and all in it
   bool in_headers;                 // it may be seen in those rooms' headers
 };
 
 const std::vector<Library>& libraries() {
   static const std::vector<Library> kLibraries{
-      {"Qt", std::regex("Q[A-Z]|Qt|private/q"), {"app/gui"}, true},
-      {"VTK", std::regex("vtk"), {"app/gui"}, true},
+      {"Qt", std::regex("Q[A-Z]|Qt|private/q"), {"app/gui/*"}, true},
+      {"VTK", std::regex("vtk"), {"app/gui/view"}, true},
       {"GLFW", std::regex("GLFW"), {"device/hands"}, false},
       {"hidapi", std::regex("hidapi"), {"device"}, false},
       {"ZeroMQ", std::regex("zmq"), {"device"}, false},
@@ -55,11 +55,17 @@ const std::vector<Library>& libraries() {
   return kLibraries;
 }
 
+bool isAmong(const std::string& room, const std::string& allowed) {
+  if (!allowed.ends_with("/*")) return room == allowed;
+  return (room + "/").starts_with(allowed.substr(0, allowed.size() - 1));
+}
+
 /// What is wrong with including <header> in a file of room; empty: nothing.
 std::string wrongLibrary(const std::string& header, const std::string& room, bool is_header) {
   for (const Library& library : libraries()) {
     if (!std::regex_search(header, library.header, std::regex_constants::match_continuous)) continue;
-    if (std::find(library.rooms.begin(), library.rooms.end(), room) == library.rooms.end()) {
+    if (std::none_of(library.rooms.begin(), library.rooms.end(),
+                     [&room](const std::string& allowed) { return isAmong(room, allowed); })) {
       return std::string(library.name) + " does not belong in " + room;
     }
     if (is_header && !library.in_headers) return std::string(library.name) + " may not show in a header";
@@ -76,6 +82,11 @@ std::string wrongRoom(const Rooms& rooms, const std::string& header, const std::
   return {};
 }
 
+/// As LINKS calls it.
+std::string nameOf(const std::string& folder) {
+  return std::regex_replace(folder, std::regex("^(core|device|app)/"), "");
+}
+
 /// A force for a device made by other hands than the gate's; zero, GatedForce{}, is anybody's.
 std::string aroundTheGate(const std::string& line, const std::string& path) {
   static const std::regex kMade(R"(GatedForce\s*[({]\s*[^)}\s])");
@@ -87,6 +98,14 @@ std::string aroundTheGate(const std::string& line, const std::string& path) {
   }
   if (std::regex_search(line, kMade) || std::regex_search(line, kForged)) return "only the gate makes a GatedForce";
   return {};
+}
+
+/// The servo's host in the hands of a feature: they get what they may ask, and what they may steer.
+std::string aroundTheModel(const std::string& line, const std::string& path, const std::string& room) {
+  static const std::regex kHost(R"(servo::Host\s*[&*])");
+  static const std::set<std::string> kMay{"app/gui", "app/gui/model", "app/gui/window"};
+  if (!path.starts_with("app/gui/") || kMay.contains(room) || !std::regex_search(line, kHost)) return {};
+  return "nobody but the model has the servo's host: ServoFacts, ServoControl";
 }
 
 bool isSource(const fs::path& path) {
@@ -104,6 +123,7 @@ std::vector<std::string> violationsOf(const Rooms& rooms, const fs::path& file, 
     ++number;
     std::smatch include;
     std::string wrong = aroundTheGate(line, path);
+    if (wrong.empty()) wrong = aroundTheModel(line, path, room);
     if (std::regex_search(line, include, kInclude)) {
       wrong = wrongLibrary(include[2], room, is_header);
       if (wrong.empty() && include[1] == "\"") wrong = wrongRoom(rooms, include[2], room);
@@ -116,23 +136,36 @@ std::vector<std::string> violationsOf(const Rooms& rooms, const fs::path& file, 
 }  // namespace
 
 Rooms roomsOf(const std::string& cmake) {
-  static const std::regex kRoom(R"(underact_room\(([^)]*)\))");
-  static const std::set<std::string> kOther{"USES", "SHOWS", "PROGRAM", "IN", "COMPONENT"};
+  static const std::regex kRoom(R"(underact_(room|feature)\(([^)]*)\))");
+  static const std::set<std::string> kOther{"USES", "SHOWS",   "WITHOUT", "STARTS",    "OPENS",
+                                            "LIKE", "PROGRAM", "IN",      "COMPONENT", "PRECOMPILES"};
   const std::string code = std::regex_replace(cmake, std::regex("#[^\n]*"), "");
   Rooms rooms;
-  std::map<std::string, std::string> folder_of;  // by the last part of its name
+  std::map<std::string, std::string> folder_of;  // by its name
+  std::vector<std::string> features;
   for (std::sregex_iterator at(code.begin(), code.end(), kRoom), end; at != end; ++at) {
-    std::stringstream words((*at)[1]);
+    const bool is_feature = (*at)[1] == "feature";
+    std::stringstream words((*at)[2]);
     std::string folder;
     words >> folder;
     std::set<std::string>& may_use = rooms[folder] = {folder};
-    folder_of[fs::path(folder).filename()] = folder;
+    folder_of[nameOf(folder)] = folder;
+    const auto link = [&](const std::string& name) {
+      const auto found = folder_of.find(name);
+      if (found != folder_of.end()) may_use.insert(rooms[found->second].begin(), rooms[found->second].end());
+    };
+    if (is_feature) {
+      features.push_back(nameOf(folder));
+      link("gui/feature");
+    }
     bool links = false;
     for (std::string word; words >> word;) {
       if (word == "LINKS" || kOther.contains(word)) {
         links = word == "LINKS";
-      } else if (links && folder_of.contains(word)) {
-        may_use.insert(rooms[folder_of[word]].begin(), rooms[folder_of[word]].end());
+      } else if (links && word == "${UNDERACT_FEATURES}") {
+        for (const std::string& feature : features) link(feature);
+      } else if (links) {
+        link(word);
       }
     }
   }

@@ -10,7 +10,7 @@ namespace underact::house {
 /// The rooms of the top CMakeLists.txt: of each folder, the folders whose headers it may include (its own among them).
 using Rooms = std::map<std::string, std::set<std::string>>;
 
-/// cmake: the text of the top CMakeLists.txt, its underact_room() lines.
+/// cmake: the text of the top CMakeLists.txt, its lines underact_room() and underact_feature().
 Rooms roomsOf(const std::string& cmake);
 
 /// One sentence for each line under root that includes what its room may not, or that goes around the gate.

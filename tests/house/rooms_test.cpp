@@ -31,13 +31,22 @@ class PlantedHouse : public testing::Test {
           "underact_room(core/scene LINKS json)\n"
           "underact_room(core/tick LINKS safety)\n"
           "underact_room(device LINKS tick)\n"
-          "underact_room(app/gui LINKS device SHOWS Qt6::Widgets)\n");
+          "underact_room(app/gui/kit LINKS base SHOWS Qt6::Widgets)\n"
+          "underact_room(app/gui/view LINKS gui/kit device SHOWS vtk LIKE gui/kit)\n"
+          "underact_room(app/gui/feature LINKS gui/view LIKE gui/view)\n"
+          "underact_feature(app/gui/feel)\n"
+          "underact_feature(app/gui/lab LINKS scene)\n"
+          "underact_room(app/gui/window LINKS ${UNDERACT_FEATURES} LIKE gui/view)\n"
+          "underact_room(app/gui LINKS gui/window WITHOUT all)\n");
     write("core/tick/step.h",
           "#include \"core/base/types.h\"\n#include \"core/safety/gate.h\"\n#include <Eigen/Core>\n");
     write("core/safety/gate.h", "  friend Gated gate(const Limits&);\n");
     write("core/safety/gate.cpp", "return {GatedForce{f}, next};\n");
     write("device/arm.cpp", "#include \"core/tick/step.h\"\nport.write(safety::GatedForce{});\n");
-    write("app/gui/main.cpp", "#include <QApplication>\n#include <vtkActor.h>\n#include \"device/arm.h\"\n");
+    write("app/gui/main.cpp", "#include <QApplication>\n#include \"app/gui/lab/lab.h\"\n#include \"device/arm.h\"\n");
+    write("app/gui/view/view.cpp", "#include <QWidget>\n#include <vtkActor.h>\n#include \"app/gui/kit/words.h\"\n");
+    write("app/gui/lab/lab.cpp", "#include \"app/gui/view/view.h\"\n#include \"core/scene/read.h\"\n");
+    write("app/gui/window/window.cpp", "#include \"app/gui/feel/feel.h\"\n");
   }
   void TearDown() override { fs::remove_all(root_); }
   void write(const std::string& path, const std::string& text) const {
@@ -81,6 +90,32 @@ TEST_F(PlantedHouse, ANeighbourThatIsNotLinkedIsFound) {
 TEST_F(PlantedHouse, AnAppInCoreIsFound) {
   write("core/tick/step.cpp", "#  include \"app/gui/window.h\"\n");
   expectFound("core/tick/step.cpp:1: core/tick may not use app/gui");
+}
+
+TEST_F(PlantedHouse, AFeatureThatUsesAnotherIsFound) {
+  write("app/gui/lab/lab.cpp", "#include \"app/gui/feel/feel.h\"\n");
+  expectFound("app/gui/lab/lab.cpp:1: app/gui/lab may not use app/gui/feel");
+}
+
+TEST_F(PlantedHouse, ARoomAboveItIsFoundInTheWindow) {
+  write("app/gui/kit/words.cpp", "#include \"app/gui/view/view.h\"\n");  // compiled LIKE it is no link
+  expectFound("app/gui/kit/words.cpp:1: app/gui/kit may not use app/gui/view");
+}
+
+TEST_F(PlantedHouse, WhatALinkOfOneFeatureBringsIsNotAnothers) {
+  write("app/gui/feel/feel.cpp", "#include \"core/scene/read.h\"\n");
+  expectFound("app/gui/feel/feel.cpp:1: app/gui/feel may not use core/scene");
+}
+
+TEST_F(PlantedHouse, TheServosHostInAFeatureIsFound) {
+  write("app/gui/feel/feel.h", "  servo::Host& host_;\n");
+  write("app/gui/window/window.h", "  servo::Host& host_;\n");
+  expectFound("app/gui/feel/feel.h:1: nobody but the model has the servo's host: ServoFacts, ServoControl");
+}
+
+TEST_F(PlantedHouse, VtkInAFeatureIsFound) {
+  write("app/gui/feel/feel.cpp", "#include <vtkActor.h>\n");
+  expectFound("app/gui/feel/feel.cpp:1: VTK does not belong in app/gui/feel");
 }
 
 TEST_F(PlantedHouse, QtInADeviceIsFound) {

@@ -460,8 +460,8 @@ BREAKAGES = [
     Breakage(
         says="the strip of two scenes goes on to name the difference from the scene before",
         file="app/gui/compare/compare_tool.cpp",
-        old="parts_.host.forceShare());\n  showScenes();",
-        new="parts_.host.forceShare());",
+        old="parts_.servo.forceShare());\n  showScenes();",
+        new="parts_.servo.forceShare());",
         program="stories",
         test="stories.CompareStory",
         only="CompareStory.SameAs*:CompareStory.AnotherScene*",
@@ -477,7 +477,7 @@ BREAKAGES = [
     ),
     Breakage(
         says="a closed replay leaves an arm pushing that is in somebody's hand",
-        file="app/gui/replay/player.cpp",
+        file="app/gui/model/player.cpp",
         old="if (!was_running_ || is_held_) host_.stop();",
         new="if (!was_running_) host_.stop();",
         program="stories",
@@ -516,8 +516,8 @@ BREAKAGES = [
         file="app/gui/plot/plot_range.cpp",
         old="time_s - small_since_s_ >= kShrinkAfter_s",
         new="time_s - small_since_s_ >= 0.0",
-        program="gui_view_test",
-        test="gui_view_test",
+        program="gui_plot_test",
+        test="gui_plot_test",
         only="PlotRange*",
     ),
     Breakage(

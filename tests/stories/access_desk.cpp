@@ -13,7 +13,7 @@
 #include <QTabBar>
 #include <QTextEdit>
 
-#include "app/gui/larger_font.h"
+#include "app/gui/kit/larger_font.h"
 
 namespace underact::gui::test {
 namespace {

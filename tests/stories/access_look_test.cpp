@@ -5,7 +5,7 @@
 #include <QScrollArea>
 #include <map>
 
-#include "app/gui/panels.h"
+#include "app/gui/window/features.h"
 #include "tests/stories/access_desk.h"
 #include "tests/stories/language_desk.h"
 #include "tests/support/contrast.h"
@@ -57,7 +57,7 @@ QImage seenOf(Story& story, const QWidget& widget) {
 /// How much of each kind of widget changes where it gets the focus, in pixels.
 std::map<std::string, int> focusSeen(Story& story) {
   std::map<std::string, int> seen;
-  for (const PanelRow& row : panels()) {
+  for (const PanelRow& row : panelsOf(features())) {
     bringPanel(story, row.key);
     for (QWidget* widget : reachable(*story.find(QString("panel.") + row.key))) {
       if (seen.contains(kindOf(*widget)) || widget->visibleRegion().isEmpty()) continue;
@@ -79,7 +79,7 @@ TEST(AccessLookStory, TextOfTwiceTheSizeIsCutInNoPanel) {
   story.perform("session.start");
   story.run(500);
   QStringList cut;
-  for (const PanelRow& row : panels()) {
+  for (const PanelRow& row : panelsOf(features())) {
     bringPanel(story, row.key);
     QWidget& dock = *story.find(QString("dock.") + row.key);
     cut << cutWords(dock) << scrolledSideways(dock);

@@ -7,10 +7,9 @@
 #include <QSet>
 #include <QTabBar>
 
-#include "app/gui/devices/fix_dialog.h"
-#include "app/gui/guide/help_pages.h"
-#include "app/gui/panels.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/arms/fix_dialog.h"
+#include "app/gui/model/player.h"
+#include "app/gui/window/features.h"
 #include "tests/stories/access_desk.h"
 #include "tests/stories/mesh_desk.h"
 #include "tests/stories/session_desk.h"
@@ -79,7 +78,7 @@ TEST(AccessStory, EveryPanelSaysWhatItIsAndTheTabKeyGoesThroughItAsTheEyeDoes) {
   Story story("20_scara");  // with a robot, so that its panel has all it can have
   story.perform("session.start");
   story.run(500);
-  for (const PanelRow& row : panels()) {
+  for (const PanelRow& row : panelsOf(features())) {
     bringPanel(story, row.key);
     QWidget& panel = *story.find(QString("panel.") + row.key);
     const QStringList wrong = wronglyNamed(panel) + wronglyOrdered(story, panel);
@@ -179,7 +178,7 @@ TEST(AccessStory, SoDoesEveryDialogAndWizard) {
   fix->show();
   wrong << wrongInWindows(story, seen);
   EXPECT_EQ(wrong.join('\n').toStdString(), "");
-  for (const HelpPage& row : helpPages()) {
+  for (const HelpPage& row : helpPages(features())) {
     const QString name = row.part;
     const bool is_elsewhere = name == "dialog.fault" || name == "dialog.words";
     if (!name.startsWith("dialog.") || is_elsewhere || kQtsOwn.contains(name)) continue;

@@ -6,7 +6,7 @@
 #include <QSpinBox>
 #include <QTableWidget>
 
-#include "app/gui/check/check_dialog.h"
+#include "app/gui/servo/check_dialog.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {

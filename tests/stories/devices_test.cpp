@@ -11,11 +11,11 @@
 #include <QPushButton>
 #include <QSettings>
 
-#include "app/gui/devices/arm_choice.h"
-#include "app/gui/devices/arm_search.h"
-#include "app/gui/devices/fix_dialog.h"
-#include "app/gui/fault_dialog.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/arms/fix_dialog.h"
+#include "app/gui/fault/fault_dialog.h"
+#include "app/gui/model/arm_choice.h"
+#include "app/gui/model/arm_search.h"
+#include "app/gui/model/player.h"
 #include "tests/openhaptics/stand_in.h"
 #include "tests/stories/story.h"
 

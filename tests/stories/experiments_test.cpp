@@ -5,7 +5,7 @@
 #include <QTableWidget>
 #include <cmath>
 
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/number_table.h"
 #include "tests/stories/mesh_desk.h"
 #include "tests/stories/story.h"
 

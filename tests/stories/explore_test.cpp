@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/number_table.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {

@@ -13,8 +13,8 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "app/gui/fault_dialog.h"
-#include "app/gui/fault_watch.h"
+#include "app/gui/fault/fault_dialog.h"
+#include "app/gui/fault/fault_watch.h"
 #include "tests/stories/story.h"
 #include "tests/support/loose_cable.h"
 

@@ -19,9 +19,9 @@
 #include <optional>
 
 #include "app/gui/ghost/ghost_hand.h"
-#include "app/gui/guide/help_pages.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/model/player.h"
 #include "app/gui/visitor/visitor_mode.h"
+#include "app/gui/window/features.h"
 #include "core/record/recorder.h"
 #include "core/scene/read.h"
 #include "tests/stories/language_desk.h"
@@ -87,7 +87,7 @@ struct Class : Story {
     EXPECT_TRUE(perform("ghost.open", path));
     EXPECT_TRUE(waitFor([this] { return ghost().isOpen(); }));
   }
-  GhostHand& ghost() { return window().ghost(); }
+  GhostHand& ghost() { return *window().findChild<GhostHand*>(); }
   const follow::State& state() { return ghost().state(); }
   /// The student's hand does what the teacher's did from one tick to another, so many ticks later.
   void follow(int from, int to, int lag = 0) {
@@ -279,7 +279,7 @@ TEST(GhostStory, AFileThatIsNoSessionIsSaidAndNothingChanges) {
   EXPECT_TRUE(box->text().contains("broken.h5"));
   EXPECT_FALSE(box->informativeText().isEmpty());
   box->close();
-  EXPECT_FALSE(story.window().ghost().isOpen());
+  EXPECT_FALSE(story.window().findChild<GhostHand*>()->isOpen());
   EXPECT_FALSE(story.find("ghost")->isVisible());
 }
 
@@ -306,7 +306,7 @@ TEST(GhostStory, ReadingCanBeCancelledAndNothingChanges) {
   ASSERT_TRUE(story.find("load.cancel")->isVisible());
   story.find<QPushButton>("load.cancel")->click();  // at once: before anybody looks at what was read
   story.settle(300);
-  EXPECT_FALSE(story.window().ghost().isOpen());
+  EXPECT_FALSE(story.window().findChild<GhostHand*>()->isOpen());
   EXPECT_EQ(story.window().findChild<QMessageBox*>("dialog.session_problems"), nullptr);
 }
 
@@ -331,7 +331,7 @@ TEST(GhostStory, VisitorsFollowNobody) {
   ASSERT_TRUE(story.perform("visitor.start", QStringList{shippedScene("02_sphere")}));
   story.run(100);
   EXPECT_FALSE(story.ghost().isOpen());
-  story.window().visitors().leave();
+  story.window().findChild<VisitorMode*>()->leave();
 }
 
 TEST(GhostStory, ASessionOfTheListIsFollowedByItsMenu) {
@@ -340,8 +340,8 @@ TEST(GhostStory, ASessionOfTheListIsFollowedByItsMenu) {
   ASSERT_TRUE(desk.listed(1));
   ASSERT_TRUE(desk.choose(path));
   ASSERT_TRUE(desk.story->perform("sessions.follow"));
-  ASSERT_TRUE(waitFor([&] { return desk.story->window().ghost().isOpen(); }));
-  EXPECT_EQ(desk.story->window().ghost().ghost().name, "by the teacher");
+  ASSERT_TRUE(waitFor([&] { return desk.story->window().findChild<GhostHand*>()->isOpen(); }));
+  EXPECT_EQ(desk.story->window().findChild<GhostHand*>()->ghost().name, "by the teacher");
 }
 
 TEST(GhostStory, AllOfItIsDoneByKeys) {
@@ -380,7 +380,7 @@ TEST(GhostStory, AScreenReaderGetsTheResultOnceAndEachPartHasANameAndAPage) {
   EXPECT_EQ(story.find("ghost.told")->accessibleDescription(), story.text("ghost.told"));
   for (const QWidget* part : story.find("ghost")->findChildren<QWidget*>(QRegularExpression("^ghost\\.")))
     EXPECT_FALSE(part->accessibleName().isEmpty()) << part->objectName().toStdString();
-  EXPECT_EQ(helpPlaceOf(story.find("ghost.speed")), "following");
+  EXPECT_EQ(helpPlaceOf(story.find("ghost.speed"), helpPages(features())), "following");
 }
 
 TEST(GhostStory, NothingOfItIsCutInASmallWindowAndInGerman) {

@@ -5,7 +5,7 @@
 
 #include <QLabel>
 
-#include "app/gui/status_line.h"
+#include "app/gui/feature/status_line.h"
 #include "core/servo/host.h"
 
 namespace underact::gui {

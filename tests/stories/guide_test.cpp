@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QSlider>
 
-#include "app/gui/document.h"
+#include "app/gui/model/document.h"
 #include "tests/stories/mesh_desk.h"
 
 namespace underact::gui::test {

@@ -16,16 +16,20 @@
 #include <QTreeWidget>
 
 #include "app/gui/guide/guide_tool.h"
-#include "app/gui/guide/help_pages.h"
-#include "app/gui/page/page_view.h"
-#include "app/gui/panels.h"
-#include "app/gui/settings.h"
+#include "app/gui/kit/page_view.h"
+#include "app/gui/model/settings.h"
+#include "app/gui/window/features.h"
 #include "app/page/style.h"
 #include "core/base/places.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
 namespace {
+
+const std::vector<HelpPage>& pages() {
+  static const std::vector<HelpPage> kAll = helpPages(features());
+  return kAll;
+}
 
 const guide::Guide& theGuide() {
   static const Result<guide::Guide> kGuide = guide::readGuide(findResource(Resource::Guide).value());
@@ -82,15 +86,15 @@ TEST(GuideWindowStory, F1OpensThePageForWhatHasTheFocus) {
 
 TEST(GuideWindowStory, EveryPanelAndEveryWidgetInItHasAPageThatIsThere) {
   Story story("02_sphere");
-  for (const PanelRow& row : panels()) {
+  for (const PanelRow& row : panelsOf(features())) {
     const QString name = QString("panel.%1").arg(row.key);
-    const bool has_row = std::any_of(helpPages().begin(), helpPages().end(),
+    const bool has_row = std::any_of(pages().begin(), pages().end(),
                                      [&](const HelpPage& page) { return name == QLatin1String(page.part); });
-    EXPECT_TRUE(has_row) << name.toStdString() << ": app/gui/guide/help_pages.cpp names its page";
+    EXPECT_TRUE(has_row) << name.toStdString() << ": the feature.cpp of its room names its page";
     const QWidget* panel = story.find(name);
-    EXPECT_TRUE(isPlace(helpPlaceOf(panel))) << name.toStdString();
+    EXPECT_TRUE(isPlace(helpPlaceOf(panel, pages()))) << name.toStdString();
     for (const QWidget* part : panel->findChildren<QWidget*>())
-      EXPECT_TRUE(isPlace(helpPlaceOf(part))) << part->objectName().toStdString();
+      EXPECT_TRUE(isPlace(helpPlaceOf(part, pages()))) << part->objectName().toStdString();
   }
 }
 
@@ -104,9 +108,9 @@ TEST(GuideWindowStory, EveryDialogHasARowOfItsOwnInThePagesForF1) {
     const QString text = QString::fromUtf8(file.readAll());
     for (const QRegularExpressionMatch& match : dialog.globalMatch(text)) {
       const QString name = match.captured(1);
-      EXPECT_TRUE(std::any_of(helpPages().begin(), helpPages().end(),
+      EXPECT_TRUE(std::any_of(pages().begin(), pages().end(),
                               [&](const HelpPage& page) { return name == QLatin1String(page.part); }))
-          << name.toStdString() << ": app/gui/guide/help_pages.cpp names its page";
+          << name.toStdString() << ": the feature.cpp of its room names its page";
       ++dialogs;
     }
   }
@@ -114,13 +118,13 @@ TEST(GuideWindowStory, EveryDialogHasARowOfItsOwnInThePagesForF1) {
 }
 
 TEST(GuideWindowStory, EveryRowOfThePagesForF1LeadsToAHeadingThatIsThere) {
-  for (const HelpPage& row : helpPages()) EXPECT_TRUE(isPlace(row.place)) << row.part << ": " << row.place;
-  EXPECT_EQ(helpPlaceOf(nullptr), QString("start"));
+  for (const HelpPage& row : pages()) EXPECT_TRUE(isPlace(row.place)) << row.part << ": " << row.place;
+  EXPECT_EQ(helpPlaceOf(nullptr, pages()), QString("start"));
   QWidget part;
   part.setObjectName("panel.kinematics.solutions.again");
-  EXPECT_EQ(helpPlaceOf(&part), QString("kinematics#inverse-solutions"));
+  EXPECT_EQ(helpPlaceOf(&part, pages()), QString("kinematics#inverse-solutions"));
   part.setObjectName("panel.kinematicsx");  // goes on without a dot: another thing
-  EXPECT_EQ(helpPlaceOf(&part), QString("start"));
+  EXPECT_EQ(helpPlaceOf(&part, pages()), QString("start"));
 }
 
 TEST(GuideWindowStory, ASearchByKeysFindsMarksAndOpens) {

@@ -2,7 +2,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 
-#include "app/gui/devices/fix_dialog.h"
+#include "app/gui/arms/fix_dialog.h"
 #include "device/hands/controllers.h"
 #include "device/hands/space_mice.h"
 #include "tests/openhaptics/stand_in.h"

@@ -3,7 +3,7 @@
 
 #include <QElapsedTimer>
 
-#include "app/gui/replay/player.h"
+#include "app/gui/model/player.h"
 #include "core/record/recorder.h"
 #include "core/scene/edit.h"
 #include "core/scene/read.h"

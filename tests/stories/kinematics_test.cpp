@@ -9,8 +9,8 @@
 #include <QTableWidget>
 #include <cmath>
 
-#include "app/gui/kinematics/now.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/kinematics_now.h"
 #include "core/arm/conventions.h"
 #include "core/arm/forward.h"
 #include "core/arm/model.h"

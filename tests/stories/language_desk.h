@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <QTranslator>
 
-#include "app/gui/language.h"
+#include "app/gui/model/language.h"
 
 class QWidget;
 

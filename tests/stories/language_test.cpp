@@ -17,10 +17,10 @@
 #include <regex>
 #include <set>
 
-#include "app/gui/number_box.h"
-#include "app/gui/page/page_view.h"
-#include "app/gui/panels.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/page_view.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/window/features.h"
 #include "core/scene/read.h"
 #include "tests/core/scene/scene_support.h"
 #include "tests/stories/language_desk.h"
@@ -32,7 +32,7 @@ namespace {
 /// All panels, one after the other; what each is seen to cut.
 QStringList cutInPanels(Story& story) {
   QStringList cut;
-  for (const PanelRow& row : panels()) {
+  for (const PanelRow& row : panelsOf(features())) {
     EXPECT_TRUE(story.perform(QString("dock.") + row.key, true)) << row.key;
     story.run(1);
     story.settle();

@@ -4,7 +4,7 @@
 #include <QPushButton>
 
 #include "app/gui/compare/compare_tool.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/model/player.h"
 #include "core/record/recorder.h"
 #include "core/scene/edit.h"
 #include "core/scene/mirror.h"
@@ -205,7 +205,7 @@ TEST(LeftHandStory, VisitorsGetTheSceneInTheMirror) {
   const scene::Description file = scene::readSceneFile(desk.paths.front().toStdString()).value();
   EXPECT_TRUE(scene::isSame(desk.host->scene(), scene::mirrored(file)));
   EXPECT_FALSE(scene::isSame(desk.host->scene(), file));
-  desk.window->visitors().leave();
+  desk.window->findChild<VisitorMode*>()->leave();
   EXPECT_TRUE(desk.window->document().isMirrored());
 }
 

@@ -16,7 +16,7 @@
 #include <QTimer>
 
 #include "app/gui/lessons/lesson_library.h"
-#include "app/gui/panels.h"
+#include "app/gui/window/features.h"
 #include "core/arm/forward.h"
 #include "core/base/units.h"
 #include "core/lesson/read.h"
@@ -59,7 +59,8 @@ bool isOpen(Story& story, const char* panel) {
 /// What of the window a lesson changes.
 std::string shapeOf(Story& story) {
   QString shape = story.window().document().path();
-  for (const PanelRow& row : panels()) shape += isOpen(story, row.key) ? QString(" %1").arg(row.key) : QString();
+  for (const PanelRow& row : panelsOf(features()))
+    shape += isOpen(story, row.key) ? QString(" %1").arg(row.key) : QString();
   for (const char* layer : lesson::layerNames()) {
     const QAction* const action = story.window().actions().find(QString("layer.%1").arg(layer));
     shape += action->isChecked() ? QString(" +%1").arg(layer) : QString();
@@ -329,7 +330,7 @@ TEST(LessonsStory, WhatWasSolvedIsRememberedAndGoesOnThere) {
 TEST(LessonsStory, TheNamesThatALessonMayUseAreTheWindowsOwn) {
   Story story("02_sphere");
   QStringList own, known;
-  for (const PanelRow& row : panels()) own << row.key;
+  for (const PanelRow& row : panelsOf(features())) own << row.key;
   for (const char* name : lesson::panelNames()) known << name;
   own.sort(), known.sort();
   EXPECT_EQ(own, known);

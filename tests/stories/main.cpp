@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 #include <clocale>
 
-#include "app/gui/application.h"
-#include "app/gui/focus_style.h"
-#include "app/gui/spoken.h"
+#include "app/gui/kit/application.h"
+#include "app/gui/kit/focus_style.h"
+#include "app/gui/kit/spoken.h"
 
 // The same preparations as the program's own main, but with settings of nobody: no story reads or writes the user's.
 int main(int argc, char** argv) {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <vector>
 
-#include "app/gui/mesh/load_strip.h"
+#include "app/gui/files/load_strip.h"
 #include "core/base/units.h"
 
 namespace underact::gui::test {

@@ -5,7 +5,7 @@
 #include <QProcess>
 #include <algorithm>
 
-#include "app/gui/replay/player.h"
+#include "app/gui/model/player.h"
 #include "core/record/recorder.h"
 #include "tests/stories/mesh_desk.h"
 

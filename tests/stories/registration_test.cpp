@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "app/gui/arms/second_arm.h"
 #include "app/gui/registration/registration_tool.h"
-#include "app/gui/second/second_arm.h"
 #include "core/registration/sheet.h"
 #include "core/registration/store.h"
 #include "tests/openhaptics/stand_in.h"
@@ -281,7 +281,7 @@ TEST(RegistrationStory, TwoArmsStandWhereTheirRegistrationsSay) {
   story.perform("second.side", true);  // changes nothing
   EXPECT_TRUE(second.placed());
   for (int done = 0; done < 300; done += 50) {
-    second.host().run(50);
+    second.run(50);
     story.run(50);
   }
   story.settle(400);
@@ -303,12 +303,12 @@ TEST(RegistrationStory, TheSecondArmIsRegisteredByItsOwnTicks) {
     const Vec3 p_WT(0.03 * mark, -0.05, mark == 1 ? 0.02 : -0.01);
     second.simulatedArm().wish({p_WT, Vec3::Zero(), Mat3::Identity(), false});
     for (int done = 0; done < 3000; done += 50) {
-      second.host().run(50);
+      second.run(50);
       story.run(50);
     }
     ASSERT_TRUE(story.perform("registration.touch"));
     for (int done = 0; done < 600; done += 50) {
-      second.host().run(50);
+      second.run(50);
       story.run(50);
     }
   }

@@ -4,7 +4,7 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 
-#include "app/gui/fault_dialog.h"
+#include "app/gui/fault/fault_dialog.h"
 #include "device/remote/share.h"
 #include "tests/stories/story.h"
 #include "tests/support/arm_double.h"

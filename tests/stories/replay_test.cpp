@@ -12,7 +12,7 @@
 #include <cstring>
 #include <functional>
 
-#include "app/gui/replay/player.h"
+#include "app/gui/model/player.h"
 #include "app/gui/replay/session_plot.h"
 #include "core/record/recorder.h"
 #include "core/scene/read.h"

@@ -5,9 +5,9 @@
 #include <QListWidget>
 #include <map>
 
-#include "app/gui/page/page_view.h"
-#include "app/gui/picture.h"
-#include "app/gui/scene_library.h"
+#include "app/gui/kit/page_view.h"
+#include "app/gui/model/scene_library.h"
+#include "app/gui/view/picture.h"
 #include "tests/stories/mesh_desk.h"
 #include "tests/stories/picture_difference.h"
 #include "tests/stories/story.h"

@@ -1,4 +1,4 @@
-#include "app/gui/second/second_arm.h"
+#include "app/gui/arms/second_arm.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "tests/openhaptics/stand_in.h"
 #include "tests/stories/story.h"
 
@@ -28,11 +28,11 @@ struct SecondDesk {
   }
   void run(int ticks) {
     for (int done = 0; done < ticks; done += 33) {
-      second.host().run(33);
+      second.run(33);
       story.run(33);
     }
   }
-  double secondForce_N() { return second.host().snapshot().report.force.f_T_W().norm(); }
+  double secondForce_N() { return second.servo().snapshot().report.force.f_T_W().norm(); }
   QString label(const char* name) { return story.find<QLabel>(name)->text(); }
 
   Story story;
@@ -43,8 +43,8 @@ struct SecondDesk {
 
 TEST(SecondArmStory, ItHasASceneOfItsOwnAndStandsBesideTheFirst) {
   SecondDesk desk;
-  EXPECT_EQ(desk.second.host().scene().constraints.size(), 1U);
-  EXPECT_NE(desk.second.host().scene().title, desk.story.host().scene().title);
+  EXPECT_EQ(desk.second.servo().scene().constraints.size(), 1U);
+  EXPECT_NE(desk.second.servo().scene().title, desk.story.host().scene().title);
   EXPECT_TRUE(desk.story.view().showsSecond());
   desk.run(100);
   desk.story.settle(400);
@@ -62,14 +62,14 @@ TEST(SecondArmStory, BothStartAndBothStop) {
   desk.story.arm().wish({Vec3(0.0, 0.0, 0.045), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(3000);
   EXPECT_EQ(desk.story.snapshot().mode, servo::Mode::Running);
-  EXPECT_EQ(desk.second.host().snapshot().mode, servo::Mode::Running);
+  EXPECT_EQ(desk.second.servo().snapshot().mode, servo::Mode::Running);
   EXPECT_GT(desk.story.force_N(), 0.05);
   EXPECT_GT(desk.secondForce_N(), 0.05);
   EXPECT_FALSE(desk.story.window().actions().find("session.start")->isEnabled());
   desk.story.key(Qt::Key_Escape);
   desk.run(300);
   EXPECT_EQ(desk.story.snapshot().mode, servo::Mode::Idle);
-  EXPECT_EQ(desk.second.host().snapshot().mode, servo::Mode::Idle);
+  EXPECT_EQ(desk.second.servo().snapshot().mode, servo::Mode::Idle);
   EXPECT_EQ(desk.secondForce_N(), 0.0);
 }
 
@@ -77,28 +77,28 @@ TEST(SecondArmStory, ItsHandIsTheFirstOneInAMirror) {
   SecondDesk desk;
   desk.story.arm().wish({Vec3(0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(3000);
-  const Vec3 first = desk.story.snapshot().report.p_WT, other = desk.second.host().snapshot().report.p_WT;
+  const Vec3 first = desk.story.snapshot().report.p_WT, other = desk.second.servo().snapshot().report.p_WT;
   const double friction_m = 2e-3;  // what it may lag behind: its friction over the stiffness of the hand, 0.26 / 300
   EXPECT_LT((other - Vec3(-first.x(), first.y(), first.z())).norm(), 2 * friction_m);
   EXPECT_GT(first.x(), 0.02);
   desk.story.perform("second.mirror", false);
   desk.story.arm().wish({Vec3(-0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(2000);
-  EXPECT_LT((desk.second.host().snapshot().report.p_WT - other).norm(), friction_m);
+  EXPECT_LT((desk.second.servo().snapshot().report.p_WT - other).norm(), friction_m);
 }
 
 TEST(SecondArmStory, AWrongSceneIsSaidAndTheOneBeforeStays) {
   SecondDesk desk;
-  const std::string before = desk.second.host().scene().title;
+  const std::string before = desk.second.servo().scene().title;
   desk.story.perform("dock.second", true);
   desk.story.perform("second.scene", temporaryFile("wrong.json", "{ not a scene"));
   EXPECT_TRUE(desk.label("panel.second.told").startsWith("The scene stays. "));
-  EXPECT_EQ(desk.second.host().scene().title, before);
+  EXPECT_EQ(desk.second.servo().scene().title, before);
 }
 
 TEST(SecondArmStory, AMeshIsLoadedForItBehindTheWindow) {
   SecondDesk desk("26_bumpy_sphere");
-  EXPECT_TRUE(std::holds_alternative<scene::Mesh>(desk.second.host().scene().constraints.front().shape));
+  EXPECT_TRUE(std::holds_alternative<scene::Mesh>(desk.second.servo().scene().constraints.front().shape));
   desk.run(100);
   EXPECT_TRUE(desk.story.view().showsSecond());
 }
@@ -114,7 +114,7 @@ TEST(SecondArmStory, TheFirstArmsDeviceIsNotOpenedTwiceAndAFaultOfTheSecondIsSai
   const auto comes = [](const std::function<bool()>& what) { return QTest::qWaitFor(what, kLong_ms); };
   ASSERT_TRUE(desk.story.perform("second.use", QString("openhaptics")));
   ASSERT_TRUE(comes([&] { return desk.second.arms().name() == "openhaptics"; }));
-  EXPECT_EQ(desk.second.host().snapshot().mode, servo::Mode::Idle);
+  EXPECT_EQ(desk.second.servo().snapshot().mode, servo::Mode::Idle);
   ASSERT_TRUE(desk.story.perform("session.start"));
   ASSERT_TRUE(comes([&] { return underact::test::forceOf(*library).norm() > 0.1; }));
   library->plug(false);
@@ -136,7 +136,7 @@ TEST(SecondArmStory, ItsRateFollowsTheFirst) {
   SecondDesk desk;
   desk.run(33);
   ASSERT_TRUE(desk.story.perform("servo.rate", 2000));
-  EXPECT_EQ(desk.second.host().rateHz(), 2000);
+  EXPECT_EQ(desk.second.servo().rateHz(), 2000);
 }
 
 TEST(SecondArmStory, ThePanelIsReachedByTheKeyboardAndSpeaks) {

@@ -3,9 +3,9 @@
 #include <QComboBox>
 #include <QLabel>
 
+#include "app/gui/model/settings.h"
 #include "app/gui/servo/sections.h"
 #include "app/gui/servo/share_bar.h"
-#include "app/gui/settings.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {

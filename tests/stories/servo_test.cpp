@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/gui/kinematics/section.h"
-#include "app/gui/servo/lateness_chart.h"
+#include "app/gui/kit/section.h"
+#include "app/gui/plot/lateness_chart.h"
 #include "app/gui/servo/sections.h"
 #include "app/gui/servo/share_bar.h"
 #include "tests/stories/picture_difference.h"

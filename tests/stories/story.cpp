@@ -55,7 +55,8 @@ void Story::open(const QString& scene, const Beginning& beginning) {
   }
   theme_ = std::make_unique<ThemeWatcher>();
   window_ = std::make_unique<MainWindow>(
-      WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen, beginning.hands});
+      WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen, beginning.hands},
+      beginning.features);
   if (beginning.first_start) window_->resize(beginning.size);
   if (beginning.shown) {
     window_->show();

@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/main_window.h"
-#include "app/gui/simulated_host.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/simulated_host.h"
 #include "app/gui/view/scene_view.h"
+#include "app/gui/window/main_window.h"
 
 namespace underact::gui::test {
 
@@ -23,6 +23,7 @@ struct Beginning {
   bool shown = true;
   std::vector<device::hands::Port*> hands = {};             // controllers and 3D mice; they outlive the story
   servo::HostOptions servo{.clock = servo::Clock::Manual};  // time by count: the machine's speed decides nothing
+  std::vector<FeatureRow> features = gui::features();
 };
 
 /// The real window on a simulated arm. It acts through real events and by the names of actions, then looks.

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <functional>
 
-#include "app/gui/fault_dialog.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/fault/fault_dialog.h"
+#include "app/gui/model/player.h"
 #include "tests/stories/mesh_desk.h"
 #include "tests/stories/story.h"
 #include "tests/support/loose_cable.h"

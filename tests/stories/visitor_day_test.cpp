@@ -144,14 +144,14 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
       ++pulled;
     }
     desk.run(kTicksAStep);
-    ASSERT_TRUE(desk.window->visitors().isOn());
+    ASSERT_TRUE(desk.window->findChild<VisitorMode*>()->isOn());
     ASSERT_TRUE(desk.window->isVisible());
     ASSERT_FALSE(anyDialog());
     ASSERT_EQ(QApplication::activePopupWidget(), nullptr);
     const double pushed_N = desk.cable->takeMost_N();
     ASSERT_LE(pushed_N, kMost_N + 1e-9);
     most_N = std::max(most_N, pushed_N);
-    scenes.insert(desk.window->visitors().shown());
+    scenes.insert(desk.window->findChild<VisitorMode*>()->shown());
     if (desk.host->snapshot().mode == servo::Mode::Faulted) {
       ++faults;
       ASSERT_FALSE(desk.label("visitor.trouble").isEmpty()) << "a fault that nobody is told of";

@@ -29,7 +29,7 @@ struct VisitorDesk {
     for (const QString& name : scenes) paths << shippedScene(name);
   }
   ~VisitorDesk() {
-    window->visitors().leave();
+    window->findChild<VisitorMode*>()->leave();
     window->document().undoStack().setClean();
     window->close();
   }
@@ -37,7 +37,7 @@ struct VisitorDesk {
     const bool started = window->actions().perform("visitor.start", QVariant(paths));
     return started && QTest::qWaitFor([this] {
              run(1);
-             return window->visitors().count() == static_cast<std::size_t>(paths.size());
+             return window->findChild<VisitorMode*>()->count() == static_cast<std::size_t>(paths.size());
            });
   }
   /// Ticks, with a frame each tenth of a second.

@@ -75,7 +75,7 @@ TEST(VisitorStory, NothingElseCanBeReached) {
   QDropEvent drops(QPointF(50, 50), Qt::CopyAction, &dropped, Qt::LeftButton, {});
   QApplication::sendEvent(desk.window.get(), &drops);
   EXPECT_EQ(desk.scene(), "Sphere");
-  EXPECT_TRUE(desk.window->visitors().isOn());
+  EXPECT_TRUE(desk.window->findChild<VisitorMode*>()->isOn());
   EXPECT_TRUE(desk.window->isFullScreen());
 }
 
@@ -84,7 +84,7 @@ TEST(VisitorStory, HalfOfTheForceIsSentAndAllOfItAfter) {
   ASSERT_TRUE(desk.begin());
   const double pushed_N = desk.mostPushed_N();
   EXPECT_NEAR(pushed_N, 0.5 * kWhole_N, 1e-6);
-  desk.window->visitors().leave();
+  desk.window->findChild<VisitorMode*>()->leave();
   desk.window->actions().perform("scene.open", QVariant(shippedScene("02_sphere")));
   desk.run(1000);
   EXPECT_NEAR(desk.mostPushed_N(), kWhole_N, 1e-6);
@@ -192,7 +192,7 @@ TEST(VisitorStory, TheHiddenKeyOpensTheDemonstratorsPanel) {
   EXPECT_EQ(QSettings().value("visitor/scenes").toStringList(), QStringList{shippedScene("01_point")});
   desk.press("demonstrator.leave");
   QTest::qWait(50);
-  EXPECT_FALSE(desk.window->visitors().isOn());
+  EXPECT_FALSE(desk.window->findChild<VisitorMode*>()->isOn());
   EXPECT_EQ(dialogsSeen(), QStringList());
 }
 
@@ -208,7 +208,7 @@ TEST(VisitorStory, LeavingPutsEverythingBack) {
   ASSERT_TRUE(desk.begin());
   EXPECT_TRUE(desk.window->view().layers().arm);
   desk.run(200'000);
-  desk.window->visitors().leave();
+  desk.window->findChild<VisitorMode*>()->leave();
   QTest::qWait(100);
   desk.run(1000);
   EXPECT_EQ(docksSeen(*desk.window), docks);
@@ -247,7 +247,7 @@ TEST(VisitorStory, AFileThatCannotBeShownIsLeftOut) {
   desk.window->actions().perform("visitor.start", QVariant(desk.paths));
   ASSERT_TRUE(QTest::qWaitFor([&desk] {
     desk.run(1);
-    return desk.window->visitors().count() == 1;
+    return desk.window->findChild<VisitorMode*>()->count() == 1;
   }));
   EXPECT_EQ(desk.scene(), "Point");
 }
@@ -260,7 +260,7 @@ TEST(VisitorStory, PicturesOfTheVisitor) {
     story.perform("visitor.start", QStringList{shippedScene("02_sphere")});
     ASSERT_TRUE(QTest::qWaitFor([&story] {
       story.run(1);
-      return story.window().visitors().count() == 1;
+      return story.window().findChild<VisitorMode*>()->count() == 1;
     }));
     story.arm().wish({.p_WT = Vec3(0.012, 0.018, 0.034)});
     story.run(2000);
@@ -271,7 +271,7 @@ TEST(VisitorStory, PicturesOfTheVisitor) {
     story.settle(100);
     EXPECT_TRUE(
         story.find("demonstrator")->grab().save(QString(UNDERACT_BINARY) + "/pictures/demonstrator_" + theme + ".png"));
-    story.window().visitors().leave();
+    story.window().findChild<VisitorMode*>()->leave();
   }
 }
 

@@ -9,8 +9,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/number_box.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/number_table.h"
 
 namespace underact::gui {
 

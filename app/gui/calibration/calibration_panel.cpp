@@ -9,24 +9,24 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
 #include "app/gui/calibration/begin_page.h"
 #include "app/gui/calibration/result_page.h"
 #include "app/gui/calibration/run_page.h"
-#include "app/gui/document.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/scene_library.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/scene_library.h"
 
 namespace underact::gui {
 
 using calibration::Beam;
 
-CalibrationPanel::CalibrationPanel(const PanelParts& parts, QWidget* parent)
+CalibrationPanel::CalibrationPanel(const FeatureParts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
-      session_(new CalibrationSession(parts.document, parts.host, this)),
+      session_(new CalibrationSession(parts.document, parts.servo, this)),
       pages_(new QStackedWidget) {
   addActions();
   pages_->addWidget(no_beams_ = makeNoBeamsPage());
@@ -113,6 +113,10 @@ void CalibrationPanel::showState() {
       pages_->setCurrentWidget(result_);
       break;
   }
+}
+
+void CalibrationPanel::finish() {
+  session_->cancel();  // the scene's own stiffness, before anybody else looks
 }
 
 void CalibrationPanel::present(const servo::Snapshot& snapshot) {

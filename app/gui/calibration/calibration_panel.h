@@ -1,6 +1,6 @@
 #pragma once
 #include "app/gui/calibration/session.h"
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 
 class QStackedWidget;
 
@@ -15,8 +15,9 @@ class RunPage;
 class CalibrationPanel : public Panel {
   Q_OBJECT
  public:
-  CalibrationPanel(const PanelParts& parts, QWidget* parent);
+  CalibrationPanel(const FeatureParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
+  void finish() override;
   void setTheme(const Theme& theme) override;
 
  private:
@@ -28,7 +29,7 @@ class CalibrationPanel : public Panel {
   bool save(const QString& path);
   void chooseAndSave();
 
-  PanelParts parts_;
+  FeatureParts parts_;
   CalibrationSession* session_;
   QStackedWidget* pages_;
   QWidget* no_beams_ = nullptr;

@@ -6,9 +6,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/calibration/staircase_chart.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/readout.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/readout.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 namespace {

@@ -2,7 +2,7 @@
 #include <QWidget>
 
 #include "app/gui/calibration/session.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 
 class QLabel;
 

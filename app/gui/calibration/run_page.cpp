@@ -10,8 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/number_table.h"
 
 namespace underact::gui {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/gui/calibration/session.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 
 class QAction;
 class QLabel;

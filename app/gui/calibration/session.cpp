@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/gui/document.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
 #include "core/base/units.h"
 #include "core/scene/edit.h"
 
@@ -13,8 +13,8 @@ using calibration::Beam;
 
 constexpr double kPressed_N = 0.05;  // five times the last digit of the force shown: the hand has felt something
 
-CalibrationSession::CalibrationSession(Document& document, servo::Host& host, QObject* parent)
-    : QObject(parent), document_(document), host_(host) {
+CalibrationSession::CalibrationSession(Document& document, ServoFacts servo, QObject* parent)
+    : QObject(parent), document_(document), servo_(servo) {
   connect(&steps_, &QTimer::timeout, this, &CalibrationSession::step);
   connect(&document_, &Document::opened, this, [this] {
     leave();
@@ -50,7 +50,7 @@ Problems CalibrationSession::tryOut() {
   const auto tried = withStiffness(scene_, run_.trial);
   if (!tried) return tried.problems();
   Problems problems = document_.tryOut(tried.value());
-  revision_ = host_.revision();
+  revision_ = servo_.revision();
   let_go_ = pressed_ = {};
   return problems;
 }

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "app/gui/model/servo_facts.h"
 #include "core/calibration/measurement.h"
-#include "core/servo/host.h"
 #include "device/simulated_subject.h"
 
 namespace underact::gui {
@@ -28,7 +28,7 @@ class CalibrationSession : public QObject {
  public:
   enum class State { Idle, Running, Done };
 
-  CalibrationSession(Document& document, servo::Host& host, QObject* parent);
+  CalibrationSession(Document& document, ServoFacts servo, QObject* parent);
 
   /// In place of a run there is. Problems: the scene has not two beams.
   Problems begin(const CalibrationSetup& setup);
@@ -60,7 +60,7 @@ class CalibrationSession : public QObject {
   void sceneEdited();
 
   Document& document_;
-  servo::Host& host_;
+  ServoFacts servo_;
   QTimer steps_;
   State state_ = State::Idle;
   CalibrationSetup setup_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/kit/spoken.h"
+
 namespace underact::gui {
 namespace {
 
@@ -18,6 +20,7 @@ QString percentLabel(double share) {
 }  // namespace
 
 StaircaseChart::StaircaseChart(QWidget* parent) : QWidget(parent) {
+  speakAs(this, QAccessible::Chart);
   setObjectName("panel.calibration.chart");
   setAccessibleName(tr("Difference of stiffness against trial"));
   setToolTip(tr("The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal)."));

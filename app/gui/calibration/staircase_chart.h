@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "core/calibration/measurement.h"
 
 namespace underact::gui {

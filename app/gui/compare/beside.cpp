@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::int64_t kBeforeJudged = 1000;  // ticks whose time is averaged
 
-std::int64_t periodOf(const servo::Host& host) {
-  return 1'000'000'000 / host.rateHz();
+std::int64_t periodOf(ServoFacts servo) {
+  return 1'000'000'000 / servo.rateHz();
 }
 
 Problems refused(const char* sentence) {
@@ -24,10 +24,10 @@ const char* const kTooSlow =
 }  // namespace
 
 Problems Beside::setScene(const scene::Description& scene) {
-  if (scene.arm != host_.scene().arm) return refused(kOtherArm);
-  Result<tick::TickProgram> program = host_.programOf(scene);
+  if (scene.arm != servo_.scene().arm) return refused(kOtherArm);
+  Result<tick::TickProgram> program = servo_.programOf(scene);
   if (!program) return program.problems();
-  rerun_.emplace(std::move(program).value(), periodOf(host_));
+  rerun_.emplace(std::move(program).value(), periodOf(servo_));
   scene_ = scene;
   begins_ = true;
   ticks_ = 0;
@@ -45,13 +45,13 @@ Problems Beside::add(const servo::TickRecord& felt) {
   if (!rerun_) return {};
   if (std::exchange(revision_, felt.revision) != felt.revision) {
     clearFigures();
-    if (scene_.arm != host_.scene().arm) {
+    if (scene_.arm != servo_.scene().arm) {
       end();
       return refused(kOtherArm);
     }
   }
   const auto begin = std::chrono::steady_clock::now();
-  rerun_->setPeriod(periodOf(host_));
+  rerun_->setPeriod(periodOf(servo_));
   const tick::TickReport& report = rerun_->tick(felt, {}, std::exchange(begins_, false)).report;
   spent_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (felt.level >= 1.0 && report.level >= 1.0) {
@@ -59,7 +59,7 @@ Problems Beside::add(const servo::TickRecord& felt) {
     beside_.add(tick::errorOf(report), report.force.f_T_W().norm());
   }
   if (++ticks_ < kBeforeJudged) return {};
-  const bool in_time = spent_s_ < most_of_a_period_ * static_cast<double>(ticks_) / host_.rateHz();
+  const bool in_time = spent_s_ < most_of_a_period_ * static_cast<double>(ticks_) / servo_.rateHz();
   ticks_ = 0;
   spent_s_ = 0.0;
   if (in_time) return {};

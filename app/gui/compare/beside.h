@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "app/gui/model/servo_facts.h"
 #include "core/record/tick_figures.h"
 #include "core/scene/description.h"
-#include "core/servo/host.h"
 #include "core/servo/rerun.h"
 
 namespace underact::gui {
@@ -15,8 +15,8 @@ class Beside {
   static constexpr double kMostOfAPeriod = 0.5;
 
   /// most_of_a_period: a tick's time beyond which, on average, it ends.
-  explicit Beside(servo::Host& host, double most_of_a_period = kMostOfAPeriod)
-      : host_(host), most_of_a_period_(most_of_a_period) {}
+  explicit Beside(ServoFacts servo, double most_of_a_period = kMostOfAPeriod)
+      : servo_(servo), most_of_a_period_(most_of_a_period) {}
   /// Problems: another arm than that of the scene in effect; it does not compile. Then the one before it stays.
   Problems setScene(const scene::Description& scene);
   void end() { rerun_.reset(); }
@@ -36,7 +36,7 @@ class Beside {
  private:
   void clearFigures();
 
-  servo::Host& host_;
+  ServoFacts servo_;
   double most_of_a_period_;
   scene::Description scene_;
   std::optional<servo::Rerun> rerun_;

@@ -6,10 +6,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

@@ -1,18 +1,20 @@
 #include "app/gui/compare/compare_tool.h"
 
 #include <QAction>
+#include <QBoxLayout>
+#include <QMainWindow>
 #include <QStringList>
 #include <utility>
 
-#include "app/gui/actions.h"
 #include "app/gui/compare/compare_strip.h"
 #include "app/gui/compare/two_views.h"
-#include "app/gui/data_words.h"
-#include "app/gui/document.h"
-#include "app/gui/file_question.h"
-#include "app/gui/scene_files.h"
-#include "app/gui/scene_library.h"
-#include "app/gui/words.h"
+#include "app/gui/files/scene_files.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/data_words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/scene_library.h"
 #include "core/arm/preset.h"
 #include "core/scene/difference.h"
 #include "core/scene/mirror.h"
@@ -33,10 +35,16 @@ QString wordsOf(const scene::Difference& difference) {
 
 }  // namespace
 
-CompareTool::CompareTool(const Parts& parts, QWidget* middle)
-    : QObject(middle), parts_(parts), views_(new TwoViews(parts.view, middle)), beside_(parts.host) {
+CompareTool::CompareTool(const FeatureParts& parts)
+    : QObject(parts.window),
+      parts_(parts),
+      views_(new TwoViews(parts.view, parts.middle.parentWidget())),
+      beside_(parts.servo) {
   addActions();
-  strip_ = new CompareStrip(parts_.actions, middle);
+  strip_ = new CompareStrip(parts_.actions, parts.middle.parentWidget());
+  parts.middle.insertWidget(0, views_, 1);  // the view is in it from now on
+  parts.middle.addWidget(strip_);
+  connect(&parts.actions, &Actions::locked, this, [this] { setOn(false); });
   const auto show = [this] {
     if (!isOn()) return;
     if (parts_.document.isMirrored() == is_mirrored_)
@@ -49,14 +57,6 @@ CompareTool::CompareTool(const Parts& parts, QWidget* middle)
 }
 
 CompareTool::~CompareTool() = default;
-
-QWidget* CompareTool::views() const {
-  return views_;
-}
-
-QWidget* CompareTool::strip() const {
-  return strip_;
-}
 
 void CompareTool::addActions() {
   parts_.actions.add({"compare.on",
@@ -112,7 +112,7 @@ bool CompareTool::compareWith(const scene::Description& scene) {
   is_mirrored_ = parts_.document.isMirrored();
   SceneView& right = views_->right();
   right.setScene(scene);
-  right.setForceLimit(arm::findPreset(scene.arm)->continuous_force_N * parts_.host.forceShare());
+  right.setForceLimit(arm::findPreset(scene.arm)->continuous_force_N * parts_.servo.forceShare());
   showScenes();
   return true;
 }

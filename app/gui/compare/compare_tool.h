@@ -2,47 +2,30 @@
 #include <QObject>
 
 #include "app/gui/compare/beside.h"
-#include "app/gui/scene_loading.h"
-#include "app/gui/theme.h"
-
-class QWidget;
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/scene_loading.h"
 
 namespace underact::gui {
 
-class Actions;
 class CompareStrip;
-class Document;
-class SceneFiles;
-class SceneView;
 class TwoViews;
 
 /// Two scenes, or one with two sorts of gains, compared on one motion: to the left what is felt, to the right what the
 /// other one would do. What is felt is edited as always; the other one stays as it was, until they are swapped.
-class CompareTool : public QObject {
+class CompareTool : public QObject, public Follower {
   Q_OBJECT
  public:
-  struct Parts {
-    servo::Host& host;
-    Document& document;
-    SceneFiles& files;
-    SceneView& view;
-    Actions& actions;
-  };
-  /// middle: what view and strip stand in.
-  CompareTool(const Parts& parts, QWidget* middle);
+  explicit CompareTool(const FeatureParts& parts);
   ~CompareTool() override;
 
-  QWidget* views() const;  // the view is in it
-  QWidget* strip() const;
   bool isOn() const;
   void setOn(bool on);
   const Beside& beside() const { return beside_; }
 
-  /// Every tick, in order.
-  void add(const servo::TickRecord& record);
-  /// Each frame.
-  void present(const servo::Snapshot& snapshot);
-  void setTheme(const Theme& theme);
+  void add(const servo::TickRecord& record) override;
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
 
  private:
   void addActions();
@@ -54,7 +37,7 @@ class CompareTool : public QObject {
   void showScenes();
   void tell(const QString& sentence);
 
-  Parts parts_;
+  FeatureParts parts_;
   TwoViews* views_;
   CompareStrip* strip_ = nullptr;
   Beside beside_;

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/scene_view.h"
 
 class QLabel;

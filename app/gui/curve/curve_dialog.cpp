@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/number_box.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "core/mesh_file/report.h"
 
 namespace underact::gui {

@@ -6,14 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/file_constraint.h"
-#include "app/gui/file_question.h"
-#include "app/gui/mesh/load_strip.h"
-#include "app/gui/problems_box.h"
-#include "app/gui/scene_files.h"
-#include "app/gui/words.h"
+#include "app/gui/files/load_strip.h"
+#include "app/gui/files/scene_files.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/view/file_constraint.h"
 #include "core/curve/points.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
@@ -56,18 +56,6 @@ scene::Constraint constraintOf(const QString& path, std::shared_ptr<const std::v
   constraint.name = QFileInfo(path).completeBaseName().toStdString();
   constraint.shape = std::move(curve);
   return constraint;
-}
-
-std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch) {
-  std::vector<target::CurvePath> made;
-  for (const scene::Constraint& constraint : scene.constraints) {
-    const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
-    if (curve == nullptr || curve->points == nullptr || watch.isCancelled()) continue;
-    watch.tell(QT_TRANSLATE_NOOP("step of work", "Joining the points"), 1.0);
-    auto path = scene::makeCurvePath(*curve, constraint.place);
-    if (path) made.push_back(std::move(path).value());  // else compile() says what is wrong with it
-  }
-  return made;
 }
 
 CurveFiles::CurveFiles(Document& document, SceneFiles& scenes, LoadStrip& loads, QWidget* window)

@@ -6,8 +6,6 @@
 
 #include "app/gui/curve/curve_dialog.h"
 #include "core/base/result.h"
-#include "core/base/watch.h"
-#include "core/target/curve_target.h"
 
 namespace underact::gui {
 
@@ -43,10 +41,6 @@ bool isCurveFile(const QString& path);
 /// As a scene holds it: in the middle of the workspace where it would lie outside of it.
 scene::Constraint constraintOf(const QString& path, std::shared_ptr<const std::vector<Vec3>> points,
                                const CurveWish& wish);
-
-/// All curves of a scene that are loaded, so that whoever compiles it finds them made as long as they are held. A
-/// spline of a million points takes a second. Any thread.
-std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch);
 
 /// "curve.add"
 void addCurveActions(Actions& actions, CurveFiles& files);

@@ -9,14 +9,14 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/devices/arm_choice.h"
-#include "app/gui/devices/fix_dialog.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/registration/registration_tool.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/arms/fix_dialog.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/remark.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/arm_choice.h"
 
 namespace underact::gui {
 namespace {
@@ -32,7 +32,7 @@ QString stateOf(const ArmEntry& entry, bool is_in_use) {
 
 }  // namespace
 
-DevicesPanel::DevicesPanel(const PanelParts& parts, QWidget* parent)
+DevicesPanel::DevicesPanel(const FeatureParts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), search_(new ArmSearch(this)) {
   addActions();
   auto* content = new QWidget;
@@ -148,11 +148,13 @@ QWidget* DevicesPanel::buildRegistration() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(sectionTitle(tr("Where it stands"), box));
   registered_ = toldLabel("panel.devices.registration", tr("Where the arm stands on the desk"), "quiet", box);
+  const QAction* const action = parts_.actions.find("registration.open");
+  box->setHidden(action == nullptr);  // a window that registers none
   QPushButton* open = pushButton("panel.devices.register", tr("Register the arm…"),
-                                 parts_.actions.find("registration.open")->toolTip(), box);
+                                 action == nullptr ? QString() : action->toolTip(), box);
   connect(open, &QPushButton::clicked, this, [this] { parts_.actions.perform("registration.open"); });
-  const auto present = [this] { registered_->setText(parts_.registration.sentence(RegistrationTool::Which::First)); };
-  connect(&parts_.registration, &RegistrationTool::changed, this, present);
+  const auto present = [this] { registered_->setText(parts_.where_it_stands.text()); };
+  connect(&parts_.where_it_stands, &Remark::changed, this, present);
   present();
   column->addWidget(registered_);
   column->addWidget(open);
@@ -241,7 +243,7 @@ void DevicesPanel::describe() {
 }
 
 void DevicesPanel::presentArm() {
-  const servo::DeviceInfo info = parts_.host.device();
+  const servo::DeviceInfo info = parts_.servo.device();
   const QString title = sentenceText(info.title);
   in_use_->setText(info.untested
                        ? tr("In use: %1. Untested on hardware: begin with a soft scene, and a hand on Stop.").arg(title)

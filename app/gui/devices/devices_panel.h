@@ -1,8 +1,8 @@
 #pragma once
 #include <QTimer>
 
-#include "app/gui/devices/arm_search.h"
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
+#include "app/gui/model/arm_search.h"
 
 class QLabel;
 class QLineEdit;
@@ -16,7 +16,7 @@ namespace underact::gui {
 class DevicesPanel : public Panel {
   Q_OBJECT
  public:
-  DevicesPanel(const PanelParts& parts, QWidget* parent);
+  DevicesPanel(const FeatureParts& parts, QWidget* parent);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -36,7 +36,7 @@ class DevicesPanel : public Panel {
   void presentArm();
   void tell(const QString& sentence);
 
-  PanelParts parts_;
+  FeatureParts parts_;
   ArmSearch* search_;
   QTimer looks_;
   QLabel *in_use_ = nullptr, *about_ = nullptr, *told_ = nullptr, *opening_ = nullptr, *registered_ = nullptr;

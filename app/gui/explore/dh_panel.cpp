@@ -9,16 +9,16 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/document.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/robot/edit_table.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/edit_table.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
 #include "app/gui/view/scene_view.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/chain/table_check.h"
 
@@ -30,7 +30,7 @@ constexpr std::int64_t kBetween_ns = 100'000'000;  // of the servo's time: numbe
 
 }  // namespace
 
-DhPanel::DhPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+DhPanel::DhPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
   start({});

@@ -3,7 +3,7 @@
 
 #include "app/gui/explore/dh_table.h"
 #include "app/gui/explore/edit_row.h"
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 
 class QCheckBox;
 class QComboBox;
@@ -20,7 +20,7 @@ class NumberTable;
 class DhPanel : public Panel {
   Q_OBJECT
  public:
-  DhPanel(const PanelParts& parts, QWidget* parent);
+  DhPanel(const FeatureParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  protected:
@@ -40,7 +40,7 @@ class DhPanel : public Panel {
   void showNumbers();
   void draw();
 
-  PanelParts parts_;
+  FeatureParts parts_;
   History<DhTable> tables_;
   arm::JointAngles q_rad_{};    // of the arm
   Vec3 p_WT_ = Vec3::Zero();    // where its tip is

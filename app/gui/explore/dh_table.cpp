@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "app/gui/robot/joint_fields.h"
-#include "app/gui/words.h"
+#include "app/gui/arms/joint_fields.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 #include "core/chain/table_check.h"
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <functional>
 
-#include "app/gui/actions.h"
 #include "app/gui/explore/history.h"
+#include "app/gui/kit/actions.h"
 
 namespace underact::gui {
 

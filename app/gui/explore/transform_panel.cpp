@@ -8,17 +8,17 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/robot/edit_table.h"
-#include "app/gui/robot/joint_fields.h"
-#include "app/gui/told_label.h"
+#include "app/gui/arms/joint_fields.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/edit_table.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/view/drawing.h"
 #include "app/gui/view/scene_view.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -63,7 +63,7 @@ QString orderOf(std::size_t count, bool reversed) {
 
 }  // namespace
 
-TransformPanel::TransformPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+TransformPanel::TransformPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
   change({{{StepKind::TurnZ, kPi / 2}, {StepKind::TurnX, kPi / 2}, {StepKind::ShiftX, 0.04}}, Axes::Moving});

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "app/gui/explore/edit_row.h"
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 #include "core/chain/steps.h"
 
 class QComboBox;
@@ -19,7 +19,7 @@ class NumberTable;
 class TransformPanel : public Panel {
   Q_OBJECT
  public:
-  TransformPanel(const PanelParts& parts, QWidget* parent);
+  TransformPanel(const FeatureParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  protected:
@@ -41,7 +41,7 @@ class TransformPanel : public Panel {
   void draw();
   std::vector<Pose> frames(bool reversed) const;
 
-  PanelParts parts_;
+  FeatureParts parts_;
   History<State> states_;
   bool drawn_ = false;
   QComboBox* axes_ = nullptr;

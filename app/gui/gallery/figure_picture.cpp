@@ -2,9 +2,12 @@
 
 #include <QPainter>
 
+#include "app/gui/kit/spoken.h"
+
 namespace underact::gui {
 
 FigurePicture::FigurePicture(QWidget* parent) : QWidget(parent) {
+  speakAs(this, QAccessible::Graphic);
   setMinimumSize(240, 160);
 }
 

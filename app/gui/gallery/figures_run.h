@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/gui/cli_process.h"
+#include "app/gui/kit/cli_process.h"
 
 namespace underact::gui {
 

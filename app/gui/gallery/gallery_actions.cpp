@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <QWidget>
 
-#include "app/gui/actions.h"
 #include "app/gui/gallery/gallery_dialog.h"
+#include "app/gui/kit/actions.h"
 
 namespace underact::gui {
 namespace {

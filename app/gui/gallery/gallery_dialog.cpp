@@ -16,8 +16,8 @@
 
 #include "app/gui/gallery/figure_pdf.h"
 #include "app/gui/gallery/figure_picture.h"
-#include "app/gui/number_box.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/words.h"
 #include "underact/version.h"
 
 namespace underact::gui {

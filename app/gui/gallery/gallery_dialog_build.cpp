@@ -16,8 +16,8 @@
 
 #include "app/gui/gallery/figure_picture.h"
 #include "app/gui/gallery/gallery_dialog.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {

@@ -5,13 +5,13 @@
 #include <QGuiApplication>
 #include <functional>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/file_question.h"
+#include "app/gui/files/scene_files.h"
 #include "app/gui/ghost/ghost_hand.h"
 #include "app/gui/ghost/ghost_words.h"
-#include "app/gui/scene_files.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
 #include "core/base/units.h"
 #include "core/scene/mirror.h"
 

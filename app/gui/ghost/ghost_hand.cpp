@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
-#include "app/gui/document.h"
+#include "app/gui/files/load_strip.h"
 #include "app/gui/ghost/ghost_drawing.h"
-#include "app/gui/mesh/load_strip.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/player.h"
 #include "app/gui/view/scene_view.h"
 #include "core/scene/mirror.h"
 
@@ -105,7 +105,7 @@ void GhostHand::add(const servo::TickRecord& record) {
   if (state_.rounds > rounds) emit ended();
 }
 
-void GhostHand::draw() {
+void GhostHand::present(const servo::Snapshot&) {
   if (!isOpen() || !state_.tick_ns) return;
   const follow::Place& now = state_.ghost;
   const bool is_alike = is_drawn_ && (now.p_WG - drawn_.p_WG).norm() + (p_WT_ - drawn_p_WT_).norm() < kLooksTheSame_m &&

@@ -3,6 +3,7 @@
 #include <QString>
 #include <optional>
 
+#include "app/gui/feature/follower.h"
 #include "app/gui/ghost/ghost_load.h"
 #include "core/follow/follow.h"
 #include "core/servo/snapshot.h"
@@ -16,7 +17,7 @@ class SceneView;
 
 /// A recorded hand in the view that the one who holds the stylus follows: reads it, lets it go tick by tick, and draws
 /// it. The arm, the scene and the forces stay what they are. A replay that opens ends it.
-class GhostHand : public QObject {
+class GhostHand : public QObject, public Follower {
   Q_OBJECT
  public:
   GhostHand(Document& document, Player& player, LoadStrip& loads, SceneView& view, QObject* parent);
@@ -44,10 +45,8 @@ class GhostHand : public QObject {
   /// The one in the window is another.
   bool isElsewhere() const;
 
-  /// Every tick, in order.
-  void add(const servo::TickRecord& record);
-  /// Each frame.
-  void draw();
+  void add(const servo::TickRecord& record) override;
+  void present(const servo::Snapshot& snapshot) override;
 
  signals:
   void opened();

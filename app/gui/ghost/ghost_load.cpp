@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/gui/replay/recorded_files.h"
+#include "app/gui/model/recorded_files.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "core/arm/preset.h"
 #include "core/scene/edit.h"

@@ -10,14 +10,14 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/gui/document.h"
 #include "app/gui/ghost/ghost_hand.h"
 #include "app/gui/ghost/ghost_words.h"
-#include "app/gui/icons.h"
-#include "app/gui/number_box.h"
-#include "app/gui/sessions/session_words.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/icons.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/session_words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -33,7 +33,7 @@ void tell(QLabel* label, const QString& text) {
 
 }  // namespace
 
-void GhostStrip::present() {
+void GhostStrip::present(const servo::Snapshot&) {
   if (!ghost_.isOpen()) return;
   if (!ghost_.isPlaying() || ++frame_ % kFramesANumber == 0) presentNumbers();
   if (ghost_.isPlaying() == shows_pause_) return;

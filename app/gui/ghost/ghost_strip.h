@@ -1,7 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/theme.h"
+#include "app/gui/feature/follower.h"
+#include "app/gui/kit/theme.h"
 
 class QCheckBox;
 class QComboBox;
@@ -19,12 +20,12 @@ class GhostHand;
 
 /// Below the view while a recorded hand is followed: play and pause, speed, how far away the stylus is and was, and
 /// what came of it at the end, which a screen reader says once.
-class GhostStrip : public QWidget {
+class GhostStrip : public QWidget, public Follower {
   Q_OBJECT
  public:
   GhostStrip(GhostHand& ghost, const Document& document, Actions& actions, QWidget* parent);
-  void present();
-  void setTheme(const Theme& theme);
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
 
  private:
   void buildTransport(QVBoxLayout* column);

@@ -9,15 +9,15 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/document.h"
 #include "app/gui/ghost/ghost_hand.h"
 #include "app/gui/ghost/ghost_strip.h"
-#include "app/gui/larger_font.h"
-#include "app/gui/number_box.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/larger_font.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/model/document.h"
 
 namespace underact::gui {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/gui/ghost/ghost_words.h"
 
-#include "app/gui/data_words.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/data_words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

@@ -2,30 +2,36 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QMainWindow>
 #include <QUrl>
 
-#include "app/gui/actions.h"
 #include "app/gui/guide/guide_window.h"
-#include "app/gui/guide/help_pages.h"
-#include "app/gui/problems_box.h"
-#include "app/gui/scene_library.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/model/scene_library.h"
+#include "app/gui/model/settings.h"
 #include "core/base/places.h"
 
 namespace underact::gui {
 
-GuideTool::GuideTool(Actions& actions, QString place, int zoom, QWidget* window)
-    : QObject(window), actions_(actions), place_(std::move(place)), zoom_(zoom), main_(window) {
+GuideTool::GuideTool(const FeatureParts& parts)
+    : QObject(parts.window),
+      actions_(parts.actions),
+      pages_(parts.pages),
+      place_(parts.settings.guide_page),
+      zoom_(parts.settings.guide_zoom),
+      main_(parts.window) {
   // Where nothing has the focus: where the guide was read last.
   const auto wanted = [this](const QVariantList& arguments) {
     if (!arguments.isEmpty()) return arguments.first().toString();
     const QWidget* focus = QApplication::focusWidget();
     if (window_ != nullptr && focus != nullptr && focus->window() == window_) return QString("window#this-guide");
-    return focus == nullptr ? place_ : helpPlaceOf(focus);
+    return focus == nullptr ? place_ : helpPlaceOf(focus, pages_);
   };
-  actions.add({"help.guide", tr("&Guide"), QKeySequence("F1"), tr("The guide, at the page for what has the focus."),
-               "help", tr("Guide")},
-              [this, wanted](const QVariantList& arguments) { return open(wanted(arguments)); });
-  actions.addCommand("guide.search", [this](const QVariantList& words) {
+  actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"), tr("The guide, at the page for what has the focus."),
+                "help", tr("Guide")},
+               [this, wanted](const QVariantList& arguments) { return open(wanted(arguments)); });
+  actions_.addCommand("guide.search", [this](const QVariantList& words) {
     if (!open(this->place())) return false;
     window_->search(words.value(0).toString());
     return true;
@@ -36,8 +42,9 @@ QString GuideTool::place() const {
   return window_ == nullptr ? place_ : window_->place();
 }
 
-int GuideTool::zoom() const {
-  return window_ == nullptr ? zoom_ : window_->zoom();
+void GuideTool::remember(Settings& settings) {
+  settings.guide_page = place();
+  settings.guide_zoom = window_ == nullptr ? zoom_ : window_->zoom();
 }
 
 bool GuideTool::open(const QString& place) {

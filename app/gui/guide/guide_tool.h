@@ -1,31 +1,30 @@
 #pragma once
 #include <QObject>
 #include <QPointer>
-#include <functional>
+
+#include "app/gui/feature/feature.h"
 
 class QUrl;
 class QWidget;
 
 namespace underact::gui {
 
-class Actions;
 class GuideWindow;
 
 /// Opens the guide: with F1 at the page for what has the focus. Remembers where it was read last.
-class GuideTool : public QObject {
+class GuideTool : public QObject, public Follower {
   Q_OBJECT
  public:
-  GuideTool(Actions& actions, QString place, int zoom, QWidget* window);
-
-  /// For the settings.
-  QString place() const;
-  int zoom() const;
+  explicit GuideTool(const FeatureParts& parts);
+  void remember(Settings& settings) override;
 
  private:
+  QString place() const;
   bool open(const QString& place);
   void follow(const QUrl& link);
 
   Actions& actions_;
+  const std::vector<HelpPage> pages_;
   QString place_;
   int zoom_;
   QWidget* main_;

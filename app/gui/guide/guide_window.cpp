@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "app/gui/guide/guide_list.h"
-#include "app/gui/page/page_view.h"
-#include "app/gui/push_button.h"
+#include "app/gui/kit/page_view.h"
+#include "app/gui/kit/push_button.h"
 
 namespace underact::gui {
 namespace {

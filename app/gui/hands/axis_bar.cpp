@@ -3,9 +3,12 @@
 #include <QPainter>
 #include <cmath>
 
+#include "app/gui/kit/spoken.h"
+
 namespace underact::gui {
 
 AxisBar::AxisBar(const QString& name, const QString& spoken, QWidget* parent) : QWidget(parent) {
+  speakAs(this, QAccessible::Graphic);
   setObjectName(name);
   setAccessibleName(spoken);
   setToolTip(tr("The line: how far it is moved. The bar: what comes through. Grey: the dead zone."));

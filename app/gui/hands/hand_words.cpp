@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 #include "device/hands/map_file.h"
 
 namespace underact::gui {

@@ -2,19 +2,20 @@
 
 #include <QLabel>
 #include <QListWidget>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/devices/fix_dialog.h"
+#include "app/gui/arms/fix_dialog.h"
 #include "app/gui/hands/hand_words.h"
 #include "app/gui/hands/map_editor.h"
 #include "app/gui/hands/moving_hands.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 namespace {
@@ -38,7 +39,10 @@ void say(QLabel* label, const QString& text) {
 
 }  // namespace
 
-HandsPanel::HandsPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts), hands_(parts.hands) {
+HandsPanel::HandsPanel(const FeatureParts& parts, QWidget* parent)
+    : Panel(parent),
+      parts_(parts),
+      hands_(*new MovingHands(parts.servo, parts.hand, parts.hands, parts.actions, parts.window)) {
   addActions();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
@@ -149,6 +153,10 @@ void HandsPanel::describe() {
     say(about_, tr("A %1, untested. Its mapping is kept.").arg(kindText(entry->seen.kind)));
   editor_->setDevice(entry == nullptr ? QString() : entry->id());
   editor_->rebuild();
+}
+
+void HandsPanel::before() {
+  hands_.look();
 }
 
 void HandsPanel::present(const servo::Snapshot&) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 
 class QLabel;
 class QListWidget;
@@ -14,7 +14,8 @@ class MovingHands;
 class HandsPanel : public Panel {
   Q_OBJECT
  public:
-  HandsPanel(const PanelParts& parts, QWidget* parent);
+  HandsPanel(const FeatureParts& parts, QWidget* parent);
+  void before() override;
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
@@ -25,8 +26,8 @@ class HandsPanel : public Panel {
   void describe();
   bool fix();
 
-  PanelParts parts_;
-  MovingHands& hands_;
+  FeatureParts parts_;
+  MovingHands& hands_;  // of the window
   QLabel *state_ = nullptr, *trouble_ = nullptr, *about_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton* fix_ = nullptr;

@@ -9,12 +9,12 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/gui/actions.h"
 #include "app/gui/hands/axis_bar.h"
 #include "app/gui/hands/hand_words.h"
 #include "app/gui/hands/moving_hands.h"
-#include "app/gui/value_row.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/value_row.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 #include "device/hands/map_file.h"
 

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <array>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "device/hands/motion.h"
 
 class QCheckBox;

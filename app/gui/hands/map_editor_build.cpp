@@ -8,15 +8,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
 #include "app/gui/hands/axis_bar.h"
 #include "app/gui/hands/hand_words.h"
 #include "app/gui/hands/map_editor.h"
 #include "app/gui/hands/moving_hands.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
-#include "app/gui/value_row.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/value_row.h"
 #include "core/base/units.h"
 #include "device/hands/map_file.h"
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/hand.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/view/hand.h"
 #include "core/arm/forward.h"
 #include "core/arm/preset.h"
 #include "core/base/units.h"
@@ -56,9 +56,9 @@ class MapEdit : public QUndoCommand {
   bool fresh_;
 };
 
-MovingHands::MovingHands(servo::Host& host, Hand& hand, std::vector<hands::Port*> ports, Actions& actions,
+MovingHands::MovingHands(ServoFacts servo, Hand& hand, std::vector<hands::Port*> ports, Actions& actions,
                          QWidget* window)
-    : QObject(window), host_(host), hand_(hand), ports_(std::move(ports)), actions_(actions), window_(window) {
+    : QObject(window), servo_(servo), hand_(hand), ports_(std::move(ports)), actions_(actions), window_(window) {
   for (const QString& id : QSettings().value(kUnused).toStringList()) unused_.insert(id);
   looks_.setTimerType(Qt::PreciseTimer);
   connect(&looks_, &QTimer::timeout, this, &MovingHands::look);
@@ -95,7 +95,7 @@ QString MovingHands::trouble() const {
 
 void MovingHands::look() {
   const bool is_new = takeSeen();
-  const servo::Snapshot snapshot = host_.snapshot();
+  const servo::Snapshot snapshot = servo_.snapshot();
   const std::int64_t time_ns = snapshot.report.sample.time_ns;
   const double dt_s = time_ns_ < 0 ? 0.0 : kSecondPerNanosecond * static_cast<double>(time_ns - time_ns_);
   time_ns_ = time_ns;
@@ -125,10 +125,10 @@ void MovingHands::look() {
 }
 
 void MovingHands::move(const hands::Motion& motion, double dt_s) {
-  const servo::Snapshot snapshot = host_.snapshot();
+  const servo::Snapshot snapshot = servo_.snapshot();
   const bool moves = !motion.isAtRest() && snapshot.ticks > 0;
   if (moves) {
-    const arm::Preset* preset = arm::findPreset(host_.scene().arm);
+    const arm::Preset* preset = arm::findPreset(servo_.scene().arm);
     if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
     const Pose X_WT = arm::tipPose(preset->geometry, snapshot.report.sample.q_rad);
     hand_.moveTo(hands::moved(hand_.arm()->wished(), motion, dt_s, X_WT));

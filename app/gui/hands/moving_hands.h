@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/gui/hands/map_store.h"
-#include "core/servo/host.h"
+#include "app/gui/model/servo_facts.h"
 #include "device/hands/port.h"
 
 class QWidget;
@@ -35,8 +35,7 @@ class MovingHands : public QObject {
   Q_OBJECT
  public:
   /// ports: none where the window has mouse and keyboard alone. They outlive it.
-  MovingHands(servo::Host& host, Hand& hand, std::vector<device::hands::Port*> ports, Actions& actions,
-              QWidget* window);
+  MovingHands(ServoFacts servo, Hand& hand, std::vector<device::hands::Port*> ports, Actions& actions, QWidget* window);
   ~MovingHands() override;
 
   /// Each frame, and between two.
@@ -80,7 +79,7 @@ class MovingHands : public QObject {
   void move(const device::hands::Motion& motion, double dt_s);
   void save();
 
-  servo::Host& host_;
+  ServoFacts servo_;
   Hand& hand_;
   const std::vector<device::hands::Port*> ports_;
   Actions& actions_;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/devices/arm_choice.h"
-#include "app/gui/document.h"
-#include "app/gui/identify/arm_in_use.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/arm_choice.h"
+#include "app/gui/model/arm_in_use.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/player.h"
 #include "app/gui/view/scene_view.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -35,7 +35,7 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
   wanted.arm = armNow();
   Result<identify::Plan> plan = identify::makePlan(wanted);
   if (!plan) return plan.problems();
-  was_running_ = parts_.host.running();
+  was_running_ = parts_.servo.running();
   is_own_start_ = is_begun_ = has_pushed_ = false;
   found_.reset();
   given_.reset();
@@ -49,7 +49,7 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
     if (given_->model.counts_per_turn)
       given_->counts_per_turn = sim::countsOf(*given_->model.counts_per_turn, preset.counts_per_turn);
   }
-  revision_ = parts_.host.revision();
+  revision_ = parts_.servo.revision();
   setState(State::Asks);
   return {};
 }
@@ -62,7 +62,7 @@ Problems IdentifyRun::whyNotNow() const {
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it first."))}};
   if (parts_.document.isTryingOut() && !hasOwnScene())
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
-  if (parts_.host.holdToRun())
+  if (parts_.servo.holdToRun())
     return Problems{
         {said(QT_TRANSLATE_NOOP("problem", "Hold to run is on, and the hand has to let go. Switch it off first."))}};
   return {};
@@ -78,13 +78,13 @@ std::string IdentifyRun::armNow() const {
 
 /// What is tried out is of this measurement.
 bool IdentifyRun::hasOwnScene() const {
-  return measurement_ && parts_.document.isTryingOut() && parts_.host.revision() == revision_;
+  return measurement_ && parts_.document.isTryingOut() && parts_.servo.revision() == revision_;
 }
 
 Result<std::uint64_t> IdentifyRun::put(const scene::Description& scene) {
   const Problems problems = parts_.document.tryOut(scene);
   if (!problems.empty()) return problems;
-  revision_ = parts_.host.revision();
+  revision_ = parts_.servo.revision();
   parts_.view.followEdit(scene);
   return revision_;
 }
@@ -95,13 +95,13 @@ void IdentifyRun::startServo() {
   started_ticks_ = ticks_;
   has_pushed_ = mode_ == servo::Mode::Running;
   if (has_pushed_) return;
-  parts_.host.start();
+  parts_.control.start();
   is_own_start_ = true;
 }
 
 /// Empty: it pushes, or was told so less than a second ago.
 QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
-  const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.host.rateHz();
+  const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.servo.rateHz();
   if (snapshot.mode == servo::Mode::Running || waits) return {};
   if (snapshot.mode == servo::Mode::Faulted)
     return tr("%1 Force is off. When that is mended, press “Repeat this part”.")
@@ -111,7 +111,7 @@ QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
 
 void IdentifyRun::goOn() {
   if (state_ != State::Asks) return;
-  if (!is_begun_) rate_hz_ = parts_.host.rateHz();
+  if (!is_begun_) rate_hz_ = parts_.servo.rateHz();
   if (!mayGoOn()) return;
   is_begun_ = true;
   startServo();
@@ -121,7 +121,7 @@ void IdentifyRun::goOn() {
 
 /// Samples of two rates make no one measurement.
 QString IdentifyRun::whyNotAtThisRate() const {
-  if (parts_.host.rateHz() == rate_hz_) return {};
+  if (parts_.servo.rateHz() == rate_hz_) return {};
   return tr("The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.").arg(rate_hz_);
 }
 
@@ -141,7 +141,7 @@ void IdentifyRun::repeat() {
   if (state_ != State::Stopped || !mayGoOn()) return;
   is_begun_ = true;
   startServo();
-  revision_ = parts_.host.revision();
+  revision_ = parts_.servo.revision();
   fit_ = {};
   fitted_stages_ = 0;
   const Problems problems = measurement_->repeat();
@@ -167,7 +167,7 @@ void IdentifyRun::letGo() {
     parts_.document.putBack();
     parts_.view.followEdit(parts_.document.scene());
   }
-  if (is_own_start_ && !was_running_) parts_.host.stop();
+  if (is_own_start_ && !was_running_) parts_.control.stop();
   person_.reset();
   measurement_.reset();
   live_.reset();
@@ -194,7 +194,7 @@ void IdentifyRun::look(const servo::Snapshot& snapshot) {
   if (!measurement_) return;
   if (person_) person_->act(*measurement_, q_rad_);
   if (state_ != State::Runs && state_ != State::Asks) return;
-  if (state_ == State::Runs && parts_.host.revision() != revision_)
+  if (state_ == State::Runs && parts_.servo.revision() != revision_)
     return stopped(tr("The scene was changed meanwhile."));
   if (is_begun_) {
     if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
@@ -275,7 +275,7 @@ void IdentifyRun::fitLive() {
     rows.insert(rows.end(), recorded[index].rows.begin(), recorded[index].rows.end());
   const int axis = measurement_->plan().stages[recorded.back().stage].axis;
   live_ = std::make_unique<Background<LiveFit>>(
-      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.host.rateHz()](WorkState& work) {
+      [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.servo.rateHz()](WorkState& work) {
         const std::vector<identify::Window> windows = windowsOf(rows, Vec3::Unit(axis), period_s);
         const Result<identify::BodyFit> fit = identify::fitBody(windows, [&work] { return work.cancelled.load(); });
         return fit ? LiveFit{first, pointsOf(windows, fit.value().way_m)} : LiveFit{first, {}};
@@ -290,7 +290,7 @@ SwingPicture IdentifyRun::picture() const {
   if (first == recorded.size()) return picture;
   const int axis = measurement_->plan().stages[recorded.back().stage].axis;
   picture.axis = "xyz"[axis];
-  const double period_s = 1.0 / parts_.host.rateHz();
+  const double period_s = 1.0 / parts_.servo.rateHz();
   double t_s = 0.0;
   for (std::size_t index = first; index < recorded.size(); ++index) {
     for (const identify::Row& row : recorded[index].rows) {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/background.h"
 #include "app/gui/identify/swing_picture.h"
+#include "app/gui/kit/background.h"
+#include "app/gui/model/servo_facts.h"
 #include "core/identify/report.h"
-#include "core/servo/host.h"
 #include "device/simulated_person.h"
 
 namespace underact::gui {
@@ -20,7 +20,8 @@ class SceneView;
 
 /// What a measurement of the arm in the window works with.
 struct IdentifyParts {
-  servo::Host& host;
+  ServoFacts servo;
+  ServoControl control;
   Document& document;
   SceneView& view;
   Player& player;

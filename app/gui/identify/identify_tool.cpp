@@ -2,16 +2,23 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QMainWindow>
 
-#include "app/gui/actions.h"
 #include "app/gui/identify/identify_wizard.h"
 #include "app/gui/identify/pages.h"
-#include "app/gui/problems_box.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/model/arm_choice.h"
 
 namespace underact::gui {
 
-IdentifyTool::IdentifyTool(const IdentifyParts& parts, Actions& actions, QWidget* window)
-    : QObject(window), parts_(parts), actions_(actions), window_(window), run_(parts, this) {
+IdentifyTool::IdentifyTool(const FeatureParts& parts)
+    : QObject(parts.window),
+      parts_{parts.servo, parts.control, parts.document, parts.view, parts.player, parts.arm_in_use, parts.arms},
+      actions_(parts.actions),
+      window_(parts.window),
+      run_(parts_, this) {
+  connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // it was to measure the arm before
   actions_.add({"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
                 tr("Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.")},
                [this](const QVariantList&) {
@@ -49,12 +56,13 @@ IdentifyTool::IdentifyTool(const IdentifyParts& parts, Actions& actions, QWidget
 }
 
 IdentifyTool::~IdentifyTool() {
+  end();  // while the document that it puts back is still there
   delete wizard_;
 }
 
 void IdentifyTool::open() {
   if (!wizard_) {
-    wizard_ = new IdentifyWizard(run_, parts_.in_use, parts_.host, window_);
+    wizard_ = new IdentifyWizard(run_, parts_.in_use, parts_.servo, window_);
     wizard_->setAttribute(Qt::WA_DeleteOnClose);
     wizard_->setTheme(theme_);
     connect(wizard_, &QDialog::finished, wizard_, &QWidget::close);

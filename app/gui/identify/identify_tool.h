@@ -2,24 +2,25 @@
 #include <QObject>
 #include <QPointer>
 
-#include "app/gui/identify/arm_in_use.h"
+#include "app/gui/feature/feature.h"
 #include "app/gui/identify/identify_run.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/arm_in_use.h"
 
 namespace underact::gui {
 
-class Actions;
 class IdentifyWizard;
 
 /// "Measure the arm" in the window: its actions, its wizard, and which arm is simulated.
-class IdentifyTool : public QObject {
+class IdentifyTool : public QObject, public Follower {
   Q_OBJECT
  public:
-  IdentifyTool(const IdentifyParts& parts, Actions& actions, QWidget* window);
+  explicit IdentifyTool(const FeatureParts& parts);
   ~IdentifyTool() override;
-  void add(const servo::TickRecord& record) { run_.add(record); }
-  void look(const servo::Snapshot& snapshot) { run_.look(snapshot); }
-  void setTheme(const Theme& theme);
+  void add(const servo::TickRecord& record) override { run_.add(record); }
+  void look(const servo::Snapshot& snapshot) override { run_.look(snapshot); }
+  void setTheme(const Theme& theme) override;
+  void finish() override { end(); }
   /// The scene's own is in effect again, and the wizard is closed.
   void end();
   const IdentifyRun& run() const { return run_; }

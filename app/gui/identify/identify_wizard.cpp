@@ -3,20 +3,20 @@
 #include <QAbstractButton>
 
 #include "app/gui/identify/pages.h"
-#include "app/gui/wizard_frame.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/wizard_frame.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 
-IdentifyWizard::IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, servo::Host& host, QWidget* parent)
+IdentifyWizard::IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, ServoFacts servo, QWidget* parent)
     : QWizard(parent), run_(run) {
   setObjectName("identify.wizard");
   setWindowTitle(tr("Measure the arm"));
   setModal(false);
   setWizardStyle(QWizard::ModernStyle);
   setOption(QWizard::NoBackButtonOnStartPage);
-  const QString device = sentenceText(host.device().title);
-  auto* place = new PlacePage(host.rateHz(), device, this);
+  const QString device = sentenceText(servo.device().title);
+  auto* place = new PlacePage(servo.rateHz(), device, this);
   measure_ = new MeasurePage(run, *place, this);
   found_ = new FoundPage(run, this);
   keep_ = new KeepPage(run, *place, in_use, this);

@@ -2,7 +2,8 @@
 #include <QWizard>
 
 #include "app/gui/identify/identify_run.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/servo_facts.h"
 
 namespace underact::gui {
 
@@ -14,7 +15,7 @@ class MeasurePage;
 class IdentifyWizard : public QWizard {
   Q_OBJECT
  public:
-  IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, servo::Host& host, QWidget* parent);
+  IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, ServoFacts servo, QWidget* parent);
   ~IdentifyWizard() override;
   void setTheme(const Theme& theme);
   /// The last page, once something was found; else null.

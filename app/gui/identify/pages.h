@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/gui/identify/identify_run.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 
 class QCheckBox;
 class QComboBox;

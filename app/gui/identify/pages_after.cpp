@@ -12,12 +12,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/chooser.h"
-#include "app/gui/identify/arm_in_use.h"
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
-#include "app/gui/number_box.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/arm_in_use.h"
 #include "underact/version.h"
 
 namespace underact::gui {

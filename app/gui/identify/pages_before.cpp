@@ -9,8 +9,8 @@
 
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
-#include "app/gui/number_box.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

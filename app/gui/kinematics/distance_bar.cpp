@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/spoken.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 
@@ -18,6 +19,7 @@ DistanceBar::DistanceBar(const QString& object_name, const QString& name, const 
       track_(new QLabel(this)),
       value_(new QLabel(this)),
       word_(new QLabel(this)) {
+  speakAs(this, QAccessible::Graphic);
   setObjectName(object_name);
   setAccessibleName(name);
   setToolTip(tip);

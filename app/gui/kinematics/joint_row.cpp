@@ -10,7 +10,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 namespace {

@@ -2,7 +2,7 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "app/gui/number_box.h"
+#include "app/gui/kit/number_box.h"
 
 class QLabel;
 

@@ -2,9 +2,9 @@
 #include <array>
 #include <optional>
 
-#include "app/gui/kinematics/now.h"
-#include "app/gui/kinematics/section.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/section.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/kinematics_now.h"
 #include "core/arm/model.h"
 
 class QLabel;

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/kinematics/number_table.h"
 #include "app/gui/kinematics/sections.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

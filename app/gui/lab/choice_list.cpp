@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/told_label.h"
 #include "app/gui/lab/lab_words.h"
-#include "app/gui/told_label.h"
 
 namespace underact::gui {
 namespace {

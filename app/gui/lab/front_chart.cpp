@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/kit/spoken.h"
 #include "app/gui/lab/lab_words.h"
 
 namespace underact::gui {
@@ -39,6 +40,7 @@ double shareOf(double value, double least, double most) {
 }  // namespace
 
 FrontChart::FrontChart(QWidget* parent) : QWidget(parent) {
+  speakAs(this, QAccessible::Chart);
   setObjectName("panel.lab.chart");
   setAccessibleName(tr("Error of the tip's way against processor time"));
   setToolTip(

@@ -10,14 +10,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/document.h"
-#include "app/gui/identify/arm_in_use.h"
+#include "app/gui/kit/value_row.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/lab/choice_list.h"
 #include "app/gui/lab/front_chart.h"
 #include "app/gui/lab/lab_words.h"
-#include "app/gui/servo/servo_rate.h"
-#include "app/gui/value_row.h"
-#include "app/gui/words.h"
+#include "app/gui/model/arm_in_use.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/servo_rate.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/tick/cost.h"
@@ -33,7 +33,7 @@ double predictedTick_ns(const scene::Description& scene) {
 
 }  // namespace
 
-LabPanel::LabPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+LabPanel::LabPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
   connect(&looks_, &QTimer::timeout, this, &LabPanel::look);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/gui/feature/panel.h"
 #include "app/gui/lab/lab_run.h"
-#include "app/gui/panel.h"
 
 class QComboBox;
 class QLabel;
@@ -26,7 +26,7 @@ class MarkedSlider;
 class LabPanel : public Panel {
   Q_OBJECT
  public:
-  LabPanel(const PanelParts& parts, QWidget* parent);
+  LabPanel(const FeatureParts& parts, QWidget* parent);
   ~LabPanel() override;
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
@@ -74,7 +74,7 @@ class LabPanel : public Panel {
   QString wordsOf(const std::optional<std::size_t>& chosen) const;
   int stopBefore(std::size_t point) const;  // the dearest one on the front that is no dearer
 
-  PanelParts parts_;
+  FeatureParts parts_;
   std::unique_ptr<Background<LabResult>> run_;
   LabOrder order_;                  // that is measured, or was
   LabResult result_;                // nothing: not measured

@@ -8,16 +8,16 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/value_row.h"
 #include "app/gui/lab/choice_list.h"
 #include "app/gui/lab/front_chart.h"
 #include "app/gui/lab/lab_panel.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
-#include "app/gui/value_row.h"
 #include "core/sim/hand_script.h"
 
 namespace underact::gui {

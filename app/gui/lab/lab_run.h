@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "app/gui/background.h"
+#include "app/gui/kit/background.h"
 #include "core/trade/front.h"
 #include "core/trade/standing.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/number_box.h"
+#include "app/gui/kit/number_box.h"
 
 namespace underact::gui {
 namespace {

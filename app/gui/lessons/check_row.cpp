@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 #include <optional>
 
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/lessons/lesson_words.h"
-#include "app/gui/number_box.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
 
 namespace underact::gui {
 namespace {

@@ -6,8 +6,8 @@
 #include <QUrl>
 #include <algorithm>
 
-#include "app/gui/data_words.h"
-#include "app/gui/shipped.h"
+#include "app/gui/kit/shipped.h"
+#include "app/gui/model/data_words.h"
 #include "core/json/text_file.h"
 #include "core/lesson/read.h"
 

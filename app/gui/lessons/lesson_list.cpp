@@ -6,12 +6,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/data_words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/shipped.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/lessons/lesson_library.h"
-#include "app/gui/scene_library.h"
-#include "app/gui/shipped.h"
-#include "app/gui/told_label.h"
+#include "app/gui/model/data_words.h"
+#include "app/gui/model/scene_library.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {

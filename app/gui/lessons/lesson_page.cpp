@@ -11,14 +11,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/page_view.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/tab_order.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/lessons/check_row.h"
 #include "app/gui/lessons/lesson_run.h"
 #include "app/gui/lessons/lesson_words.h"
-#include "app/gui/page/page_view.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/tab_order.h"
-#include "app/gui/told_label.h"
 
 namespace underact::gui {
 namespace {

@@ -6,10 +6,9 @@
 #include <QMainWindow>
 #include <algorithm>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/panels.h"
-#include "app/gui/scene_library.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/scene_library.h"
 #include "core/lesson/window_names.h"
 
 namespace underact::gui {
@@ -79,11 +78,10 @@ void LessonPlace::showPanels(const std::vector<std::string>& panels) {
   QMainWindow* const main = window();
   auto* const own = qobject_cast<QDockWidget*>(panel_.parentWidget());
   QDockWidget* first = nullptr;
-  for (const PanelRow& row : gui::panels()) {
-    auto* const dock = main->findChild<QDockWidget*>(QString("dock.%1").arg(row.key));
+  for (QDockWidget* const dock : docksOf(main)) {
     if (dock == own) continue;
-    const bool wanted = std::find(panels.begin(), panels.end(), row.key) != panels.end();
-    if (wanted && row.area != Qt::BottomDockWidgetArea) {
+    const bool wanted = std::find(panels.begin(), panels.end(), keyOf(dock).toStdString()) != panels.end();
+    if (wanted && homeOf(dock) != Qt::BottomDockWidgetArea) {
       main->addDockWidget(Qt::RightDockWidgetArea, dock);
       if (first != nullptr) main->tabifyDockWidget(first, dock);
       if (first == nullptr) first = dock;

@@ -3,7 +3,7 @@
 #include <QHash>
 #include <QString>
 
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 #include "app/gui/view/scene_view.h"
 #include "core/lesson/lesson.h"
 
@@ -16,7 +16,7 @@ namespace underact::gui {
 class LessonPlace {
  public:
   /// panel: the one that lessons are shown in.
-  LessonPlace(const PanelParts& parts, Panel& panel) : parts_(parts), panel_(panel) {}
+  LessonPlace(const FeatureParts& parts, Panel& panel) : parts_(parts), panel_(panel) {}
 
   /// Keeps scene, layers, camera and docks. Asks what becomes of edits of the scene. false: everything stays as it is.
   bool keep();
@@ -33,7 +33,7 @@ class LessonPlace {
   /// The lesson's own scene is open: what was changed in it was an exercise, and nobody is asked about it.
   void letGoOfExercise();
 
-  PanelParts parts_;
+  FeatureParts parts_;
   Panel& panel_;
   scene::Description scene_;  // of before; no constraint: there was none
   QString path_;              // its file; empty: it has none

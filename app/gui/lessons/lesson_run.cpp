@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "app/gui/data_words.h"
-#include "app/gui/document.h"
 #include "app/gui/lessons/lesson_library.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/model/data_words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/player.h"
 #include "core/arm/preset.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {
 
-LessonRun::LessonRun(const PanelParts& parts, Panel& panel) : QObject(&panel), parts_(parts), place_(parts, panel) {}
+LessonRun::LessonRun(const FeatureParts& parts, Panel& panel) : QObject(&panel), parts_(parts), place_(parts, panel) {}
 
 bool LessonRun::begin(const QString& path, QString& why) {
   Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());

@@ -6,7 +6,7 @@
 #include <QDateTime>
 #include <QLocale>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 namespace {

@@ -13,16 +13,16 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/file_question.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/page_view.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lesson_list.h"
 #include "app/gui/lessons/lesson_page.h"
 #include "app/gui/lessons/lesson_run.h"
 #include "app/gui/lessons/lesson_words.h"
-#include "app/gui/page/page_view.h"
-#include "app/gui/problems_dialog.h"
-#include "app/gui/scene_library.h"
+#include "app/gui/model/scene_library.h"
 
 namespace underact::gui {
 namespace {
@@ -31,7 +31,7 @@ constexpr const char* kRecent = "lessons/recent";
 
 }  // namespace
 
-LessonsPanel::LessonsPanel(const PanelParts& parts, QWidget* parent)
+LessonsPanel::LessonsPanel(const FeatureParts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       recent_(new RecentFiles(this)),
@@ -147,6 +147,10 @@ void LessonsPanel::enableActions() {
 
 void LessonsPanel::add(const servo::TickRecord& tick) {
   run_->add(tick);
+}
+
+void LessonsPanel::leave() {
+  parts_.actions.perform("lesson.leave");
 }
 
 void LessonsPanel::present(const servo::Snapshot& snapshot) {

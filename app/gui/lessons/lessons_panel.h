@@ -1,7 +1,7 @@
 #pragma once
 #include <QPointer>
 
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 
 class QStackedWidget;
 class QUrl;
@@ -17,8 +17,9 @@ class ProblemsDialog;
 class LessonsPanel : public Panel {
   Q_OBJECT
  public:
-  LessonsPanel(const PanelParts& parts, QWidget* parent);
+  LessonsPanel(const FeatureParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
+  void leave() override;
   void add(const servo::TickRecord& tick) override;
 
  private:
@@ -35,7 +36,7 @@ class LessonsPanel : public Panel {
   void follow(const QUrl& link);
   void saySolved();
 
-  PanelParts parts_;
+  FeatureParts parts_;
   RecentFiles* recent_;  // lesson files; those of scenes are another list
   LessonRun* run_;
   QPointer<ProblemsDialog> problems_;  // of a lesson that was not opened

@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 AddressDialog::AddressDialog(const QString& address, QWidget* parent)

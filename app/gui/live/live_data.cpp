@@ -1,12 +1,14 @@
 #include "app/gui/live/live_data.h"
 
 #include <QAction>
-#include <QWidget>
+#include <QMainWindow>
 #include <utility>
 
-#include "app/gui/actions.h"
+#include "app/gui/feature/status_line.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/live/address_dialog.h"
-#include "app/gui/words.h"
+#include "app/gui/model/servo_rate.h"
 
 namespace underact::gui {
 
@@ -15,9 +17,16 @@ QString addressText(const stream::Address& address) {
   return QString(host.contains(':') ? "[%1]:%2" : "%1:%2").arg(host).arg(address.port);
 }
 
-LiveData::LiveData(servo::Host& host, Actions& actions, QWidget* window)
-    : QObject(window), host_(host), actions_(actions) {
-  addActions(window);
+LiveData::LiveData(const FeatureParts& parts)
+    : QObject(parts.window), servo_(parts.servo), actions_(parts.actions), status_(parts.status) {
+  addActions(parts.window);
+  connect(&parts.rate, &ServoRate::changed, this, [this](int, int rate_hz) {
+    if (stream_) stream_->setRate(rate_hz);
+  });
+}
+
+void LiveData::present(const servo::Snapshot&) {
+  status_.setLive(where(), details());
 }
 
 void LiveData::addActions(QWidget* window) {
@@ -65,7 +74,7 @@ void LiveData::askForAddress(QWidget* window, const QString& refusal) {
 }
 
 Problems LiveData::sendTo(const stream::Address& address) {
-  Result<stream::LiveStream> opened = stream::LiveStream::open(address, host_.rateHz());
+  Result<stream::LiveStream> opened = stream::LiveStream::open(address, servo_.rateHz());
   if (!opened) return opened.problems();
   stream_ = std::move(opened).value();
   address_ = address;

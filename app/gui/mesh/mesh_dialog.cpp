@@ -14,11 +14,11 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/number_box.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 namespace {

@@ -6,15 +6,15 @@
 #include <memory>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/file_constraint.h"
-#include "app/gui/file_question.h"
-#include "app/gui/mesh/load_strip.h"
-#include "app/gui/problems_box.h"
-#include "app/gui/scene_files.h"
+#include "app/gui/files/load_strip.h"
+#include "app/gui/files/scene_files.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
 #include "app/gui/view/drawn_mesh.h"
-#include "app/gui/words.h"
+#include "app/gui/view/file_constraint.h"
 #include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
 

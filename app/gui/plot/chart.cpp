@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/number_box.h"
+#include "app/gui/kit/number_box.h"
 #include "app/gui/plot/plot_range.h"
 
 namespace underact::gui {

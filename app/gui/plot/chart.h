@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/gui/plot/plot_history.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/plot_history.h"
 
 class QPainter;
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 
 namespace underact::gui {
 

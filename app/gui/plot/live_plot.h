@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
+#include "app/gui/model/plot_history.h"
 #include "app/gui/plot/chart_widget.h"
-#include "app/gui/plot/plot_history.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {

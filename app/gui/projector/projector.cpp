@@ -2,9 +2,10 @@
 
 #include <QToolBar>
 
-#include "app/gui/actions.h"
-#include "app/gui/larger_font.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/larger_font.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/settings.h"
 #include "app/gui/view/scene_view.h"
 
 namespace underact::gui {
@@ -12,19 +13,25 @@ namespace underact::gui {
 // As large as the view of a window of 1280 x 800 takes without the gauge reaching into the scene.
 constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
 
-Projector::Projector(QMainWindow* window, SceneView& view, ThemeWatcher& theme, Actions& actions)
-    : QObject(window), window_(window), view_(view), theme_(theme), dress_(window) {
-  actions.add({"view.projector",
-               tr("&Projector layout"),
-               QKeySequence("Ctrl+Shift+J"),
-               tr("For a class: the view with a large force gauge and large type, in high contrast, without panels."),
-               {},
-               {},
-               true},
-              [this](const QVariantList& on) {
-                setOn(on.value(0).toBool());
-                return true;
-              });
+Projector::Projector(const FeatureParts& parts)
+    : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), dress_(parts.window) {
+  parts.actions.add(
+      {"view.projector",
+       tr("&Projector layout"),
+       QKeySequence("Ctrl+Shift+J"),
+       tr("For a class: the view with a large force gauge and large type, in high contrast, without panels."),
+       {},
+       {},
+       true},
+      [this](const QVariantList& on) {
+        setOn(on.value(0).toBool());
+        return true;
+      });
+}
+
+void Projector::remember(Settings& settings) {
+  settings.projector = isOn();
+  setOn(false);  // what is remembered is the window's own layout
 }
 
 void Projector::setOn(bool on) {

@@ -3,22 +3,22 @@
 #include <QObject>
 #include <QSize>
 
-#include "app/gui/window_dress.h"
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/window_dress.h"
 
 class QToolBar;
 
 namespace underact::gui {
 
-class Actions;
 class SceneView;
-class ThemeWatcher;
 
 /// The window for a class at the other end of the room: the view with a large gauge, large type, black on white or
 /// white on black; panels folded away. Put back as it was where it ends.
-class Projector : public QObject {
+class Projector : public QObject, public Follower {
   Q_OBJECT
  public:
-  Projector(QMainWindow* window, SceneView& view, ThemeWatcher& theme, Actions& actions);
+  explicit Projector(const FeatureParts& parts);
+  void remember(Settings& settings) override;
   bool isOn() const { return dress_.isOff(); }
   void setOn(bool on);
 

@@ -4,10 +4,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/registration/check.h"
 #include "core/registration/error.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/gui/kit/spoken.h"
 #include "core/base/units.h"
 #include "core/registration/sheet.h"
 
@@ -21,6 +22,7 @@ QPointF flat_mm(const Vec3& p_D) {
 }  // namespace
 
 MarksPicture::MarksPicture(const QString& object_name, QWidget* parent) : QWidget(parent) {
+  speakAs(this, QAccessible::Graphic);
   setObjectName(object_name);
   setAccessibleName(tr("The marks on the desk, from above"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "core/base/types.h"
 
 namespace underact::gui {

@@ -2,8 +2,8 @@
 #include <QWizardPage>
 #include <vector>
 
+#include "app/gui/kit/theme.h"
 #include "app/gui/registration/registration_tool.h"
-#include "app/gui/theme.h"
 
 class QComboBox;
 class QLabel;

@@ -11,14 +11,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/chooser.h"
-#include "app/gui/number_box.h"
-#include "app/gui/push_button.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
 #include "app/gui/registration/sheet.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/registration/sheet.h"
 

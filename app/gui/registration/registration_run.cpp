@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

@@ -3,13 +3,14 @@
 #include <QAction>
 #include <QDate>
 
-#include "app/gui/actions.h"
-#include "app/gui/devices/arm_choice.h"
-#include "app/gui/document.h"
+#include "app/gui/arms/second_arm.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/remark.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/arm_choice.h"
+#include "app/gui/model/document.h"
 #include "app/gui/registration/registration_wizard.h"
-#include "app/gui/second/second_arm.h"
 #include "app/gui/view/scene_view.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/registration/error.h"
 #include "core/registration/store.h"
@@ -30,22 +31,22 @@ std::optional<Pose> placeOf(const std::optional<Registration>& first, const std:
 
 }  // namespace
 
-RegistrationTool::RegistrationTool(const RegistrationParts& parts, Actions& actions, QWidget* window)
-    : QObject(window), parts_(parts), actions_(actions), window_(window), run_(this) {
-  actions_.add({"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
-                tr("Finds where the arm stands on the desk from marks that its tip touches, step by step.")},
-               [this](const QVariantList&) {
-                 open();
-                 return true;
-               });
-  actions_.addCommand("registration.forget", [this](const QVariantList& second) {
+RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.window), parts_(parts), run_(this) {
+  connect(this, &RegistrationTool::changed, this, [this] { parts_.where_it_stands.say(sentence(Which::First)); });
+  parts_.actions.add({"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
+                      tr("Finds where the arm stands on the desk from marks that its tip touches, step by step.")},
+                     [this](const QVariantList&) {
+                       open();
+                       return true;
+                     });
+  parts_.actions.addCommand("registration.forget", [this](const QVariantList& second) {
     return forget(second.value(0).toBool() ? Which::Second : Which::First).empty();
   });
-  actions_.addCommand("registration.touch", [this](const QVariantList&) {
+  parts_.actions.addCommand("registration.touch", [this](const QVariantList&) {
     run_.press();
     return run_.isOn() && run_.touching().isHolding();
   });
-  actions_.addCommand("registration.sheet", [this](const QVariantList& path) {
+  parts_.actions.addCommand("registration.sheet", [this](const QVariantList& path) {
     return wizard_ && wizard_->saveSheet(path.value(0).toString());
   });
   connect(&parts_.arms, &ArmChoice::changed, this, &RegistrationTool::recallAll);
@@ -64,7 +65,7 @@ bool RegistrationTool::hasSecond() const {
 }
 
 bool RegistrationTool::isSimulated(Which which) const {
-  return which == Which::First ? parts_.host.device().simulated : parts_.second.arms().simulated() != nullptr;
+  return which == Which::First ? parts_.servo.device().simulated : parts_.second.arms().simulated() != nullptr;
 }
 
 std::string RegistrationTool::keyOf(Which which) const {
@@ -72,12 +73,12 @@ std::string RegistrationTool::keyOf(Which which) const {
     if (!hasSecond()) return {};
     // Simulated, it is another one than the first.
     if (isSimulated(which)) return "simulated:second";
-    return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.host().device(),
+    return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.servo().device(),
                           parts_.second.listing());
   }
   const bool by_name = parts_.chosen != nullptr;
   return device::armKey(by_name ? parts_.arms.name().toStdString() : std::string(),
-                        by_name ? parts_.chosen->info() : parts_.host.device(),
+                        by_name ? parts_.chosen->info() : parts_.servo.device(),
                         by_name ? parts_.chosen->listing() : std::vector<std::string>());
 }
 
@@ -108,13 +109,13 @@ void RegistrationTool::place() {
 }
 
 QString RegistrationTool::title(Which which) const {
-  if (which == Which::First) return sentenceText(parts_.host.device().title);
-  return tr("Second arm: %1").arg(sentenceText(parts_.second.host().device().title));
+  if (which == Which::First) return sentenceText(parts_.servo.device().title);
+  return tr("Second arm: %1").arg(sentenceText(parts_.second.servo().device().title));
 }
 
 QString RegistrationTool::trouble(Which which) const {
   if (which == Which::Second && !hasSecond()) return {};
-  return sentenceText(which == Which::First ? parts_.host.trouble() : parts_.second.host().trouble());
+  return sentenceText(which == Which::First ? parts_.servo.trouble() : parts_.second.servo().trouble());
 }
 
 QString RegistrationTool::whyNot() const {
@@ -138,7 +139,7 @@ QString RegistrationTool::sentence(Which which) const {
 }
 
 void RegistrationTool::begin(Which which, std::vector<Vec3> marks_D) {
-  actions_.perform("session.stop");  // nothing pulls at the tip while it is to rest
+  parts_.actions.perform("session.stop");  // nothing pulls at the tip while it is to rest
   which_ = which;
   parts_.second.setListener(which == Which::Second ? [this](const servo::TickRecord& record) { run_.add(record); }
                                                    : std::function<void(const servo::TickRecord&)>());
@@ -189,7 +190,7 @@ void RegistrationTool::setTheme(const Theme& theme) {
 
 void RegistrationTool::open() {
   if (!wizard_) {
-    wizard_ = new RegistrationWizard(*this, window_);
+    wizard_ = new RegistrationWizard(*this, parts_.window);
     wizard_->setAttribute(Qt::WA_DeleteOnClose);
     wizard_->setTheme(theme_);
     connect(wizard_, &QDialog::finished, wizard_, &QWidget::close);

@@ -4,44 +4,27 @@
 #include <array>
 #include <optional>
 
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/registration/registration_run.h"
-#include "app/gui/theme.h"
 #include "core/registration/registration_file.h"
-
-namespace underact::device {
-class ChosenArm;
-}
 
 namespace underact::gui {
 
-class Actions;
-class ArmChoice;
-class Document;
 class RegistrationWizard;
-class SceneView;
-class SecondArm;
-
-struct RegistrationParts {
-  servo::Host& host;
-  Document& document;
-  ArmChoice& arms;
-  SecondArm& second;
-  SceneView& view;
-  device::ChosenArm* chosen;  // behind the host, where arms can be exchanged; else null
-};
 
 /// Where the arms stand on the desk: kept for each by its serial number, shown in the view, made anew by a wizard. The
 /// picture alone follows: the scene stays in the first arm's frame W, and so do the forces.
-class RegistrationTool : public QObject {
+class RegistrationTool : public QObject, public Follower {
   Q_OBJECT
  public:
   enum class Which { First, Second };
 
-  RegistrationTool(const RegistrationParts& parts, Actions& actions, QWidget* window);
+  explicit RegistrationTool(const FeatureParts& parts);
   ~RegistrationTool() override;
-  void add(const servo::TickRecord& record);   // every tick of the first arm
-  void look(const servo::Snapshot& snapshot);  // each frame
-  void setTheme(const Theme& theme);
+  void add(const servo::TickRecord& record) override;  // of the first arm
+  void look(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
 
   /// None: it is not registered.
   const std::optional<registration::Registration>& of(Which which) const { return known_[index(which)].registration; }
@@ -80,9 +63,7 @@ class RegistrationTool : public QObject {
   void place();
   void open();
 
-  RegistrationParts parts_;
-  Actions& actions_;
-  QWidget* window_;
+  FeatureParts parts_;
   std::array<Known, 2> known_;
   RegistrationRun run_;
   Which which_ = Which::First;  // of the run

@@ -2,8 +2,8 @@
 
 #include <QAbstractButton>
 
+#include "app/gui/kit/wizard_frame.h"
 #include "app/gui/registration/pages.h"
-#include "app/gui/wizard_frame.h"
 
 namespace underact::gui {
 

@@ -5,7 +5,7 @@
 #include <QPdfWriter>
 #include <cmath>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 #include "core/registration/sheet.h"
 

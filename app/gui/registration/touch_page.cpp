@@ -5,11 +5,11 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/push_button.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

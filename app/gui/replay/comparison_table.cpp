@@ -3,8 +3,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <array>
 
-#include "app/gui/replay/comparison.h"
+#include "app/gui/model/comparison.h"
 
 class QGridLayout;
 class QLabel;

@@ -5,12 +5,12 @@
 #include <QFileInfo>
 #include <functional>
 
-#include "app/gui/actions.h"
-#include "app/gui/file_question.h"
-#include "app/gui/replay/player.h"
-#include "app/gui/replay/recorded_files.h"
-#include "app/gui/scene_files.h"
-#include "app/gui/words.h"
+#include "app/gui/files/scene_files.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/player.h"
+#include "app/gui/model/recorded_files.h"
 
 namespace underact::gui {
 namespace {

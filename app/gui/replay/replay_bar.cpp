@@ -15,15 +15,15 @@
 #include <array>
 #include <limits>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/icons.h"
-#include "app/gui/push_button.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/icons.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/player.h"
 #include "app/gui/replay/comparison_table.h"
-#include "app/gui/replay/player.h"
 #include "app/gui/replay/scrub_slider.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {
@@ -196,6 +196,10 @@ void ReplayBar::presentSpeed() {
   const auto found = std::find(kSpeeds.begin(), kSpeeds.end(), player_.speed());
   const QSignalBlocker silent(speed_);
   speed_->setCurrentIndex(found == kSpeeds.end() ? -1 : static_cast<int>(found - kSpeeds.begin()));
+}
+
+QString ReplayBar::whyBusy() const {
+  return player_.isOpen() ? tr("A session is being replayed. Close the replay first.") : QString();
 }
 
 void ReplayBar::present(const servo::Snapshot&) {

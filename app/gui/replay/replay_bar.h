@@ -1,7 +1,8 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/theme.h"
+#include "app/gui/feature/follower.h"
+#include "app/gui/kit/theme.h"
 #include "core/servo/snapshot.h"
 
 class QCheckBox;
@@ -20,12 +21,13 @@ class Player;
 class ScrubSlider;
 
 /// Below the view while a session is opened or replayed: where it is, play and pause, speed, loop, what if.
-class ReplayBar : public QWidget {
+class ReplayBar : public QWidget, public Follower {
   Q_OBJECT
  public:
   ReplayBar(Player& player, Actions& actions, QWidget* parent);
-  void present(const servo::Snapshot& snapshot);
-  void setTheme(const Theme& theme);
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
+  QString whyBusy() const override;
 
  private:
   void buildLoading(QVBoxLayout* column);

@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <cstdlib>
 
-#include "app/gui/icons.h"
+#include "app/gui/kit/icons.h"
 
 namespace underact::gui {
 namespace {

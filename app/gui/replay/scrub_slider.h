@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "device/recorded.h"
 
 namespace underact::gui {

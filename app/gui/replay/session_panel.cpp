@@ -6,10 +6,10 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/player.h"
+#include "app/gui/plot/lateness_chart.h"
 #include "app/gui/replay/session_plot.h"
-#include "app/gui/servo/lateness_chart.h"
 #include "app/gui/view/scene_view.h"
 
 namespace underact::gui {
@@ -20,7 +20,7 @@ constexpr int kFramesAPlot = 3;  // as the live plots
 
 }  // namespace
 
-SessionPanel::SessionPanel(const PanelParts& parts, QWidget* parent)
+SessionPanel::SessionPanel(const FeatureParts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       kind_(new QComboBox(this)),

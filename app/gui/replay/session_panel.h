@@ -1,5 +1,5 @@
 #pragma once
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 
 class QComboBox;
 class QLabel;
@@ -14,14 +14,14 @@ class SessionPlot;
 class SessionPanel : public Panel {
   Q_OBJECT
  public:
-  SessionPanel(const PanelParts& parts, QWidget* parent);
+  SessionPanel(const FeatureParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
  private:
   void show();
 
-  PanelParts parts_;
+  FeatureParts parts_;
   QComboBox* kind_;
   QStackedWidget* pages_;
   QLabel* nothing_;

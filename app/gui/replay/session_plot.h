@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
+#include "app/gui/model/session_data.h"
 #include "app/gui/plot/chart_widget.h"
-#include "app/gui/replay/session_data.h"
 
 namespace underact::gui {
 

@@ -8,11 +8,6 @@
 namespace underact::gui {
 namespace {
 
-void fillUp(std::span<PlotPoint> points, std::size_t used) {
-  const PlotPoint last = used > 0 ? points[used - 1] : PlotPoint{};
-  std::fill(points.begin() + static_cast<std::ptrdiff_t>(used), points.end(), last);
-}
-
 /// Calls part(first, last + 1) for each of so many stretches, evenly.
 template <class Part>
 void eachPart(std::size_t size, std::size_t parts, Part part) {
@@ -45,7 +40,7 @@ std::size_t thinSession(const std::vector<SessionRow>& rows, const std::function
     put(least.x <= greatest.x ? least : greatest);
     if (least.x != greatest.x) put(least.x <= greatest.x ? greatest : least);
   });
-  fillUp(points, used);
+  repeatLast(points, used);
   return used;
 }
 
@@ -71,7 +66,7 @@ std::size_t thinSessionPath(const std::vector<SessionRow>& rows, std::size_t axi
       if (one == 0 || extremes[one].first != extremes[one - 1].first) points[used++] = extremes[one].second;
     }
   });
-  fillUp(points, used);
+  repeatLast(points, used);
   return used;
 }
 

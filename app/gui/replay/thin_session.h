@@ -2,7 +2,7 @@
 #include <functional>
 #include <span>
 
-#include "app/gui/replay/session_data.h"
+#include "app/gui/model/session_data.h"
 
 namespace underact::gui {
 

@@ -5,9 +5,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/push_button.h"
-#include "app/gui/robot/edit_table.h"
-#include "app/gui/robot/joint_fields.h"
+#include "app/gui/arms/joint_fields.h"
+#include "app/gui/kit/edit_table.h"
+#include "app/gui/kit/push_button.h"
 #include "app/gui/robot/sections.h"
 
 namespace underact::gui {

@@ -1,10 +1,10 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "app/gui/robot/edit_table.h"
-#include "app/gui/robot/joint_fields.h"
+#include "app/gui/arms/joint_fields.h"
+#include "app/gui/kit/edit_table.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/robot/sections.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/number_box.h"
-#include "app/gui/readout.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/readout.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/robot/sections.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

@@ -3,7 +3,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/chooser.h"
+#include "app/gui/kit/chooser.h"
 #include "app/gui/robot/sections.h"
 
 namespace underact::gui {

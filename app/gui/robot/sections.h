@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/kinematics/section.h"
-#include "app/gui/value_row.h"
+#include "app/gui/kit/section.h"
+#include "app/gui/kit/value_row.h"
 #include "core/scene/description.h"
 #include "core/tick/report.h"
 

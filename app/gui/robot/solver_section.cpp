@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include "app/gui/chooser.h"
-#include "app/gui/robot/joint_fields.h"
+#include "app/gui/arms/joint_fields.h"
+#include "app/gui/kit/chooser.h"
 #include "app/gui/robot/sections.h"
 
 namespace underact::gui {

@@ -9,16 +9,16 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/file_question.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
-#include "app/gui/readout.h"
-#include "app/gui/scene_library.h"
-#include "app/gui/second/second_arm.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
+#include "app/gui/arms/second_arm.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/readout.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/scene_library.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -40,7 +40,7 @@ QString modeText(servo::Mode mode) {
 
 }  // namespace
 
-SecondPanel::SecondPanel(const PanelParts& parts, QWidget* parent)
+SecondPanel::SecondPanel(const FeatureParts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), second_(parts.second), search_(new ArmSearch(this)) {
   addActions();
   auto* content = new QWidget;
@@ -187,10 +187,14 @@ void SecondPanel::tell(const QString& sentence) {
   bringForward();
 }
 
+QString SecondPanel::whyBusy() const {
+  return second_.isOn() ? tr("The second arm is on. Switch it off first.") : QString();
+}
+
 void SecondPanel::present(const servo::Snapshot&) {
   if (!second_.isOn() || !isSeen()) return;
-  const servo::Snapshot snapshot = second_.host().snapshot();
-  const servo::DeviceInfo info = second_.host().device();
+  const servo::Snapshot snapshot = second_.servo().snapshot();
+  const servo::DeviceInfo info = second_.servo().device();
   readout_->set(device_, sentenceText(info.title) + (info.untested ? tr(" (untested)") : QString()));
   readout_->set(mode_, modeText(snapshot.mode));
   readout_->set(force_, tr("%1 N").arg(numberText(snapshot.report.force.f_T_W().norm(), 2)));

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/gui/devices/arm_search.h"
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
+#include "app/gui/model/arm_search.h"
 
 class QCheckBox;
 class QComboBox;
@@ -16,8 +16,9 @@ class SecondArm;
 class SecondPanel : public Panel {
   Q_OBJECT
  public:
-  SecondPanel(const PanelParts& parts, QWidget* parent);
+  SecondPanel(const FeatureParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
+  QString whyBusy() const override;
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -29,7 +30,7 @@ class SecondPanel : public Panel {
   void presentChoices();
   void tell(const QString& sentence);
 
-  PanelParts parts_;
+  FeatureParts parts_;
   SecondArm& second_;
   ArmSearch* search_;
   QCheckBox *on_ = nullptr, *mirrors_ = nullptr;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <bit>
 
-#include "app/gui/servo/limit_names.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/limit_names.h"
 #include "app/gui/servo/sections.h"
 #include "app/gui/servo/share_bar.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/gui/chooser.h"
+#include "app/gui/kit/chooser.h"
 
 namespace underact::gui {
 

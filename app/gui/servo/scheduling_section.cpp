@@ -1,8 +1,9 @@
 #include <QVBoxLayout>
 
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/servo_words.h"
 #include "app/gui/servo/sections.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gui/kinematics/section.h"
-#include "app/gui/theme.h"
+#include "app/gui/kit/section.h"
+#include "app/gui/kit/theme.h"
 #include "core/servo/host.h"
 
 class QLabel;

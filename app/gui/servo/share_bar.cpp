@@ -6,10 +6,13 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "app/gui/kit/spoken.h"
+
 namespace underact::gui {
 
 ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_note, QWidget* parent)
     : QWidget(parent), track_(new QLabel(this)), value_(new QLabel(this)) {
+  speakAs(this, QAccessible::Graphic);
   setObjectName(object_name);
   setAccessibleName(words.name);
   setToolTip(words.tip);

@@ -1,11 +1,11 @@
 #include <QCoreApplication>
 #include <QVBoxLayout>
 
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/readout.h"
-#include "app/gui/servo/lateness_chart.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/readout.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/plot/lateness_chart.h"
 #include "app/gui/servo/sections.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "app/gui/kinematics/section.h"
+#include "app/gui/kit/section.h"
 #include "app/gui/sessions/stylus_buttons.h"
 
 class QComboBox;

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/gui/background.h"
+#include "app/gui/kit/background.h"
 #include "core/base/result.h"
 
 namespace underact::gui {

@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QStyle>
 
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/sessions/plots_run.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {

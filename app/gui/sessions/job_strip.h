@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/background.h"
+#include "app/gui/kit/background.h"
 #include "app/gui/sessions/csv_file.h"
 
 class QLabel;

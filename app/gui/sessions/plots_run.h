@@ -2,7 +2,7 @@
 #include <QDateTime>
 #include <QObject>
 
-#include "app/gui/cli_process.h"
+#include "app/gui/kit/cli_process.h"
 
 namespace underact::gui {
 

@@ -10,15 +10,15 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/kinematics/section.h"
-#include "app/gui/readout.h"
-#include "app/gui/sessions/recording.h"
-#include "app/gui/sessions/session_words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/readout.h"
+#include "app/gui/kit/section.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/recording.h"
+#include "app/gui/model/session_words.h"
 #include "app/gui/sessions/words_form.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 namespace {

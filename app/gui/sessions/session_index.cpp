@@ -9,7 +9,7 @@
 #include <new>
 #include <system_error>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 #include "core/record/foreign_file.h"
 
 namespace underact::gui {

@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 
-#include "app/gui/sessions/session_words.h"
+#include "app/gui/model/session_words.h"
 
 namespace underact::gui {
 namespace {

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/number_table.h"
 #include "app/gui/sessions/session_lines.h"
 
 namespace underact::gui {

@@ -3,24 +3,25 @@
 #include <QAction>
 #include <QLabel>
 #include <QMenu>
-#include <QMetaMethod>
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/panel_scroll.h"
+#include "app/gui/feature/parts.h"
+#include "app/gui/feature/status_line.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/model/recording.h"
+#include "app/gui/model/session_words.h"
 #include "app/gui/sessions/buttons_section.h"
 #include "app/gui/sessions/job_strip.h"
 #include "app/gui/sessions/record_section.h"
-#include "app/gui/sessions/recording.h"
 #include "app/gui/sessions/session_list.h"
-#include "app/gui/sessions/session_words.h"
-#include "app/gui/told_label.h"
 
 namespace underact::gui {
 
-SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
-    : Panel(parent), parts_(parts), recording_(new Recording(parts.host, this)) {
+SessionsPanel::SessionsPanel(const FeatureParts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), recording_(&parts.recording) {
   addRecordActions();
   addListActions();
   auto* content = new QWidget;
@@ -35,8 +36,10 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   column->addWidget(job_ = new JobStrip(content));
   fillWithScroll(this, content);
   QAction* hold = parts_.actions.find("session.hold_to_run");
-  connect(hold, &QAction::toggled, buttons_, &ButtonsSection::setHoldToRun);
-  buttons_->setHoldToRun(hold->isChecked());
+  if (hold != nullptr) {
+    connect(hold, &QAction::toggled, buttons_, &ButtonsSection::setHoldToRun);
+    buttons_->setHoldToRun(hold->isChecked());
+  }
   // What a button of the stylus asks for is done when the ticks of this frame are all seen.
   connect(buttons_, &ButtonsSection::pressed, this, &SessionsPanel::press, Qt::QueuedConnection);
   connect(recording_, &Recording::changed, this, &SessionsPanel::presentRecording);
@@ -48,7 +51,7 @@ SessionsPanel::SessionsPanel(const PanelParts& parts, QWidget* parent)
   });
   connect(list_, &SessionList::chosenChanged, this, &SessionsPanel::presentChosen);
   connect(list_, &SessionList::activated, this, [this] {
-    if (list_->chosen() != nullptr) emit replayRequested(list_->chosen()->path);
+    if (list_->chosen() != nullptr) parts_.actions.perform("replay.open", list_->chosen()->path);
   });
   connect(list_, &SessionList::menuAsked, this, [this](const QPoint& where) { menu_->popup(where); });
   connect(list_, &SessionList::deleteAsked, this, [this] { parts_.actions.perform("sessions.delete"); });
@@ -91,6 +94,10 @@ void SessionsPanel::press(ButtonUse use) {
   if (use == ButtonUse::Mark) parts_.actions.perform("session.mark");
 }
 
+QString SessionsPanel::whyBusy() const {
+  return recording_->isRunning() ? tr("A session is being recorded. Stop the recording first.") : QString();
+}
+
 void SessionsPanel::finish() {
   recording_->stop(record::EndReason::ProgramEnded);
   job_->cancel();
@@ -107,22 +114,19 @@ void SessionsPanel::presentRecording() {
   record->setIconText(tr("Record %1").arg(clockText(runs ? status.duration_s : 0.0)));
   parts_.actions.find("session.mark")->setEnabled(runs);
   if (!runs)
-    emit told(recording_->notice().isEmpty() ? QString() : tr("not recording"), recording_->notice(), true);
+    parts_.status.setRecording(recording_->notice().isEmpty() ? QString() : tr("not recording"), recording_->notice(),
+                               true);
   else if (isDiskLow(status))
-    emit told(tr("recording, disk nearly full"), tr("%1 left.").arg(diskText(status)), true);
+    parts_.status.setRecording(tr("recording, disk nearly full"), tr("%1 left.").arg(diskText(status)), true);
   else
-    emit told(status.dropped > 0 ? tr("recording, ticks missing") : tr("recording"), recording_->path(),
-              status.dropped > 0);
+    parts_.status.setRecording(status.dropped > 0 ? tr("recording, ticks missing") : tr("recording"),
+                               recording_->path(), status.dropped > 0);
 }
 
 void SessionsPanel::showEvent(QShowEvent* event) {
   Panel::showEvent(event);
   if (std::exchange(seen_, true)) return;
   list_->setFolder(recording_->folder());
-}
-
-void SessionsPanel::connectNotify(const QMetaMethod& signal) {
-  if (signal == QMetaMethod::fromSignal(&SessionsPanel::replayRequested)) presentChosen();
 }
 
 }  // namespace underact::gui

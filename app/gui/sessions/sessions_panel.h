@@ -1,5 +1,5 @@
 #pragma once
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 
 class QMenu;
 class QPushButton;
@@ -17,21 +17,15 @@ enum class ButtonUse;
 class SessionsPanel : public Panel {
   Q_OBJECT
  public:
-  SessionsPanel(const PanelParts& parts, QWidget* parent);
+  SessionsPanel(const FeatureParts& parts, QWidget* parent);
   ~SessionsPanel() override;
   void add(const servo::TickRecord& record) override;
-  /// The window closes: what is being recorded ends in order, and work on sessions is given up.
-  void finish();
-
- signals:
-  /// Somebody wants to see it again.
-  void replayRequested(const QString& path);
-  /// For the status line: what is recorded now, why, and whether that needs a look; empty: nothing is.
-  void told(const QString& words, const QString& tip, bool needs_a_look);
+  QString whyBusy() const override;
+  /// What is being recorded ends, and work on sessions is given up.
+  void finish() override;
 
  protected:
   void showEvent(QShowEvent* event) override;
-  void connectNotify(const QMetaMethod& signal) override;
 
  private:
   void addRecordActions();
@@ -50,7 +44,7 @@ class SessionsPanel : public Panel {
   void chooseFolder();
   bool setFolder(const QString& folder);
 
-  PanelParts parts_;
+  FeatureParts parts_;
   Recording* recording_;
   RecordSection* record_ = nullptr;
   ButtonsSection* buttons_ = nullptr;

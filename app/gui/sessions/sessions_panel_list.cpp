@@ -6,20 +6,19 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QMetaMethod>
 #include <QPushButton>
 #include <QUrl>
 
-#include "app/gui/actions.h"
-#include "app/gui/push_button.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/recording.h"
+#include "app/gui/model/session_place.h"
 #include "app/gui/sessions/delete_question.h"
 #include "app/gui/sessions/job_strip.h"
-#include "app/gui/sessions/recording.h"
 #include "app/gui/sessions/session_list.h"
-#include "app/gui/sessions/session_place.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/sessions/words_dialog.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 
@@ -103,7 +102,8 @@ QWidget* SessionsPanel::buildButtons() {
   more_ = button("more", tr("More"), tr("What else can be done with the chosen session, and the folder."));
   more_->setMinimumWidth(more_->minimumWidth() + kMargins);  // and the arrow
   more_->setMenu(menu_);
-  connect(replay_, &QPushButton::clicked, this, [this] { emit replayRequested(list_->chosen()->path); });
+  connect(replay_, &QPushButton::clicked, this,
+          [this] { parts_.actions.perform("replay.open", list_->chosen()->path); });
   connect(recover_, &QPushButton::clicked, this, [this] { parts_.actions.perform("sessions.recover"); });
   connect(export_, &QPushButton::clicked, this, [this] { parts_.actions.perform("sessions.export"); });
   return strip;
@@ -121,7 +121,7 @@ void SessionsPanel::presentChosen() {
   allow("sessions.recover", readable && !closed);
   allow("sessions.delete", any);
   // A button comes together with what it does.
-  replay_->setVisible(isSignalConnected(QMetaMethod::fromSignal(&SessionsPanel::replayRequested)));
+  replay_->setVisible(parts_.actions.find("replay.open") != nullptr);
   replay_->setEnabled(readable);
   recover_->setVisible(readable && !closed);
   export_->setEnabled(readable && !job_->isBusy());

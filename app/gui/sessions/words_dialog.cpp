@@ -6,9 +6,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/sessions/words_form.h"
-#include "app/gui/told_label.h"
-#include "app/gui/words.h"
 
 namespace underact::gui {
 

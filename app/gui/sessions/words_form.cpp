@@ -6,7 +6,7 @@
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 
-#include "app/gui/kinematics/number_table.h"
+#include "app/gui/kit/number_table.h"
 
 namespace underact::gui {
 

@@ -12,13 +12,13 @@
 #include <cmath>
 #include <utility>
 
-#include "app/gui/document.h"
-#include "app/gui/identify/arm_in_use.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/servo/servo_rate.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/value_row.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/arm_in_use.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/servo_rate.h"
 #include "app/gui/step/step_plot.h"
-#include "app/gui/value_row.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/lab/thesis_steps.h"
 #include "core/scene/edit.h"
@@ -80,7 +80,7 @@ lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
 
 }  // namespace
 
-StepPanel::StepPanel(const PanelParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+StepPanel::StepPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   held_.kp_N_per_m = 500.0;
   build();
   takeArm();
@@ -199,7 +199,7 @@ bool StepPanel::measure() {
   setup.arm = parts_.arm_in_use.model();
   setup.arm.mass_kg = held_.mass_kg;
   setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // a hand's, too: at rest it slows as the arm's own does
-  setup.rate_hz = parts_.host.rateHz();
+  setup.rate_hz = parts_.servo.rateHz();
   setup.limits = limits_->isChecked();
   Result<lab::ArmStep> step = lab::measureStep(withControl(scene, index_, withGains(control(), law_, held_)), setup);
   if (step) measured_ = std::move(step).value();

@@ -2,7 +2,7 @@
 #include <array>
 #include <optional>
 
-#include "app/gui/panel.h"
+#include "app/gui/feature/panel.h"
 #include "core/lab/step_response.h"
 
 class QCheckBox;
@@ -25,7 +25,7 @@ struct StepPicture;
 class StepPanel : public Panel {
   Q_OBJECT
  public:
-  StepPanel(const PanelParts& parts, QWidget* parent);
+  StepPanel(const FeatureParts& parts, QWidget* parent);
   void setTheme(const Theme& theme) override;
 
  private:
@@ -54,7 +54,7 @@ class StepPanel : public Panel {
   double& valueOf(int quantity);          // of held_, SI
   const scene::Control& control() const;  // of the constraint that is chosen
 
-  PanelParts parts_;
+  FeatureParts parts_;
   std::size_t index_ = 0;  // of the constraint whose gains are taken, given and measured
   int figure_ = 0;
   scene::LawType law_ = scene::LawType::P;

@@ -9,13 +9,13 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/actions.h"
-#include "app/gui/chooser.h"
-#include "app/gui/gain_row.h"
-#include "app/gui/kinematics/number_table.h"
-#include "app/gui/number_box.h"
-#include "app/gui/panel_scroll.h"
-#include "app/gui/push_button.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/gain_row.h"
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/number_table.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
 #include "app/gui/step/step_panel.h"
 #include "app/gui/step/step_plot.h"
 #include "core/lab/thesis_steps.h"

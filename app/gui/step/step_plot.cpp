@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "app/gui/kit/words.h"
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 #include "core/lab/unit_step.h"
 

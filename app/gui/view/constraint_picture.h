@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/pieces.h"
 #include "core/scene/description.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/pieces.h"
 #include "app/gui/view/workspace_picture.h"
 

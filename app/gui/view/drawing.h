@@ -6,7 +6,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/pieces.h"
 #include "app/gui/view/workspace_picture.h"
 #include "core/chain/dh.h"

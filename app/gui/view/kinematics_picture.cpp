@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/gui/kinematics/now.h"
+#include "app/gui/model/kinematics_now.h"
 #include "app/gui/view/hand_picture.h"
 #include "core/arm/way.h"
 #include "core/base/units.h"

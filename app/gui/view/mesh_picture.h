@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/contact_patch.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "app/gui/view/section_cap.h"

@@ -4,16 +4,11 @@
 
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/path_point.h"
 #include "app/gui/view/pieces.h"
 
 namespace underact::gui {
-
-/// A place of a recorded tip and the force sent there.
-struct PathPoint {
-  Vec3 p_mm = Vec3::Zero();
-  double force_N = 0.0;
-};
 
 /// Where the tip of a recording went: a line from quiet, where nothing pushed, over the colour of forces to that of a
 /// limit, at the arm's continuous force.

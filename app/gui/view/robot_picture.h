@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/pieces.h"
 #include "app/gui/view/robot_figure.h"

@@ -4,12 +4,14 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/gui/kit/spoken.h"
 #include "app/gui/view/scene_view_impl.h"
 #include "core/base/units.h"
 #include "core/scene/edit.h"
 
 namespace underact::gui {
 SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+  speakAs(this, QAccessible::Canvas);
   setObjectName(QStringLiteral("view.scene"));
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(tr("What the stylus is held to, the stylus and the force on it. Arrow keys move the hand."));
@@ -277,6 +279,7 @@ void SceneView::setHint(const QString& text) {
 }
 
 void SceneView::setForceLimit(double continuous_N) {
+  if (continuous_N == impl_->force_limit_N) return;
   impl_->force_limit_N = continuous_N;
   impl_->hand.setForceLimit(continuous_N);
   impl_->kinematics.setForceLimit(continuous_N);

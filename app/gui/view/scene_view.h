@@ -5,7 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/layers.h"
 #include "app/gui/view/desk_picture.h"
 #include "app/gui/view/drawing.h"
 #include "app/gui/view/orbit_camera.h"
@@ -24,32 +25,6 @@ struct Viewpoint {
   OrbitCamera camera;
   bool fits = true;  // nobody has moved it: it keeps everything in the picture
   bool operator==(const Viewpoint&) const = default;
-};
-
-/// What the view can show or hide.
-struct Layers {
-  bool workspace = true;  // the box with ticks every 20 mm
-  bool triads = true;     // W and B
-  bool arm = true;        // the arm's links, thin
-  bool target = true;     // the target point and the error line
-  bool force = true;      // the force arrow
-  bool influence = true;  // see InfluencePicture; where the scene has one
-  bool robot = true;      // virtual manipulators
-  bool path = true;       // of a recording that is replayed
-  bool desk = true;       // the marks by which the arm was registered, where it is
-  bool from_desk = true;  // front, right and up are those of the desk, not of the arm, where it is registered
-  // Of meshes, see MeshPicture.
-  bool wires = false;              // the edges of all triangles
-  bool section = false;            // cut open, across an axis of W
-  int section_axis = 2;            // 0 x, 1 y, 2 z
-  bool section_follows = true;     // the cut goes through the tip; else it stays where it is
-  Vec3 section_mm = Vec3::Zero();  // across each axis where the cut is; follows the tip with it
-  // For teaching, see KinematicsPicture.
-  bool link_frames = false;
-  bool ghosts = false;            // the inverse solutions
-  bool motion_ellipsoid = false;  // of manipulability
-  bool force_ellipsoid = false;
-  bool operator==(const Layers&) const = default;
 };
 
 /// The picture of the hand's world: constraint, stylus, target, error line, force arrow, workspace box and triads, in

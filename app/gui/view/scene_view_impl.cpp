@@ -8,7 +8,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/gui/words.h"
+#include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

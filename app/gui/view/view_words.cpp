@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/gui/contrast.h"
-#include "app/gui/larger_font.h"
-#include "app/gui/number_box.h"
+#include "app/gui/kit/contrast.h"
+#include "app/gui/kit/larger_font.h"
+#include "app/gui/kit/number_box.h"
 
 namespace underact::gui {
 namespace {

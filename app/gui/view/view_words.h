@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/workspace_picture.h"
 

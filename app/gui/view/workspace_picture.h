@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/pieces.h"
 

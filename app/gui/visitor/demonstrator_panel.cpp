@@ -10,9 +10,9 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/gui/push_button.h"
-#include "app/gui/scene_library.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/model/scene_library.h"
 
 namespace underact::gui {
 namespace {

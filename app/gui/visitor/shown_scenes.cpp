@@ -2,8 +2,8 @@
 
 #include <QFileInfo>
 
-#include "app/gui/curve/curve_files.h"
-#include "app/gui/data_words.h"
+#include "app/gui/model/data_words.h"
+#include "app/gui/model/made_curves.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"

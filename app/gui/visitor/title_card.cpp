@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {

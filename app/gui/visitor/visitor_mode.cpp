@@ -6,16 +6,14 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/fault_watch.h"
-#include "app/gui/hand.h"
-#include "app/gui/larger_font.h"
-#include "app/gui/problems_box.h"
-#include "app/gui/replay/player.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/larger_font.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/view/hand.h"
 #include "app/gui/visitor/demonstrator_panel.h"
 #include "app/gui/visitor/title_card.h"
-#include "app/gui/words.h"
 #include "device/simulated_arm.h"
 
 namespace underact::gui {
@@ -43,9 +41,9 @@ struct VisitorMode::Before {
   std::optional<sim::HandWish> hand;
 };
 
-VisitorMode::VisitorMode(const VisitorParts& parts, QWidget* middle)
-    : QObject(parts.window), parts_(parts), card_(new TitleCard(middle)), dress_(parts.window) {
-  middle->layout()->addWidget(card_);
+VisitorMode::VisitorMode(const FeatureParts& parts)
+    : QObject(parts.window), parts_(parts), card_(new TitleCard(parts.middle.parentWidget())), dress_(parts.window) {
+  parts.middle.addWidget(card_);
   parts_.actions.add({named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
                       tr("Full screen for visitors: scenes in turn, half of the force, everything else locked.")},
                      [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
@@ -72,10 +70,8 @@ VisitorMode::~VisitorMode() = default;
 Problems VisitorMode::whyNotNow() const {
   Problems problems;
   const auto no = [&problems](const QString& sentence) { problems.push_back({sentence.toStdString(), {}}); };
-  if (parts_.host.records()) no(tr("A session is being recorded. Stop the recording first."));
-  if (parts_.player.isOpen()) no(tr("A session is being replayed. Close the replay first."));
   if (parts_.document.isTryingOut()) no(tr("A measurement has a scene of its own in effect. End it first."));
-  if (parts_.view.showsSecond()) no(tr("The second arm is on. Switch it off first."));
+  for (const QString& busy : parts_.why_busy()) no(busy);
   return problems;
 }
 
@@ -84,20 +80,19 @@ bool VisitorMode::start(const QStringList& scenes) {
   Problems problems = whyNotNow();
   wishes_ = readVisitorWishes();
   if (!scenes.isEmpty()) wishes_.scenes = scenes;
-  if (problems.empty()) problems = parts_.host.setForceShare(0.01 * wishes_.force_percent);
+  if (problems.empty()) problems = parts_.control.setForceShare(0.01 * wishes_.force_percent);
   if (!problems.empty()) {
     showProblemsBox("dialog.no_visitors", tr("Visitor mode"), tr("Visitor mode was not started."), problems,
                     parts_.window);
     return false;
   }
-  emit forceLimitChanged();
   before_ = std::make_unique<Before>(Before{parts_.window->windowState(),
                                             parts_.window->geometry(),
                                             parts_.window->contextMenuPolicy(),
                                             parts_.view.font(),
                                             parts_.view.layers(),
                                             parts_.view.viewpoint(),
-                                            parts_.host.running(),
+                                            parts_.servo.running(),
                                             {}});
   if (parts_.hand.arm() != nullptr) before_->hand = parts_.hand.arm()->wished();
   carousel_ = {};
@@ -128,7 +123,6 @@ void VisitorMode::undress() {
 void VisitorMode::lock() {
   parts_.actions.find(named("demonstrator"))->setEnabled(true);
   parts_.actions.allowOnly({"session.stop", named("demonstrator")});
-  parts_.faults.setQuiet(true);
 }
 
 void VisitorMode::leave() {
@@ -138,9 +132,8 @@ void VisitorMode::leave() {
   card_->hide();
   parts_.actions.allowAll();
   parts_.actions.find(named("demonstrator"))->setEnabled(false);
-  parts_.faults.setQuiet(false);
-  if (!before_->was_running) parts_.host.stop();
-  static_cast<void>(parts_.host.setForceShare(1.0));  // nothing is recorded: that was locked
+  if (!before_->was_running) parts_.control.stop();
+  static_cast<void>(parts_.control.setForceShare(1.0));  // nothing is recorded: that was locked
   parts_.document.putBackOwn();
   scenes_.clear();
   parts_.view.setLayers(before_->layers);
@@ -151,7 +144,6 @@ void VisitorMode::leave() {
   dress_.putOn();
   parts_.view.setViewpoint(before_->viewpoint);
   before_.reset();
-  emit forceLimitChanged();
 }
 
 void VisitorMode::load(const QStringList& paths) {
@@ -208,10 +200,16 @@ bool VisitorMode::isTouched(const servo::Snapshot& snapshot, double time_s) {
   return moved && time_s - shown_s_ > kSettling_s;
 }
 
-void VisitorMode::present(const servo::Snapshot& snapshot) {
+/// The demonstrator's panel has the way out; but the desktop's own end of a session is never held up.
+bool VisitorMode::mayClose() const {
+  return !isOn() || qApp->isSavingSession();
+}
+
+void VisitorMode::look(const servo::Snapshot&) {
   if (!isOn()) return;
+  const servo::Snapshot snapshot = parts_.servo.snapshot();  // others may have put a scene into effect since
   takeLoaded();
-  time_s_ = static_cast<double>(snapshot.ticks) / parts_.host.rateHz();
+  time_s_ = static_cast<double>(snapshot.ticks) / parts_.servo.rateHz();
   tellState(snapshot);
   switch (carousel_.at(time_s_, isTouched(snapshot, time_s_))) {
     case Carousel::Step::Stay:
@@ -230,20 +228,20 @@ void VisitorMode::tellState(const servo::Snapshot& snapshot) {
   if (snapshot.mode == servo::Mode::Running) trouble_.clear();
   QString trouble = trouble_;
   if (trouble.isEmpty() && faulted) trouble = faultText(snapshot.report.fault);
-  card_->setState(!parts_.host.running(), trouble);
+  card_->setState(!parts_.servo.running(), trouble);
 }
 
 /// The force comes back on somebody's word alone. An arm whose driver has lost it is opened anew first.
 void VisitorMode::letPush() {
   trouble_.clear();
-  if (!parts_.host.trouble().empty()) {
-    const Problems problems = parts_.host.restart();
+  if (!parts_.servo.trouble().empty()) {
+    const Problems problems = parts_.control.restart();
     if (!problems.empty()) {
       trouble_ = tr("The arm did not open again. %1").arg(sentencesOf(problems));
       return;
     }
   }
-  parts_.host.start();
+  parts_.control.start();
 }
 
 void VisitorMode::showPanel() {
@@ -264,8 +262,7 @@ void VisitorMode::setWishes(const VisitorWishes& wishes) {
   wishes_ = wishes;
   writeVisitorWishes(wishes_);
   carousel_.setDwell(wishes_.dwell_s);
-  static_cast<void>(parts_.host.setForceShare(0.01 * wishes_.force_percent));
-  emit forceLimitChanged();
+  static_cast<void>(parts_.control.setForceShare(0.01 * wishes_.force_percent));
   if (wishes_.scenes.isEmpty())
     panel_->tell(tr("No scene is chosen; those before stay."));
   else if (others)

@@ -8,55 +8,36 @@
 #include <memory>
 #include <vector>
 
-#include "app/gui/background.h"
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/background.h"
+#include "app/gui/kit/window_dress.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/visitor/carousel.h"
 #include "app/gui/visitor/shown_scenes.h"
 #include "app/gui/visitor/visitor_wishes.h"
-#include "app/gui/window_dress.h"
 #include "core/servo/host.h"
 
 namespace underact::gui {
 
-class Actions;
 class DemonstratorPanel;
-class Document;
-class FaultWatch;
-class Hand;
-class Player;
 class TitleCard;
-
-struct VisitorParts {
-  QMainWindow* window;
-  servo::Host& host;
-  Document& document;
-  SceneView& view;
-  Hand& hand;
-  Actions& actions;
-  FaultWatch& faults;
-  const Player& player;
-};
 
 /// The window for visitors who are alone with the arm: the view, a title card, scenes in turn, half of the force, and
 /// nothing else that can be reached but by the demonstrator's key. A fault is said on the card; the force comes back
 /// where somebody presses Start. Everything is as before when it ends.
-class VisitorMode : public QObject {
+class VisitorMode : public QObject, public Follower {
   Q_OBJECT
  public:
-  /// middle: the widget that the view stands in; the card comes below it.
-  VisitorMode(const VisitorParts& parts, QWidget* middle);
+  explicit VisitorMode(const FeatureParts& parts);
   ~VisitorMode() override;
 
   bool isOn() const { return dress_.isOff(); }
-  /// Each frame, after the snapshot was shown.
-  void present(const servo::Snapshot& snapshot);
-  void leave();
+  void look(const servo::Snapshot& snapshot) override;
+  bool mayClose() const override;
+  void leave() override;
   /// Which of its scenes is shown, from 0; those that it has.
   std::size_t shown() const { return index_; }
   std::size_t count() const { return scenes_.size(); }
-
- signals:
-  void forceLimitChanged();
 
  private:
   struct Before;
@@ -74,7 +55,7 @@ class VisitorMode : public QObject {
   bool isTouched(const servo::Snapshot& snapshot, double time_s);
   void tellState(const servo::Snapshot& snapshot);
 
-  VisitorParts parts_;
+  FeatureParts parts_;
   TitleCard* card_;
   WindowDress dress_;
   std::unique_ptr<Before> before_;

@@ -5,8 +5,8 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/gui/scene_library.h"
-#include "app/gui/settings.h"
+#include "app/gui/model/scene_library.h"
+#include "app/gui/model/settings.h"
 
 namespace underact::gui {
 namespace {

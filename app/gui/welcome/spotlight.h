@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "app/gui/theme.h"
+#include "app/gui/kit/theme.h"
 
 namespace underact::gui {
 

@@ -11,10 +11,10 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "app/gui/actions.h"
-#include "app/gui/push_button.h"
-#include "app/gui/stop_key.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/stop_key.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/welcome/spotlight.h"
 
@@ -71,15 +71,20 @@ int Tour::stops() {
   return static_cast<int>(kStops.size());
 }
 
-Tour::Tour(QMainWindow* window, SceneView& view, Actions& actions)
-    : QFrame(window), window_(window), view_(view), actions_(actions), spotlight_(new Spotlight("tour.frame", window)) {
+Tour::Tour(const FeatureParts& parts)
+    : QFrame(parts.window),
+      window_(parts.window),
+      view_(parts.view),
+      actions_(parts.actions),
+      spotlight_(new Spotlight("tour.frame", parts.window)) {
+  connect(&actions_, &Actions::locked, this, &Tour::end);
   setObjectName("tour");
   setAccessibleName(tr("Tour of the window"));
   setProperty("role", "card");
   setAttribute(Qt::WA_NoMousePropagation);
   hide();
   build();
-  new StopKey([this] { leave(); }, this);  // wherever the focus has gone meanwhile
+  new StopKey([this] { end(); }, this);  // wherever the focus has gone meanwhile
   actions_.add({"help.tour", tr("&Tour of the window"), QKeySequence("Ctrl+Shift+T"),
                 tr("What is where, in eight stops; Esc leaves it at any stop.")},
                [this](const QVariantList&) {
@@ -110,7 +115,7 @@ void Tour::build() {
   setFixedWidth(52 * fontMetrics().averageCharWidth());
   connect(back_, &QPushButton::clicked, this, [this] { go(stop_ - 1); });
   connect(next_, &QPushButton::clicked, this, [this] { go(stop_ + 1); });
-  connect(leaves, &QPushButton::clicked, this, &Tour::leave);
+  connect(leaves, &QPushButton::clicked, this, &Tour::end);
 }
 
 void Tour::begin() {
@@ -120,7 +125,7 @@ void Tour::begin() {
 
 void Tour::go(int stop) {
   if (stop < 0) return;
-  if (stop >= stops()) return leave();
+  if (stop >= stops()) return end();
   stop_ = stop;
   const Stop& at = kStops[static_cast<std::size_t>(stop)];
   if (auto* dock = window_->findChild<QDockWidget*>(at.widget)) {
@@ -142,7 +147,7 @@ void Tour::go(int stop) {
   QAccessible::updateAccessibility(&said);
 }
 
-void Tour::leave() {
+void Tour::end() {
   if (stop_ < 0) return;
   stop_ = -1;
   hide();

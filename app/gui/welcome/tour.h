@@ -3,27 +3,25 @@
 #include <QFrame>
 #include <QMainWindow>
 
-#include "app/gui/theme.h"
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/theme.h"
 
 class QLabel;
 class QPushButton;
 
 namespace underact::gui {
 
-class Actions;
-class SceneView;
 class Spotlight;
 
 /// A walk through the window: at each stop a frame around what is meant, and a card that says what it is for. Enter
 /// goes on, Esc (which stops the servo, as always) and Close leave it, at any stop; the panels are then as they were.
-class Tour : public QFrame {
+class Tour : public QFrame, public Follower {
   Q_OBJECT
  public:
-  Tour(QMainWindow* window, SceneView& view, Actions& actions);
-  /// Each frame: what is framed may move.
-  void follow();
-  void leave();
-  void setTheme(const Theme& theme);
+  explicit Tour(const FeatureParts& parts);
+  void present(const servo::Snapshot&) override { follow(); }  // what is framed may move
+  void end();
+  void setTheme(const Theme& theme) override;
   int stop() const { return stop_; }  // from 0; -1: nobody is on a tour
   static int stops();
 
@@ -31,6 +29,7 @@ class Tour : public QFrame {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void follow();
   void build();
   void begin();
   void go(int stop);

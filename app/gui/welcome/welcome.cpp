@@ -10,14 +10,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/hand.h"
-#include "app/gui/push_button.h"
-#include "app/gui/told_label.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/servo_rate.h"
+#include "app/gui/model/settings.h"
+#include "app/gui/view/hand.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/welcome/spotlight.h"
-#include "app/gui/words.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -60,27 +62,29 @@ double wristTurn_rad(const arm::JointAngles& from, const arm::JointAngles& to) {
 
 }  // namespace
 
-Welcome::Welcome(SceneView& view, const Hand& hand, Document& document, Actions& actions, bool was_seen)
-    : QFrame(&view),
-      view_(view),
-      hand_(hand),
-      document_(document),
-      slider_(new Spotlight("welcome.frame", view.window())),
+Welcome::Welcome(const FeatureParts& parts)
+    : QFrame(&parts.view),
+      view_(parts.view),
+      hand_(parts.hand),
+      document_(parts.document),
+      actions_(parts.actions),
+      rate_(parts.rate),
+      slider_(new Spotlight("welcome.frame", parts.window)),
       confirmed_(toldLabel("welcome.confirmed", tr("What was done"), "", this)),
-      was_seen_(was_seen),
-      is_asked_(!was_seen) {
+      was_seen_(parts.settings.has_pushed),
+      is_asked_(!was_seen_) {
   setObjectName("welcome");
   setAccessibleName(tr("Welcome: three things to try"));
   setProperty("role", "card");
   setAttribute(Qt::WA_NoMousePropagation);  // what is meant for the card does not turn the view behind it
   hide();
-  build(actions);
-  actions.add({"help.welcome", tr("&Welcome"), QKeySequence("Ctrl+Alt+Shift+W"),
-               tr("Three things to try first: push, move a slider, turn the stylus.")},
-              [this](const QVariantList&) {
-                ask();
-                return true;
-              });
+  build(parts.actions);
+  parts.actions.add({"help.welcome", tr("&Welcome"), QKeySequence("Ctrl+Alt+Shift+W"),
+                     tr("Three things to try first: push, move a slider, turn the stylus.")},
+                    [this](const QVariantList&) {
+                      ask();
+                      return true;
+                    });
   connect(&document_, &Document::opened, this, [this] { tell(); });
   connect(&document_, &Document::edited, this, [this] { edited_ = true; });
 }
@@ -164,12 +168,17 @@ void Welcome::watch(const servo::Snapshot& snapshot) {
   if (any && leaves_at_tick_ < 0) leaves_at_tick_ = snapshot.ticks;
 }
 
-void Welcome::present(const servo::Snapshot& snapshot, int rate_hz, bool may_show) {
+void Welcome::remember(Settings& settings) {
+  settings.has_pushed = was_seen_;
+}
+
+void Welcome::present(const servo::Snapshot& snapshot) {
+  const bool may_show = !actions_.isLocked();
   // A card about the mouse says nothing to whom holds an arm.
   const bool is_seen = may_show && is_asked_ && hand_.arm() != nullptr && snapshot.ticks > 0 && document_.isOpen();
   if (is_seen) {
     watch(snapshot);
-    if (leaves_at_tick_ >= 0 && snapshot.ticks - leaves_at_tick_ > kConfirmed_s * std::int64_t{rate_hz}) close();
+    if (leaves_at_tick_ >= 0 && snapshot.ticks - leaves_at_tick_ > kConfirmed_s * std::int64_t{rate_.hz()}) close();
   }
   const bool shows = is_seen && is_asked_;
   if (shows != is_shown_) {

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/gui/theme.h"
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/theme.h"
 #include "core/arm/sample.h"
 #include "core/servo/snapshot.h"
 
@@ -12,24 +13,18 @@ class QLabel;
 
 namespace underact::gui {
 
-class Actions;
-class Document;
-class Hand;
-class SceneView;
 class Spotlight;
 
 /// The first minute: a card over the view with three things to try. Each is ticked off when it was done; the card
 /// leaves a little later, and comes back only when it is asked for. It stands where the stylus is not.
-class Welcome : public QFrame {
+class Welcome : public QFrame, public Follower {
   Q_OBJECT
  public:
-  /// was_seen: in an earlier life of the window; then it waits to be asked for.
-  Welcome(SceneView& view, const Hand& hand, Document& document, Actions& actions, bool was_seen);
-  /// Each frame. rate_hz: ticks a second, by which it leaves. may_show false: something else has the window.
-  void present(const servo::Snapshot& snapshot, int rate_hz, bool may_show);
-  /// Something was done, or it was closed, once: it does not come back unasked.
-  bool wasSeen() const { return was_seen_; }
-  void setTheme(const Theme& theme);
+  explicit Welcome(const FeatureParts& parts);
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
+  /// Once something was done, or it was closed, it does not come back unasked.
+  void remember(Settings& settings) override;
 
  private:
   enum Thing { Push, Slider, Turn, kThings };
@@ -44,6 +39,8 @@ class Welcome : public QFrame {
   SceneView& view_;
   const Hand& hand_;
   Document& document_;
+  const Actions& actions_;
+  const ServoRate& rate_;
   Spotlight* slider_;
   std::array<QLabel*, kThings> rows_{};
   std::array<bool, kThings> is_done_{};

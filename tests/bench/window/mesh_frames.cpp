@@ -9,13 +9,13 @@
 #include <limits>
 #include <vector>
 
-#include "app/gui/actions.h"
-#include "app/gui/document.h"
-#include "app/gui/main_window.h"
-#include "app/gui/simulated_host.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/simulated_host.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/section_cap.h"
+#include "app/gui/window/main_window.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 

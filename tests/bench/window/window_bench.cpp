@@ -11,11 +11,11 @@
 #include <memory>
 #include <string_view>
 
-#include "app/gui/actions.h"
-#include "app/gui/main_window.h"
-#include "app/gui/simulated_host.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/simulated_host.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/scene_view.h"
+#include "app/gui/window/main_window.h"
 #include "core/record/recorder.h"
 #include "core/scene/read.h"
 #include "tests/bench/window/mesh_frames.h"

@@ -1,0 +1,20 @@
+#pragma once
+#include "app/gui/feature/panel.h"
+
+namespace underact::gui {
+
+class Readout;
+
+/// Where the arm is: tip, joints, how much of the force is let through, and what went wrong.
+class ArmPanel : public Panel {
+  Q_OBJECT
+ public:
+  ArmPanel(const FeatureParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+
+ private:
+  Readout* readout_;
+  int tip_, first_joints_, last_joints_, level_, fault_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,15 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/arm/arm_panel.h"
+
+namespace underact::gui {
+
+FeatureRow armFeature() {
+  return {.panels = {{"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea, "Ctrl+Alt+4",
+                      QT_TRANSLATE_NOOP("panel", "Where the joints and the tip of the arm are."), makePanel<ArmPanel>}},
+          .pages = {{"panel.arm", "window#arm"}}};
+}
+
+}  // namespace underact::gui

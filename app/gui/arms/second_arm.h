@@ -1,0 +1,87 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/gui/model/arm_choice.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/scene_loading.h"
+#include "app/gui/model/servo_facts.h"
+#include "app/gui/model/simulated_host.h"
+
+namespace underact::gui {
+
+class SceneView;
+
+/// A second arm beside the first, with a servo, a gate and a scene of its own, in the same view. It starts and stops
+/// with the first: there is one Stop. A simulated one is moved as the first hand is, in a mirror.
+class SecondArm : public QObject {
+  Q_OBJECT
+ public:
+  enum class Side { Left, Right };
+
+  /// first: the other arm's servo. first_arms: which arm that one is.
+  SecondArm(ServoFacts first, ArmChoice& first_arms, SceneView& view, QObject* parent);
+  ~SecondArm() override;
+
+  bool isOn() const { return simulated_.host != nullptr; }
+  void setOn(bool on);
+  /// Opens that arm in place of the one there is. Problems: why not now. Where it is on.
+  Problems choose(const QString& name);
+  /// The scene from that file, in a while: changed() or told() comes. It may be chosen before it is on.
+  void openScene(const QString& path);
+  void setSide(Side side);
+  /// Where its frame W stands as seen from the first one's, m, where both arms are registered; none: at the side.
+  void setPlace(const std::optional<Pose>& X_WS);
+  const std::optional<Pose>& placed() const { return X_WS_; }
+  /// What is to hear each of its ticks; empty: nobody.
+  void setListener(std::function<void(const servo::TickRecord&)> listener) { listener_ = std::move(listener); }
+  void setMirrors(bool on) { mirrors_ = on; }
+  const QString& scenePath() const { return path_; }
+  Side side() const { return side_; }
+  bool mirrors() const { return mirrors_; }
+  bool isLoading() const { return loading_.isLoading(); }
+
+  void start();
+  void stop();
+  void setRate(int rate_hz);
+  /// Each frame.
+  void look();
+
+  // Where it is on.
+  ServoFacts servo() const { return *simulated_.host; }
+  void run(std::int64_t ticks) { simulated_.host->run(ticks); }  // by a clock that is not its own
+  std::vector<std::string> listing() const { return simulated_.chosen->listing(); }
+  ArmChoice& arms() { return *arms_; }
+  device::SimulatedArm& simulatedArm() { return *simulated_.arm; }
+
+ signals:
+  void changed();
+  /// Something that a person should know: a fault, a scene or an arm that was refused.
+  void told(const QString& sentence);
+
+ private:
+  void place();
+  void begin();
+  void end();
+  void takeScene();
+  void takeFaults();
+  void moveHand();
+
+  ServoFacts first_;
+  ArmChoice& first_arms_;
+  SceneView& view_;
+  SimulatedHost simulated_;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<ArmChoice> arms_;
+  SceneLoading loading_;
+  QString path_;
+  Side side_ = Side::Right;
+  std::optional<Pose> X_WS_;
+  std::function<void(const servo::TickRecord&)> listener_;
+  bool mirrors_ = true;
+};
+
+}  // namespace underact::gui

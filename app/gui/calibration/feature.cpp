@@ -1,0 +1,17 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/calibration/calibration_panel.h"
+
+namespace underact::gui {
+
+FeatureRow calibrationFeature() {
+  return {
+      .panels = {{"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
+                  QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
+                  makePanel<CalibrationPanel>, "scenes"}},
+      .pages = {{"panel.calibration", "calibration"}, {"dialog.save_calibration", "calibration"}}};
+}
+
+}  // namespace underact::gui

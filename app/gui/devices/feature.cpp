@@ -1,0 +1,17 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/devices/devices_panel.h"
+
+namespace underact::gui {
+
+FeatureRow devicesFeature() {
+  return {.panels = {{"devices", QT_TRANSLATE_NOOP("panel", "Devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+D",
+                      QT_TRANSLATE_NOOP(
+                          "panel", "Which arms are plugged in, what is missing to use one, and which one is in use."),
+                      makePanel<DevicesPanel>, "scenes"}},
+          .pages = {{"panel.devices", "devices#choosing-an-arm"}, {"dialog.fix", "devices"}}};
+}
+
+}  // namespace underact::gui

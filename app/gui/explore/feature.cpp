@@ -1,0 +1,21 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/explore/dh_panel.h"
+#include "app/gui/explore/transform_panel.h"
+
+namespace underact::gui {
+
+FeatureRow exploreFeature() {
+  return {
+      .panels = {{"dh", QT_TRANSLATE_NOOP("panel", "DH table"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+E",
+                  QT_TRANSLATE_NOOP("panel", "A DH table to be changed, drawn with the arm's joints beside the arm."),
+                  makePanel<DhPanel>, "scenes"},
+                 {"transform", QT_TRANSLATE_NOOP("panel", "Transforms"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+O",
+                  QT_TRANSLATE_NOOP("panel", "Turns and shifts put together, in both orders side by side."),
+                  makePanel<TransformPanel>, "scenes"}},
+      .pages = {{"panel.dh", "explorers#dh-table"}, {"panel.transform", "explorers#transforms"}}};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,146 @@
+#include "app/gui/fault/fault_watch.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QStandardPaths>
+#include <QTimer>
+#include <QWidget>
+#include <ctime>
+
+#include "app/gui/fault/fault_dialog.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/application.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/fault_folder.h"
+#include "app/gui/model/servo_rate.h"
+#include "app/gui/model/servo_words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr const char* kWindowKind = "window";
+
+constexpr const char* kMet = QT_TRANSLATE_NOOP("fault", "The window met an error of its own: %1.");
+constexpr const char* kToDo =
+    QT_TRANSLATE_NOOP("fault",
+                      "Save the scene under another name, then press Start. If it comes again, end the program and "
+                      "send the file to its makers.");
+
+ToldFault toldException(const QString& message) {
+  ToldFault told;
+  told.words = {kWindowKind, QString(kMet).arg(message).toStdString(), kToDo};
+  told.what = QCoreApplication::translate("fault", kMet).arg(message);
+  told.to_do = QCoreApplication::translate("fault", kToDo);
+  return told;
+}
+
+}  // namespace
+
+FaultWatch::FaultWatch(const FeatureParts& parts)
+    : QObject(parts.window),
+      servo_(parts.servo),
+      control_(parts.control),
+      actions_(parts.actions),
+      window_(parts.window),
+      recent_(static_cast<std::size_t>(parts.servo.rateHz())) {  // a second
+  connect(&parts.rate, &ServoRate::changed, this,
+          [this](int, int rate_hz) { recent_ = servo::History(static_cast<std::size_t>(rate_hz)); });
+  connect(&parts.actions, &Actions::locked, this, [this] {
+    if (dialog_ != nullptr) dialog_->close();
+  });
+  actions_
+      .add({"servo.fault", tr("Show the last &fault"), QKeySequence("Ctrl+Alt+F"),
+            tr("What stopped the servo last, and where its file is.")},
+           [this](const QVariantList&) { return showLast(); })
+      ->setEnabled(false);
+  Application::onException([this](const std::string& message) { tellException(message); });
+}
+
+FaultWatch::~FaultWatch() {
+  Application::onException({});
+}
+
+void FaultWatch::look(const servo::Snapshot& snapshot) {
+  while (std::optional<servo::FaultReport> report = control_.takeFault()) {
+    ToldFault told;
+    told.words = record::wordsOf(*report);
+    told.what = happenedText(*report);
+    told.to_do = toDoText(report->fault);
+    keepAndTell(std::move(*report), std::move(told));
+  }
+  if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);
+}
+
+void FaultWatch::tellException(const std::string& message) {
+  control_.stop();
+  QTimer::singleShot(0, this, [this, message] { tellOfWindow(message); });
+}
+
+void FaultWatch::tellOfWindow(const std::string& message) {
+  ToldFault told = toldException(QString::fromStdString(message));
+  // What throws in every frame is told once, and counted.
+  const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
+  if (before != nullptr && before->words.kind == kWindowKind && before->words.what == told.words.what) {
+    dialog_->tellAgain();
+    return;
+  }
+  servo::FaultReport report;
+  report.tick = servo_.snapshot().ticks;
+  report.unix_time_s = static_cast<std::int64_t>(std::time(nullptr));
+  report.last_second = recent_.inOrder();
+  report.scene = servo_.scene();
+  report.device = servo_.device();
+  report.scheduling = servo_.scheduling();
+  report.rate_hz = servo_.rateHz();
+  report.late = servo_.snapshot().late;
+  keepAndTell(std::move(report), std::move(told));
+}
+
+void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
+  told.when = QDateTime::fromSecsSinceEpoch(report.unix_time_s).toString("hh:mm:ss");
+  told.rate_hz = report.rate_hz;
+  const Result<std::string> kept = record::keepFault(report, told.words, faultFolder().toStdString());
+  if (kept) {
+    told.path = QString::fromStdString(kept.value());
+  } else {
+    const Problem& problem = kept.problems().front();
+    told.not_kept = QString("%1 (%2)").arg(sentenceText(problem.sentence), QString::fromStdString(problem.place.file));
+  }
+  told.last_second = std::move(report.last_second);
+  tell(told);
+}
+
+void FaultWatch::tell(const ToldFault& told) {
+  last_ = std::make_unique<ToldFault>(told);
+  actions_.find("servo.fault")->setEnabled(true);
+  if (!actions_.isLocked()) dialog().tell(told);  // visitors are told by the card
+}
+
+bool FaultWatch::showLast() {
+  if (last_ == nullptr) return false;
+  if (dialog().last() == nullptr) dialog().tell(*last_);
+  dialog().activateWindow();
+  return true;
+}
+
+FaultDialog& FaultWatch::dialog() {
+  if (dialog_ == nullptr) {
+    dialog_ = new FaultDialog(window_);
+    dialog_->setTheme(theme_);
+    connect(dialog_, &FaultDialog::startAsked, this, [this] {
+      if (actions_.perform("session.start")) dialog_->close();
+    });
+    connect(dialog_, &FaultDialog::restartAsked, this, [this] {
+      if (actions_.perform("servo.restart")) dialog_->close();
+    });
+  }
+  return *dialog_;
+}
+
+void FaultWatch::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (dialog_ != nullptr) dialog_->setTheme(theme);
+}
+
+}  // namespace underact::gui

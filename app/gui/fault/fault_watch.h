@@ -1,0 +1,50 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <memory>
+#include <string>
+
+#include "app/gui/feature/feature.h"
+#include "app/gui/kit/theme.h"
+#include "core/record/fault_file.h"
+#include "core/servo/history.h"
+
+class QWidget;
+
+namespace underact::gui {
+
+class FaultDialog;
+struct ToldFault;
+
+/// Looks for faults of the servo, and is told of exceptions in the window: each is kept in a file at once, and told in
+/// one dialog.
+class FaultWatch : public QObject, public Follower {
+  Q_OBJECT
+ public:
+  explicit FaultWatch(const FeatureParts& parts);
+  ~FaultWatch() override;
+  void add(const servo::TickRecord& record) override { recent_.add(record); }  // the last second of a window's fault
+  void look(const servo::Snapshot& snapshot) override;
+  /// The force goes to zero now; the rest is done when what threw has ended.
+  void tellException(const std::string& message);
+  /// Brings the dialog with the last fault to the front, with the keyboard. False: there was none.
+  bool showLast();
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void keepAndTell(servo::FaultReport&& report, ToldFault told);
+  void tell(const ToldFault& told);
+  void tellOfWindow(const std::string& message);
+  FaultDialog& dialog();
+
+  ServoFacts servo_;
+  ServoControl control_;
+  Actions& actions_;
+  QWidget* window_;
+  servo::History recent_;
+  Theme theme_ = Theme::light();
+  QPointer<FaultDialog> dialog_;
+  std::unique_ptr<ToldFault> last_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,68 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "app/gui/feature/help_page.h"
+#include "app/gui/kit/theme.h"
+#include "app/gui/model/servo_facts.h"
+
+class QBoxLayout;
+class QMainWindow;
+
+namespace underact::device {
+class ChosenArm;
+class SimulatedArm;
+namespace hands {
+class Port;
+}
+}  // namespace underact::device
+
+namespace underact::gui {
+
+class Actions;
+class ArmChoice;
+class ArmInUse;
+class Document;
+class Hand;
+class LoadStrip;
+class Player;
+class RecentFiles;
+class Recording;
+class Remark;
+class SceneFiles;
+class SceneView;
+class SecondArm;
+class ServoRate;
+class StatusLine;
+struct Settings;
+
+/// What the window gives its features; it outlives them.
+struct FeatureParts {
+  QMainWindow* window;
+  QBoxLayout& middle;  // the view is in it; strips are added below
+  ServoFacts servo;
+  ServoControl control;
+  Document& document;
+  SceneFiles& files;
+  RecentFiles& recent;
+  LoadStrip& loads;
+  Actions& actions;
+  SceneView& view;
+  StatusLine& status;
+  Hand& hand;  // that of the view
+  Player& player;
+  Recording& recording;
+  ServoRate& rate;
+  ArmInUse& arm_in_use;                     // what a simulated arm is made of
+  ArmChoice& arms;                          // which arm it is
+  SecondArm& second;                        // beside it
+  Remark& where_it_stands;                  // the arm on the desk, in a sentence
+  device::ChosenArm* chosen;                // behind the host, where arms can be exchanged; else null
+  std::vector<device::hands::Port*> hands;  // controllers and 3D mice
+  ThemeWatcher& theme;
+  const Settings& settings;               // from the window's last life
+  std::vector<HelpPage> pages;            // of the guide, for each part of the window
+  std::function<QStringList()> why_busy;  // of all features, see Follower::whyBusy()
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,102 @@
+#include "app/gui/files/load_strip.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <utility>
+
+#include "app/gui/kit/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookForLoad_ms = 50;
+constexpr int kSteps = 1000;  // of the bar
+
+}  // namespace
+
+struct LoadStrip::Load {
+  Load(QString what_is_loaded, Work work, Done when_done)
+      : what(std::move(what_is_loaded)),
+        done(std::move(when_done)),
+        background([this, work = std::move(work)](WorkState& state) {
+          mesh::Watch watch;
+          watch.cancelled = &state.cancelled;
+          watch.progress = [this, &state](const char* now, double share) {
+            step = now;
+            state.share = share;
+          };
+          work(watch);
+          return true;
+        }) {}
+  QString what;
+  Done done;
+  std::atomic<const char*> step{""};  // the words of a mesh::Watch stay where they are
+  Background<bool> background;
+};
+
+LoadStrip::LoadStrip(QWidget* parent)
+    : QWidget(parent),
+      told_(toldLabel("load.told", tr("What is loaded"), "quiet", this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  setObjectName("load");
+  bar_->setObjectName("load.progress");
+  bar_->setAccessibleName(tr("Progress"));
+  bar_->setRange(0, kSteps);
+  bar_->setMaximumWidth(28 * fontMetrics().averageCharWidth());
+  cancel_->setObjectName("load.cancel");
+  cancel_->setAccessibleName(tr("Cancel the loading"));
+  cancel_->setToolTip(tr("Ends the loading. The scene stays as it is."));
+  cancel_->setFocusPolicy(Qt::StrongFocus);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 4, 12, 4);
+  row->setSpacing(8);
+  row->addWidget(told_, 1);
+  row->addWidget(bar_, 1);
+  row->addWidget(cancel_);
+  hide();
+  looks_.setInterval(kLookForLoad_ms);
+  connect(&looks_, &QTimer::timeout, this, &LoadStrip::look);
+  connect(cancel_, &QPushButton::clicked, this, &LoadStrip::cancel);
+}
+
+LoadStrip::~LoadStrip() = default;
+
+void LoadStrip::begin(const QString& what, Work work, Done done) {
+  if (load_ != nullptr) cancel();
+  load_ = std::make_unique<Load>(what, std::move(work), std::move(done));
+  show({}, 0.0);
+  setVisible(true);
+  looks_.start();
+}
+
+void LoadStrip::cancel() {
+  if (load_ == nullptr) return;
+  load_->background.cancel();
+  leaving_.push_back(std::move(load_));
+  hide();
+  emit cancelled();
+}
+
+void LoadStrip::show(const QString& step, double share) {
+  told_->setText(step.isEmpty() ? load_->what : tr("%1: %2").arg(load_->what, step.left(1).toLower() + step.mid(1)));
+  bar_->setValue(static_cast<int>(share * kSteps));
+}
+
+void LoadStrip::look() {
+  std::erase_if(leaving_, [](const std::unique_ptr<Load>& one) { return one->background.take().has_value(); });
+  if (load_ == nullptr) {
+    if (leaving_.empty()) looks_.stop();
+    return;
+  }
+  show(QCoreApplication::translate("step of work", load_->step), load_->background.share());
+  if (!load_->background.take()) return;
+  const std::unique_ptr<Load> ready = std::move(load_);
+  hide();
+  ready->done();  // it may begin another one
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,172 @@
+#include "app/gui/files/scene_files.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <memory>
+#include <utility>
+
+#include "app/gui/files/load_strip.h"
+#include "app/gui/kit/file_question.h"
+#include "app/gui/kit/problems_dialog.h"
+#include "app/gui/kit/shipped.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/made_curves.h"
+#include "app/gui/model/scene_library.h"
+#include "app/gui/view/drawn_mesh.h"
+#include "core/scene/load_meshes.h"
+#include "core/scene/mirror.h"
+#include "core/scene/read.h"
+
+namespace underact::gui {
+namespace {
+
+QString filterText() {
+  return QObject::tr("Scenes (*.json);;All files (*)");
+}
+
+// Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program. By its
+// double ending the desktop knows it for a scene; any JSON file can be opened.
+QString placeToSave(const Document& document) {
+  const bool has_file = !document.path().isEmpty();
+  const QString unnamed =
+      document.showsRecorded() ? QObject::tr("/recorded.underact.json") : QObject::tr("/new.underact.json");
+  const QFileInfo file(has_file ? document.path() : sceneFolder() + unnamed);
+  const bool shipped = !has_file || file.absolutePath() == sceneFolder();
+  const QString folder =
+      shipped ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : file.absolutePath();
+  return QDir(folder).filePath(shipped ? file.baseName() + "-tuned.underact.json" : file.fileName());
+}
+
+}  // namespace
+
+SceneFiles::SceneFiles(Document& document, RecentFiles& recent, LoadStrip& loads, QWidget* window)
+    : QObject(window),
+      document_(document),
+      recent_(recent),
+      loads_(loads),
+      window_(window),
+      problems_(new ProblemsDialog(window)) {
+  connect(problems_, &ProblemsDialog::openAnother, this, &SceneFiles::chooseAndOpen);
+}
+
+bool SceneFiles::open(const QString& path) {
+  if (!settleEdits()) return false;
+  loads_.cancel();  // the last one that was asked for is meant
+  const QString file = QFileInfo(path).absoluteFilePath();
+  Result<scene::Description> read = scene::readSceneFile(file.toStdString());
+  if (!read) {
+    problems_->show(path, read.problems());
+    return false;
+  }
+  if (!scene::lacksMeshes(read.value())) return put(std::move(read).value());
+  loadAndPut(std::move(read).value());
+  return true;
+}
+
+void SceneFiles::loadAndPut(scene::Description scene) {
+  struct Loaded {
+    scene::Description scene;
+    Problems problems;
+    std::vector<target::CurvePath> curves;
+  };
+  const auto loaded = std::make_shared<Loaded>();
+  loaded->scene = std::move(scene);
+  const QString path = QString::fromStdString(loaded->scene.file);
+  loads_.begin(
+      tr("Loading the files of %1").arg(QFileInfo(path).fileName()),
+      [loaded, is_mirrored = document_.opensMirrored()](const mesh::Watch& watch) {
+        loaded->problems = scene::loadMeshes(loaded->scene, watch);
+        if (!loaded->problems.empty()) return;
+        loaded->curves = madeCurves(is_mirrored ? scene::mirrored(loaded->scene) : loaded->scene, watch);
+        makeDrawnMeshes(loaded->scene, watch);
+      },
+      [this, loaded, path] {
+        if (!loaded->problems.empty()) {
+          problems_->show(path, loaded->problems);
+        } else if (settleEdits()) {  // those from while it was loaded
+          static_cast<void>(put(std::move(loaded->scene)));
+        }
+      });
+}
+
+bool SceneFiles::put(scene::Description scene) {
+  const QString path = QString::fromStdString(scene.file);
+  const Problems problems = document_.open(std::move(scene));
+  if (!problems.empty()) {
+    problems_->show(path, problems);
+    return false;
+  }
+  problems_->hide();
+  const QString folder = QFileInfo(path).absolutePath();
+  const bool ships = folder == sceneFolder() || folder.startsWith(shippedFolder(Resource::Lessons));
+  if (!path.isEmpty() && !ships) recent_.add(path);
+  return true;
+}
+
+bool SceneFiles::openLoaded(scene::Description scene) {
+  return settleEdits() && put(std::move(scene));
+}
+
+void SceneFiles::chooseAndOpen() {
+  askForFile(window_, "dialog.open", tr("Open a scene"),
+             QFileInfo(document_.path().isEmpty() ? sceneFolder() + "/." : document_.path()).absolutePath(),
+             filterText(), [this](const QString& path) { open(path); });
+}
+
+bool SceneFiles::saveAs(const QString& path) {
+  const Problems problems = document_.saveAs(path);
+  if (problems.empty()) {
+    recent_.add(document_.path());
+    return true;
+  }
+  QMessageBox box(QMessageBox::Warning, tr("Scene not saved"), sentencesOf(problems), QMessageBox::Ok, window_);
+  box.setObjectName("dialog.not_saved");
+  box.exec();
+  return false;
+}
+
+void SceneFiles::chooseAndSave() {
+  auto* dialog = new QFileDialog(window_, tr("Save the tuned scene"), placeToSave(document_), filterText());
+  dialog->setObjectName("dialog.save");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("json");
+  dialog->selectFile(QFileInfo(placeToSave(document_)).fileName());
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { saveAs(path); });
+  dialog->open();
+}
+
+bool SceneFiles::settleEdits() {
+  if (!document_.modified()) return true;
+  const QString title = QString::fromStdString(document_.scene().title);
+  const bool is_new = document_.path().isEmpty() && !document_.showsRecorded();
+  QMessageBox box(
+      QMessageBox::Question, is_new ? tr("New scene") : tr("Tuned gains"),
+      is_new ? tr("The scene “%1” was never saved.").arg(title) : tr("The gains of “%1” were changed.").arg(title),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  box.setObjectName("dialog.unsaved");
+  box.setInformativeText(is_new ? tr("Save it as a scene file, or discard it?")
+                                : tr("Save them as a scene file, or discard them?"));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return saveBeforeLeaving();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SceneFiles::saveBeforeLeaving() {
+  const QString path =
+      QFileDialog::getSaveFileName(window_, tr("Save the tuned scene"), placeToSave(document_), filterText());
+  return !path.isEmpty() && saveAs(path);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,32 @@
+#include "app/gui/feature/feature.h"
+
+#include <QBoxLayout>
+#include <QMainWindow>
+
+#include "app/gui/ghost/ghost_actions.h"
+#include "app/gui/ghost/ghost_hand.h"
+#include "app/gui/ghost/ghost_strip.h"
+#include "app/gui/ghost/ghost_told.h"
+#include "app/gui/kit/actions.h"
+
+namespace underact::gui {
+namespace {
+
+void makeGhost(const FeatureParts& parts, Followers& followers) {
+  auto* ghost = new GhostHand(parts.document, parts.player, parts.loads, parts.view, parts.window);
+  addGhostActions(parts.actions, *ghost, parts.document, parts.files, parts.window);
+  tellOfGhost(*ghost, parts.window);
+  QObject::connect(&parts.actions, &Actions::locked, ghost, &GhostHand::close);
+  auto* strip = new GhostStrip(*ghost, parts.document, parts.actions, parts.middle.parentWidget());
+  parts.middle.addWidget(strip);
+  followers.push_back(ghost);
+  followers.push_back(strip);
+}
+
+}  // namespace
+
+FeatureRow ghostFeature() {
+  return {.pages = {{"ghost", "following"}, {"dialog.follow", "following"}}, .make = makeGhost};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,21 @@
+#include "app/gui/feature/feature.h"
+
+#include "app/gui/guide/guide_tool.h"
+
+namespace underact::gui {
+namespace {
+
+void makeGuide(const FeatureParts& parts, Followers& followers) {
+  followers.push_back(new GuideTool(parts));
+}
+
+}  // namespace
+
+FeatureRow guideFeature() {
+  return {.pages = {{"guide", "window#this-guide"},
+                    {"button.help.guide", "window#this-guide"},
+                    {"dialog.guide_problems", "install"}},
+          .make = makeGuide};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,17 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/hands/hands_panel.h"
+
+namespace underact::gui {
+
+FeatureRow handsFeature() {
+  return {.panels = {{"hands", QT_TRANSLATE_NOOP("panel", "Hands"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
+                      QT_TRANSLATE_NOOP("panel",
+                                        "Mouse, game controllers and 3D mice: which are there, and what moves what."),
+                      makePanel<HandsPanel>, "scenes"}},
+          .pages = {{"panel.hands", "hands"}}};
+}
+
+}  // namespace underact::gui

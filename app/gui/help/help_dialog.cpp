@@ -1,0 +1,117 @@
+#include "app/gui/help/help_dialog.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/words.h"
+#include "underact/version.h"
+
+namespace underact::gui {
+namespace {
+
+QString row(const QString& what, const QString& does) {
+  return QString("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>")
+      .arg(what.toHtmlEscaped(), does.toHtmlEscaped());
+}
+
+QString handTable() {
+  return "<table cellspacing='4'>" +
+         row(QObject::tr("Drag the stylus"), QObject::tr("moves the simulated hand in the plane of the view")) +
+         row(QObject::tr("Wheel while dragging"), QObject::tr("moves the hand nearer or further away")) +
+         row(QObject::tr("Arrow keys"),
+             QObject::tr("move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view)")) +
+         row(QObject::tr("Page Up, Page Down"), QObject::tr("move the hand in depth")) +
+         row(QObject::tr("Ctrl and arrow keys"), QObject::tr("turn the stylus")) +
+         row(QObject::tr("Game controller, 3D mouse"),
+             QObject::tr("move and turn the simulated hand; the panel Hands says and edits what moves what")) +
+         row(QObject::tr("Space"),
+             QObject::tr("is the stylus button, for as long as it is held (press F2 first, or click the view)")) +
+         row(QObject::tr("Rings o and p"),
+             QObject::tr("of a scene with influence: where the stylus points, and what is nearest to its tip")) +
+         row(QObject::tr("Drag beside the stylus"), QObject::tr("turns the view; with the middle button it is moved")) +
+         row(QObject::tr("Wheel"), QObject::tr("brings the view nearer")) +
+         row(QObject::tr("Sliders"), QObject::tr("take the mouse, arrow keys and, once clicked, the wheel; a double "
+                                                 "click goes back to the scene's value")) +
+         row(QObject::tr("Table of joints"),
+             QObject::tr("F2, a double click or just typing changes a number; Enter takes it")) +
+         "</table>";
+}
+
+QString keyTable(const Actions& actions) {
+  QString table = "<table cellspacing='4'>";
+  for (const QString& name : actions.names()) {
+    const QAction* action = actions.find(name);
+    if (action == nullptr || action->shortcut().isEmpty()) continue;
+    table += row(action->shortcut().toString(QKeySequence::NativeText), action->statusTip());
+  }
+  return table + "</table>";
+}
+
+void addCloseButton(QDialog* dialog, QVBoxLayout* column) {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QPushButton* close = buttons->button(QDialogButtonBox::Close);
+  close->setObjectName(dialog->objectName() + ".close");
+  close->setAccessibleName(QObject::tr("Close"));
+  close->setIcon({});
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  column->addWidget(buttons);
+}
+
+}  // namespace
+
+HelpDialog::HelpDialog(const Actions& actions, QWidget* parent) : QDialog(parent) {
+  setObjectName("dialog.help");
+  setWindowTitle(tr("Mouse and keys"));
+  resize(640, 560);
+  auto* page = new QTextBrowser(this);
+  page->setObjectName("dialog.help.page");
+  page->setAccessibleName(tr("What the mouse and the keys do"));
+  page->setHtml(
+      QString("<p>%1</p><h3>%2</h3>%3<h3>%4</h3>%5")
+          .arg(tr("What you see is the hand's world: the constraint in blue, the stylus, the point it is drawn to "
+                  "in green, the force in orange. Start lets the servo push, Stop and Esc let go."),
+               tr("The hand and the view"), handTable(), tr("Keys"), keyTable(actions)));
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(page);
+  addCloseButton(this, column);
+}
+
+AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
+  setObjectName("dialog.about");
+  setWindowTitle(tr("About Underact"));
+  auto* text = new QLabel(tr("<h3>Underact %1</h3>"
+                             "<p>Feel geometry through a small haptic arm, and see what you feel.</p>"
+                             "<p>Licence: BSD-3-Clause. Uses Qt %2 (LGPL) and VTK (BSD).</p>"
+                             "<p>No part of it was tried on a real arm yet: what is shown is simulated.</p>")
+                              .arg(kVersion, qVersion()),
+                          this);
+  text->setObjectName("dialog.about.text");
+  text->setAccessibleName(tr("About Underact"));
+  text->setWordWrap(true);
+  text->setMinimumWidth(380);
+  text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(20, 12, 20, 16);
+  column->addWidget(text);
+  addCloseButton(this, column);
+}
+
+void addHelpActions(Actions& actions, QWidget* window) {
+  const auto show = [](QDialog* dialog) {
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+    return true;
+  };
+  actions.add({"help.keys", tr("&Mouse and keys"), QKeySequence("Shift+F1"), tr("What the mouse and the keys do.")},
+              [&actions, window, show](const QVariantList&) { return show(new HelpDialog(actions, window)); });
+  actions.add(
+      {"help.about", tr("&About Underact"), QKeySequence("Ctrl+F1"), tr("Version, licence, and what was never tried.")},
+      [window, show](const QVariantList&) { return show(new AboutDialog(window)); });
+}
+
+}  // namespace underact::gui

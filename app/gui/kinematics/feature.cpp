@@ -1,0 +1,22 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/kinematics/kinematics_panel.h"
+
+namespace underact::gui {
+
+FeatureRow kinematicsFeature() {
+  return {.panels = {{"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea, "Ctrl+Alt+6",
+                      QT_TRANSLATE_NOOP("panel", "Joints, DH table, inverse solutions, Jacobian and singularities."),
+                      makePanel<KinematicsPanel>, "scenes"}},
+          .pages = {{"panel.kinematics", "kinematics#in-the-window"},
+                    {"panel.kinematics.joint", "kinematics#moving-the-joints"},
+                    {"panel.kinematics.singularity", "kinematics#distance-to-singularities"},
+                    {"panel.kinematics.solutions", "kinematics#inverse-solutions"},
+                    {"panel.kinematics.dh", "kinematics#dh-table-and-angle-conventions"},
+                    {"panel.kinematics.jacobian", "kinematics#jacobian-and-ellipsoids"},
+                    {"view.kinematics", "kinematics#in-the-window"}}};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,66 @@
+#pragma once
+#include <optional>
+
+#include "app/gui/feature/panel.h"
+#include "app/gui/model/kinematics_now.h"
+#include "core/sim/hand.h"
+
+namespace underact::arm {
+struct Model;
+}
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class AnglesSection;
+class DhSection;
+class JacobianSection;
+class JointsSection;
+class SingularitiesSection;
+class SolutionsSection;
+
+/// Kinematics for teaching: joints that can be moved while the servo is stopped, distance to singularities, inverse
+/// solutions, DH table, angle conventions, Jacobian; and what of it the view shows. A function of the snapshot; core
+/// computes. Its numbers change ten times a second of the servo's time, and only while somebody sees them.
+class KinematicsPanel : public Panel {
+  Q_OBJECT
+ public:
+  KinematicsPanel(const FeatureParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void addActions();
+  void buildSwitches(QVBoxLayout* column);
+  void sceneOpened();
+  bool showAll(bool on);
+  bool isDue(const servo::Snapshot& snapshot);
+  bool wishJoint(int joint, double angle_deg, bool relative);
+  bool showSolution(int number);
+
+  FeatureParts parts_;
+  JointsSection* joints_ = nullptr;
+  SingularitiesSection* singularities_ = nullptr;
+  SolutionsSection* solutions_ = nullptr;
+  DhSection* dh_ = nullptr;
+  AnglesSection* angles_ = nullptr;
+  JacobianSection* jacobian_ = nullptr;
+
+  const arm::Model* model_ = nullptr;  // of the scene's arm
+  arm::Geometry geometry_;
+  arm::JointLimits limits_;
+  servo::Mode mode_ = servo::Mode::Running;
+  arm::JointAngles q_rad_{};    // of the last snapshot
+  std::int64_t shown_ns_ = -1;  // of the tick whose numbers are shown; -1: none
+  servo::Mode shown_mode_ = servo::Mode::Running;
+
+  // Joints that were wished last, for as long as nobody else moves the hand: friction leaves the arm a little short of
+  // them, and steps from where it stands would never add up.
+  arm::JointAngles wished_rad_{};
+  std::optional<sim::HandWish> wish_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,79 @@
+#include "app/gui/kit/cli_process.h"
+
+#include "app/gui/kit/words.h"
+#include "core/base/places.h"
+
+#ifdef Q_OS_UNIX
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
+namespace underact::gui {
+namespace {
+
+constexpr int kWaitForEnd_ms = 2000;
+constexpr int kBehindTheWindow = 10;  // nice
+
+}  // namespace
+
+CliProcess::CliProcess() {
+  process_.setStandardOutputFile(QProcess::nullDevice());
+#ifdef Q_OS_UNIX
+  // A group of its own: the program starts others, which end with it.
+  process_.setChildProcessModifier([] {
+    ::setpgid(0, 0);
+    ::setpriority(PRIO_PROCESS, 0, kBehindTheWindow);
+  });
+#endif
+  connect(&process_, &QProcess::readyReadStandardError, this, &CliProcess::read);
+  connect(&process_, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
+    unread_ += '\n';
+    read();
+    emit ended(status == QProcess::NormalExit ? std::optional<int>(code) : std::nullopt);
+  });
+  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error != QProcess::FailedToStart) return;
+    last_words_ = tr("The program %1 could not be started. Install Underact whole.").arg(process_.program());
+    emit ended(std::nullopt);
+  });
+}
+
+CliProcess::~CliProcess() {
+  process_.disconnect(this);
+  kill();
+}
+
+void CliProcess::start(const QStringList& words) {
+  const Result<std::string> program = findProgram("underact-cli", "UNDERACT_CLI");
+  if (program) {
+    process_.start(QString::fromStdString(program.value()), words, QIODevice::ReadOnly);
+    return;
+  }
+  last_words_ = sentencesOf(program.problems()) + " " + tr("Install Underact again.");
+  // Later: who starts it is not ready yet for its end.
+  QMetaObject::invokeMethod(
+      this, [this] { emit ended(std::nullopt); }, Qt::QueuedConnection);
+}
+
+void CliProcess::kill() {
+  if (process_.state() == QProcess::NotRunning) return;
+#ifdef Q_OS_UNIX
+  process_.waitForStarted(kWaitForEnd_ms);  // before that it has no group yet
+  if (process_.processId() > 0) ::kill(-static_cast<pid_t>(process_.processId()), SIGKILL);
+#endif
+  process_.kill();
+  process_.waitForFinished(kWaitForEnd_ms);
+}
+
+void CliProcess::read() {
+  unread_ += process_.readAllStandardError();
+  for (qsizetype end = unread_.indexOf('\n'); end >= 0; end = unread_.indexOf('\n')) {
+    const QByteArray line = unread_.left(end).trimmed();
+    unread_.remove(0, end + 1);
+    if (!line.isEmpty() && (!reader_ || !reader_(line))) last_words_ = QString::fromUtf8(line);
+  }
+}
+
+}  // namespace underact::gui

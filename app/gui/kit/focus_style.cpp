@@ -1,0 +1,89 @@
+#include "app/gui/kit/focus_style.h"
+
+#include <QAbstractScrollArea>
+#include <QApplication>
+#include <QPainter>
+#include <QStyleOption>
+
+#include "app/gui/kit/contrast.h"
+
+namespace underact::gui {
+namespace {
+
+void drawRing(const QStyleOption& option, const QRectF& place, QPainter& painter) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(focusColour(option.palette), 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(place.adjusted(0.75, 0.75, -0.75, -0.75), 2, 2);
+  painter.restore();
+}
+
+/// A click shows by itself where it went.
+bool hasKeys(const QStyleOption& option) {
+  return option.state.testFlag(QStyle::State_HasFocus) && option.state.testFlag(QStyle::State_KeyboardFocusChange);
+}
+
+}  // namespace
+
+void FocusStyle::polish(QApplication* application) {
+  QProxyStyle::polish(application);
+  connect(application, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { frame(now); });
+}
+
+void FocusStyle::frame(QWidget* focused) {
+  const bool by_keys = focused != nullptr && focused->window()->testAttribute(Qt::WA_KeyboardFocusChange);
+  if (!by_keys || focused->isWindow() || qobject_cast<QAbstractScrollArea*>(focused) == nullptr) {
+    delete frame_;
+    return;
+  }
+  if (frame_ == nullptr) frame_ = new QFocusFrame(focused);
+  frame_->setWidget(focused);
+}
+
+void FocusStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                               const QWidget* widget) const {
+  if (element == PE_IndicatorDockWidgetResizeHandle) {
+    const bool is_under = option->state.testFlag(State_MouseOver);
+    const QColor line =
+        mixed(option->palette.color(QPalette::Window), option->palette.color(QPalette::WindowText), 0.16);
+    return painter->fillRect(option->rect, is_under ? focusColour(option->palette) : line);
+  }
+  if (element != PE_FrameFocusRect) QProxyStyle::drawPrimitive(element, option, painter, widget);
+  const bool is_field = element == PE_FrameLineEdit && hasKeys(*option);
+  const bool is_ring = element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange);
+  if (is_field || is_ring) drawRing(*option, option->rect, *painter);
+}
+
+void FocusStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const {
+  if (element == CE_FocusFrame) {
+    // On the edge of what it stands around, not beyond: the panel's own would cut it there.
+    const int across = pixelMetric(PM_FocusFrameHMargin, option, widget);
+    const int down = pixelMetric(PM_FocusFrameVMargin, option, widget);
+    return drawRing(*option, option->rect.adjusted(across, down, -across, -down), *painter);
+  }
+  QProxyStyle::drawControl(element, option, painter, widget);
+  if (element == CE_PushButtonBevel && hasKeys(*option)) drawRing(*option, option->rect, *painter);
+}
+
+void FocusStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                    const QWidget* widget) const {
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  const bool is_ours = control == CC_ComboBox || control == CC_SpinBox || control == CC_Slider;
+  if (is_ours && hasKeys(*option)) drawRing(*option, option->rect, *painter);
+}
+
+int FocusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                          QStyleHintReturn* more) const {
+  if (hint == SH_FocusFrame_AboveWidget) return 1;
+  if (hint == SH_FocusFrame_Mask) return 0;  // a mask would leave what is beyond the edge alone
+  return QProxyStyle::styleHint(hint, option, widget, more);
+}
+
+int FocusStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+  if (metric == PM_DockWidgetSeparatorExtent) return 1;
+  return QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+}  // namespace underact::gui

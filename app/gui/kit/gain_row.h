@@ -1,0 +1,32 @@
+#pragma once
+#include "app/gui/kit/value_row.h"
+
+namespace underact::gui {
+
+/// One of the three gains of a law, as the window shows it.
+struct GainKind {
+  const char* key;   // "kp"
+  const char* name;  // "Stiffness"
+  const char* tip;   // one sentence and the equation it stands for
+  const char* unit;
+  int steps_per_unit;  // of the slider and the arrows
+  int slider_steps;    // from 0 to the slider's end; typing goes beyond
+  int decimals;
+};
+
+inline constexpr int kGainKinds = 3;
+const GainKind& gainKind(int gain);  // 0 kp, 1 kd, 2 ki
+
+/// One gain of one axis (or joint).
+class GainRow : public ValueRow {
+  Q_OBJECT
+ public:
+  GainRow(int gain, int axis, QWidget* parent = nullptr);
+  /// What the row is called: "x", or "q1".
+  void setAxisName(const QString& axis);
+
+ private:
+  const GainKind& gain_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,221 @@
+#include "app/gui/kit/page_view.h"
+
+#include <QApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTextCursor>
+#include <QThreadPool>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "app/gui/kit/theme.h"
+#include "app/page/style.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kPageMargin = 16;
+constexpr qsizetype kShort = 3;  // letters of a word
+constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
+
+page::Colours coloursOf(const QPalette& palette) {
+  const QColor ink = palette.color(QPalette::Text), ground = palette.color(QPalette::Base);
+  const auto shade = [&](double share) { return mixed(ground, ink, share).name().toStdString(); };
+  return {.ink = ink.name().toStdString(),
+          .quiet = shade(0.68),
+          .line = shade(0.2),
+          .ground = ground.name().toStdString(),
+          .soft = shade(0.07),
+          .link = palette.color(QPalette::Link).name().toStdString(),
+          .wrong = mixed(Theme().force_limited, ink, 0.25).name().toStdString()};
+}
+
+/// One thread, so that a page full of pictures leaves a core to the servo and the window.
+QThreadPool& pictureThread() {
+  static QThreadPool kPool;
+  kPool.setMaxThreadCount(1);
+  return kPool;
+}
+
+/// Where a link of a page leads to, as asked() has it.
+QUrl askedFor(const QUrl& link) {
+  if (!link.isRelative()) return link;
+  const QFileInfo file(link.path());
+  QUrl url;
+  url.setScheme(file.suffix() == "json" ? "scene" : "guide");
+  url.setPath(file.completeBaseName());
+  if (link.hasFragment()) url.setFragment(link.fragment());
+  return url;
+}
+
+}  // namespace
+
+PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
+  setOpenLinks(false);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
+  document()->setDocumentMargin(kPageMargin);
+  // A table comes out some pixels too wide by rounding, with some fonts; while only the empty margin is beyond the edge
+  // there is nothing to scroll for.
+  connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
+    setHorizontalScrollBarPolicy(most > kPageMargin ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+  });
+  setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
+  connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
+}
+
+void PageView::showPage(const QString& markdown, const QString& folder) {
+  const QByteArray text = markdown.toUtf8();
+  page_ = page::readPage({text.data(), static_cast<std::size_t>(text.size())}, {});
+  folder_ = folder;
+  render();
+  verticalScrollBar()->setValue(0);
+}
+
+void PageView::render() {
+  const int at = verticalScrollBar()->value();
+  width_ = viewport()->width();
+  for (const QUrl& name : pictures_.keys()) document()->addResource(QTextDocument::ImageResource, name, {});
+  pictures_.clear();  // and the document asks for them again
+  pictures_awaited_ = 0;
+  page_number_++;
+  document()->setDefaultStyleSheet(QString::fromStdString(page::pageStyle(coloursOf(palette()))));
+  setHtml(QString::fromStdString(page_.html));
+  mark(marked_);
+  verticalScrollBar()->setValue(at);
+}
+
+void PageView::mark(const QStringList& words) {
+  marked_ = words;
+  QList<QTextEdit::ExtraSelection> marks;
+  QTextEdit::ExtraSelection one;
+  one.format.setBackground(mixed(palette().color(QPalette::Base), Theme().force, 0.45));
+  for (const QString& word : words) {
+    const QString end = word.size() < kShort ? "\\b" : "";  // "to" is not meant to be in "told"
+    const QRegularExpression start(
+        "\\b" + QRegularExpression::escape(word) + end,
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    for (one.cursor = document()->find(start); !one.cursor.isNull(); one.cursor = document()->find(start, one.cursor))
+      marks << one;
+  }
+  std::sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.cursor < b.cursor; });
+  setExtraSelections(marks);
+}
+
+bool PageView::toMark(bool next) {
+  const QList<QTextEdit::ExtraSelection> marks = extraSelections();
+  if (marks.isEmpty()) return false;
+  const QTextCursor here = textCursor();
+  const auto is_after = [&](const auto& mark) { return mark.cursor.selectionStart() >= here.selectionEnd(); };
+  const auto is_before = [&](const auto& mark) { return mark.cursor.selectionEnd() <= here.selectionStart(); };
+  QTextCursor to = next ? marks.first().cursor : marks.last().cursor;
+  if (next) {
+    const auto found = std::find_if(marks.begin(), marks.end(), is_after);
+    if (found != marks.end()) to = found->cursor;
+  } else {
+    const auto found = std::find_if(marks.rbegin(), marks.rend(), is_before);
+    if (found != marks.rend()) to = found->cursor;
+  }
+  setTextCursor(to);
+  ensureCursorVisible();
+  return true;
+}
+
+void PageView::setZoom(int percent) {
+  percent = std::clamp(percent, kSmallestZoom, kLargestZoom);
+  if (percent == zoom_) return;
+  zoom_ = percent;
+  QFont scaled = QApplication::font(this);
+  scaled.setPointSizeF(scaled.pointSizeF() * percent / 100.0);
+  setFont(scaled);
+  emit zoomed(percent);
+}
+
+QVariant PageView::loadResource(int type, const QUrl& name) {
+  if (type != QTextDocument::ImageResource) return {};
+  if (!name.isRelative() || QDir::isAbsolutePath(name.path())) return {};  // nothing is fetched
+  if (const auto known = pictures_.constFind(name); known != pictures_.constEnd()) return *known;
+  const QString path = QDir(folder_).filePath(name.path());
+  QSize size = QImageReader(path).size();  // of its first bytes
+  if (!size.isValid()) return {};
+  const int room = qRound(std::max(1, width_ - 2 * kPageMargin) * devicePixelRatioF());
+  if (size.width() > room) size = {room, std::max(1, size.height() * room / size.width())};
+  QImage place(size, QImage::Format_ARGB32_Premultiplied);
+  place.fill(Qt::transparent);
+  place.setDevicePixelRatio(devicePixelRatioF());
+  pictures_.insert(name, place);
+  awaitPicture(name, path, size);
+  return place;
+}
+
+void PageView::awaitPicture(const QUrl& name, const QString& path, const QSize& size) {
+  pictures_awaited_++;
+  pictureThread().start([view = QPointer<PageView>(this), name, path, size, page = page_number_] {
+    QImage picture = QImage(path).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [view, name, page, picture] {
+          if (view != nullptr && view->page_number_ == page) view->putPicture(name, picture);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PageView::putPicture(const QUrl& name, const QImage& picture) {
+  pictures_awaited_--;
+  QImage& kept = pictures_[name];
+  kept = picture;
+  kept.setDevicePixelRatio(devicePixelRatioF());
+  document()->addResource(QTextDocument::ImageResource, name, kept);
+  viewport()->update();
+}
+
+void PageView::changeEvent(QEvent* event) {
+  QTextBrowser::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && !page_.html.empty()) render();
+}
+
+void PageView::resizeEvent(QResizeEvent* event) {
+  QTextBrowser::resizeEvent(event);
+  const bool has_picture =
+      std::any_of(page_.links.begin(), page_.links.end(), [](const page::Page::Link& link) { return link.is_picture; });
+  if (has_picture && viewport()->width() != width_) render();
+}
+
+void PageView::wheelEvent(QWheelEvent* event) {
+  if (!event->modifiers().testFlag(Qt::ControlModifier)) return QTextBrowser::wheelEvent(event);
+  const int notches = event->angleDelta().y();
+  if (notches != 0) setZoom(zoom_ + (notches > 0 ? kZoomStep : -kZoomStep));
+  event->accept();
+}
+
+void PageView::follow(const QUrl& link) {
+  if (link.scheme() == "http" || link.scheme() == "https") return confirmAddress(link);
+  if (link.isRelative() && link.path().isEmpty()) return scrollToAnchor(link.fragment());
+  const QUrl to = askedFor(link);
+  static const QStringList kKnown{"scene", "lesson", "action", "guide"};
+  if (kKnown.contains(to.scheme())) emit asked(to);
+}
+
+void PageView::confirmAddress(const QUrl& address) {
+  auto* box = new QMessageBox(QMessageBox::Question, tr("A page on the net"),
+                              tr("This link leads out of the program, to:"), QMessageBox::Cancel, this);
+  box->setObjectName("dialog.address");
+  box->setInformativeText(address.toDisplayString());
+  box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  QPushButton* open = box->addButton(tr("Open in browser"), QMessageBox::AcceptRole);
+  open->setObjectName("dialog.address.open");
+  connect(open, &QPushButton::clicked, box, [address] { QDesktopServices::openUrl(address); });
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->show();
+}
+
+}  // namespace underact::gui

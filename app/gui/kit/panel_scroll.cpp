@@ -1,0 +1,26 @@
+#include "app/gui/kit/panel_scroll.h"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace underact::gui {
+
+QScrollArea* panelScroll(QWidget* content, QWidget* parent) {
+  auto* scroll = new QScrollArea(parent);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  return scroll;
+}
+
+void fillWithScroll(QWidget* panel, QWidget* content) {
+  QScrollArea* scroll = panelScroll(content, panel);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+  auto* outer = new QVBoxLayout(panel);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
+}
+
+}  // namespace underact::gui

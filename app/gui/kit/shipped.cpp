@@ -1,0 +1,30 @@
+#include "app/gui/kit/shipped.h"
+
+#include <QLabel>
+
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+
+namespace underact::gui {
+
+QString shippedFolder(Resource resource) {
+  const Standpoint from = standpoint();
+  const Result<std::string> found = findResource(resource, from);
+  if (found) return QString::fromStdString(found.value());
+  const std::vector<std::string> places = placesOf(resource, from);
+  return places.empty() ? QString("/") : QString::fromStdString(places.front());
+}
+
+QString whyNotFound(Resource resource) {
+  const Result<std::string> found = findResource(resource);
+  return found ? QString() : sentencesOf(found.problems());
+}
+
+QLabel* notFoundLabel(Resource resource, const char* name, const QString& spoken, QWidget* parent) {
+  QLabel* const label = toldLabel(name, spoken, "amber", parent);
+  label->setText(whyNotFound(resource));
+  label->setVisible(!label->text().isEmpty());
+  return label;
+}
+
+}  // namespace underact::gui

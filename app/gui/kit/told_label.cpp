@@ -1,0 +1,29 @@
+#include "app/gui/kit/told_label.h"
+
+#include <QLabel>
+
+namespace underact::gui {
+
+QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setAccessibleName(spoken);
+  label->setProperty("role", role);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+void putText(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+QLabel* sectionTitle(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", "section");
+  label->setIndent(0);
+  return label;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,85 @@
+#include "app/gui/kit/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QObject>
+#include <QStringList>
+#include <cmath>
+
+#include "app/gui/kit/number_box.h"
+#include "core/base/fault_words.h"
+
+namespace underact::gui {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("underact::gui", text);
+}
+
+QString sentenceText(const Sentence& sentence) {
+  if (sentence.isNumber()) return QString::fromStdString(sentence).replace('.', QLocale().decimalPoint());
+  // Changed as a string since it was put together: its pattern does not say it any more.
+  const bool is_whole = filled(sentence.pattern(), {sentence.places().begin(), sentence.places().end()}) == sentence;
+  if (!is_whole) return QString::fromStdString(sentence);
+  std::vector<std::string> words;
+  for (const Sentence& place : sentence.places()) words.push_back(sentenceText(place).toStdString());
+  const QString pattern = QCoreApplication::translate("problem", sentence.pattern().c_str());
+  return QString::fromStdString(filled(pattern.toStdString(), words));
+}
+
+QString sentencesOf(const Problems& problems) {
+  QStringList lines;
+  for (const Problem& problem : problems) lines << sentenceText(problem.sentence);
+  return lines.join('\n');
+}
+
+QString numberText(double value, int decimals) {
+  if (!std::isfinite(value)) return QString(QChar(0x2013));
+  const QString plain = QString::number(std::abs(value), 'f', decimals);
+  const bool zero = plain.count('0') + plain.count('.') == plain.size();
+  QString text = localNumber(std::abs(value), 'f', decimals);
+  if (value < 0.0 && !zero) text.prepend(QChar(0x2212));
+  return text;
+}
+
+QString happenedText(const Fault& fault) {
+  if (fault.kind == FaultKind::None) return {};
+  const FaultSentence sentence = happenedSentence(fault);
+  QString text = QCoreApplication::translate("fault", sentence.pattern);
+  for (std::size_t index = 0; index < sentence.numbers.size(); ++index) {
+    const auto [value, decimals] = sentence.numbers[index];
+    text.replace("%" + QString::number(index + 1), numberText(value, decimals));
+  }
+  return text;
+}
+
+QString toDoText(const Fault& fault) {
+  if (fault.kind == FaultKind::None) return {};
+  return QCoreApplication::translate("fault", toDoSentence(fault));
+}
+
+QString faultText(const Fault& fault) {
+  if (fault.kind == FaultKind::None) return {};
+  return QString("%1 %2 %3")
+      .arg(happenedText(fault), QCoreApplication::translate("fault", kForceIsOff), toDoText(fault));
+}
+
+QString millimetres(double length_mm) {
+  return QObject::tr("%1 mm").arg(numberText(length_mm, 1));
+}
+
+QString placeText(const Vec3& p_mm) {
+  return QObject::tr("%1, %2, %3 mm").arg(numberText(p_mm.x(), 1), numberText(p_mm.y(), 1), numberText(p_mm.z(), 1));
+}
+
+QString directionText(const Vec3& direction) {
+  const Vec3 unit = direction.normalized();
+  return QString("%1, %2, %3").arg(numberText(unit.x(), 3), numberText(unit.y(), 3), numberText(unit.z(), 3));
+}
+
+QString phrasesOf(const std::vector<Sentence>& phrases) {
+  QStringList list;
+  for (const Sentence& phrase : phrases) list << sentenceText(phrase);
+  return list.join(", ");
+}
+
+}  // namespace underact::gui

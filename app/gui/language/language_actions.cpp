@@ -1,0 +1,37 @@
+#include "app/gui/language/language_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/language.h"
+
+namespace underact::gui {
+
+void addLanguageActions(Actions& actions, QWidget* window) {
+  struct Row {
+    QString key, text, shortcut, tip;
+  };
+  // A language has its own name in every language.
+  const Row rows[] = {
+      {"system", tr("As the &system"), "Ctrl+Alt+Shift+1", tr("The system's language, from the next start on.")},
+      {"en", "&English", "Ctrl+Alt+Shift+2", tr("English, from the next start on.")},
+      {"de", "&Deutsch", "Ctrl+Alt+Shift+3", tr("German, from the next start on.")}};
+  auto* group = new QActionGroup(&actions);
+  for (const Row& row : rows) {
+    QAction* action = actions.add({"language." + row.key, row.text, QKeySequence(row.shortcut), row.tip, {}, {}, true},
+                                  [window, key = row.key](const QVariantList&) {
+                                    if (key == chosenLanguage()) return true;
+                                    chooseLanguage(key);
+                                    showProblemsBox("dialog.language", tr("Language"),
+                                                    tr("The window speaks it from the next start on."), {}, window);
+                                    return true;
+                                  });
+    group->addAction(action);
+    action->setChecked(chosenLanguage() == row.key);
+  }
+}
+
+}  // namespace underact::gui

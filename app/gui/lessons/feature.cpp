@@ -1,0 +1,22 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/lessons/lesson_library.h"
+#include "app/gui/lessons/lessons_panel.h"
+
+namespace underact::gui {
+
+FeatureRow lessonsFeature() {
+  return {.panels = {{"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea, "Ctrl+L",
+                      QT_TRANSLATE_NOOP("panel",
+                                        "Exercises in robot kinematics and forces, checked by what the hand does."),
+                      makePanel<LessonsPanel>, "scenes"}},
+          .pages = {{"panel.lessons", "lessons"},
+                    {"dialog.open_lesson", "lessons"},
+                    {"dialog.save_lesson_report", "lessons#the-report"}},
+          .opens = isLessonFile,
+          .open_action = "lesson.open"};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,120 @@
+#include "app/gui/model/arm_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/model/document.h"
+#include "core/arm/preset.h"
+#include "device/catalogue.h"
+#include "device/chosen_arm.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookForTrial_ms = 30;
+constexpr const char* kSimulated = "simulated";
+
+}  // namespace
+
+ArmChoice::ArmChoice(servo::Host& host, Document& document, device::ChosenArm* chosen, device::SimulatedArm* simulated,
+                     QObject* parent)
+    : QObject(parent), host_(host), document_(document), chosen_(chosen), simulated_(simulated) {
+  looks_.setInterval(kLookForTrial_ms);
+  connect(&looks_, &QTimer::timeout, this, &ArmChoice::look);
+  connect(&document_, &Document::opened, this, &ArmChoice::sceneOpened);
+}
+
+ArmChoice::~ArmChoice() = default;
+
+device::SimulatedArm* ArmChoice::simulated() const {
+  return chosen_ == nullptr || chosen_->isFirst() ? simulated_ : nullptr;
+}
+
+Problems ArmChoice::whyNotNow() const {
+  if (chosen_ == nullptr)
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened with one arm alone.")), {}}};
+  if (host_.records())
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem",
+                                "A session is being recorded, and it is of one arm. Stop the recording, then choose.")),
+         {}}};
+  if (document_.showsRecorded())
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it, then choose.")), {}}};
+  if (document_.isTryingOut())
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "A measurement is at work on this arm. End it, then choose.")), {}}};
+  return {};
+}
+
+Problems ArmChoice::choose(const QString& name) {
+  Problems problems = whyNotNow();
+  if (!problems.empty()) return problems;
+  cancel();
+  wanted_ = name;
+  putFirst();
+  if (name == kSimulated) {
+    emit changed();
+    return {};
+  }
+  const std::string& wanted = document_.scene().arm;
+  const arm::Preset* preset = arm::findPreset(wanted);
+  if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
+  arm_ = wanted;
+  opening_ = name;
+  const device::Request request{*preset, {}, host_.rateHz(), {}};
+  work_ = std::make_unique<Background<Opened>>(
+      [request, key = name.toStdString()](WorkState&) { return device::openDevice(key, request); });
+  looks_.start();
+  emit began();
+  return {};
+}
+
+/// The arm that was in place is closed: it may be the one that is opened next.
+void ArmChoice::putFirst() {
+  name_ = kSimulated;
+  if (chosen_->isFirst()) return;
+  chosen_->choose(nullptr);
+  host_.restart();
+}
+
+void ArmChoice::cancel() {
+  if (work_ == nullptr) return;
+  work_->cancel();
+  wanted_ = name_;
+  leaving_.push_back(std::move(work_));
+  opening_.clear();
+  emit changed();
+}
+
+void ArmChoice::look() {
+  leaving_.erase(std::remove_if(leaving_.begin(), leaving_.end(), [](auto& one) { return one->take().has_value(); }),
+                 leaving_.end());
+  if (std::optional<Opened> opened = work_ ? work_->take() : std::nullopt) {
+    work_.reset();
+    const QString name = std::exchange(opening_, QString());
+    Problems problems = *opened ? whyNotNow() : opened->problems();  // a recording may have begun since
+    if (problems.empty()) {
+      chosen_->choose(std::move(*opened).value());
+      problems = host_.restart();
+      name_ = name;
+      emit changed();
+    } else {
+      emit changed();
+      emit failed(name, problems);
+    }
+  }
+  if (work_ == nullptr && leaving_.empty()) looks_.stop();
+}
+
+/// An arm is opened for the kinematics of a scene's arm.
+void ArmChoice::sceneOpened() {
+  if (document_.showsRecorded() || document_.scene().arm == arm_) return;
+  const QString wanted = opening_.isEmpty() ? name_ : opening_;
+  if (wanted == kSimulated) return;
+  const Problems problems = choose(wanted);
+  if (problems.empty()) return;
+  host_.stop();  // it would be pushed as an arm that it is not
+  emit failed(wanted, problems);
+}
+
+}  // namespace underact::gui

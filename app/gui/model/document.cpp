@@ -1,0 +1,182 @@
+#include "app/gui/model/document.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/edit.h"
+#include "core/scene/mesh_names.h"
+#include "core/scene/mirror.h"
+#include "core/scene/write.h"
+
+namespace underact::gui {
+
+/// One step back or forth between two scenes, both as written: whichever hand it is by then.
+class SceneEdit : public QUndoCommand {
+ public:
+  SceneEdit(Document& document, scene::Description before, scene::Description after, const QString& what, int gesture)
+      : QUndoCommand(what),
+        document_(document),
+        before_(std::move(before)),
+        after_(std::move(after)),
+        gesture_(gesture) {}
+  int id() const override { return gesture_; }
+  void undo() override { document_.put(before_); }
+  void redo() override {
+    if (!done_)
+      done_ = true;  // edit() has put it into effect: that is how it knew that it is allowed
+    else
+      document_.put(after_);
+  }
+  bool mergeWith(const QUndoCommand* other) override {
+    after_ = static_cast<const SceneEdit*>(other)->after_;
+    setObsolete(scene::isSame(before_, after_));
+    return true;
+  }
+
+ private:
+  Document& document_;
+  scene::Description before_, after_;
+  int gesture_;
+  bool done_ = false;
+};
+
+Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(host), undo_(this) {
+  connect(&undo_, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(modified()); });
+}
+
+Problems Document::open(scene::Description opened) {
+  const bool mirrors = opensMirrored();
+  if (mirrors) opened = scene::mirrored(std::move(opened));
+  Problems problems = host_.load(opened);
+  if (!problems.empty()) return problems;
+  kept_.reset();
+  is_mirrored_ = mirrors;
+  original_ = std::move(opened);
+  path_ = QString::fromStdString(original_.file);
+  is_open_ = true;
+  undo_.clear();
+  if (path_.isEmpty()) undo_.resetClean();  // nobody loses what was never saved
+  emit this->opened();
+  return {};
+}
+
+Problems Document::saveAs(const QString& path) {
+  const QString file = QFileInfo(path).absoluteFilePath();
+  const std::optional<scene::Teaching> teaching = scene::teachingOf(path_.toStdString());  // goes along, as it was
+  Problems problems =
+      scene::writeSceneFile(scene::namedFrom(asWritten(), file.toStdString()), file.toStdString(), teaching);
+  if (!problems.empty()) return problems;
+  path_ = file;
+  original_ = scene();
+  undo_.setClean();
+  emit edited();  // the marks of the scene's own values have moved
+  return {};
+}
+
+Problems Document::edit(const scene::Description& after, const QString& what, int gesture) {
+  const scene::Description before = scene();
+  if (scene::isSame(before, after)) return {};
+  Problems problems = host_.edit(after);
+  if (!problems.empty()) return problems;
+  kept_.reset();
+  undo_.push(new SceneEdit(*this, throughMirror(before), throughMirror(after), what, gesture));
+  emit edited();
+  return {};
+}
+
+void Document::put(const scene::Description& written) {
+  // It was in effect before, so it cannot be refused; the panels show what holds in any case.
+  static_cast<void>(host_.edit(throughMirror(written)));
+  kept_.reset();
+  emit edited();
+}
+
+const scene::Constraint* Document::original(std::size_t index) const {
+  const std::vector<scene::Constraint>& now = scene().constraints;
+  if (index >= now.size()) return nullptr;
+  const auto found = std::find_if(original_.constraints.begin(), original_.constraints.end(),
+                                  [&](const scene::Constraint& one) { return one.name == now[index].name; });
+  return found == original_.constraints.end() ? nullptr : &*found;
+}
+
+Problems Document::tryOut(const scene::Description& tried) {
+  scene::Description own = scene();
+  Problems problems = host_.edit(tried);
+  if (problems.empty()) kept_ = std::move(own);
+  return problems;
+}
+
+void Document::putBack() {
+  if (!kept_) return;
+  static_cast<void>(host_.edit(*kept_));  // it was in effect before, so it cannot be refused
+  kept_.reset();
+}
+
+Problems Document::showRecorded(const scene::Description& shown) {
+  const scene::Change change = scene::changeBetween(scene(), shown);
+  Own own{asWritten(), throughMirror(original_), path_};
+  Problems problems = host_.edit(shown);
+  if (!problems.empty()) return problems;
+  if (!own_) own_ = std::move(own);
+  const bool is_another = change == scene::Change::Scene || !path_.isEmpty();
+  kept_.reset();
+  is_mirrored_ = false;  // the arm was where it was
+  original_ = shown;
+  path_.clear();
+  undo_.clear();
+  is_another ? emit opened() : emit edited();
+  return {};
+}
+
+void Document::putBackOwn() {
+  if (!own_) return;
+  const Own own = std::move(*own_);
+  own_.reset();
+  kept_.reset();
+  undo_.clear();
+  if (own.scene.constraints.empty()) return;  // there was none: the last one of the recording stays
+  is_mirrored_ = opensMirrored();
+  static_cast<void>(host_.load(throughMirror(own.scene)));  // it was in effect before
+  original_ = throughMirror(own.original);
+  path_ = own.path;
+  if (!scene::isSame(own.original, own.scene)) {
+    undo_.push(new SceneEdit(*this, own.original, own.scene, tr("edits"), newGesture()));
+  }
+  if (path_.isEmpty()) undo_.resetClean();
+  emit opened();
+}
+
+const scene::Control& Document::own(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  return one != nullptr && one->control ? *one->control : original_.control;
+}
+
+const scene::VirtualManipulator* Document::ownRobot(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  return one == nullptr ? nullptr : std::get_if<scene::VirtualManipulator>(&one->shape);
+}
+
+std::optional<scene::Friction> Document::ownFriction(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  return one == nullptr ? std::nullopt : one->friction;
+}
+
+std::optional<scene::CurveGuide> Document::ownGuide(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  const auto* const curve = one == nullptr ? nullptr : std::get_if<scene::Curve>(&one->shape);
+  return curve == nullptr ? std::nullopt : curve->guide;
+}
+
+std::optional<double> Document::ownSmoothing(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  const auto* const mesh = one == nullptr ? nullptr : std::get_if<scene::Mesh>(&one->shape);
+  return mesh == nullptr ? std::nullopt : std::optional(mesh->smooth_deg);
+}
+
+std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {
+  const scene::Constraint* one = original(index);
+  return one == nullptr ? std::nullopt : one->influence;
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,9 @@
+#pragma once
+#include <QString>
+
+namespace underact::gui {
+
+/// Where faults are kept: one file each, the newest 20.
+QString faultFolder();
+
+}  // namespace underact::gui

@@ -1,0 +1,29 @@
+#include "app/gui/model/kinematics_now.h"
+
+#include "core/arm/conventions.h"
+
+namespace underact::gui {
+
+KinematicsNow kinematicsNow(const arm::Geometry& geometry, const arm::JointLimits& limits,
+                            const arm::JointAngles& q_rad) {
+  KinematicsNow now;
+  now.q_rad = q_rad;
+  now.device_rad = arm::deviceFromDh(q_rad);
+  now.kinematics = arm::kinematics(geometry, q_rad);
+  now.J_p = arm::positionJacobian(geometry, q_rad);
+  now.dexterity = arm::dexterity(geometry, q_rad);
+  now.distances = arm::singularityDistances(geometry, q_rad);
+  now.solutions = arm::solveAll(geometry, limits, now.kinematics.X_WT);
+  return now;
+}
+
+int numberOf(const arm::Branch& branch) {
+  return 1 + (branch.shoulder < 0 ? 4 : 0) + (branch.elbow < 0 ? 2 : 0) + (branch.wrist < 0 ? 1 : 0);
+}
+
+arm::Branch branchOf(int number) {
+  const auto sign = [bits = number - 1](int bit) { return static_cast<std::int8_t>((bits & bit) != 0 ? -1 : 1); };
+  return {sign(4), sign(2), sign(1)};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,128 @@
+#include "app/gui/model/recording.h"
+
+#include <QSettings>
+#include <algorithm>
+#include <tuple>
+
+#include "app/gui/kit/words.h"
+#include "app/gui/model/session_place.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookForRoom_ms = 250;
+constexpr qint64 kMegabyte = 1'000'000;
+constexpr const char* kFolder = "recording/folder";
+constexpr const char* kTags = "recording/tags";
+constexpr const char* kSubject = "recording/subject";
+constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; with less left a recording ends in order
+
+bool isSame(const record::SessionWords& a, const record::SessionWords& b) {
+  return std::tie(a.name, a.notes, a.tags, a.subject, a.consent) ==
+         std::tie(b.name, b.notes, b.tags, b.subject, b.consent);
+}
+
+}  // namespace
+
+Recording::Recording(servo::Host& host, QObject* parent) : QObject(parent), host_(host) {
+  const QSettings stored;
+  folder_ = stored.value(kFolder, usualSessionFolder()).toString();
+  words_.tags = stored.value(kTags).toString().toStdString();
+  words_.subject = stored.value(kSubject).toString().toStdString();
+  if (stored.contains(kKeepFree))
+    options_.reserve_bytes = std::max<qint64>(0, stored.value(kKeepFree).toLongLong()) * kMegabyte;
+  looks_.setInterval(kLookForRoom_ms);
+  connect(&looks_, &QTimer::timeout, this, &Recording::look);
+}
+
+Recording::~Recording() {
+  const QSignalBlocker silent(this);  // who listens may be gone
+  stop(record::EndReason::ProgramEnded);
+}
+
+bool Recording::start() {
+  if (isRunning()) return false;
+  notice_ = prepareSessionFolder(folder_);
+  if (notice_.isEmpty()) {
+    const QString path =
+        newSessionFile(folder_, QDateTime::currentDateTime(), QString::fromStdString(host_.scene().title));
+    Result<std::unique_ptr<record::Recorder>> recorder =
+        record::Recorder::start(host_, path.toStdString(), words_, options_);
+    if (recorder) {
+      recorder_ = std::move(recorder).value();
+      path_ = path;
+      written_ = words_;
+      status_ = {};
+      marks_ = 0;
+      looks_.start();
+    } else {
+      notice_ = tr("%1 Choose another folder for the recordings.").arg(sentencesOf(recorder.problems()));
+    }
+  }
+  emit changed();
+  return isRunning();
+}
+
+bool Recording::stop(record::EndReason reason) {
+  if (!isRunning()) return false;
+  looks_.stop();
+  Problems problems = recorder_->stop(reason);
+  status_ = recorder_->status();
+  recorder_.reset();
+  if (!isSame(words_, written_)) {
+    const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
+    if (!unwritten.empty() && problems.empty())
+      problems.push_back({said(QT_TRANSLATE_NOOP(
+          "problem", "What was typed while it recorded is not in the file. Edit the session's words below."))});
+  }
+  words_.name.clear();  // they were about this one
+  words_.notes.clear();
+  recorded_subject_ = words_.subject;
+  remember();
+  notice_ = sentencesOf(problems);
+  emit changed();
+  emit ended(path_);
+  return true;
+}
+
+bool Recording::mark(const QString& label) {
+  if (!isRunning()) return false;
+  recorder_->mark(label.trimmed().toStdString());
+  ++marks_;
+  emit changed();
+  return true;
+}
+
+void Recording::look() {
+  status_ = recorder_->status();
+  if (status_.recording)
+    emit changed();
+  else
+    stop();
+}
+
+void Recording::setWords(const record::SessionWords& words) {
+  const bool is_another = recorded_subject_ && words.subject != *recorded_subject_;
+  const bool is_carried = words.consent == words_.consent;
+  words_ = words;
+  if (is_another) {
+    recorded_subject_.reset();
+    if (is_carried) words_.consent.clear();  // what one person agreed to is nothing that the next one did
+  }
+  remember();
+}
+
+void Recording::setFolder(const QString& folder) {
+  folder_ = folder;
+  notice_.clear();
+  QSettings().setValue(kFolder, folder);
+  emit changed();
+}
+
+void Recording::remember() const {
+  QSettings stored;
+  stored.setValue(kTags, QString::fromStdString(words_.tags));
+  stored.setValue(kSubject, QString::fromStdString(words_.subject));
+}
+
+}  // namespace underact::gui

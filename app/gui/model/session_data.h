@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "app/gui/model/path_point.h"
+#include "app/gui/model/plot_history.h"
+#include "app/gui/model/spectrum.h"
+#include "core/servo/histogram.h"
+
+namespace underact::gui {
+
+/// What the charts keep of a recorded tick.
+struct SessionRow {
+  PlotRow plot;  // time_s: since the first tick
+  std::array<float, 3> p_mm{};
+};
+
+/// A session for charts. Of a long one a row stands for a group of ticks: the one with the greatest force.
+class SessionData {
+ public:
+  static constexpr std::size_t kMostRows = 2'000'000;
+
+  /// most_rows: beyond it the rows are halved; even.
+  explicit SessionData(std::size_t most_rows = kMostRows) : most_rows_(most_rows) {}
+  /// row: of the recording; in order.
+  void add(std::int64_t row, double rate_hz, const servo::TickRecord& record);
+  /// Once all are there: what takes its time, so not in the window's thread.
+  void finish(double rate_hz);
+  const std::vector<SessionRow>& rows() const { return rows_; }
+  /// Ticks that a row stands for.
+  std::int64_t ticksPerRow() const { return ticks_per_row_; }
+  const servo::Histogram& lateness() const { return lateness_; }  // of all ticks
+
+  // After finish().
+  const std::vector<SpectrumLine>& forceSpectrum() const { return force_spectrum_; }  // N
+  const std::vector<SpectrumLine>& errorSpectrum() const { return error_spectrum_; }  // mm
+  const std::vector<PathPoint>& path() const { return path_; }
+
+ private:
+  void halve();
+
+  std::size_t most_rows_;
+  std::vector<SessionRow> rows_;
+  std::int64_t ticks_per_row_ = 1, group_ = -1;
+  servo::Histogram lateness_;
+  std::vector<SpectrumLine> force_spectrum_, error_spectrum_;
+  std::vector<PathPoint> path_;
+};
+
+/// The way of the tip in at most so many points: one where it has moved on, with the greatest force since the last one.
+std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t most);
+
+}  // namespace underact::gui

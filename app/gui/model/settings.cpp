@@ -1,0 +1,102 @@
+#include "app/gui/model/settings.h"
+
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+
+#include "core/servo/device_port.h"
+
+namespace underact::gui {
+namespace {
+
+struct LayerKey {
+  const char* key;
+  bool Layers::*layer;
+};
+
+constexpr LayerKey kLayerKeys[] = {{"layers/workspace", &Layers::workspace},
+                                   {"layers/triads", &Layers::triads},
+                                   {"layers/arm", &Layers::arm},
+                                   {"layers/target", &Layers::target},
+                                   {"layers/force", &Layers::force},
+                                   {"layers/influence", &Layers::influence},
+                                   {"layers/robot", &Layers::robot},
+                                   {"layers/path", &Layers::path},
+                                   {"layers/desk", &Layers::desk},
+                                   {"layers/from_desk", &Layers::from_desk},
+                                   {"layers/link_frames", &Layers::link_frames},
+                                   {"layers/ghosts", &Layers::ghosts},
+                                   {"layers/motion_ellipsoid", &Layers::motion_ellipsoid},
+                                   {"layers/force_ellipsoid", &Layers::force_ellipsoid},
+                                   {"layers/wires", &Layers::wires},
+                                   {"layers/section", &Layers::section},
+                                   {"layers/section_follows", &Layers::section_follows}};
+
+constexpr const char* kSectionKeys[] = {"layers/section_x_mm", "layers/section_y_mm", "layers/section_z_mm"};
+
+}  // namespace
+
+Settings readSettings() {
+  const QSettings stored;
+  const Settings fresh;
+  Settings settings;
+  settings.are_newer = stored.value("settings/version", kSettingsVersion).toInt() > kSettingsVersion;
+  if (settings.are_newer) return settings;
+  settings.geometry = stored.value("window/geometry").toByteArray();
+  settings.layout = stored.value("window/layout").toByteArray();
+  const QString theme = stored.value("window/theme").toString();
+  settings.theme = theme == "light" ? ThemeChoice::Light : theme == "dark" ? ThemeChoice::Dark : ThemeChoice::System;
+  for (const LayerKey& row : kLayerKeys) {
+    settings.layers.*row.layer = stored.value(row.key, fresh.layers.*row.layer).toBool();
+  }
+  settings.layers.section_axis =
+      std::clamp(stored.value("layers/section_axis", fresh.layers.section_axis).toInt(), 0, 2);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at_mm = stored.value(kSectionKeys[axis]).toDouble();
+    settings.layers.section_mm[axis] = std::isfinite(at_mm) ? at_mm : 0.0;
+  }
+  settings.recent = stored.value("files/recent").toStringList();
+  settings.last_scene = stored.value("files/last").toString();
+  settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
+  settings.energy_plot = stored.value("plots/energy", fresh.energy_plot).toBool();
+  settings.hold_to_run = stored.value("servo/hold_to_run", fresh.hold_to_run).toBool();
+  settings.arm_model = stored.value("arm/model").toString();
+  settings.device = stored.value("arm/device").toString();
+  const int rate_hz = stored.value("servo/rate_hz", fresh.servo_rate_hz).toInt();
+  if (rate_hz >= servo::kSlowest_hz && rate_hz <= servo::kFastest_hz) settings.servo_rate_hz = rate_hz;
+  settings.guide_page = stored.value("guide/page").toString();
+  settings.guide_zoom = std::clamp(stored.value("guide/zoom", fresh.guide_zoom).toInt(), 50, 300);
+  settings.has_pushed = stored.value("hints/has_pushed", false).toBool();
+  settings.projector = stored.value("window/projector", false).toBool();
+  settings.left_handed = stored.value("scene/left_handed", false).toBool();
+  return settings;
+}
+
+void writeSettings(const Settings& settings) {
+  if (settings.are_newer) return;
+  QSettings stored;
+  stored.setValue("settings/version", kSettingsVersion);
+  stored.setValue("window/geometry", settings.geometry);
+  stored.setValue("window/layout", settings.layout);
+  stored.setValue("window/theme", settings.theme == ThemeChoice::Light  ? "light"
+                                  : settings.theme == ThemeChoice::Dark ? "dark"
+                                                                        : "system");
+  for (const LayerKey& row : kLayerKeys) stored.setValue(row.key, settings.layers.*row.layer);
+  stored.setValue("layers/section_axis", settings.layers.section_axis);
+  for (int axis = 0; axis < 3; ++axis) stored.setValue(kSectionKeys[axis], settings.layers.section_mm[axis]);
+  stored.setValue("files/recent", settings.recent);
+  stored.setValue("files/last", settings.last_scene);
+  stored.setValue("plots/axis", settings.plot_axis);
+  stored.setValue("plots/energy", settings.energy_plot);
+  stored.setValue("servo/hold_to_run", settings.hold_to_run);
+  stored.setValue("arm/model", settings.arm_model);
+  stored.setValue("arm/device", settings.device);
+  stored.setValue("servo/rate_hz", settings.servo_rate_hz);
+  stored.setValue("guide/page", settings.guide_page);
+  stored.setValue("guide/zoom", settings.guide_zoom);
+  stored.setValue("hints/has_pushed", settings.has_pushed);
+  stored.setValue("window/projector", settings.projector);
+  stored.setValue("scene/left_handed", settings.left_handed);
+}
+
+}  // namespace underact::gui

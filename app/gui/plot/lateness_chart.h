@@ -1,0 +1,34 @@
+#pragma once
+#include <QWidget>
+#include <array>
+
+#include "app/gui/kit/theme.h"
+#include "core/servo/histogram.h"
+
+namespace underact::gui {
+
+/// How often ticks were how late, both on logarithmic scales, so that one in a million is seen.
+class LatenessChart : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LatenessChart(QWidget* parent = nullptr);
+  void present(const servo::Histogram& lateness, double period_us);
+  void setTheme(const Theme& theme);
+  QSize minimumSizeHint() const override;
+  /// Ticks in a bar, from 0.
+  std::int64_t count(std::size_t bar) const { return counts_[bar]; }
+  static constexpr std::size_t kBars = 25;  // five a decade, 1 us to 100 ms; the ends hold what is beyond
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QRectF plot() const;
+  double xOf(double lateness_us) const;
+
+  Theme theme_ = Theme::light();
+  std::array<std::int64_t, kBars> counts_{};
+  double period_us_ = 1000.0;
+};
+
+}  // namespace underact::gui

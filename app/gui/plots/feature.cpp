@@ -1,0 +1,17 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/plots/plots_panel.h"
+
+namespace underact::gui {
+
+FeatureRow plotsFeature() {
+  return {.panels = {{"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+5",
+                      QT_TRANSLATE_NOOP(
+                          "panel", "Error and force over the last 10 s, and one axis' displacement against its force."),
+                      makePanel<PlotsPanel>}},
+          .pages = {{"panel.plots", "window#plots"}}};
+}
+
+}  // namespace underact::gui

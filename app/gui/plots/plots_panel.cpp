@@ -1,0 +1,106 @@
+#include "app/gui/plots/plots_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/feature/parts.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/player.h"
+#include "app/gui/model/settings.h"
+#include "app/gui/plot/live_plot.h"
+
+namespace underact::gui {
+
+// The eye follows a hand at 60 pictures a second and reads a plot at 20: the rest of the time belongs to the servo.
+constexpr int kFramesAPlot = 3;
+
+PlotsPanel::PlotsPanel(const FeatureParts& parts, QWidget* parent)
+    : Panel(parent),
+      player_(parts.player),
+      plot_(new LivePlot(this)),
+      axis_(new QComboBox(this)),
+      energy_(new QCheckBox(tr("Ener&gy"), this)) {
+  plot_->setObjectName("panel.plots.plot");
+  plot_->setAccessibleName(tr("Error and force over the last 10 s, and displacement against force"));
+  plot_->setMinimumHeight(96);
+  axis_->setObjectName("panel.plots.axis");
+  axis_->setAccessibleName(tr("Axis of displacement against force"));
+  axis_->setToolTip(tr("Which axis of W the plot of displacement against force shows (thesis figure 4.3)."));
+  axis_->addItems({tr("x"), tr("y"), tr("z")});
+  axis_->setFocusPolicy(Qt::StrongFocus);
+  energy_->setObjectName("panel.plots.energy");
+  energy_->setAccessibleName(tr("Energy plot"));
+  energy_->setToolTip(
+      tr("The energy that the stylus has put into the constraints and not got back, E = Σ −f·Δp; below zero they give "
+         "more than they got: they are active."));
+  auto* label = new QLabel(tr("&Displacement against force, axis"), this);
+  label->setProperty("role", "quiet");
+  label->setBuddy(axis_);
+  auto* strip = new QHBoxLayout;
+  strip->setContentsMargins(12, 4, 12, 0);
+  strip->setSpacing(8);
+  strip->addWidget(energy_);
+  strip->addStretch(1);
+  strip->addWidget(label);
+  strip->addWidget(axis_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(strip);
+  column->addWidget(plot_, 1);
+  connect(axis_, &QComboBox::currentIndexChanged, plot_, &LivePlot::setAxis);
+  connect(plot_, &LivePlot::pathShown, this, [this, label, tip = axis_->toolTip()](bool shown) {
+    axis_->setEnabled(shown);
+    label->setEnabled(shown);
+    axis_->setToolTip(shown ? tip : tr("There is no room for this plot: hide Energy, or make the window wider."));
+  });
+  connect(energy_, &QCheckBox::toggled, plot_, &LivePlot::showEnergy);
+  const auto showAngles = [this, &document = parts.document] {
+    const std::vector<scene::Constraint>& held = document.scene().constraints;
+    plot_->showAngles(std::any_of(held.begin(), held.end(), [](const scene::Constraint& constraint) {
+      return constraint.influence.has_value();
+    }));
+  };
+  connect(&parts.document, &Document::edited, this, showAngles);
+  connect(&parts.document, &Document::opened, this, showAngles);
+  connect(&parts.document, &Document::opened, this, [this, &document = parts.document] {
+    plot_->clear();
+    if (const arm::Preset* arm = arm::findPreset(document.scene().arm)) plot_->setForceLimit(arm->continuous_force_N);
+  });
+  parts.actions.addCommand("plots.energy", [this](const QVariantList& on) {
+    energy_->setChecked(on.value(0).toBool());
+    return true;
+  });
+  parts.actions.addCommand("plots.axis", [this](const QVariantList& values) {
+    const auto axis = static_cast<int>(QStringList{"x", "y", "z"}.indexOf(values.value(0).toString()));
+    if (axis >= 0) axis_->setCurrentIndex(axis);
+    return axis >= 0;
+  });
+  axis_->setCurrentIndex(parts.settings.plot_axis);
+  energy_->setChecked(parts.settings.energy_plot);
+  plot_->showEnergy(parts.settings.energy_plot);
+}
+
+void PlotsPanel::present(const servo::Snapshot&) {
+  if (isVisible() && ++frame_ % kFramesAPlot == 0) plot_->redraw();
+}
+
+void PlotsPanel::add(const servo::TickRecord& record) {
+  plot_->add(record, player_.beside());
+}
+
+void PlotsPanel::setTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+}
+
+void PlotsPanel::remember(Settings& settings) {
+  settings.plot_axis = plot_->axis();
+  settings.energy_plot = plot_->showsEnergy();
+}
+
+}  // namespace underact::gui

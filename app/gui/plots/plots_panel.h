@@ -1,0 +1,31 @@
+#pragma once
+#include "app/gui/feature/panel.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace underact::gui {
+
+class LivePlot;
+class Player;
+
+/// The plots, and which axis the displacement against force is of.
+class PlotsPanel : public Panel {
+  Q_OBJECT
+ public:
+  PlotsPanel(const FeatureParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void add(const servo::TickRecord& record) override;
+  void setTheme(const Theme& theme) override;
+  void remember(Settings& settings) override;
+  LivePlot& plot() { return *plot_; }
+
+ private:
+  Player& player_;
+  LivePlot* plot_;
+  QComboBox* axis_;
+  QCheckBox* energy_;
+  int frame_ = 0;
+};
+
+}  // namespace underact::gui

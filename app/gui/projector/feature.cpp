@@ -1,0 +1,18 @@
+#include "app/gui/feature/feature.h"
+
+#include "app/gui/projector/projector.h"
+
+namespace underact::gui {
+namespace {
+
+void makeProjector(const FeatureParts& parts, Followers& followers) {
+  followers.push_back(new Projector(parts));
+}
+
+}  // namespace
+
+FeatureRow projectorFeature() {
+  return {.make = makeProjector};
+}
+
+}  // namespace underact::gui

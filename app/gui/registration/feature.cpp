@@ -1,0 +1,19 @@
+#include "app/gui/feature/feature.h"
+
+#include "app/gui/registration/registration_tool.h"
+
+namespace underact::gui {
+namespace {
+
+void makeRegistration(const FeatureParts& parts, Followers& followers) {
+  followers.push_back(new RegistrationTool(parts));
+}
+
+}  // namespace
+
+FeatureRow registrationFeature() {
+  return {.pages = {{"registration", "registration"}, {"dialog.registration_sheet", "registration"}},
+          .make = makeRegistration};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,40 @@
+#include "app/gui/feature/feature.h"
+
+#include <QBoxLayout>
+#include <QCoreApplication>
+#include <QMainWindow>
+
+#include "app/gui/replay/replay_actions.h"
+#include "app/gui/replay/replay_bar.h"
+#include "app/gui/replay/replay_told.h"
+#include "app/gui/replay/session_panel.h"
+
+namespace underact::gui {
+namespace {
+
+void makeReplay(const FeatureParts& parts, Followers& followers) {
+  addReplayActions(parts.actions, parts.player, parts.files, parts.window);
+  tellOfReplays(parts);
+  auto* bar = new ReplayBar(parts.player, parts.actions, parts.middle.parentWidget());
+  parts.middle.addWidget(bar);
+  followers.push_back(bar);
+}
+
+}  // namespace
+
+FeatureRow replayFeature() {
+  return {.panels = {{"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",
+                      QT_TRANSLATE_NOOP(
+                          "panel", "The whole session that is replayed, in plots: force, angles, energy, spectrum."),
+                      makePanel<SessionPanel>, "plots"}},
+          .pages = {{"panel.session", "replay"},
+                    {"panel.replay", "replay"},
+                    {"dialog.replay_files", "replay"},
+                    {"dialog.session", "sessions"},
+                    {"dialog.session_problems", "replay"}},
+          .make = makeReplay,
+          .opens = isSession,
+          .open_action = "replay.open"};
+}
+
+}  // namespace underact::gui

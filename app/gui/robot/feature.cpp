@@ -1,0 +1,18 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/robot/robot_panel.h"
+
+namespace underact::gui {
+
+FeatureRow robotFeature() {
+  return {
+      .panels = {{"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
+                  QT_TRANSLATE_NOOP(
+                      "panel", "The robot that exists only in software: joints, springs, turning stiffness, solver."),
+                  makePanel<RobotPanel>, "scenes"}},
+      .pages = {{"panel.robot", "robots"}}};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "app/gui/feature/panel.h"
+#include "app/gui/model/scene_library.h"
+
+class QIcon;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+
+namespace underact::gui {
+
+class PageView;
+
+/// The scenes to choose from: those that come with the program, in teaching order, and files opened lately; and below
+/// the list what to feel, what to try, and the equation.
+class ScenesPanel : public Panel {
+  Q_OBJECT
+ public:
+  ScenesPanel(const FeatureParts& parts, QWidget* parent);
+  void setTheme(const Theme& theme) override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void rebuild();
+  void filter(const QString& text);
+  void addHeading(const QString& text);
+  void addScene(const SceneEntry& entry);
+  QIcon iconOf(const QListWidgetItem& item) const;
+  void openItem(QListWidgetItem* item);
+  void markOpen();
+  void keepInSight();
+  void describe();
+
+  FeatureParts parts_;
+  Theme theme_;
+  std::vector<SceneEntry> shipped_;
+  QLineEdit* filter_;
+  QListWidget* list_;
+  PageView* about_;
+  bool follows_ = true;  // the selected scene is kept in sight, until somebody scrolls
+};
+
+}  // namespace underact::gui

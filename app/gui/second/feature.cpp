@@ -1,0 +1,16 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/second/second_panel.h"
+
+namespace underact::gui {
+
+FeatureRow secondFeature() {
+  return {.panels = {{"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea, "Ctrl+Alt+T",
+                      QT_TRANSLATE_NOOP("panel", "Another arm beside the first, with a scene of its own."),
+                      makePanel<SecondPanel>, "scenes"}},
+          .pages = {{"panel.second", "devices#two-arms"}, {"dialog.second_scene", "devices#two-arms"}}};
+}
+
+}  // namespace underact::gui

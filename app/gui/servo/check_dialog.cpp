@@ -1,0 +1,168 @@
+#include "app/gui/servo/check_dialog.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/kit/words.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kLookEvery_ms = 200;
+constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // times the bare loop's
+constexpr int kLeastSeconds = 2, kSeconds = 60, kMostSeconds = 3600;
+
+QStringList cellsOf(const servo::Percentiles& values) {
+  QStringList cells;
+  for (const double value_us : {values.p50_us, values.p99_us, values.p999_us, values.max_us})
+    cells << numberText(value_us, value_us < 9.95 ? 1 : 0);
+  return cells;
+}
+
+}  // namespace
+
+QString verdictOf(const servo::CheckResult& result) {
+  if (result.ticks == 0) return QObject::tr("Nothing was measured.");
+  const double p99 = result.servo.p99_us / std::max(result.floor.p99_us, 1.0);
+  const double p999 = result.servo.p999_us / std::max(result.floor.p999_us, 1.0);
+  const QString times = QObject::tr("p99 is %1 times and p99.9 %2 times that of a loop that does nothing.")
+                            .arg(numberText(p99, 2), numberText(p999, 2));
+  const bool good = p99 <= kGoodP99 && p999 <= kGoodP999;
+  return (good ? QObject::tr("The servo is as punctual as this machine allows: ")
+               : QObject::tr("The servo is later than this machine would allow: ")) +
+         times;
+}
+
+CheckDialog::CheckDialog(int rate_hz, const servo::SchedulingWanted& wanted, QWidget* parent)
+    : QDialog(parent),
+      rate_hz_(rate_hz),
+      wanted_(wanted),
+      message_(new QLabel(this)),
+      seconds_(new QSpinBox(this)),
+      load_(new QCheckBox(tr("&Keep every core busy meanwhile"), this)),
+      progress_(new QProgressBar(this)),
+      table_(new QTableWidget(3, 4, this)),
+      looks_(new QTimer(this)) {
+  setObjectName("dialog.check");
+  setWindowTitle(tr("Servo check"));
+  setModal(false);
+  const QSize wished(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
+  resize(wished.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
+  message_->setObjectName("dialog.check.message");
+  message_->setAccessibleName(tr("Result"));
+  message_->setWordWrap(true);
+  message_->setText(
+      tr("Measures how late the servo's ticks start at %1 Hz, and in turn how late a loop starts that does "
+         "nothing else. It runs on a simulated arm of its own; yours and the window go on.")
+          .arg(rate_hz));
+  seconds_->setObjectName("dialog.check.seconds");
+  seconds_->setAccessibleName(tr("Duration in seconds"));
+  seconds_->setRange(kLeastSeconds, kMostSeconds);
+  seconds_->setValue(kSeconds);
+  seconds_->setSuffix(tr(" s"));
+  load_->setObjectName("dialog.check.load");
+  progress_->setObjectName("dialog.check.progress");
+  progress_->setAccessibleName(tr("Progress"));
+  progress_->setRange(0, 1000);
+  table_->setObjectName("dialog.check.table");
+  table_->setAccessibleName(tr("Lateness and tick time"));
+  table_->setHorizontalHeaderLabels({tr("median"), tr("p99"), tr("p99.9"), tr("most")});
+  table_->setVerticalHeaderLabels({tr("bare loop, late [µs]"), tr("servo, late [µs]"), tr("servo's tick takes [µs]")});
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  begin_ = buttons->addButton(tr("&Measure"), QDialogButtonBox::ActionRole);
+  begin_->setObjectName("dialog.check.begin");
+  begin_->setDefault(true);
+  QPushButton* close = buttons->button(QDialogButtonBox::Close);
+  close->setObjectName("dialog.check.close");
+  close->setIcon({});
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Duration"), seconds_);
+  form->addRow(load_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(message_);
+  column->addLayout(form);
+  column->addWidget(progress_);
+  column->addWidget(table_, 1);
+  column->addWidget(buttons);
+  looks_->setInterval(kLookEvery_ms);
+  connect(looks_, &QTimer::timeout, this, &CheckDialog::look);
+  connect(begin_, &QPushButton::clicked, this, [this] { run_ ? run_->cancel() : begin(); });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+}
+
+CheckDialog::~CheckDialog() = default;
+
+QString CheckDialog::message() const {
+  return message_->text();
+}
+
+void CheckDialog::begin() {
+  servo::CheckOptions options;
+  options.seconds = seconds_->value();
+  options.rate_hz = rate_hz_;
+  options.load = load_->isChecked();
+  options.scheduling = wanted_;
+  table_->clearContents();
+  progress_->setValue(0);
+  message_->setText(tr("Measuring, the servo and a bare loop in turn, a second each."));
+  seconds_->setEnabled(false);
+  load_->setEnabled(false);
+  begin_->setText(tr("E&nd now"));
+  run_ = std::make_unique<CheckRun>(options);
+  looks_->start();
+}
+
+void CheckDialog::look() {
+  progress_->setValue(static_cast<int>(run_->share() * progress_->maximum()));
+  if (const std::optional<servo::CheckResult> result = run_->takeResult()) {
+    present(*result);
+    end();
+  }
+}
+
+void CheckDialog::end() {
+  looks_->stop();
+  run_.reset();
+  seconds_->setEnabled(true);
+  load_->setEnabled(true);
+  begin_->setText(tr("&Measure again"));
+  progress_->setValue(progress_->maximum());
+}
+
+void CheckDialog::present(const servo::CheckResult& result) {
+  int row = 0;
+  for (const servo::Percentiles& values : {result.floor, result.servo, result.tick_time}) {
+    const QStringList cells = cellsOf(values);
+    for (int column = 0; column < cells.size(); ++column) {
+      auto* item = new QTableWidgetItem(cells[column]);
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(row, column, item);
+    }
+    ++row;
+  }
+  message_->setText(verdictOf(result) + QLatin1Char(' ') +
+                    tr("%1 ticks in %2 s at %3 Hz, real time: %4; %5 of them a whole period late.")
+                        .arg(result.ticks)
+                        .arg(numberText(result.seconds, 0))
+                        .arg(rate_hz_)
+                        .arg(QString::fromStdString(result.scheduling.name))
+                        .arg(result.late.total));
+}
+
+}  // namespace underact::gui

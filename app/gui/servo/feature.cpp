@@ -1,0 +1,17 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/servo/servo_panel.h"
+
+namespace underact::gui {
+
+FeatureRow servoFeature() {
+  return {.panels = {{"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
+                      QT_TRANSLATE_NOOP("panel",
+                                        "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
+                      makePanel<ServoPanel>, "scenes"}},
+          .pages = {{"panel.servo", "servo"}, {"panel.servo.scheduling", "real_time"}, {"dialog.check", "real_time"}}};
+}
+
+}  // namespace underact::gui

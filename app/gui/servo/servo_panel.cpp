@@ -1,0 +1,175 @@
+#include "app/gui/servo/servo_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/arm_choice.h"
+#include "app/gui/model/servo_rate.h"
+#include "app/gui/model/settings.h"
+#include "app/gui/servo/check_dialog.h"
+#include "app/gui/servo/rate_chooser.h"
+#include "app/gui/servo/sections.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kTimesASecond = 4;  // that numbers change: more cannot be read
+
+}  // namespace
+
+ServoPanel::ServoPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+  addActions();
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  buildSwitches(column);
+  column->addWidget(limits_ = new LimitsSection(content));
+  column->addWidget(time_ = new TimeSection(content));
+  column->addWidget(scheduling_ = new SchedulingSection(content));
+  column->addStretch(1);
+  fillWithScroll(this, content);
+  connect(&parts_.rate, &ServoRate::changed, this, &ServoPanel::rateChanged);
+}
+
+void ServoPanel::addActions() {
+  parts_.actions.add({"session.hold_to_run",
+                      tr("&Hold to run"),
+                      QKeySequence("Ctrl+Alt+H"),
+                      tr("The servo pushes only while the stylus button is held."),
+                      {},
+                      {},
+                      true},
+                     [this](const QVariantList& on) {
+                       parts_.control.setHoldToRun(on.value(0).toBool());
+                       return true;
+                     });
+  parts_.actions.add({"servo.restart", tr("&Restart the servo"), QKeySequence("Shift+F5"),
+                      tr("Ends the servo thread, opens the arm again and begins anew; the scene stays.")},
+                     [this](const QVariantList&) { return restart(); });
+  parts_.actions.addCommand("servo.rate",
+                            [this](const QVariantList& rate_hz) { return setRate(rate_hz.value(0).toInt()); });
+  parts_.actions.add({"servo.check", tr("&Check the servo…"), QKeySequence("Ctrl+Alt+K"),
+                      tr("Measures how late the servo's ticks are, beside the least that this machine allows.")},
+                     [this](const QVariantList&) {
+                       if (check_ == nullptr) {
+                         check_ = new CheckDialog(parts_.servo.rateHz(), parts_.servo.schedulingWanted(), window());
+                         check_->setAttribute(Qt::WA_DeleteOnClose);
+                       }
+                       check_->show();
+                       check_->raise();
+                       return true;
+                     });
+}
+
+QPushButton* ServoPanel::buttonFor(const QString& action, const QString& words) {
+  auto* button = new QPushButton(words, this);
+  button->setObjectName(QString(action).replace("servo.", "panel.servo."));
+  button->setAccessibleName(words);
+  button->setToolTip(parts_.actions.find(action)->toolTip());
+  connect(button, &QPushButton::clicked, this, [this, action] { parts_.actions.perform(action); });
+  return button;
+}
+
+void ServoPanel::buildSwitches(QVBoxLayout* column) {
+  QAction* hold = parts_.actions.find("session.hold_to_run");
+  auto* box = new QCheckBox(tr("Hold to run"), this);
+  box->setObjectName("panel.servo.hold_to_run");
+  box->setAccessibleName(tr("Hold to run"));
+  box->setToolTip(parts_.arms.simulated() == nullptr
+                      ? hold->toolTip()
+                      : tr("The servo pushes only while the stylus button is held: here the Space key, with the focus "
+                           "in the view (F2)."));
+  connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
+  connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
+  parts_.actions.perform("session.hold_to_run", parts_.settings.hold_to_run);
+  told_ = toldLabel("panel.servo.told", tr("What came of the restart, or of another rate"), "", this);
+  told_->hide();
+  rate_ = new RateChooser(this);
+  rate_->present(parts_.rate.hz());
+  connect(rate_, &RateChooser::asked, this, [this](int rate_hz) { parts_.actions.perform("servo.rate", rate_hz); });
+  column->addWidget(box);
+  column->addWidget(rate_);
+  column->addWidget(buttonFor("servo.restart", tr("Restart the servo")));
+  column->addWidget(buttonFor("servo.check", tr("Check the servo…")));
+  column->addWidget(told_);
+}
+
+bool ServoPanel::restart() {
+  const Problems problems = parts_.control.restart();
+  const bool done = problems.empty();
+  tell(done ? tr("The servo was begun anew. Start lets it push.")
+            : tr("The arm did not open again. %1").arg(sentencesOf(problems)),
+       !done);
+  shown_ticks_ = -1;
+  return done;
+}
+
+bool ServoPanel::setRate(int rate_hz) {
+  const Problems problems = parts_.rate.choose(rate_hz);
+  if (!problems.empty()) tell(tr("The rate stays. %1").arg(sentencesOf(problems)), true);
+  rate_->present(parts_.rate.hz());
+  return problems.empty();
+}
+
+void ServoPanel::rateChanged(int was_hz, int is_hz) {
+  told_->hide();
+  rate_->present(is_hz);
+  limits_->setRate(parts_.servo.snapshot().ticks, was_hz, is_hz);
+  since_measured_.invalidate();
+  measured_hz_ = is_hz;  // until it is measured
+  shown_ticks_ = -1;
+}
+
+void ServoPanel::tell(const QString& sentence, bool alarm) {
+  told_->setText(sentence);
+  told_->setProperty("role", alarm ? "alarm" : "quiet");
+  told_->style()->polish(told_);
+  told_->show();
+  if (alarm) bringForward();  // where it stands, whoever asked
+}
+
+void ServoPanel::measureRate(const servo::Snapshot& snapshot) {
+  if (since_measured_.isValid() && since_measured_.elapsed() < kMeasureEvery_ms) return;
+  const double elapsed_s = since_measured_.isValid() ? 1e-9 * static_cast<double>(since_measured_.nsecsElapsed()) : 0.0;
+  if (elapsed_s > 0.0) measured_hz_ = static_cast<double>(snapshot.ticks - ticks_at_measure_) / elapsed_s;
+  since_measured_.start();
+  ticks_at_measure_ = snapshot.ticks;
+}
+
+void ServoPanel::remember(Settings& settings) {
+  settings.hold_to_run = parts_.servo.holdToRun();
+}
+
+void ServoPanel::present(const servo::Snapshot& snapshot) {
+  measureRate(snapshot);
+  if (snapshot.mode == servo::Mode::Running) told_->hide();  // Start has been pressed since
+  if (!isSeen()) return;
+  const int rate_hz = parts_.servo.rateHz();
+  limits_->present(snapshot, rate_hz);
+  const std::int64_t since = snapshot.ticks - shown_ticks_;
+  if (shown_ticks_ >= 0 && since >= 0 && since < rate_hz / kTimesASecond) return;
+  shown_ticks_ = snapshot.ticks;
+  const servo::Scheduling scheduling = parts_.servo.scheduling();
+  time_->present(snapshot, parts_.servo.timing(), rate_hz, scheduling.name == "manual" ? 0.0 : measured_hz_);
+  scheduling_->present(scheduling);
+}
+
+void ServoPanel::add(const servo::TickRecord& record) {
+  limits_->add(record);
+}
+
+void ServoPanel::setTheme(const Theme& theme) {
+  time_->setTheme(theme);
+  limits_->setTheme(theme);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,53 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QPointer>
+
+#include "app/gui/feature/panel.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace underact::gui {
+
+class CheckDialog;
+class LimitsSection;
+class RateChooser;
+class SchedulingSection;
+class TimeSection;
+
+/// What the servo does with its time and with the force: time, scheduling, limits; and hold to run.
+class ServoPanel : public Panel {
+  Q_OBJECT
+ public:
+  ServoPanel(const FeatureParts& parts, QWidget* parent);
+  void present(const servo::Snapshot& snapshot) override;
+  void remember(Settings& settings) override;
+  void add(const servo::TickRecord& record) override;
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void addActions();
+  void buildSwitches(QVBoxLayout* column);
+  QPushButton* buttonFor(const QString& action, const QString& words);
+  bool restart();
+  bool setRate(int rate_hz);
+  void rateChanged(int was_hz, int is_hz);
+  void tell(const QString& sentence, bool alarm);
+  void measureRate(const servo::Snapshot& snapshot);
+
+  FeatureParts parts_;
+  TimeSection* time_;
+  SchedulingSection* scheduling_;
+  LimitsSection* limits_;
+  RateChooser* rate_ = nullptr;
+  QLabel* told_ = nullptr;  // what came of a restart, or of another rate
+  QPointer<CheckDialog> check_;
+  QElapsedTimer since_measured_;
+  std::int64_t ticks_at_measure_ = 0;
+  std::int64_t shown_ticks_ = -1;
+  double measured_hz_ = kNotANumber;  // not yet
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,18 @@
+#include "app/gui/feature/feature.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/step/step_panel.h"
+
+namespace underact::gui {
+
+FeatureRow stepFeature() {
+  return {.panels = {{"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea, "Ctrl+Alt+B",
+                      QT_TRANSLATE_NOOP("panel",
+                                        "How the tip follows a target that jumps: rise, settling, overshoot, poles, "
+                                        "and the arm measured beside the model."),
+                      makePanel<StepPanel>, "scenes"}},
+          .pages = {{"panel.step", "step_response"}}};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,64 @@
+#include "app/gui/view/hand.h"
+
+#include "app/gui/view/scene_view.h"
+#include "device/simulated_arm.h"
+
+namespace underact::gui {
+
+Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObject(parent), view_(view), arm_(arm) {
+  view_->setHandAvailable(arm_ != nullptr);
+  if (arm_ == nullptr) return;
+  connect(view_, &SceneView::handGrabbed, this, [this] {
+    moving_ = true;
+    view_->setHandWish(arm_->wished());  // from where the hand is, not from where contact has left the tip
+  });
+  connect(view_, &SceneView::handMoved, this, [this](const sim::HandWish& wish) {
+    moving_ = true;  // the keys move it without grabbing
+    arm_->wish(wish);
+  });
+  connect(view_, &SceneView::handReleased, this, [this] { moving_ = false; });
+}
+
+Hand::~Hand() {
+  if (arm_ != nullptr) arm_->holdButtons(0);
+}
+
+void Hand::present(const servo::Snapshot& snapshot) {
+  if (arm_ == nullptr) return;
+  const bool faulted = snapshot.mode == servo::Mode::Faulted;
+  if (faulted == faulted_) return;
+  faulted_ = faulted;
+  showHint();
+}
+
+void Hand::setReplaying(bool on) {
+  replaying_ = on;
+  moving_ = false;
+  view_->setHandAvailable(isThere());
+  showHint();
+}
+
+void Hand::setAbsent(bool on) {
+  absent_ = on;
+  moving_ = false;
+  view_->setHandAvailable(isThere());
+  showHint();
+}
+
+void Hand::moveTo(const sim::HandWish& wish) {
+  if (!isThere()) return;
+  moving_ = true;
+  arm_->wish(wish);
+  view_->setHandWish(wish);  // a drag goes on from there
+}
+
+void Hand::press(unsigned stylus_buttons) {
+  if (arm_ != nullptr) arm_->holdButtons(isThere() ? stylus_buttons : 0U);
+}
+
+void Hand::showHint() {
+  // One line at a time: what went wrong goes before it.
+  view_->setHint(replaying_ && !faulted_ ? tr("Replaying: forces go to no arm.") : QString());
+}
+
+}  // namespace underact::gui

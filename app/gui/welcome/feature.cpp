@@ -1,0 +1,20 @@
+#include "app/gui/feature/feature.h"
+
+#include "app/gui/welcome/tour.h"
+#include "app/gui/welcome/welcome.h"
+
+namespace underact::gui {
+namespace {
+
+void makeWelcome(const FeatureParts& parts, Followers& followers) {
+  followers.push_back(new Welcome(parts));
+  followers.push_back(new Tour(parts));
+}
+
+}  // namespace
+
+FeatureRow welcomeFeature() {
+  return {.pages = {{"welcome", "first_minute"}, {"tour", "first_minute"}}, .make = makeWelcome};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,27 @@
+#pragma once
+#include <QHash>
+#include <vector>
+
+#include "app/gui/window/features.h"
+
+namespace underact::gui {
+
+/// The window's docks: one for each panel of its features.
+class Docks {
+ public:
+  Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts);
+
+  const std::vector<Panel*>& panels() const { return panels_; }
+  /// Every panel back to where it was at first.
+  void arrange();
+
+ private:
+  QDockWidget* dock(const char* key) const { return docks_.value(key); }
+
+  QMainWindow* window_;
+  std::vector<PanelRow> rows_;
+  std::vector<Panel*> panels_;
+  QHash<QString, QDockWidget*> docks_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,149 @@
+#include "app/gui/window/main_window.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QCloseEvent>
+#include <QMimeData>
+#include <QStatusTipEvent>
+#include <QTabBar>
+#include <QUrl>
+#include <utility>
+
+#include "app/gui/arms/second_arm.h"
+#include "app/gui/feature/status_line.h"
+#include "app/gui/files/scene_files.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/frame_pacer.h"
+#include "app/gui/kit/icons.h"
+#include "app/gui/kit/late_sheets.h"
+#include "app/gui/kit/style.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/data_words.h"
+#include "app/gui/model/player.h"
+#include "app/gui/view/hand.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/window/docks.h"
+
+namespace underact::gui {
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::frame() {
+  services_.player->look();
+  for (Follower* follower : followers_) follower->before();
+  const servo::Snapshot snapshot = given_.host.snapshot();
+  given_.host.drain([this](const servo::TickRecord& record) {
+    services_.player->add(record);
+    for (Follower* follower : followers_) follower->add(record);
+  });
+  services_.second->look();
+  if (pacer_->isSeen()) {
+    if (snapshot.ticks > 0)
+      services_.view->present(snapshot);  // before the first tick nobody knows where the stylus is
+    services_.hand->present(snapshot);
+    services_.status->present(snapshot);
+    for (Follower* follower : followers_) follower->present(snapshot);
+    services_.presentForceLimit();
+    presentMode(snapshot);
+  }
+  for (Follower* follower : followers_) follower->look(snapshot);
+}
+
+void MainWindow::presentMode(const servo::Snapshot& snapshot) {
+  const bool faulted = snapshot.mode == servo::Mode::Faulted;
+  const QString sentence = faulted ? faultText(snapshot.report.fault) : QString();
+  if (fault_ != sentence) {  // the view shows it; a screen reader says it at once, wherever it is
+    fault_ = sentence;
+    services_.status->setFault(sentence);
+    QAccessibleEvent alert(services_.status, QAccessible::Alert);
+    if (faulted) QAccessible::updateAccessibility(&alert);
+  }
+  // Stop stays there always: a button that a hand in trouble finds grey is one too few.
+  const bool all_run =
+      snapshot.mode == servo::Mode::Running && (!services_.second->isOn() || services_.second->servo().running());
+  services_.actions->find("session.start")->setEnabled(services_.document->isOpen() && !all_run);
+}
+
+void MainWindow::sceneOpened() {
+  if (!services_.document->showsRecorded()) settings_.last_scene = services_.document->path();
+  services_.actions->find("scene.save_as")->setEnabled(true);
+  presentMode(given_.host.snapshot());
+  updateTitle();
+}
+
+void MainWindow::updateTitle() {
+  const QString title = services_.document->isMirrored() ? tr("%1 (mirrored)[*] – Underact") : tr("%1[*] – Underact");
+  setWindowTitle(services_.document->isOpen() ? title.arg(sceneText(services_.document->scene().title))
+                                              : tr("Underact"));
+  setWindowModified(services_.document->modified());
+  setWindowFilePath({});
+}
+
+void MainWindow::setTheme(const Theme& theme) {
+  sheets_->set(gui::styleSheet(theme));
+  services_.actions->setIcons([&theme](const QString& name) { return icon(name, theme); });
+  setWindowIcon(icon("underact", theme));
+  services_.view->setTheme(theme);
+  for (Follower* follower : followers_) follower->setTheme(theme);
+}
+
+QStringList MainWindow::whyBusy() const {
+  QStringList sentences;
+  for (const Follower* follower : followers_) {
+    if (const QString busy = follower->whyBusy(); !busy.isEmpty()) sentences << busy;
+  }
+  return sentences;
+}
+
+bool MainWindow::event(QEvent* event) {
+  if (event->type() == QEvent::StatusTip && docks_ != nullptr) {
+    services_.status->setTip(static_cast<QStatusTipEvent*>(event)->tip());  // beside what is always true, not over it
+    return true;
+  }
+  if (event->type() == QEvent::ChildPolished) {  // Qt makes a bar of tabs where panels share a place
+    auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+    if (bar != nullptr) {
+      bar->setAccessibleName(tr("Panels in this place"));
+      bar->setElideMode(Qt::ElideNone);  // many are scrolled: "S…" says nothing
+    }
+  }
+  if (event->type() == QEvent::WindowStateChange || event->type() == QEvent::Hide) {
+    pacer_->setSeen(isVisible() && !isMinimized());
+  }
+  return QMainWindow::event(event);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  pacer_->setSeen(true);
+  if (!arranged_ && settings_.layout.isEmpty()) docks_->arrange();  // sizes are known only now
+  if (!std::exchange(arranged_, true)) services_.actions->perform("view.projector", settings_.projector);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  for (const Follower* follower : followers_) {
+    if (!follower->mayClose()) return event->ignore();
+  }
+  for (Follower* follower : followers_) follower->leave();
+  if (!services_.files->settleEdits()) return event->ignore();
+  for (Follower* follower : followers_) follower->finish();
+  services_.player->close();
+  if (!services_.files->settleEdits()) return event->ignore();  // those from before the replay
+  given_.host.stop();
+  services_.second->setOn(false);
+  remember();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (!services_.actions->isLocked() && urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  if (services_.actions->isLocked()) return;
+  event->acceptProposedAction();
+  services_.actions->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
+}
+
+}  // namespace underact::gui

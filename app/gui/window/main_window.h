@@ -1,0 +1,60 @@
+#pragma once
+#include <QMainWindow>
+#include <memory>
+#include <vector>
+
+#include "app/gui/window/features.h"
+#include "app/gui/window/services.h"
+
+namespace underact::gui {
+
+class Docks;
+class FramePacer;
+class LateSheets;
+
+/// The window: the view in the middle, what its features bring around it, and each frame what the servo last said
+/// handed to all of them.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(const WindowParts& given, std::vector<FeatureRow> rows = features());
+  ~MainWindow() override;
+
+  Actions& actions() { return *services_.actions; }
+  Document& document() { return *services_.document; }
+  SceneView& view() { return *services_.view; }
+  Player& player() { return *services_.player; }
+  const std::vector<FeatureRow>& rows() const { return rows_; }
+  /// One frame: shows the newest snapshot and fetches every tick since the last frame. The pacer calls it.
+  void frame();
+
+ protected:
+  bool event(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildFeatures();
+  void presentMode(const servo::Snapshot& snapshot);
+  void sceneOpened();
+  void updateTitle();
+  void setTheme(const Theme& theme);
+  QStringList whyBusy() const;
+  void restore();
+  void remember();
+
+  const WindowParts given_;
+  const std::vector<FeatureRow> rows_;
+  Settings settings_;
+  Services services_;
+  FramePacer* pacer_;
+  LateSheets* sheets_;
+  std::unique_ptr<Docks> docks_;
+  Followers followers_;
+  bool arranged_ = false;
+  QString fault_;  // the sentence that was last said
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,101 @@
+// How the window is put together; what it does is in main_window.cpp.
+#include <QTimer>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/frame_pacer.h"
+#include "app/gui/kit/late_sheets.h"
+#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/stop_key.h"
+#include "app/gui/kit/tab_order.h"
+#include "app/gui/model/arm_choice.h"
+#include "app/gui/model/document.h"
+#include "app/gui/view/scene_view.h"
+#include "app/gui/view/view_actions.h"
+#include "app/gui/window/docks.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/window/menus.h"
+#include "app/gui/window/window_actions.h"
+
+namespace underact::gui {
+
+constexpr int kLayoutVersion = 9;  // up by one where a dock is added: an old layout would hide it
+
+MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
+    : given_(given),
+      rows_(std::move(rows)),
+      settings_(readSettings()),
+      services_(given, settings_, this),
+      pacer_(new FramePacer(this)),
+      sheets_(new LateSheets(this)) {
+  setObjectName("window");
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  resize(1280, 800);
+  setMinimumSize(800, 560);
+  given_.theme.choose(settings_.theme);
+  buildFeatures();
+  connect(services_.document, &Document::opened, this, &MainWindow::sceneOpened);
+  connect(services_.document, &Document::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(services_.document, &Document::edited, this, &MainWindow::updateTitle);
+  updateTitle();
+  restore();
+  setTheme(given_.theme.theme());
+  connect(&given_.theme, &ThemeWatcher::changed, this, &MainWindow::setTheme);
+  new StopKey([this] { actions().perform("session.stop"); }, this);
+  connect(pacer_, &FramePacer::frame, this, &MainWindow::frame);
+  pacer_->start();
+}
+
+void MainWindow::buildFeatures() {
+  const FeatureParts parts = services_.parts(given_, settings_, helpPages(rows_), [this] { return whyBusy(); });
+  addWindowActions(parts, rows_, [this] { docks_->arrange(); });
+  addViewActions(actions(), view(), given_.theme);
+  Followers tools;
+  for (const FeatureRow& row : rows_) {
+    if (row.make != nullptr) row.make(parts, tools);
+  }
+  docks_ = std::make_unique<Docks>(rows_, parts);
+  followers_.assign(docks_->panels().begin(), docks_->panels().end());
+  followers_.insert(followers_.end(), tools.begin(), tools.end());
+  buildMenus(this, actions(), parts.recent);
+  buildToolBar(this, actions());
+  // From left to right and top to bottom: tool bar, the first panel, the view and its strips, then the other panels.
+  const std::vector<Panel*>& panels = docks_->panels();
+  QList<QWidget*> groups{findChild<QToolBar*>()};
+  if (!panels.empty()) groups << panels.front();
+  groups << &view();
+  for (int index = 1; index < parts.middle.count(); ++index) groups << parts.middle.itemAt(index)->widget();
+  for (std::size_t index = 1; index < panels.size(); ++index) groups << panels[index];
+  orderTabs(groups);
+}
+
+void MainWindow::restore() {
+  if (settings_.are_newer) {
+    QTimer::singleShot(0, this, [this] {
+      showProblemsBox(
+          "dialog.newer_settings", tr("Settings"),
+          tr("The settings on this computer were written by a newer Underact. This one starts with its own and "
+             "leaves those as they are."),
+          {}, this);
+    });
+  }
+  if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);
+  if (!settings_.layout.isEmpty() && !restoreState(settings_.layout, kLayoutVersion)) settings_.layout.clear();
+  actions().perform("scene.left_handed", settings_.left_handed);
+}
+
+void MainWindow::remember() {
+  for (Follower* follower : followers_) follower->remember(settings_);
+  services_.remember(settings_);
+  settings_.geometry = saveGeometry();
+  settings_.layout = saveState(kLayoutVersion);
+  settings_.theme = given_.theme.choice();
+  if (given_.chosen != nullptr) settings_.device = services_.arms->wanted();
+  writeSettings(settings_);
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,174 @@
+#include "app/gui/window/menus.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/gui/feature/panel.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/scene_library.h"
+
+namespace underact::gui {
+namespace {
+
+// names: of actions; "-": a separator. Those that no feature of this window brings are left out.
+void fillMenu(QMenu* menu, const Actions& actions, const QStringList& names) {
+  for (const QString& name : names) {
+    QAction* const action = actions.find(name);
+    if (name == "-")
+      menu->addSeparator();
+    else if (action != nullptr)
+      menu->addAction(action);
+  }
+}
+
+QMenu* named(QMenu* menu, const char* name) {
+  menu->setObjectName(name);
+  menu->setAccessibleName(menu->title().remove('&'));
+  return menu;
+}
+
+void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
+  menu->clear();
+  menu->setEnabled(!recent.paths().isEmpty());
+  for (const QString& path : recent.paths()) {
+    QAction* action = menu->addAction(QFileInfo(path).fileName());
+    action->setStatusTip(path);
+    QObject::connect(action, &QAction::triggered, &actions, [&actions, path] { actions.perform("scene.open", path); });
+  }
+}
+
+// A clock that runs moves nothing beside it.
+void keepWidth(QToolBar* bar, QAction* action) {
+  QWidget* button = bar->widgetForAction(action);
+  QFont bold = button->font();
+  bold.setWeight(QFont::DemiBold);
+  const QFontMetrics metrics(bold);
+  const int margins = bar->iconSize().width() + 2 * metrics.averageCharWidth() + 28;
+  button->setMinimumWidth(metrics.horizontalAdvance(action->iconText()) + margins);
+}
+
+QStringList layerNames() {
+  return {"layer.workspace",
+          "layer.triads",
+          "layer.arm",
+          "layer.target",
+          "layer.force",
+          "layer.influence",
+          "layer.robot",
+          "layer.path",
+          "layer.desk",
+          "layer.from_desk",
+          "-",
+          "layer.link_frames",
+          "layer.ghosts",
+          "layer.motion_ellipsoid",
+          "layer.force_ellipsoid",
+          "-",
+          "layer.wires",
+          "layer.section",
+          "layer.section_follows",
+          "section.x",
+          "section.y",
+          "section.z",
+          "section.move",
+          "-",
+          "view.kinematics"};
+}
+
+}  // namespace
+
+void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
+  QMenuBar* bar = window->menuBar();
+  bar->setObjectName("menubar");
+  bar->setAccessibleName(tr("Menu"));
+  QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
+  fillMenu(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
+  QMenu* recent_menu = named(file->addMenu(tr("Open rece&nt")), "menu.recent");
+  fillRecent(recent_menu, actions, recent);
+  QObject::connect(&recent, &RecentFiles::changed, recent_menu,
+                   [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
+  fillMenu(file, actions, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "-", "app.quit"});
+  fillMenu(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions,
+           {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
+  fillMenu(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
+           {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault",
+            "-", "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open",
+            "arm.open", "arm.vendor", "-", "calibration.left", "calibration.right"});
+  fillMenu(
+      named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
+      {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.follow",
+       "sessions.show", "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
+  QMenu* replay = named(bar->addMenu(tr("&Replay")), "menu.replay");
+  fillMenu(replay, actions,
+           {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
+            "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
+  fillMenu(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
+           {"ghost.play", "ghost.restart", "ghost.close"});
+  fillMenu(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
+           {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
+  QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
+  fillMenu(view, actions,
+           {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back",
+            "view.bottom", "-", "view.focus", "-"});
+  fillMenu(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
+  fillMenu(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
+           {"view.theme.system", "view.theme.light", "view.theme.dark"});
+  fillMenu(named(view->addMenu(tr("Lan&guage")), "menu.language"), actions,
+           {"language.system", "language.en", "language.de"});
+  fillMenu(view, actions,
+           {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
+            "visitor.demonstrator"});
+  QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
+  for (const QDockWidget* dock : docksOf(window)) layout->addAction(actions.find(dock->objectName()));
+  fillMenu(layout, actions, {"-", "layout.reset"});
+  fillMenu(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
+           {"help.guide", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
+}
+
+void buildToolBar(QMainWindow* window, Actions& actions) {
+  auto* bar = new QToolBar(tr("Tool bar"), window);
+  bar->setObjectName("toolbar");
+  bar->setAccessibleName(tr("Tool bar"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const int icon = qRound(1.2 * window->fontMetrics().height());  // icons grow with the words beside them
+  bar->setIconSize({icon, icon});
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  window->addToolBar(bar);
+  const auto button = [&](const QString& name, const char* role) {
+    if (actions.find(name) == nullptr) return;
+    bar->addAction(actions.find(name));
+    auto* made = qobject_cast<QToolButton*>(bar->widgetForAction(actions.find(name)));
+    made->setObjectName("button." + name);
+    made->setAccessibleName(actions.find(name)->iconText());
+    made->setProperty("role", role);
+    made->setFocusPolicy(Qt::TabFocus);
+  };
+  button("session.start", "start");
+  button("session.stop", "stop");
+  bar->addSeparator();
+  button("session.record", "record");
+  if (QAction* record = actions.find("session.record")) keepWidth(bar, record);
+  bar->addSeparator();
+  bar->addWidget(new QLabel(tr("View"), bar));
+  for (const char* name : {"view.fit", "view.front", "view.top", "view.side"}) button(name, "");
+  bar->addSeparator();
+  QAction* layers = actions.find("menu.layers");
+  auto* menu = new QMenu(layers->text(), window);
+  menu->setObjectName("toolbar.layers");
+  fillMenu(menu, actions, layerNames());
+  layers->setMenu(menu);
+  button("menu.layers", "menu");
+  qobject_cast<QToolButton*>(bar->widgetForAction(layers))->setPopupMode(QToolButton::InstantPopup);
+  bar->addSeparator();
+  button("help.guide", "");
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,108 @@
+#include "app/gui/window/window_actions.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+#include "app/gui/arms/second_arm.h"
+#include "app/gui/files/scene_files.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/words.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/left_hand.h"
+
+namespace underact::gui {
+namespace {
+
+void addServo(const FeatureParts& parts) {
+  SecondArm& second = parts.second;
+  parts.actions.add(
+      {"session.start", tr("&Start"), QKeySequence("F5"), tr("Lets the servo push; also after a fault."), "start"},
+      [control = parts.control, &second](const QVariantList&) {
+        control.start();
+        second.start();
+        return true;
+      });
+  parts.actions.add({"session.stop", tr("S&top"), QKeySequence("Esc"),
+                     tr("Lets go: the force goes to zero. Esc does it from anywhere."), "stop"},
+                    [control = parts.control, &second](const QVariantList&) {
+                      control.stop();
+                      second.stop();
+                      return true;
+                    });
+}
+
+void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
+  Actions& actions = parts.actions;
+  SceneFiles& files = parts.files;
+  actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
+              [&actions, &files, rows](const QVariantList& path) {
+                if (path.isEmpty()) {
+                  files.chooseAndOpen();
+                  return true;
+                }
+                const QString opener = openerOf(path.first().toString(), rows);
+                return opener.isEmpty() ? files.open(path.first().toString()) : actions.perform(opener, path);
+              });
+  actions.addCommand("scene.settle", [&files](const QVariantList&) { return files.settleEdits(); });
+  addLeftHandAction(actions, parts.document);
+  actions
+      .add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
+            tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
+           [&files](const QVariantList& path) {
+             if (!path.isEmpty()) return files.saveAs(path.first().toString());
+             files.chooseAndSave();
+             return true;
+           })
+      ->setEnabled(false);
+  actions.add({"app.quit", tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Stops the servo and closes the window.")},
+              [window = parts.window](const QVariantList&) { return window->close(); });
+}
+
+/// text: of the menu while there is nothing; with: beside what would be taken back.
+void follow(QAction* action, const QString& text, const QString& with, const QString& what) {
+  action->setText(what.isEmpty() ? text : with.arg(what));
+  action->setIconText(QString(text).remove('&'));
+}
+
+void addUndo(Actions& actions, QUndoStack& undo) {
+  QAction* back = actions.add(
+      {"edit.undo", tr("&Undo"), QKeySequence::Undo, tr("Takes the last change of a gain back."), "undo", tr("Undo")},
+      [&undo](const QVariantList&) {
+        undo.undo();
+        return true;
+      });
+  QAction* forth = actions.add(
+      {"edit.redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Makes the change again."), "redo", tr("Redo")},
+      [&undo](const QVariantList&) {
+        undo.redo();
+        return true;
+      });
+  back->setEnabled(false);
+  forth->setEnabled(false);
+  QObject::connect(&undo, &QUndoStack::canUndoChanged, back, &QAction::setEnabled);
+  QObject::connect(&undo, &QUndoStack::canRedoChanged, forth, &QAction::setEnabled);
+  QObject::connect(&undo, &QUndoStack::undoTextChanged, back,
+                   [back](const QString& what) { follow(back, tr("&Undo"), tr("&Undo %1"), what); });
+  QObject::connect(&undo, &QUndoStack::redoTextChanged, forth,
+                   [forth](const QString& what) { follow(forth, tr("&Redo"), tr("&Redo %1"), what); });
+}
+
+}  // namespace
+
+void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& rows,
+                      const std::function<void()>& arrange) {
+  addServo(parts);
+  addFiles(parts, rows);
+  addUndo(parts.actions, parts.document.undoStack());
+  parts.actions.add(
+      {"menu.layers", tr("La&yers"), QKeySequence("Ctrl+Alt+Y"), tr("What the view shows."), "layers", tr("Layers")},
+      [](const QVariantList&) { return true; });
+  parts.actions.add(
+      {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Puts every panel back to where it was at first.")},
+      [arrange](const QVariantList&) {
+        arrange();
+        return true;
+      });
+}
+
+}  // namespace underact::gui

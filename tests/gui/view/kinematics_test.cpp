@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include "app/gui/view/hand_picture.h"
+#include "app/gui/view/kinematics_picture.h"
+#include "core/arm/branches.h"
+#include "core/arm/jacobian.h"
+#include "core/arm/model.h"
+#include "core/base/units.h"
+#include "tests/gui/example.h"
+
+namespace underact::gui {
+namespace {
+
+using test::count;
+using test::isPurple;
+using test::preset;
+using test::Shown;
+
+const Vec3 kTip(0.020, 0.010, 0.020);
+
+bool isSky(const QColor& c) {
+  return c.saturation() > 100 && c.hue() > 195 && c.hue() < 212;
+}
+
+Layers only(bool Layers::*layer) {
+  Layers layers;
+  layers.workspace = layers.triads = layers.target = layers.force = false;
+  layers.*layer = true;
+  return layers;
+}
+
+/// A view of the arm alone, from the right and above, with one of the layers for teaching.
+struct Taught : Shown {
+  explicit Taught(bool Layers::*layer) : Shown({}, Camera::Isometric) {
+    snapshot = test::snapshotAt(kTip, kTip, Vec3::Zero());
+    snapshot.report.sample.q_rad[3] = 0.4;
+    snapshot.report.sample.q_rad[4] = 1.1;
+    snapshot.report.sample.q_rad[5] = 0.5;
+    view.setLayers(only(layer));
+    view.present(snapshot);
+    look(Camera::Isometric);
+  }
+  const arm::JointAngles& q_rad() const { return snapshot.report.sample.q_rad; }
+  arm::Solutions solutions() const {
+    return arm::solveAll(preset().geometry, preset().limits, arm::tipPose(preset().geometry, q_rad()));
+  }
+  template <class Fits>
+  int at(const Vec3& p_W, Fits fits, double around = 2.5) {
+    return count(view.picture(), view.screenOf(p_W), around, fits);
+  }
+  servo::Snapshot snapshot;
+};
+
+TEST(KinematicsPicture, GhostsStandWhereTheLibraryPutsTheirElbows) {
+  Taught taught(&Layers::ghosts);
+  const arm::Solutions solutions = taught.solutions();
+  ASSERT_EQ(solutions.count, 8u);
+  EXPECT_EQ(taught.view.ghostsDrawn(), 8u);
+  for (const arm::Solution& solution : solutions) {
+    const arm::Skeleton ghost = arm::skeleton(preset().geometry, solution.q_rad);
+    const arm::Skeleton arm = arm::skeleton(preset().geometry, taught.q_rad());
+    if ((ghost.p_WElbow - arm.p_WElbow).norm() < 1e-6) continue;  // inside the arm's own links
+    int upper = 0, fore = 0;  // dashed: somewhere along the link, and all along it in many places
+    for (double share = 0.05; share < 1.0; share += 0.05) {
+      upper += taught.at(ghost.p_WShoulder + share * (ghost.p_WElbow - ghost.p_WShoulder), isPurple) > 0 ? 1 : 0;
+      fore += taught.at(ghost.p_WElbow + share * (ghost.p_WTip - ghost.p_WElbow), isPurple) > 0 ? 1 : 0;
+    }
+    EXPECT_GE(upper, 8) << static_cast<int>(solution.branch.elbow);
+    EXPECT_GE(fore, 8) << static_cast<int>(solution.branch.elbow);
+  }
+  Layers none = only(&Layers::arm);
+  taught.view.setLayers(none);
+  EXPECT_EQ(taught.view.ghostsDrawn(), 0u);
+  const Vec3 other_elbow = arm::skeleton(preset().geometry, solutions.all[2].q_rad).p_WElbow;
+  EXPECT_EQ(taught.at(other_elbow, isPurple, 30.0), 0);
+}
+
+TEST(KinematicsPicture, TheChosenGhostHasHollowJointsAndNothingHidesIt) {
+  Taught taught(&Layers::arm);
+  taught.view.chooseSolution(arm::Branch{1, -1, 1});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.ghostMoving(); }));
+  const arm::Solution solution = taught.solutions().all[2];
+  ASSERT_EQ(solution.branch, (arm::Branch{1, -1, 1}));
+  const arm::Skeleton ghost = arm::skeleton(preset().geometry, solution.q_rad);
+  EXPECT_GT(taught.at(0.5 * (ghost.p_WElbow + ghost.p_WTip), isPurple), 0);
+  EXPECT_GT(taught.at(0.5 * (ghost.p_WElbow + ghost.p_WShoulder), isPurple), 0);
+  EXPECT_EQ(taught.at(ghost.p_WElbow, isPurple, 1.0), 0);  // hollow
+  EXPECT_GT(taught.at(ghost.p_WElbow, isPurple, 10.0), 10);
+  const Pose X_WT = arm::tipPose(preset().geometry, solution.q_rad);
+  EXPECT_GT(taught.at(X_WT * Vec3(0, 0, 0.050), isPurple), 0);  // along the stylus, though the stylus is there
+  taught.view.chooseSolution(arm::Branch{1, 1, 1});             // the arm itself: over its links
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.ghostMoving(); }));
+  const arm::Skeleton own = arm::skeleton(preset().geometry, taught.q_rad());
+  EXPECT_GT(taught.at(0.5 * (own.p_WElbow + own.p_WShoulder), isPurple), 0);
+  taught.view.chooseSolution({});
+  EXPECT_EQ(taught.at(0.5 * (own.p_WElbow + own.p_WShoulder), isPurple, 6.0), 0);
+}
+
+TEST(KinematicsPicture, EachLinkFrameShowsItsAxes) {
+  Taught taught(&Layers::link_frames);
+  const Theme theme = Theme::light();
+  const std::array<Pose, 6> frames = arm::linkFrames(*arm::findModel(arm::kDefaultArm), taught.q_rad());
+  const std::array<QColor, 3> colours{theme.x_axis, theme.y_axis, theme.z_axis};
+  const QImage picture = taught.view.picture();
+  // Two frames in one place may share an axis: the smaller one lies over the larger one, but for its end.
+  const std::array<double, 6> near_end_m{0.027, 0.021, 0.021, 0.027, 0.021, 0.015};
+  for (std::size_t frame = 0; frame < 6; ++frame) {  // some of them inside a link or the stylus
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Vec3 p_W = frames[frame] * Vec3(near_end_m[frame] * Vec3::Unit(static_cast<Eigen::Index>(axis)));
+      const auto fits = [&](const QColor& c) {
+        return c.saturation() > 60 && std::abs(c.hue() - colours[axis].hue()) < 16;
+      };
+      EXPECT_GT(count(picture, taught.view.screenOf(p_W), 2.5, fits), 0) << frame + 1 << " axis " << axis;
+    }
+  }
+  taught.view.setLayers(only(&Layers::arm));
+  const Vec3 z3 = frames[2] * Vec3(0, 0, 0.016);
+  EXPECT_EQ(taught.at(
+                z3, [](const QColor& c) { return c.saturation() > 60; }, 4.0),
+            0);
+}
+
+TEST(KinematicsPicture, TheMotionEllipsoidEndsWhereAQuarterOfARadTakesTheTip) {
+  Taught taught(&Layers::motion_ellipsoid);
+  const arm::Dexterity dexterity = arm::dexterity(preset().geometry, taught.q_rad());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 half = side * KinematicsPicture::kTurn_rad * dexterity.gain_m[axis] * dexterity.axes_W.col(axis);
+      EXPECT_GT(taught.at(kTip + half, isSky), 0) << axis << ' ' << side;
+      EXPECT_EQ(taught.at(kTip + 1.4 * half, isSky, 1.0), 0) << axis << ' ' << side;
+    }
+  }
+}
+
+TEST(KinematicsPicture, TheForceEllipsoidIsLongWhereTheMotionIsShort) {
+  Taught taught(&Layers::force_ellipsoid);
+  const arm::Dexterity dexterity = arm::dexterity(preset().geometry, taught.q_rad());
+  const double metre_per_N = 1e-3 * HandPicture::kArrow_mm / preset().continuous_force_N;  // as the arrow is drawn
+  for (int axis = 0; axis < 3; ++axis) {
+    const double half_m = metre_per_N * KinematicsPicture::kTorque_N_m / dexterity.gain_m[axis];
+    const Vec3 half = half_m * dexterity.axes_W.col(axis);
+    const auto is_orange = [](const QColor& c) { return c.saturation() > 120 && c.hue() > 34 && c.hue() < 48; };
+    // One end may lie behind the stylus.
+    EXPECT_GT(taught.at(kTip + half, is_orange) + taught.at(kTip - half, is_orange), 0) << axis;
+  }
+}
+
+TEST(KinematicsPicture, AtASingularityNothingGrowsWithoutEndAndNothingBreaks) {
+  for (const double q3_rad : {kPi / 2, -kPi / 2}) {
+    Taught taught(&Layers::force_ellipsoid);
+    Layers layers = only(&Layers::force_ellipsoid);
+    layers.ghosts = layers.link_frames = layers.motion_ellipsoid = true;
+    taught.view.setLayers(layers);
+    taught.snapshot.report.sample.q_rad[2] = q3_rad;
+    taught.snapshot.report.sample.q_rad[4] = 0.0;
+    taught.view.present(taught.snapshot);
+    EXPECT_FALSE(taught.view.picture().isNull());
+    EXPECT_EQ(taught.view.ghostsDrawn(), taught.solutions().count);
+    EXPECT_LT(taught.view.ghostsDrawn(), 8u);
+    EXPECT_EQ(taught.view.glErrors(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace underact::gui

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <set>
+#include <string>
+
+#include "tests/stories/story.h"
+
+// A window does without any of its features: each is a room and a row, and nobody else knows it.
+namespace underact::gui::test {
+namespace {
+
+/// It opens a scene, lets the servo push, takes a step back, changes its theme and closes.
+void useIt(const std::vector<FeatureRow>& rows) {
+  Story story("02_sphere", {.features = rows});
+  EXPECT_TRUE(story.perform("session.start"));
+  story.run(800);
+  EXPECT_EQ(story.snapshot().mode, servo::Mode::Running);
+  EXPECT_TRUE(story.perform("view.theme.dark"));
+  EXPECT_TRUE(story.perform("layout.reset"));
+  EXPECT_EQ(docksOf(&story.window()).size(), static_cast<qsizetype>(panelsOf(rows).size()));
+  EXPECT_TRUE(story.perform("session.stop"));
+  story.run(400);
+  for (const QMenu* menu : story.window().findChildren<QMenu*>())
+    for (const QAction* action : menu->actions()) EXPECT_FALSE(!action->isSeparator() && action->text().isEmpty());
+}
+
+TEST(FeaturesStory, TheWindowDoesWithoutAnyOneOfThem) {
+  const std::vector<FeatureRow> all = features();
+  ASSERT_GT(all.size(), 30U);
+  for (std::size_t left_out = 0; left_out < all.size(); ++left_out) {
+    std::vector<FeatureRow> rows = all;
+    rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(left_out));
+    SCOPED_TRACE("without row " + std::to_string(left_out));
+    useIt(rows);
+  }
+}
+
+TEST(FeaturesStory, TheWindowDoesWithoutAllOfThem) {
+  useIt({});
+}
+
+TEST(FeaturesStory, EachBringsSomethingThatNoOtherHas) {
+  std::set<QString> keys;
+  for (const FeatureRow& row : features()) {
+    EXPECT_TRUE(row.make != nullptr || !row.panels.empty());
+    EXPECT_EQ(row.opens == nullptr, row.open_action == nullptr);
+    for (const PanelRow& panel : row.panels) EXPECT_TRUE(keys.insert(panel.key).second) << panel.key;
+  }
+}
+
+TEST(FeaturesStory, AFileIsOpenedByTheFeatureWhoseItIs) {
+  EXPECT_EQ(openerOf("hand.h5", features()), QString("replay.open"));
+  EXPECT_EQ(openerOf("bunny.STL", features()), QString("mesh.add"));
+  EXPECT_EQ(openerOf("path.csv", features()), QString("curve.add"));
+  EXPECT_EQ(openerOf("nothing.json", features()), QString());  // a scene, right or wrong
+  EXPECT_EQ(openerOf("hand.h5", {}), QString());
+}
+
+}  // namespace
+}  // namespace underact::gui::test
