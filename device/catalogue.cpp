@@ -20,7 +20,7 @@ Result<std::unique_ptr<servo::DevicePort>> openSimulated(const Request& request)
   return std::unique_ptr<servo::DevicePort>(std::make_unique<SimulatedArm>(options));
 }
 
-constexpr const char* kSimulated = QT_TRANSLATE_NOOP("problem", "Simulated arm");
+constexpr const char* kSimulated = TRANSLATE_NOOP("problem", "Simulated arm");
 
 std::vector<Found> lookForSimulated() {
   return {{said(kSimulated), "", {}}};
@@ -29,10 +29,10 @@ std::vector<Found> lookForSimulated() {
 // A kind of arm a line.
 constexpr std::array kRows{
     Row{"simulated", kSimulated, openSimulated, lookForSimulated},
-    Row{"openhaptics", QT_TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
+    Row{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
         openhaptics::lookRow},
-    Row{"wooden", QT_TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, lookForWooden},
-    Row{"remote", QT_TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::lookRow},
+    Row{"wooden", TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, lookForWooden},
+    Row{"remote", TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::lookRow},
 };
 
 }  // namespace
@@ -56,7 +56,7 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
   if (row == nullptr) {
     std::string known;
     for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". There are: %2."),
+    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". There are: %2."),
                           {std::string(name.substr(0, colon)), known}),
                      {}}};
   }

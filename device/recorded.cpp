@@ -159,19 +159,17 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
       [&](const record::Gap& gap) {
         if (recorded->damage.size() >= kMostDamage) return;
         recorded->damage.push_back(
-            {said(QT_TRANSLATE_NOOP("problem",
-                                    "Ticks %1 to %2 of this session are damaged; the arm stands still there."),
+            {said(TRANSLATE_NOOP("problem", "Ticks %1 to %2 of this session are damaged; the arm stands still there."),
                   {std::to_string(gap.first_row), std::to_string(gap.first_row + gap.rows - 1)}),
              {path}});
       },
       watch.progress);
   if (!problems.empty()) return problems;
   if (is_cancelled)
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "Opening was ended before the whole session was read.")), {path}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "Opening was ended before the whole session was read.")), {path}}};
   if (recorded->rows.empty())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "There are no ticks in this session: nothing can be replayed.")), {path}}};
+        {said(TRANSLATE_NOOP("problem", "There are no ticks in this session: nothing can be replayed.")), {path}}};
   recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
   readScenes(session, rows.firstTick(), watch, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));

@@ -34,12 +34,12 @@ ReplayedArm::ReplayedArm(std::unique_ptr<servo::DevicePort> inner, int rate_hz)
 servo::DeviceInfo ReplayedArm::info() const {
   const std::scoped_lock lock(title_mutex_);
   if (title_.empty()) return inner_->info();
-  return {said(QT_TRANSLATE_NOOP("problem", "Recorded arm: %1"), {title_}), true, false, 0.0};
+  return {said(TRANSLATE_NOOP("problem", "Recorded arm: %1"), {title_}), true, false, 0.0};
 }
 
 Sentence ReplayedArm::fixedRate() const {
   if (isReplaying())
-    return said(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it, then change the rate."));
+    return said(TRANSLATE_NOOP("problem", "A recording is being replayed. Close it, then change the rate."));
   return inner_->fixedRate();
 }
 

@@ -85,7 +85,7 @@ void SimulatedArm::cut() noexcept {
 }
 
 servo::DeviceInfo SimulatedArm::info() const {
-  return {said(QT_TRANSLATE_NOOP("problem", "Simulated arm")), true, false};
+  return {said(TRANSLATE_NOOP("problem", "Simulated arm")), true, false};
 }
 
 void SimulatedArm::setRate(int rate_hz) {

@@ -51,7 +51,7 @@ Result<double> pressedStiffness(const scene::Description& scene, calibration::Be
   });
   const double spread = count * ways - way * way;
   if (!(spread > 0.0))
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The simulated hand could not press the beam.")), {}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "The simulated hand could not press the beam.")), {}}};
   return (count * both - way * force) / spread / kNewtonPerMetre;
 }
 

@@ -52,11 +52,10 @@ bool readSettings(const std::vector<std::string>& texts, std::vector<device::Les
 }
 
 void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome, bool json, const Streams& streams) {
-  const lesson::Speech speech;
   std::vector<JsonObject> checks;
   for (std::size_t index = 0; index < step.checks.size(); ++index) {
     const lesson::CheckState& state = outcome.states[index];
-    const std::string said = tell(step.checks[index], state, speech);
+    const std::string said = tell(step.checks[index], state);
     if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << said << '\n';
     JsonObject& object = checks.emplace_back();
     object.addBool("solved", state.solved);

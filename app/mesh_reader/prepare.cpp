@@ -29,21 +29,19 @@ const char* addFacet(Scan& words, std::string& to) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
   to += "facet normal ";
   if (!is("normal") || !addPoint(words, to))
-    return QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no normal of a face.");
+    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no normal of a face.");
   if (!is("outer") || !is("loop"))
-    return QT_TRANSLATE_NOOP("problem",
-                             "The file is damaged: line %1 does not begin the corners of a face (outer loop).");
+    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin the corners of a face (outer loop).");
   to += "outer loop\n";
   for (int corner = 0; corner < 3; ++corner) {
     to += "vertex ";
     if (!is("vertex") || !addPoint(words, to))
-      return QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner of a face (vertex x y z).");
+      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner of a face (vertex x y z).");
   }
   if (!is("endloop"))
-    return QT_TRANSLATE_NOOP("problem",
-                             "The file is damaged: line %1 does not end the three corners of a face (endloop).");
-  if (!is("endfacet"))
-    return QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
+    return TRANSLATE_NOOP("problem",
+                          "The file is damaged: line %1 does not end the three corners of a face (endloop).");
+  if (!is("endfacet")) return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
   to += "endloop\nendfacet\n";
   return nullptr;
 }
@@ -54,7 +52,7 @@ Prepared prepareStlBinary(std::string bytes) {
   Prepared prepared;
   prepared.faces = mesh_file::stlBinaryCount(bytes);
   if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
-    prepared.problem = said(QT_TRANSLATE_NOOP("problem", "The file is damaged: it is shorter than its faces."));
+    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is shorter than its faces."));
     return prepared;
   }
   for (std::uint64_t face = 0; face < prepared.faces; ++face) {
@@ -85,7 +83,7 @@ Prepared prepareStlText(const std::string& bytes) {
       ++prepared.faces;
     } else {
       return damagedAt(words.lineNumber(),
-                       QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin a face (facet)."));
+                       TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin a face (facet)."));
     }
   }
   prepared.bytes += "endsolid\n";
@@ -108,7 +106,7 @@ Prepared prepareObj(const std::string& bytes) {
       prepared.bytes += "v ";
       if (!addPoint(words, prepared.bytes))
         return damagedAt(lines.lineNumber() - 1,
-                         QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (v x y z)."));
+                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (v x y z)."));
       ++prepared.corners;
     } else if (key == "f") {
       prepared.bytes += "f ";
@@ -118,7 +116,7 @@ Prepared prepareObj(const std::string& bytes) {
         const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
         if (!is_number || ++count > kMostCornersOfAFace)
           return damagedAt(lines.lineNumber() - 1,
-                           QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+                           TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
         prepared.bytes += std::to_string(index) + ' ';
       }
       prepared.bytes.back() = '\n';
@@ -147,26 +145,26 @@ Prepared prepareOff(const std::string& bytes) {
     const std::string_view first = words.word();
     if (first.empty()) {
       if (lines.atEnd())
-        return damagedAt(number + 1,
-                         QT_TRANSLATE_NOOP(
-                             "problem", "The file is damaged: line %1 is the last, and corners or faces are missing."));
+        return damagedAt(
+            number + 1,
+            TRANSLATE_NOOP("problem", "The file is damaged: line %1 is the last, and corners or faces are missing."));
       continue;
     }
     if (row++ < prepared.corners) {
       Scan again(line);
       if (!addPoint(again, prepared.bytes))
-        return damagedAt(number, QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (x y z)."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (x y z)."));
       continue;
     }
     int count = 0;
     if (!mesh_file::readInteger(first, count) || count < 0 || count > kMostCornersOfAFace) {
-      return damagedAt(number, QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+      return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
     }
     prepared.bytes += std::to_string(count) + ' ';
     for (int corner = 0; corner < count; ++corner) {
       std::int32_t index = 0;
       if (!mesh_file::readInteger(words.word(), index))
-        return damagedAt(number, QT_TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
       prepared.bytes += std::to_string(index < 0 ? INT32_MAX : index) + ' ';
     }
     prepared.bytes.back() = '\n';

@@ -98,7 +98,7 @@ Message read(Format format, std::uint64_t file_bytes) {
   } catch (const std::bad_alloc&) {
     message = {};
     message.problem =
-        said(QT_TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."));
+        said(TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."));
   }
   return message;
 }

@@ -129,7 +129,7 @@ int serve() {
       if (!service.answer(question)) return 1;
     } catch (const std::bad_alloc&) {
       const bool is_heard = sayNo({{said(
-          QT_TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."))}});
+          TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."))}});
       if (!is_heard) return 1;
     }
   }

@@ -22,7 +22,7 @@ double numberAt(ObjectReader& object, const char* key, bool required, double oth
   if (value == nullptr) return number;
   json::readNumber(*value, object.pathOf(key), number, object.findings());
   if (std::isfinite(number)) return number;
-  object.findings().add(*value, object.pathOf(key), said(QT_TRANSLATE_NOOP("problem", "This is no finite number.")));
+  object.findings().add(*value, object.pathOf(key), said(TRANSLATE_NOOP("problem", "This is no finite number.")));
   return otherwise;
 }
 
@@ -30,7 +30,7 @@ double lengthAt(ObjectReader& object, const char* key) {
   const double length_mm = numberAt(object, key, true);
   if (std::abs(length_mm) > kFurthest_mm) {
     object.findings().add(*object.find(key), object.pathOf(key),
-                          said(QT_TRANSLATE_NOOP("problem", "A length must lie within 1e6 mm (1 km).")));
+                          said(TRANSLATE_NOOP("problem", "A length must lie within 1e6 mm (1 km).")));
   }
   return kMetrePerMillimetre * length_mm;
 }
@@ -44,9 +44,9 @@ double limitAt(ObjectReader& object, const char* rad_key, const char* deg_key, d
 void readRow(const Value& value, std::size_t index, Model& model, Findings& findings) {
   const std::string path = "dh[" + std::to_string(index) + "]";
   if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "a row, as in {\"alpha_deg\": 90, \"a_mm\": 0, ...}")), findings))
+              said(TRANSLATE_NOOP("problem", "a row, as in {\"alpha_deg\": 90, \"a_mm\": 0, ...}")), findings))
     return;
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a row of the DH table")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a row of the DH table")), findings);
   chain::DhRow& row = model.rows[index];
   row.alpha_rad = kRadPerDegree * numberAt(object, "alpha_deg", true);
   row.a_m = lengthAt(object, "a_mm");
@@ -55,15 +55,14 @@ void readRow(const Value& value, std::size_t index, Model& model, Findings& find
   row.min = limitAt(object, "min_rad", "min_deg", -kInfinity);
   row.max = limitAt(object, "max_rad", "max_deg", kInfinity);
   if (!(row.min < row.max))
-    findings.add(value, path,
-                 said(QT_TRANSLATE_NOOP("problem", "The joint's least angle must be below its greatest.")));
+    findings.add(value, path, said(TRANSLATE_NOOP("problem", "The joint's least angle must be below its greatest.")));
   model.limits.min_rad[index] = row.min, model.limits.max_rad[index] = row.max;
   if (const Value* const of_size = object.find("limits_of_size")) {
     if (isKind(*of_size, json::Kind::Bool, object.pathOf("limits_of_size"),
-               said(QT_TRANSLATE_NOOP("problem", "true or false")), findings)) {
+               said(TRANSLATE_NOOP("problem", "true or false")), findings)) {
       if (of_size->boolean && index != 4) {
         findings.add(*of_size, object.pathOf("limits_of_size"),
-                     said(QT_TRANSLATE_NOOP("problem", "Only joint 5 can be limited by its size.")));
+                     said(TRANSLATE_NOOP("problem", "Only joint 5 can be limited by its size.")));
       }
       model.limits_wrist_size |= of_size->boolean;
     }
@@ -73,12 +72,12 @@ void readRow(const Value& value, std::size_t index, Model& model, Findings& find
 
 void readRows(ObjectReader& object, Model& model) {
   const Value* const list = object.find("dh", true);
-  if (list == nullptr || !isKind(*list, json::Kind::Array, "dh",
-                                 said(QT_TRANSLATE_NOOP("problem", "a list of six rows")), object.findings()))
+  if (list == nullptr ||
+      !isKind(*list, json::Kind::Array, "dh", said(TRANSLATE_NOOP("problem", "a list of six rows")), object.findings()))
     return;
   if (list->items.size() != model.rows.size()) {
     object.findings().add(*list, "dh",
-                          said(QT_TRANSLATE_NOOP("problem", "An arm has six rows; here there are %1."),
+                          said(TRANSLATE_NOOP("problem", "An arm has six rows; here there are %1."),
                                {std::to_string(list->items.size())}));
     return;
   }
@@ -92,48 +91,48 @@ void readPose(ObjectReader& object, const char* key, bool required, Pose& X) {
   if (value == nullptr) return;
   const auto wrong = [&](const char* sentence) { object.findings().add(*value, key, said(sentence)); };
   if (value->kind != json::Kind::Array || value->items.size() != 4)
-    return wrong(QT_TRANSLATE_NOOP("problem", "This must be a list of 4 rows."));
+    return wrong(TRANSLATE_NOOP("problem", "This must be a list of 4 rows."));
   Eigen::Matrix4d matrix;
   for (std::size_t row = 0; row < 4; ++row) {
     const Value& numbers = value->items[row];
     if (numbers.kind != json::Kind::Array || numbers.items.size() != 4)
-      return wrong(QT_TRANSLATE_NOOP("problem", "Each row must have 4 numbers."));
+      return wrong(TRANSLATE_NOOP("problem", "Each row must have 4 numbers."));
     for (std::size_t column = 0; column < 4; ++column) {
       const Value& number = numbers.items[column];
       if (number.kind != json::Kind::Number || !std::isfinite(number.number))
-        return wrong(QT_TRANSLATE_NOOP("problem", "Each entry must be a number."));
+        return wrong(TRANSLATE_NOOP("problem", "Each entry must be a number."));
       matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = number.number;
     }
   }
   const Mat3 R = matrix.topLeftCorner<3, 3>();
   if (!(R * R.transpose()).isIdentity(kRotationError) || R.determinant() < 0.0)
-    return wrong(QT_TRANSLATE_NOOP("problem", "This is no rotation."));
+    return wrong(TRANSLATE_NOOP("problem", "This is no rotation."));
   if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-    return wrong(QT_TRANSLATE_NOOP("problem", "The last row must be 0, 0, 0, 1."));
+    return wrong(TRANSLATE_NOOP("problem", "The last row must be 0, 0, 0, 1."));
   X.linear() = R;
   X.translation() = kMetrePerMillimetre * matrix.topRightCorner<3, 1>();
 }
 
 void readDevice(const Value& value, Model& model, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, "device", said(QT_TRANSLATE_NOOP("problem", "an object in { }")), findings))
+  if (!isKind(value, json::Kind::Object, "device", said(TRANSLATE_NOOP("problem", "an object in { }")), findings))
     return;
-  ObjectReader object(value, "device", said(QT_TRANSLATE_NOOP("problem", "what makes an arm a device")), findings);
+  ObjectReader object(value, "device", said(TRANSLATE_NOOP("problem", "what makes an arm a device")), findings);
   DeviceFigures device;
   device.continuous_force_N = numberAt(object, "continuous_force_N", true, 1.0);
   if (!(device.continuous_force_N > 0.0))
-    findings.add(value, "device.continuous_force_N", said(QT_TRANSLATE_NOOP("problem", "This must be above 0.")));
+    findings.add(value, "device.continuous_force_N", said(TRANSLATE_NOOP("problem", "This must be above 0.")));
   const Value* const counts = object.find("encoder_counts_per_turn", true);
   const std::string path = "device.encoder_counts_per_turn";
   if (counts != nullptr &&
-      isKind(*counts, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of six numbers")), findings)) {
+      isKind(*counts, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of six numbers")), findings)) {
     if (counts->items.size() != 6)
-      findings.add(*counts, path, said(QT_TRANSLATE_NOOP("problem", "This must be a list of six numbers.")));
+      findings.add(*counts, path, said(TRANSLATE_NOOP("problem", "This must be a list of six numbers.")));
     for (std::size_t joint = 0; joint < std::min<std::size_t>(6, counts->items.size()); ++joint) {
       const Value& count = counts->items[joint];
       device.counts_per_turn[joint] = count.number;
       if (!(count.kind == json::Kind::Number && count.number >= 1.0 && std::isfinite(count.number))) {
         findings.add(count, path + "[" + std::to_string(joint) + "]",
-                     said(QT_TRANSLATE_NOOP("problem", "This must be a number of at least 1.")));
+                     said(TRANSLATE_NOOP("problem", "This must be a number of at least 1.")));
       }
     }
   }
@@ -143,10 +142,10 @@ void readDevice(const Value& value, Model& model, Findings& findings) {
 
 Model readWhole(const Value& root, Findings& findings) {
   Model model;
-  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "an arm file")), findings);
+  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "an arm file")), findings);
   if (numberAt(object, "underact_arm", true, 1.0) != 1.0) {
     findings.add(*object.find("underact_arm"), "underact_arm",
-                 said(QT_TRANSLATE_NOOP("problem", "This program reads version 1 of arm files.")));
+                 said(TRANSLATE_NOOP("problem", "This program reads version 1 of arm files.")));
   }
   for (const auto& [key, text] :
        {std::pair{"name", &model.name}, {"title", &model.title}, {"provenance", &model.provenance}}) {
@@ -167,16 +166,16 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
   if (!root) return root.problems();
   Findings findings(file_name);
   if (!isKind(root.value(), json::Kind::Object, "",
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm\": 1, ...}"}), findings)) {
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm\": 1, ...}"}), findings)) {
     return findings.take();
   }
   const Model model = readWhole(root.value(), findings);
   if (model.device && !omniGeometry(model)) {
     const Value* const device = root.value().find("device");
     findings.add(*device, "device",
-                 said(QT_TRANSLATE_NOOP("problem",
-                                        "Only an arm shaped as table 3.1 of the thesis can be a device here; without "
-                                        "\"device\" the arm can be used for kinematics.")));
+                 said(TRANSLATE_NOOP("problem",
+                                     "Only an arm shaped as table 3.1 of the thesis can be a device here; without "
+                                     "\"device\" the arm can be used for kinematics.")));
   }
   Problems problems = findings.take();
   if (!problems.empty()) return problems;
@@ -184,7 +183,7 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
 }
 
 Result<Model> readArmFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "an arm")));
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")));
   if (!text) return text.problems();
   return readArm(text.value(), path);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <string>
+
+#include "core/base/sentence.h"
 
 namespace underact {
 
@@ -26,13 +27,13 @@ struct Fault {
 };
 
 /// What happened, one sentence. Empty for FaultKind::None.
-std::string whatHappened(const Fault& fault);
+Sentence whatHappened(const Fault& fault);
 
 /// What to look at and what to press. Empty for FaultKind::None.
-std::string whatToDo(const Fault& fault);
+Sentence whatToDo(const Fault& fault);
 
 /// What happened, what it means for the hand, what to do. Empty for FaultKind::None.
-std::string describe(const Fault& fault);
+Sentence describe(const Fault& fault);
 
 /// A word for logs: "none", "no_sample", "stale_sample", "not_finite", "too_fast", "too_late", "stood_still",
 /// "odd_clock", "asleep".

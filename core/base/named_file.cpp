@@ -34,18 +34,18 @@ std::int64_t changeOf(const struct stat& file) {
 /// None: it may be opened.
 Problems judge(const struct stat& file, const std::string& path, const Sentence& what) {
   if (S_ISDIR(file.st_mode))
-    return problemOf(path, said(QT_TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
+    return problemOf(path, said(TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
   if (S_ISREG(file.st_mode)) return {};
-  return problemOf(path, said(QT_TRANSLATE_NOOP("problem",
-                                                "This is a pipe, a device or a socket, not a regular file, so %1 is "
-                                                "not read from it. Save what it gives as a file, and name that."),
+  return problemOf(path, said(TRANSLATE_NOOP("problem",
+                                             "This is a pipe, a device or a socket, not a regular file, so %1 is "
+                                             "not read from it. Save what it gives as a file, and name that."),
                               {what}));
 }
 
 }  // namespace
 
 Result<NamedFile> NamedFile::open(const std::string& path, const Sentence& what) {
-  constexpr const char* kUnopened = QT_TRANSLATE_NOOP("problem", "The file cannot be opened: %1.");
+  constexpr const char* kUnopened = TRANSLATE_NOOP("problem", "The file cannot be opened: %1.");
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) return failed(path, kUnopened);
   if (Problems problems = judge(found, path, what); !problems.empty()) return problems;  // before it is touched
@@ -72,7 +72,7 @@ Result<std::size_t> NamedFile::read(std::span<char> into) const {
   while (done < into.size()) {
     const ssize_t count = ::read(fd_, into.data() + done, into.size() - done);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return failed(path_, QT_TRANSLATE_NOOP("problem", "The file cannot be read: %1."));
+    if (count < 0) return failed(path_, TRANSLATE_NOOP("problem", "The file cannot be read: %1."));
     if (count == 0) break;
     done += static_cast<std::size_t>(count);
   }
@@ -91,12 +91,12 @@ Result<std::string> NamedFile::readAll(std::uint64_t most_bytes) const {
     ended = count.value() < kReadAtOnce;
   }
   if (bytes_ > most_bytes || text.size() > most_bytes)
-    return problemOf(path_, said(QT_TRANSLATE_NOOP("problem", "The file is larger than %1 MiB; %2 is far smaller."),
+    return problemOf(path_, said(TRANSLATE_NOOP("problem", "The file is larger than %1 MiB; %2 is far smaller."),
                                  {std::to_string(most_bytes >> 20), what_}));
   if (hasChanged())
-    return problemOf(path_, said(QT_TRANSLATE_NOOP("problem",
-                                                   "Another program wrote into the file while it was read. Open it "
-                                                   "again once that program has saved it.")));
+    return problemOf(path_, said(TRANSLATE_NOOP("problem",
+                                                "Another program wrote into the file while it was read. Open it "
+                                                "again once that program has saved it.")));
   return text;
 }
 

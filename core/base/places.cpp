@@ -34,21 +34,21 @@ struct Row {
 
 constexpr Row kRows[] = {
     {Resource::Scenes, "scenes", "scenes", nullptr,
-     QT_TRANSLATE_NOOP(
+     TRANSLATE_NOOP(
          "problem",
          "The scenes that come with Underact were not found. They were looked for in: %1. Install "
          "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
     {Resource::Lessons, "lessons", "resources/lessons", nullptr,
-     QT_TRANSLATE_NOOP(
+     TRANSLATE_NOOP(
          "problem",
          "The lessons that come with Underact were not found. They were looked for in: %1. Install "
          "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
     {Resource::Guide, "guide", "resources/guide", "contents.json",
-     QT_TRANSLATE_NOOP("problem",
-                       "The guide's pages were not found. They were looked for in: %1. Install Underact again, or set "
-                       "UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+     TRANSLATE_NOOP("problem",
+                    "The guide's pages were not found. They were looked for in: %1. Install Underact again, or set "
+                    "UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
     {Resource::Python, "python", "app/python", "underact/__main__.py",
-     QT_TRANSLATE_NOOP(
+     TRANSLATE_NOOP(
          "problem",
          "The Python package that comes with Underact was not found. It was looked for in: %1. Install "
          "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
@@ -158,7 +158,7 @@ Result<std::string> findProgram(const std::string& program, const char* variable
   const auto found = std::find_if(places.begin(), places.end(), isProgram);
   if (found != places.end()) return *found;
   return Problems{
-      {said(QT_TRANSLATE_NOOP("problem", "%1 was not found (it was looked for at %2)."), {program, listed(places)})}};
+      {said(TRANSLATE_NOOP("problem", "%1 was not found (it was looked for at %2)."), {program, listed(places)})}};
 }
 
 }  // namespace underact

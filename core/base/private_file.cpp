@@ -20,14 +20,14 @@ Problems checkNew(const std::string& path, Existing existing) {
   struct stat there {};
   if (::lstat(path.c_str(), &there) != 0) return {};  // none; if another thing is wrong, making it says what
   if (!S_ISREG(there.st_mode) && !S_ISLNK(there.st_mode))
-    return {{said(QT_TRANSLATE_NOOP("problem",
-                                    "A folder, a pipe or a device has this name and is not replaced. Give another "
-                                    "name.")),
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "A folder, a pipe or a device has this name and is not replaced. Give another "
+                                 "name.")),
              {path}}};
   if (existing == Existing::Replace) return {};
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "There is a file or a link of this name already; it was left as it is. Give another "
-                                  "name.")),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "There is a file or a link of this name already; it was left as it is. Give another "
+                               "name.")),
            {path}}};
 }
 

@@ -1,5 +1,8 @@
 #include "core/base/sentence.h"
 
+#include <charconv>
+#include <cmath>
+
 #include "core/base/translate.h"
 
 namespace underact {
@@ -33,10 +36,18 @@ Sentence shownNumber(std::string digits) {
   return number;
 }
 
+Sentence shownNumber(double value, int decimals) {
+  if (!std::isfinite(value)) return shownNumber("–");
+  char text[400];  // of the largest double, too
+  const double rounded = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
+  const auto end = std::to_chars(text, text + sizeof text, rounded, std::chars_format::fixed, decimals).ptr;
+  return shownNumber(std::string(text, end));
+}
+
 Sentence oneAfterAnother(const std::vector<Sentence>& sentences) {
   Sentence all;
   for (const Sentence& one : sentences) {
-    if (!one.empty()) all = all.empty() ? one : said(QT_TRANSLATE_NOOP("problem", "%1 %2"), {all, one});
+    if (!one.empty()) all = all.empty() ? one : said(TRANSLATE_NOOP("problem", "%1 %2"), {all, one});
   }
   return all;
 }

@@ -31,11 +31,13 @@ class Sentence : public std::string {
   bool is_number_ = false;
 };
 
-/// The pattern with its places filled: said(QT_TRANSLATE_NOOP("problem", "%1 is not known."), {name}).
+/// The pattern with its places filled: said(TRANSLATE_NOOP("problem", "%1 is not known."), {name}).
 Sentence said(std::string pattern, std::vector<Sentence> places = {});
 
 /// A number that was measured or computed, from its digits with a point.
 Sentence shownNumber(std::string digits);
+/// With so many decimals, never -0.0; "–" where it is not finite.
+Sentence shownNumber(double value, int decimals);
 
 /// Several, a gap between two; empty ones are left out.
 Sentence oneAfterAnother(const std::vector<Sentence>& sentences);

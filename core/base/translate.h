@@ -1,5 +1,5 @@
 #pragma once
 
-// Marks a text for translators, whose tool looks for this name in the sources; here, where no Qt is, it stands as it
-// is.
-#define QT_TRANSLATE_NOOP(context, text) text
+// Marks a text for translators, whose tool looks for this name in the sources (packaging/languages); the text stands as
+// it is. context: "problem" for what sentence.h puts together.
+#define TRANSLATE_NOOP(context, text) text

@@ -45,9 +45,9 @@ Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene) {
   }
   if (beams.size() != 2 || scene.constraints.size() != 2) {
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem",
-                                "A calibration needs a scene of two beams: two virtual manipulators, each of one "
-                                "revolute joint with a spring. The scene \"Two beams, one softer\" is one.")),
+        {said(TRANSLATE_NOOP("problem",
+                             "A calibration needs a scene of two beams: two virtual manipulators, each of one "
+                             "revolute joint with a spring. The scene \"Two beams, one softer\" is one.")),
          {scene.file, 0, 0, "constraints"}}};
   }
   const auto x_of = [&](std::size_t index) {

@@ -17,15 +17,15 @@ namespace {
 Problems problemsOf(const std::vector<Vec3>& points_W, const Place& place) {
   Problems problems;
   if (points_W.size() > kMostPoints)
-    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "A curve has at most 1000000 points.")), place});
+    problems.push_back({said(TRANSLATE_NOOP("problem", "A curve has at most 1000000 points.")), place});
   for (std::size_t i = 0; i < points_W.size() && problems.empty(); ++i) {
     const std::string number = std::to_string(i + 1);
     if (!points_W[i].allFinite()) {
       problems.push_back(
-          {said(QT_TRANSLATE_NOOP("problem", "Point %1 of the curve is not a finite point."), {number}), place});
+          {said(TRANSLATE_NOOP("problem", "Point %1 of the curve is not a finite point."), {number}), place});
     } else if (largestOf(points_W[i]) > kFarthest_m) {
       problems.push_back(
-          {said(QT_TRANSLATE_NOOP("problem", "Point %1 of the curve is farther out than 1e6 mm; is the scale right?"),
+          {said(TRANSLATE_NOOP("problem", "Point %1 of the curve is farther out than 1e6 mm; is the scale right?"),
                 {number}),
            place});
     }
@@ -63,8 +63,8 @@ Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind 
   for (const Vec3& p_W : points_W) curve->largest_m = std::max(curve->largest_m, largestOf(p_W));
   leaveOutRepeated(points_W, closed, std::max(kSamePoint_m, shape::kDirectionLost * curve->largest_m));
   if (points_W.size() < (closed ? 3U : 2U)) {
-    const char* sentence = closed ? QT_TRANSLATE_NOOP("problem", "A closed curve needs at least 3 different points.")
-                                  : QT_TRANSLATE_NOOP("problem", "A curve needs at least 2 different points.");
+    const char* sentence = closed ? TRANSLATE_NOOP("problem", "A closed curve needs at least 3 different points.")
+                                  : TRANSLATE_NOOP("problem", "A curve needs at least 2 different points.");
     return Problems{{said(sentence), place}};
   }
   if (kind == Kind::Spline) {

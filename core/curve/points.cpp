@@ -85,7 +85,7 @@ class Reader {
     if (!p) return problems_.size() < kMostProblems;
     if (!points_.empty() && points_.back() == *p) return true;
     if (points_.size() == kMostPoints) {
-      refuse(said(QT_TRANSLATE_NOOP("problem", "The file has more than 1000000 points; leave out every second one.")));
+      refuse(said(TRANSLATE_NOOP("problem", "The file has more than 1000000 points; leave out every second one.")));
       return false;
     }
     points_.push_back(*p);
@@ -94,7 +94,7 @@ class Reader {
 
   Result<std::vector<Vec3>> finished() && {
     if (problems_.empty() && points_.empty())
-      problems_.push_back({said(QT_TRANSLATE_NOOP("problem", "The file has no points.")), {file_, 0, 0, ""}});
+      problems_.push_back({said(TRANSLATE_NOOP("problem", "The file has no points.")), {file_, 0, 0, ""}});
     if (!problems_.empty()) return std::move(problems_);
     return std::move(points_);
   }
@@ -104,11 +104,11 @@ class Reader {
 
   std::optional<Vec3> pointOf(const Fields& fields) {
     if (fields.has_gap) {
-      refuse(said(QT_TRANSLATE_NOOP("problem", "Nothing stands between two separators; a point is three numbers.")));
+      refuse(said(TRANSLATE_NOOP("problem", "Nothing stands between two separators; a point is three numbers.")));
       return std::nullopt;
     }
     if (fields.count != 3) {
-      refuse(said(QT_TRANSLATE_NOOP("problem", "A point is three numbers, not %1; decimals are written with a point."),
+      refuse(said(TRANSLATE_NOOP("problem", "A point is three numbers, not %1; decimals are written with a point."),
                   {std::to_string(fields.count)}));
       return std::nullopt;
     }
@@ -116,11 +116,11 @@ class Reader {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::optional<double> number = numberOf(fields.text[i]);
       if (!number) {
-        refuse(said(QT_TRANSLATE_NOOP("problem", "%1 is not a number."), {json::shown(fields.text[i])}));
+        refuse(said(TRANSLATE_NOOP("problem", "%1 is not a number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       if (!std::isfinite(*number)) {
-        refuse(said(QT_TRANSLATE_NOOP("problem", "%1 is no finite number."), {json::shown(fields.text[i])}));
+        refuse(said(TRANSLATE_NOOP("problem", "%1 is no finite number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       p[static_cast<Eigen::Index>(i)] = *number;
@@ -144,8 +144,8 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
   for (std::size_t at = 0; at < text.size();) {
     if (--until_look < 0) {
       if (watch.isCancelled())
-        return Problems{{said(QT_TRANSLATE_NOOP("problem", "Reading was cancelled.")), {file, 0, 0, ""}}};
-      watch.tell(QT_TRANSLATE_NOOP("step of work", "reading points"),
+        return Problems{{said(TRANSLATE_NOOP("problem", "Reading was cancelled.")), {file, 0, 0, ""}}};
+      watch.tell(TRANSLATE_NOOP("step of work", "reading points"),
                  static_cast<double>(at) / static_cast<double>(text.size()));
       until_look = kLinesBetweenLooks;
     }
@@ -158,7 +158,7 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
 
 Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch) {
   const Result<std::string> text =
-      json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a file of points")), kLargestFile);
+      json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a file of points")), kLargestFile);
   if (!text) return text.problems();
   return parsePoints(text.value(), path, watch);
 }

@@ -126,21 +126,21 @@ std::string secondsText(double s) {
 }
 
 Sentence whyWaited(double most_time_s) {
-  return said(QT_TRANSLATE_NOOP("problem",
-                                "The file could not be read within %1, though its reader had little to do: its disk or "
-                                "the network may be slow. Copy it to this computer, and open the copy."),
+  return said(TRANSLATE_NOOP("problem",
+                             "The file could not be read within %1, though its reader had little to do: its disk or "
+                             "the network may be slow. Copy it to this computer, and open the copy."),
               {secondsText(most_time_s)});
 }
 
 Sentence whyNoHelper(Ending ending, const std::string& program, int error) {
   if (ending == Ending::NotStarted)
-    return said(QT_TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
+    return said(TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
                 {program, std::generic_category().message(error)});
   if (ending == Ending::NotSealed)
-    return said(QT_TRANSLATE_NOOP("problem",
-                                  "The file was not opened: %1 could not be shut off from the rest of this computer, "
-                                  "which protects you from what a damaged or malicious file may do. Run the program "
-                                  "where system calls may be filtered (seccomp)."),
+    return said(TRANSLATE_NOOP("problem",
+                               "The file was not opened: %1 could not be shut off from the rest of this computer, "
+                               "which protects you from what a damaged or malicious file may do. Run the program "
+                               "where system calls may be filtered (seccomp)."),
                 {program});
   return {};
 }

@@ -221,21 +221,21 @@ Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<boo
   const std::optional<Body> guess = firstGuess(blocks);
   if (!guess)
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem",
-                                "The tip hardly moved, so that nothing can be told of it. Look that the hand has let "
-                                "go, that nothing stands in the way, and that the arm has mass."))}};
+        {said(TRANSLATE_NOOP("problem",
+                             "The tip hardly moved, so that nothing can be told of it. Look that the hand has let "
+                             "go, that nothing stands in the way, and that the arm has mass."))}};
   std::optional<Fit> best;
   for (const double share : kStarts) {
     Body start = *guess;
     start.friction_N *= share;
     Fit fit(windows, start, stop);
     fit.run();
-    if (fit.wasStopped()) return Problems{{said(QT_TRANSLATE_NOOP("problem", "The fit was ended."))}};
+    if (fit.wasStopped()) return Problems{{said(TRANSLATE_NOOP("problem", "The fit was ended."))}};
     if (!best || fit.squares() < best->squares()) best = std::move(fit);
   }
   BodyFit fit = best->result();
   if (!(fit.residual_m < kWorst * movedOf(windows)))
-    return Problems{{said(QT_TRANSLATE_NOOP(
+    return Problems{{said(TRANSLATE_NOOP(
         "problem",
         "No mass with friction and damping moves as the tip did. Look that the hand has let go, and measure again."))}};
   return fit;

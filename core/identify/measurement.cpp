@@ -69,34 +69,34 @@ Problems Measurement::repeat() {
 Sentence promptOf(HandDoes hand) {
   switch (hand) {
     case HandDoes::Presses:
-      return said(QT_TRANSLATE_NOOP(
+      return said(TRANSLATE_NOOP(
           "problem",
           "Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each."));
     case HandDoes::Turns:
-      return said(QT_TRANSLATE_NOOP(
-          "problem", "Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways."));
+      return said(TRANSLATE_NOOP("problem",
+                                 "Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways."));
     case HandDoes::LetsGo:
       break;
   }
-  return said(QT_TRANSLATE_NOOP(
+  return said(TRANSLATE_NOOP(
       "problem", "Let go of the stylus and keep your hand away. The arm moves by itself, 20 mm to each side."));
 }
 
 Sentence titleOf(const Stage& stage) {
   switch (stage.kind) {
     case StageKind::Settle:
-      return said(stage.hand == HandDoes::LetsGo ? QT_TRANSLATE_NOOP("problem", "The tip goes to its place")
-                                                 : QT_TRANSLATE_NOOP("problem", "The hand takes hold"));
+      return said(stage.hand == HandDoes::LetsGo ? TRANSLATE_NOOP("problem", "The tip goes to its place")
+                                                 : TRANSLATE_NOOP("problem", "The hand takes hold"));
     case StageKind::Swing:
-      return said(QT_TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});
+      return said(TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});
     case StageKind::Rest:
-      return said(QT_TRANSLATE_NOOP("problem", "At rest"));
+      return said(TRANSLATE_NOOP("problem", "At rest"));
     case StageKind::Press:
-      return said(QT_TRANSLATE_NOOP("problem", "Slow press"));
+      return said(TRANSLATE_NOOP("problem", "Slow press"));
     case StageKind::Turn:
       break;
   }
-  return said(QT_TRANSLATE_NOOP("problem", "Turns of the stylus"));
+  return said(TRANSLATE_NOOP("problem", "Turns of the stylus"));
 }
 
 }  // namespace underact::identify

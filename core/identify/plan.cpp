@@ -87,9 +87,9 @@ double Plan::seconds() const {
 Result<Plan> makePlan(const Wanted& wanted) {
   const arm::Preset* const arm = arm::findPreset(wanted.arm);
   if (arm == nullptr)
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm)})}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm)})}};
   if (wanted.places_W.empty() || wanted.places_W.size() > 3)
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Say one to three places."))}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "Say one to three places."))}};
   Problems problems;
   for (const Vec3& p_W : wanted.places_W) {
     bool reached = p_W.allFinite() && isReached(*arm, p_W);
@@ -98,9 +98,9 @@ Result<Plan> makePlan(const Wanted& wanted) {
           isReached(*arm, p_W + kReach_m * Vec3::Unit(axis)) && isReached(*arm, p_W - kReach_m * Vec3::Unit(axis));
     if (reached) continue;
     const Vec3 p_mm = kMillimetrePerMetre * p_W;
-    problems.push_back({said(QT_TRANSLATE_NOOP("problem",
-                                               "About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. "
-                                               "Choose a place nearer to the middle."),
+    problems.push_back({said(TRANSLATE_NOOP("problem",
+                                            "About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. "
+                                            "Choose a place nearer to the middle."),
                              {json::numberText(p_mm.x()), json::numberText(p_mm.y()), json::numberText(p_mm.z())})});
   }
   if (!problems.empty()) return problems;

@@ -51,9 +51,9 @@ Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double per
     if (std::abs(moved_m) > kMoved_m) (moved_m > 0.0 ? down : up).add(x_m, f_N);
   }
   if (down.count() < kLeastRowsEachWay || up.count() < kLeastRowsEachWay)
-    return Problems{{said(QT_TRANSLATE_NOOP("problem",
-                                            "The stylus was not pressed down and let back slowly. Press some 3 mm in "
-                                            "about two seconds, and come back as slowly."))}};
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "The stylus was not pressed down and let back slowly. Press some 3 mm in "
+                                         "about two seconds, and come back as slowly."))}};
   press.down_N_per_m = down.slope();
   press.up_N_per_m = up.slope();
   const double middle_m = 0.5 * (down.middle_m() + up.middle_m());

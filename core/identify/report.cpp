@@ -11,9 +11,9 @@ namespace underact::identify {
 namespace {
 
 constexpr double kGrammePerKilogramme = 1e3, kMicrometrePerMetre = 1e6;
-const char* const kJoints[] = {QT_TRANSLATE_NOOP("problem", "turret"),   QT_TRANSLATE_NOOP("problem", "thigh"),
-                               QT_TRANSLATE_NOOP("problem", "shin"),     QT_TRANSLATE_NOOP("problem", "gimbal 1"),
-                               QT_TRANSLATE_NOOP("problem", "gimbal 2"), QT_TRANSLATE_NOOP("problem", "gimbal 3")};
+const char* const kJoints[] = {TRANSLATE_NOOP("problem", "turret"),   TRANSLATE_NOOP("problem", "thigh"),
+                               TRANSLATE_NOOP("problem", "shin"),     TRANSLATE_NOOP("problem", "gimbal 1"),
+                               TRANSLATE_NOOP("problem", "gimbal 2"), TRANSLATE_NOOP("problem", "gimbal 3")};
 
 Estimate times(const Estimate& estimate, double factor) {
   return {factor * estimate.value, factor * estimate.uncertainty};
@@ -38,7 +38,7 @@ void addAxes(std::vector<ReportRow>& rows, const char* name, const char* unit, d
   if (given) *given *= factor;
   rows.push_back({said(name), unit, times(mean, factor), given});
   for (std::size_t axis = 0; axis < 3; ++axis)
-    rows.push_back({said(QT_TRANSLATE_NOOP("problem", "%1 along %2"), {said(name), std::string(1, "xyz"[axis])}), unit,
+    rows.push_back({said(TRANSLATE_NOOP("problem", "%1 along %2"), {said(name), std::string(1, "xyz"[axis])}), unit,
                     times(axes[axis], factor), given});
 }
 
@@ -46,20 +46,20 @@ void addStiffness(std::vector<ReportRow>& rows, const Identified& found) {
   if (found.press) {
     const Press& press = *found.press;
     const double spread = press.stiffness_N_per_m.uncertainty / kNewtonPerMetre;
-    rows.push_back({said(QT_TRANSLATE_NOOP("problem", "Stiffness in a slow press")), "N/mm",
+    rows.push_back({said(TRANSLATE_NOOP("problem", "Stiffness in a slow press")), "N/mm",
                     times(press.stiffness_N_per_m, 1.0 / kNewtonPerMetre), kPress_N_per_mm});
-    rows.push_back({said(QT_TRANSLATE_NOOP("problem", "Hysteresis of the press")),
+    rows.push_back({said(TRANSLATE_NOOP("problem", "Hysteresis of the press")),
                     "N",
                     {std::abs(press.hysteresis_N), std::max(press.residual_N, spread)}});
-    rows.push_back({said(press.clamped_at_m ? QT_TRANSLATE_NOOP("problem", "Linear until the clamp, at")
-                                            : QT_TRANSLATE_NOOP("problem", "Linear at least to")),
+    rows.push_back({said(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear until the clamp, at")
+                                            : TRANSLATE_NOOP("problem", "Linear at least to")),
                     "mm",
                     {kMillimetrePerMetre * press.clamped_at_m.value_or(press.linear_m), 0.0}});
   }
   for (const AxisSwings& one : found.swings) {
     if (!one.stiffness || one.place > 0) continue;
     rows.push_back(
-        {said(QT_TRANSLATE_NOOP("problem", "Stiffness of a free swing along %1"), {std::string(1, "xyz"[one.axis])}),
+        {said(TRANSLATE_NOOP("problem", "Stiffness of a free swing along %1"), {std::string(1, "xyz"[one.axis])}),
          "N/mm", times({one.stiffness->value_N_per_m, one.stiffness->uncertainty_N_per_m}, 1.0 / kNewtonPerMetre),
          kSwing_N_per_mm});
   }
@@ -77,22 +77,22 @@ std::string line(const ReportRow& row, bool compares) {
 std::vector<ReportRow> rowsOf(const Identified& found, const Given* given) {
   std::vector<ReportRow> rows;
   const auto of = [&](double sim::ArmModel::*what) { return given ? std::optional(given->model.*what) : std::nullopt; };
-  addAxes(rows, QT_TRANSLATE_NOOP("problem", "Mass"), "g", kGrammePerKilogramme, found.mean_mass_kg, found.mass_kg,
+  addAxes(rows, TRANSLATE_NOOP("problem", "Mass"), "g", kGrammePerKilogramme, found.mean_mass_kg, found.mass_kg,
           of(&sim::ArmModel::mass_kg));
-  addAxes(rows, QT_TRANSLATE_NOOP("problem", "Friction"), "N", 1.0, found.mean_friction_N, found.friction_N,
+  addAxes(rows, TRANSLATE_NOOP("problem", "Friction"), "N", 1.0, found.mean_friction_N, found.friction_N,
           of(&sim::ArmModel::friction_N));
-  addAxes(rows, QT_TRANSLATE_NOOP("problem", "Damping"), "N s/m", 1.0, found.mean_damping_N_s_per_m,
+  addAxes(rows, TRANSLATE_NOOP("problem", "Damping"), "N s/m", 1.0, found.mean_damping_N_s_per_m,
           found.damping_N_s_per_m, of(&sim::ArmModel::damping_N_s_per_m));
   for (std::size_t joint = 0; joint < 6; ++joint) {
     if (!found.counts_per_turn[joint]) continue;
-    rows.push_back({said(QT_TRANSLATE_NOOP("problem", "Counts a turn, %1"), {said(kJoints[joint])}), "",
+    rows.push_back({said(TRANSLATE_NOOP("problem", "Counts a turn, %1"), {said(kJoints[joint])}), "",
                     *found.counts_per_turn[joint], given ? std::optional(given->counts_per_turn[joint]) : std::nullopt,
                     1});
   }
-  rows.push_back({said(QT_TRANSLATE_NOOP("problem", "Noise of the tip at rest")),
+  rows.push_back({said(TRANSLATE_NOOP("problem", "Noise of the tip at rest")),
                   "µm",
                   {kMicrometrePerMetre * found.rest_noise_m.norm(), 0.0}});
-  rows.push_back({said(QT_TRANSLATE_NOOP("problem", "Noise of the tip in slow motion")),
+  rows.push_back({said(TRANSLATE_NOOP("problem", "Noise of the tip in slow motion")),
                   "µm",
                   {kMicrometrePerMetre * found.slow_noise_m.norm(), 0.0}});
   addStiffness(rows, found);
@@ -101,12 +101,12 @@ std::vector<ReportRow> rowsOf(const Identified& found, const Given* given) {
 
 Sentence valueText(const ReportRow& row) {
   const Estimate& estimate = row.estimate;
-  if (!std::isfinite(estimate.value)) return said(QT_TRANSLATE_NOOP("problem", "none"));
+  if (!std::isfinite(estimate.value)) return said(TRANSLATE_NOOP("problem", "none"));
   if (estimate.uncertainty == 0.0) return shownNumber(fixed(estimate.value, std::min(row.most_digits, 2)));
   const int digits = std::min(digitsOf(estimate.uncertainty), row.most_digits);
   if (estimate.isTold()) return shownNumber(fixed(estimate.value, digits));
   const double unit = std::pow(10.0, -digits);
-  return said(QT_TRANSLATE_NOOP("problem", "below %1"),
+  return said(TRANSLATE_NOOP("problem", "below %1"),
               {shownNumber(fixed(std::ceil(estimate.limit() / unit) * unit, digits))});
 }
 

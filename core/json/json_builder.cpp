@@ -50,7 +50,7 @@ bool Builder::add(Value value) {
   if (++count_ > kMostValues) {
     return refuse(
         source_.Tell(),
-        said(QT_TRANSLATE_NOOP("problem", "The file holds more than a million values; a scene is far smaller.")));
+        said(TRANSLATE_NOOP("problem", "The file holds more than a million values; a scene is far smaller.")));
   }
   (open_.empty() ? root_ : open_.back().items.emplace_back()) = std::move(value);
   return true;
@@ -59,7 +59,7 @@ bool Builder::add(Value value) {
 bool Builder::open(Kind kind) {
   if (open_.size() >= kDeepest)
     return refuse(source_.Tell(),
-                  said(QT_TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 deep here.")));
+                  said(TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 deep here.")));
   open_.push_back(start(kind, source_.Tell()));
   return true;
 }
@@ -75,9 +75,9 @@ bool Builder::isWhole(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
     length = codePointLength(text, at);
     if (length == 0) {
-      return refuse(source_.stringStart(),
-                    said(QT_TRANSLATE_NOOP("problem",
-                                           "A \\u escape in this text is half of a pair; its other half is missing.")));
+      return refuse(
+          source_.stringStart(),
+          said(TRANSLATE_NOOP("problem", "A \\u escape in this text is half of a pair; its other half is missing.")));
     }
   }
   return true;

@@ -11,7 +11,7 @@ namespace underact::json {
 namespace {
 
 constexpr std::size_t kMostProblems = 1000;
-constexpr const char* kMustBe = QT_TRANSLATE_NOOP("problem", "This must be %1; here it is %2.");
+constexpr const char* kMustBe = TRANSLATE_NOOP("problem", "This must be %1; here it is %2.");
 
 }  // namespace
 
@@ -44,9 +44,8 @@ Problems Findings::take() {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   if (more_ > 0) {
-    problems_.push_back(
-        {said(QT_TRANSLATE_NOOP("problem", "The file holds %1 more problems."), {std::to_string(more_)}),
-         problems_.back().place});
+    problems_.push_back({said(TRANSLATE_NOOP("problem", "The file holds %1 more problems."), {std::to_string(more_)}),
+                         problems_.back().place});
   }
   return std::move(problems_);
 }
@@ -57,7 +56,7 @@ const Value* ObjectReader::find(const char* key, bool required) {
   if (value != nullptr) findings_.remember(pathOf(key), *value);
   if (value == nullptr && required) {
     findings_.add(object_, pathOf(key),
-                  said(QT_TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
+                  said(TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
   }
   return value;
 }
@@ -70,8 +69,8 @@ void ObjectReader::finish(bool all_known) {
     if (!is_new) {
       findings_.add(
           object_.key_places[index], pathOf(plainKey(key)),
-          said(QT_TRANSLATE_NOOP("problem",
-                                 "The key %1 stands here a second time; the first is on line %2. Take one away."),
+          said(TRANSLATE_NOOP("problem",
+                              "The key %1 stands here a second time; the first is on line %2. Take one away."),
                {shown(key), std::to_string(object_.key_places[first->second].first)}));
     } else {
       judge(index, all_known);
@@ -89,11 +88,10 @@ void ObjectReader::judge(std::size_t index, bool all_known) {
   if (!all_known || refused_.count(key) > 0) return;
   const std::string nearest = findings_.full() ? "" : nearestWord(key, known_);
   findings_.add(place, pathOf(plainKey(key)),
-                nearest.empty()
-                    ? said(QT_TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known are %3."),
-                           {shown(key), what_, listed(known_, "and")})
-                    : said(QT_TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),
-                           {shown(key), what_, nearest}));
+                nearest.empty() ? said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known are %3."),
+                                       {shown(key), what_, listed(known_, "and")})
+                                : said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),
+                                       {shown(key), what_, nearest}));
 }
 
 void ObjectReader::refuseLater(const std::vector<std::string>& keys) {
@@ -105,21 +103,21 @@ Sentence kindName(Kind kind) {
     case Kind::Null:
       return "null";
     case Kind::Bool:
-      return said(QT_TRANSLATE_NOOP("problem", "true or false"));
+      return said(TRANSLATE_NOOP("problem", "true or false"));
     case Kind::Number:
-      return said(QT_TRANSLATE_NOOP("problem", "a number"));
+      return said(TRANSLATE_NOOP("problem", "a number"));
     case Kind::String:
-      return said(QT_TRANSLATE_NOOP("problem", "text"));
+      return said(TRANSLATE_NOOP("problem", "text"));
     case Kind::Array:
-      return said(QT_TRANSLATE_NOOP("problem", "a list"));
+      return said(TRANSLATE_NOOP("problem", "a list"));
     case Kind::Object:
-      return said(QT_TRANSLATE_NOOP("problem", "an object in { }"));
+      return said(TRANSLATE_NOOP("problem", "an object in { }"));
   }
   return "null";
 }
 
 Sentence notYet(const std::string& what) {
-  return said(QT_TRANSLATE_NOOP("problem", "%1 is not in this version of Underact."), {what});
+  return said(TRANSLATE_NOOP("problem", "%1 is not in this version of Underact."), {what});
 }
 
 bool isKind(const Value& value, Kind kind, const std::string& path, const Sentence& expected, Findings& findings) {
@@ -142,7 +140,7 @@ bool isTriple(const Value& value, const std::string& path, const Sentence& expec
   if (!isKind(value, Kind::Array, path, expected, findings)) return false;
   if (value.items.size() == 3) return true;
   findings.add(value, path,
-               said(QT_TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
+               said(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
                     {expected, std::to_string(value.items.size())}));
   return false;
 }
@@ -174,14 +172,14 @@ void readNumber(const Value& value, const std::string& path, double& into, Findi
 }
 
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings) {
-  if (isTriple(value, path, said(QT_TRANSLATE_NOOP("problem", "a list of 3 numbers, as in [0, 30, 0]")), findings)) {
+  if (isTriple(value, path, said(TRANSLATE_NOOP("problem", "a list of 3 numbers, as in [0, 30, 0]")), findings)) {
     readThree(value, path, into, findings);
   }
 }
 
 void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings) {
   const Sentence expected =
-      said(QT_TRANSLATE_NOOP("problem", "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"));
+      said(TRANSLATE_NOOP("problem", "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"));
   if (!isTriple(value, path, expected, findings)) return;
   Mat3 read = Mat3::Identity();
   bool all = true;
@@ -190,7 +188,7 @@ void readNumber(const Value& value, const std::string& path, Mat3& into, Finding
     const std::string row_path = elementOf(path, row);
     Vec3 numbers = Vec3::Zero();
     findings.remember(row_path, item);
-    all &= isTriple(item, row_path, said(QT_TRANSLATE_NOOP("problem", "a row of 3 numbers")), findings) &&
+    all &= isTriple(item, row_path, said(TRANSLATE_NOOP("problem", "a row of 3 numbers")), findings) &&
            readThree(item, row_path, numbers, findings);
     read.row(row) = numbers.transpose();
   }
@@ -198,7 +196,7 @@ void readNumber(const Value& value, const std::string& path, Mat3& into, Finding
 }
 
 void readText(const Value& value, const std::string& path, std::string& into, Findings& findings) {
-  if (isKind(value, Kind::String, path, said(QT_TRANSLATE_NOOP("problem", "text in double quotes")), findings))
+  if (isKind(value, Kind::String, path, said(TRANSLATE_NOOP("problem", "text in double quotes")), findings))
     into = value.text;
 }
 

@@ -131,9 +131,9 @@ Sentence listed(const std::vector<std::string>& words, const char* last) {
   for (std::size_t index = 0; index + 1 < words.size(); ++index)
     before += (index == 0 ? "" : ", ") + quotedText(words[index]);
   if (before.empty()) return quotedText(words.back());
-  return said(last == std::string_view("or") ? QT_TRANSLATE_NOOP("problem", "%1 or %2")
-                                             : QT_TRANSLATE_NOOP("problem", "%1 and %2"),
-              {before, quotedText(words.back())});
+  return said(
+      last == std::string_view("or") ? TRANSLATE_NOOP("problem", "%1 or %2") : TRANSLATE_NOOP("problem", "%1 and %2"),
+      {before, quotedText(words.back())});
 }
 
 }  // namespace underact::json

@@ -129,7 +129,7 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
   const Vec3 p_WAfter = step.p_WBefore + step_W;
   if (!isWithinReach(plant, p_WAfter))
     return Problems{
-        {said(QT_TRANSLATE_NOOP(
+        {said(TRANSLATE_NOOP(
                   "problem",
                   "The arm does not reach the target after this step (%1). Make the step smaller, or the other way."),
               {name(step.axis)})}};
@@ -148,9 +148,9 @@ Result<Programs> stepped(const scene::Description& held, const tick::TickProgram
   }
   const std::string where = setup.axis ? std::string(" (") + name(*setup.axis) + ")" : "";
   return Problems{
-      {said(QT_TRANSLATE_NOOP("problem",
-                              "The constraint does not hold the tip along a straight step there%1: its target does not "
-                              "go along as a whole. Choose another axis, or begin elsewhere."),
+      {said(TRANSLATE_NOOP("problem",
+                           "The constraint does not hold the tip along a straight step there%1: its target does not "
+                           "go along as a whole. Choose another axis, or begin elsewhere."),
             {where})}};
 }
 

@@ -9,13 +9,13 @@ std::span<const ThesisStep> thesisSteps() {
   // (s + 2)), of a gain a little too small; and a second order of the right gain, 1/12.
   static const std::vector<ThesisStep> kSteps{
       {"B.1",
-       QT_TRANSLATE_NOOP("step", "First order system response"),
-       QT_TRANSLATE_NOOP("step", "a/(s + a) ends at 1, 1/(s + a) at 1/a, 3a/(s + a) at 3; here a = 2."),
+       TRANSLATE_NOOP("step", "First order system response"),
+       TRANSLATE_NOOP("step", "a/(s + a) ends at 1, 1/(s + a) at 1/a, 3a/(s + a) at 3; here a = 2."),
        4.0,
        {{"a/(s+a)", {{2.0}, {1.0, 2.0}}}, {"1/(s+a)", {{1.0}, {1.0, 2.0}}}, {"3a/(s+a)", {{6.0}, {1.0, 2.0}}}}},
       {"B.2",
-       QT_TRANSLATE_NOOP("step", "Generic second order responses"),
-       QT_TRANSLATE_NOOP("step", "The damping ratio from none to twice critical, with a natural frequency of 1 rad/s."),
+       TRANSLATE_NOOP("step", "Generic second order responses"),
+       TRANSLATE_NOOP("step", "The damping ratio from none to twice critical, with a natural frequency of 1 rad/s."),
        15.0,
        {{"ζ 0.4", secondOrder(1.0, 0.4)},
         {"ζ 0", secondOrder(1.0, 0.0)},
@@ -24,24 +24,24 @@ std::span<const ThesisStep> thesisSteps() {
         {"ζ 1", secondOrder(1.0, 1.0)},
         {"ζ 2", secondOrder(1.0, 2.0)}}},
       {"B.3",
-       QT_TRANSLATE_NOOP("step", "Comparing third and second order responses"),
-       QT_TRANSLATE_NOOP(
+       TRANSLATE_NOOP("step", "Comparing third and second order responses"),
+       TRANSLATE_NOOP(
            "step",
            "5/((s + 1)(s + 2)(s + 30)), the same without the fast pole's part, and a second order of its gain: at most "
            "0.0014 apart."),
        6.0,
-       {{QT_TRANSLATE_NOOP("step", "third order"), {{5.0}, {1.0, 33.0, 92.0, 60.0}}},
-        {QT_TRANSLATE_NOOP("step", "fast part left out"), {{-5.0 / 812.0, 135.0 / 812.0}, {1.0, 3.0, 2.0}}},
-        {QT_TRANSLATE_NOOP("step", "second order"), {{1.0 / 6.0}, {1.0, 3.0, 2.0}}}}},
+       {{TRANSLATE_NOOP("step", "third order"), {{5.0}, {1.0, 33.0, 92.0, 60.0}}},
+        {TRANSLATE_NOOP("step", "fast part left out"), {{-5.0 / 812.0, 135.0 / 812.0}, {1.0, 3.0, 2.0}}},
+        {TRANSLATE_NOOP("step", "second order"), {{1.0 / 6.0}, {1.0, 3.0, 2.0}}}}},
       {"B.4",
-       QT_TRANSLATE_NOOP("step", "First order system step response"),
-       QT_TRANSLATE_NOOP("step", "a/(s + a): rise ln 9 / a, settling ln 50 / a; here a = 1."),
+       TRANSLATE_NOOP("step", "First order system step response"),
+       TRANSLATE_NOOP("step", "a/(s + a): rise ln 9 / a, settling ln 50 / a; here a = 1."),
        6.0,
        {{"1/(s+1)", {{1.0}, {1.0, 1.0}}}}},
       {"B.5",
-       QT_TRANSLATE_NOOP("step", "Second order system step response"),
-       QT_TRANSLATE_NOOP(
-           "step", "Rise, peak, overshoot of 38 % and settling; damping ratio 0.2943, natural frequency 1 rad/s."),
+       TRANSLATE_NOOP("step", "Second order system step response"),
+       TRANSLATE_NOOP("step",
+                      "Rise, peak, overshoot of 38 % and settling; damping ratio 0.2943, natural frequency 1 rad/s."),
        18.0,
        {{"ζ 0.2943", secondOrder(1.0, 0.2943)}}}};
   return kSteps;

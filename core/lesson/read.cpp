@@ -18,9 +18,8 @@ void readVersion(ObjectReader& object) {
   double number = 1.0;
   readNumber(*value, "underact_lesson", number, object.findings());
   if (number != 1.0)
-    object.findings().add(
-        *value, "underact_lesson",
-        said(QT_TRANSLATE_NOOP("problem", "This must be the number 1, the version of lesson files.")));
+    object.findings().add(*value, "underact_lesson",
+                          said(TRANSLATE_NOOP("problem", "This must be the number 1, the version of lesson files.")));
 }
 
 /// Words that each have to be one of known; what: "layer".
@@ -30,7 +29,7 @@ std::vector<std::string> readNames(ObjectReader& object, const char* key, std::s
   const json::Value* const list = object.find(key);
   if (list == nullptr) return names;
   const std::string path = object.pathOf(key);
-  if (!isKind(*list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of names")), object.findings()))
+  if (!isKind(*list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of names")), object.findings()))
     return names;
   const std::vector<std::string> all(known.begin(), known.end());
   for (std::size_t index = 0; index < list->items.size(); ++index) {
@@ -45,20 +44,18 @@ std::string readCamera(ObjectReader& object) {
   if (value == nullptr) return {};
   const std::span<const char* const> known = cameraNames();
   return readName(*value, object.pathOf("camera"), {known.begin(), known.end()},
-                  said(QT_TRANSLATE_NOOP("problem", "camera")), object.findings());
+                  said(TRANSLATE_NOOP("problem", "camera")), object.findings());
 }
 
 void readChecks(ObjectReader& object, std::vector<Check>& into) {
   const json::Value* const list = object.find("checks");
   if (list == nullptr) return;
   const std::string path = object.pathOf("checks");
-  if (!isKind(*list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of checks")),
-              object.findings()))
+  if (!isKind(*list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of checks")), object.findings()))
     return;
   if (list->items.size() > kMostChecks)
     object.findings().add(
-        *list, path,
-        said(QT_TRANSLATE_NOOP("problem", "A step has at most %1 checks."), {std::to_string(kMostChecks)}));
+        *list, path, said(TRANSLATE_NOOP("problem", "A step has at most %1 checks."), {std::to_string(kMostChecks)}));
   for (std::size_t index = 0; index < list->items.size() && index < kMostChecks; ++index) {
     into.push_back(readCheck(list->items[index], path + "[" + std::to_string(index) + "]", object.findings()));
   }
@@ -67,9 +64,8 @@ void readChecks(ObjectReader& object, std::vector<Check>& into) {
 Step readStep(const json::Value& value, const std::string& path, bool is_first, Findings& findings) {
   Step step;
   step.place = {findings.file(), value.line, value.column, path};
-  if (!isKind(value, json::Kind::Object, path, said(QT_TRANSLATE_NOOP("problem", "a step in { }")), findings))
-    return step;
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a step")), findings);
+  if (!isKind(value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "a step in { }")), findings)) return step;
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a step")), findings);
   step.title = readLine(object, "title", true);
   step.text = readProse(object, "text", true);
   step.hint = readProse(object, "hint", false);
@@ -77,11 +73,11 @@ Step readStep(const json::Value& value, const std::string& path, bool is_first, 
     readText(*scene, object.pathOf("scene"), step.scene, findings);
     if (step.scene.empty())
       findings.add(*scene, object.pathOf("scene"),
-                   said(QT_TRANSLATE_NOOP("problem", "Name a scene, as in \"02_sphere\" or \"my_scene.json\".")));
+                   said(TRANSLATE_NOOP("problem", "Name a scene, as in \"02_sphere\" or \"my_scene.json\".")));
   }
   step.camera = readCamera(object);
-  step.layers = readNames(object, "layers", layerNames(), said(QT_TRANSLATE_NOOP("problem", "layer")));
-  step.panels = readNames(object, "panels", panelNames(), said(QT_TRANSLATE_NOOP("problem", "panel")));
+  step.layers = readNames(object, "layers", layerNames(), said(TRANSLATE_NOOP("problem", "layer")));
+  step.panels = readNames(object, "panels", panelNames(), said(TRANSLATE_NOOP("problem", "panel")));
   readChecks(object, step.checks);
   object.finish();
   return step;
@@ -91,11 +87,11 @@ void readSteps(ObjectReader& object, std::vector<Step>& into) {
   const json::Value* const list = object.find("steps", true);
   Findings& findings = object.findings();
   if (list == nullptr ||
-      !isKind(*list, json::Kind::Array, "steps", said(QT_TRANSLATE_NOOP("problem", "a list of steps")), findings))
+      !isKind(*list, json::Kind::Array, "steps", said(TRANSLATE_NOOP("problem", "a list of steps")), findings))
     return;
   if (list->items.empty() || list->items.size() > kMostSteps)
     findings.add(*list, "steps",
-                 said(QT_TRANSLATE_NOOP("problem", "A lesson has 1 to %1 steps."), {std::to_string(kMostSteps)}));
+                 said(TRANSLATE_NOOP("problem", "A lesson has 1 to %1 steps."), {std::to_string(kMostSteps)}));
   for (std::size_t index = 0; index < list->items.size() && index < kMostSteps; ++index) {
     into.push_back(readStep(list->items[index], "steps[" + std::to_string(index) + "]", index == 0, findings));
   }
@@ -104,7 +100,7 @@ void readSteps(ObjectReader& object, std::vector<Step>& into) {
 Lesson readWhole(const json::Value& root, Findings& findings) {
   Lesson lesson;
   lesson.file = findings.file();
-  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "a lesson")), findings);
+  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "a lesson")), findings);
   readVersion(object);
   lesson.title = readLine(object, "title", true);
   lesson.group = readLine(object, "group", false);
@@ -112,8 +108,7 @@ Lesson readWhole(const json::Value& root, Findings& findings) {
   if (const json::Value* const order = object.find("order")) readNumber(*order, "order", lesson.order, findings);
   readSteps(object, lesson.steps);
   if (const json::Value* const schema = object.find("$schema")) {  // for editors; says nothing about the lesson
-    isKind(*schema, json::Kind::String, "$schema", said(QT_TRANSLATE_NOOP("problem", "text in double quotes")),
-           findings);
+    isKind(*schema, json::Kind::String, "$schema", said(TRANSLATE_NOOP("problem", "text in double quotes")), findings);
   }
   object.finish();
   return lesson;
@@ -125,7 +120,7 @@ Result<Lesson> readLesson(std::string_view text, const std::string& file_name) {
   const Result<json::Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "", said(QT_TRANSLATE_NOOP("problem", "an object in { }")), findings))
+  if (!isKind(root.value(), json::Kind::Object, "", said(TRANSLATE_NOOP("problem", "an object in { }")), findings))
     return findings.take();
   Lesson lesson = readWhole(root.value(), findings);
   Problems problems = findings.take();
@@ -134,8 +129,7 @@ Result<Lesson> readLesson(std::string_view text, const std::string& file_name) {
 }
 
 Result<Lesson> readLessonFile(const std::string& path) {
-  const Result<std::string> text =
-      json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a lesson")), kLargestFile);
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a lesson")), kLargestFile);
   if (!text) return text.problems();
   return readLesson(text.value(), path);
 }

@@ -20,10 +20,10 @@ std::optional<double> readAmount(ObjectReader& object, const char* key, bool req
   readNumber(*value, path, number, object.findings());
   if (value->kind != json::Kind::Number) return {};
   if (!std::isfinite(number)) {
-    object.findings().add(*value, path, said(QT_TRANSLATE_NOOP("problem", "This is no finite number.")));
+    object.findings().add(*value, path, said(TRANSLATE_NOOP("problem", "This is no finite number.")));
   } else if (number < least) {
     object.findings().add(*value, path,
-                          said(QT_TRANSLATE_NOOP("problem", "This must be at least %1."), {json::numberText(least)}));
+                          said(TRANSLATE_NOOP("problem", "This must be at least %1."), {json::numberText(least)}));
   } else {
     return number;
   }
@@ -40,14 +40,14 @@ Measure readMeasure(ObjectReader& object, bool required) {
   Measure measure;
   if (const Value* const value = object.find("measure", required)) {
     measure.quantity = findQuantity(readName(*value, object.pathOf("measure"), quantityKeys(),
-                                             said(QT_TRANSLATE_NOOP("problem", "quantity")), object.findings()));
+                                             said(TRANSLATE_NOOP("problem", "quantity")), object.findings()));
   }
   const std::optional<double> part = readAmount(object, "part", false, 1.0);
   if (!part || measure.quantity == nullptr) return measure;
   const auto parts = static_cast<double>(measure.quantity->parts);
   if (*part > parts || *part != std::floor(*part)) {
     object.findings().add(*object.find("part"), object.pathOf("part"),
-                          said(QT_TRANSLATE_NOOP("problem", "The quantity %1 has the parts 1 to %2."),
+                          said(TRANSLATE_NOOP("problem", "The quantity %1 has the parts 1 to %2."),
                                {std::string(measure.quantity->key), json::numberText(parts)}));
     return measure;
   }
@@ -65,25 +65,25 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
   if (isOneNumber(measure)) {
     if (!isKind(value, json::Kind::Number, path, "a number", findings)) return {0.0};
     if (!std::isfinite(value.number))
-      findings.add(value, path, said(QT_TRANSLATE_NOOP("problem", "This is no finite number.")));
+      findings.add(value, path, said(TRANSLATE_NOOP("problem", "This is no finite number.")));
     return {value.number};
   }
   const std::size_t parts = measure.quantity->parts;
   const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // as many as the robot has joints
-  const Sentence expected = said(QT_TRANSLATE_NOOP("problem", "a list of %1 numbers"), {std::to_string(parts)});
+  const Sentence expected = said(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {std::to_string(parts)});
   if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
   if (value.items.empty() || value.items.size() > parts || (value.items.size() < parts && !may_be_fewer))
     findings.add(value, path,
-                 said(QT_TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
+                 said(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
                       {expected, std::to_string(value.items.size())}));
   std::vector<double> place;
   for (const Value& item : value.items) {
     const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != Apart::Turn;
     if (!is_whichever)
-      isKind(item, json::Kind::Number, path, said(QT_TRANSLATE_NOOP("problem", "a number, or null for whichever")),
+      isKind(item, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, or null for whichever")),
              findings);
     if (item.kind == json::Kind::Number && !std::isfinite(item.number))
-      findings.add(item, path, said(QT_TRANSLATE_NOOP("problem", "This is no finite number.")));
+      findings.add(item, path, said(TRANSLATE_NOOP("problem", "This is no finite number.")));
     place.push_back(item.kind == json::Kind::Number ? item.number : kNotANumber);
   }
   place.resize(parts, kNotANumber);
@@ -104,12 +104,12 @@ Wanted readWanted(ObjectReader& object, const Value& whole) {
   if (is_band == (near != nullptr)) {
     object.findings().add(
         whole, object.pathOf("measure"),
-        said(QT_TRANSLATE_NOOP(
+        said(TRANSLATE_NOOP(
             "problem",
             "Say where it should be: either \"above\" and \"below\", or one of them, or \"near\" and \"within\".")));
   } else if (wanted.above >= wanted.below) {
     object.findings().add(whole, object.pathOf("above"),
-                          said(QT_TRANSLATE_NOOP("problem", "\"above\" must be less than \"below\".")));
+                          said(TRANSLATE_NOOP("problem", "\"above\" must be less than \"below\".")));
   }
   return wanted;
 }
@@ -119,15 +119,14 @@ std::vector<Wanted> readMeanwhile(ObjectReader& object) {
   const Value* const list = object.find("while");
   const std::string path = object.pathOf("while");
   if (list == nullptr || !isKind(*list, json::Kind::Array, path,
-                                 said(QT_TRANSLATE_NOOP("problem", "a list of conditions")), object.findings()))
+                                 said(TRANSLATE_NOOP("problem", "a list of conditions")), object.findings()))
     return all;
   for (std::size_t index = 0; index < std::min(list->items.size(), kMostChecks); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
-    if (!isKind(list->items[index], json::Kind::Object, at, said(QT_TRANSLATE_NOOP("problem", "a condition in { }")),
+    if (!isKind(list->items[index], json::Kind::Object, at, said(TRANSLATE_NOOP("problem", "a condition in { }")),
                 object.findings()))
       continue;
-    ObjectReader condition(list->items[index], at, said(QT_TRANSLATE_NOOP("problem", "a condition")),
-                           object.findings());
+    ObjectReader condition(list->items[index], at, said(TRANSLATE_NOOP("problem", "a condition")), object.findings());
     all.push_back(readWanted(condition, list->items[index]));
     condition.finish();
   }
@@ -138,11 +137,11 @@ Visit readVisit(ObjectReader& object) {
   Visit visit{readMeasure(object, true), {}, readAmount(object, "within", true, 0.0).value_or(0.0)};
   const Value& list = *object.find("visit");
   const std::string path = object.pathOf("visit");
-  if (!isKind(list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of places")), object.findings()))
+  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of places")), object.findings()))
     return visit;
   if (list.items.empty() || list.items.size() > kMostPlaces)
     object.findings().add(list, path,
-                          said(QT_TRANSLATE_NOOP("problem", "Name 1 to %1 places."), {std::to_string(kMostPlaces)}));
+                          said(TRANSLATE_NOOP("problem", "Name 1 to %1 places."), {std::to_string(kMostPlaces)}));
   for (std::size_t index = 0; index < std::min(list.items.size(), kMostPlaces); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
     visit.places.push_back(readPlace(list.items[index], at, visit.measure, object.findings()));
@@ -154,10 +153,9 @@ Visit readVisit(ObjectReader& object) {
 Measure readOneNumber(ObjectReader& object, const Value& whole) {
   Measure measure = readMeasure(object, true);
   if (!isOneNumber(measure)) {
-    object.findings().add(
-        whole, object.pathOf("part"),
-        said(QT_TRANSLATE_NOOP("problem", "The quantity %1 has %2 values here; choose one by \"part\"."),
-             {std::string(measure.quantity->key), std::to_string(measure.quantity->parts)}));
+    object.findings().add(whole, object.pathOf("part"),
+                          said(TRANSLATE_NOOP("problem", "The quantity %1 has %2 values here; choose one by \"part\"."),
+                               {std::string(measure.quantity->key), std::to_string(measure.quantity->parts)}));
     measure.part = 1;
   }
   return measure;
@@ -183,8 +181,8 @@ AskNumber readNumberQuestion(ObjectReader& object, const Value& whole) {
   if (is_measured && object.find("answer") != nullptr)
     object.findings().add(
         whole, object.pathOf("answer"),
-        said(QT_TRANSLATE_NOOP("problem",
-                               "The answer is either measured or given: take \"measure\" or \"answer\" away.")));
+        said(
+            TRANSLATE_NOOP("problem", "The answer is either measured or given: take \"measure\" or \"answer\" away.")));
   if (const Value* const unit = object.find("unit"))
     readText(*unit, object.pathOf("unit"), ask.unit, object.findings());
   if (ask.unit.empty() && ask.measure.quantity != nullptr) ask.unit = ask.measure.quantity->unit;
@@ -196,10 +194,9 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   ask.question = readLine(object, "question", true);
   const Value& list = *object.find("choices");
   const std::string path = object.pathOf("choices");
-  if (isKind(list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of answers")),
-             object.findings())) {
+  if (isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of answers")), object.findings())) {
     if (list.items.size() < 2 || list.items.size() > 9)
-      object.findings().add(list, path, said(QT_TRANSLATE_NOOP("problem", "Give 2 to 9 answers to choose from.")));
+      object.findings().add(list, path, said(TRANSLATE_NOOP("problem", "Give 2 to 9 answers to choose from.")));
     for (std::size_t index = 0; index < list.items.size(); ++index) {
       ask.choices.emplace_back();
       readText(list.items[index], path + "[" + std::to_string(index) + "]", ask.choices.back(), object.findings());
@@ -210,7 +207,7 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   if (!read) return ask;  // said already
   if (right > static_cast<double>(ask.choices.size()) || right != std::floor(right)) {
     object.findings().add(*object.find("right"), object.pathOf("right"),
-                          said(QT_TRANSLATE_NOOP("problem", "This is the number of the right answer, 1 to %1."),
+                          said(TRANSLATE_NOOP("problem", "This is the number of the right answer, 1 to %1."),
                                {std::to_string(ask.choices.size())}));
   } else {
     ask.right = static_cast<std::size_t>(right);
@@ -234,9 +231,9 @@ Task readTask(ObjectReader& object, const Value& value) {
 
 Check readCheck(const Value& value, const std::string& path, Findings& findings) {
   Check check{Hold{}, {}, {}, {findings.file(), value.line, value.column, path}};
-  if (!isKind(value, json::Kind::Object, path, said(QT_TRANSLATE_NOOP("problem", "a check in { }")), findings))
+  if (!isKind(value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "a check in { }")), findings))
     return check;
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a check")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a check")), findings);
   check.task = readTask(object, value);
   check.meanwhile = readMeanwhile(object);
   if (const Value* const say = object.find("say")) readText(*say, object.pathOf("say"), check.say, findings);

@@ -9,16 +9,15 @@ namespace underact::lesson {
 std::string readName(const json::Value& value, const std::string& path, const std::vector<std::string>& known,
                      const Sentence& what, Findings& findings) {
   std::string name;
-  if (!isKind(value, json::Kind::String, path, said(QT_TRANSLATE_NOOP("problem", "the name of a %1"), {what}),
-              findings))
+  if (!isKind(value, json::Kind::String, path, said(TRANSLATE_NOOP("problem", "the name of a %1"), {what}), findings))
     return name;
   readText(value, path, name, findings);
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
   const std::string nearest = json::nearestWord(name, known);
   findings.add(value, path,
-               nearest.empty() ? said(QT_TRANSLATE_NOOP("problem", "There is no %1 %2. There are %3."),
+               nearest.empty() ? said(TRANSLATE_NOOP("problem", "There is no %1 %2. There are %3."),
                                       {what, json::shown(name), json::listed(known, "and")})
-                               : said(QT_TRANSLATE_NOOP("problem", "There is no %1 %2. Did you mean \"%3\"?"),
+                               : said(TRANSLATE_NOOP("problem", "There is no %1 %2. Did you mean \"%3\"?"),
                                       {what, json::shown(name), nearest}));
   return name;
 }
@@ -31,7 +30,7 @@ std::string readLine(ObjectReader& object, const char* key, bool required) {
   const bool is_blank = line.find_first_not_of(" \t\r\n") == std::string::npos;
   if (value->kind == json::Kind::String && (is_blank || line.find('\n') != std::string::npos))
     object.findings().add(*value, object.pathOf(key),
-                          said(QT_TRANSLATE_NOOP("problem", "This must be one line of text, and not an empty one.")));
+                          said(TRANSLATE_NOOP("problem", "This must be one line of text, and not an empty one.")));
   return line;
 }
 
@@ -43,7 +42,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
   Findings& findings = object.findings();
   if (value->kind != json::Kind::Array) {
     if (isKind(*value, json::Kind::String, path,
-               said(QT_TRANSLATE_NOOP("problem", "text in double quotes, or a list of lines of it")), findings))
+               said(TRANSLATE_NOOP("problem", "text in double quotes, or a list of lines of it")), findings))
       prose = value->text;
   } else {
     for (std::size_t index = 0; index < value->items.size(); ++index) {
@@ -53,7 +52,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
     }
   }
   if (required && prose.find_first_not_of(" \t\r\n") == std::string::npos && value->kind != json::Kind::Null)
-    findings.add(*value, path, said(QT_TRANSLATE_NOOP("problem", "There is nothing to read here.")));
+    findings.add(*value, path, said(TRANSLATE_NOOP("problem", "There is nothing to read here.")));
   return prose;
 }
 

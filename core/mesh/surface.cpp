@@ -15,21 +15,21 @@ constexpr std::size_t kMostFaces = std::size_t{1} << 27U;
 constexpr float kLargest = 1e15F;  // units: the square of a distance is a float
 
 Problems whatIsWrong(const Triangles& triangles) {
-  if (triangles.faces.empty()) return {{said(QT_TRANSLATE_NOOP("problem", "The mesh has no triangles.")), {}}};
+  if (triangles.faces.empty()) return {{said(TRANSLATE_NOOP("problem", "The mesh has no triangles.")), {}}};
   if (triangles.faces.size() > kMostFaces || triangles.p_MV.size() > 3 * kMostFaces)
-    return {{said(QT_TRANSLATE_NOOP("problem", "The mesh has more than 134 million triangles.")), {}}};
+    return {{said(TRANSLATE_NOOP("problem", "The mesh has more than 134 million triangles.")), {}}};
   for (const Eigen::Vector3f& corner : triangles.p_MV) {
     if (!(corner.cwiseAbs().maxCoeff() <= kLargest) || !corner.allFinite())
-      return {{said(QT_TRANSLATE_NOOP("problem", "The mesh has a corner that is not at a finite place.")), {}}};
+      return {{said(TRANSLATE_NOOP("problem", "The mesh has a corner that is not at a finite place.")), {}}};
   }
   const auto corners = static_cast<std::int32_t>(triangles.p_MV.size());
   for (const Face& face : triangles.faces) {
     for (const std::int32_t corner : face) {
       if (corner < 0 || corner >= corners)
-        return {{said(QT_TRANSLATE_NOOP("problem", "A triangle names a corner that is not there.")), {}}};
+        return {{said(TRANSLATE_NOOP("problem", "A triangle names a corner that is not there.")), {}}};
     }
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
-      return {{said(QT_TRANSLATE_NOOP("problem", "A triangle has the same corner twice.")), {}}};
+      return {{said(TRANSLATE_NOOP("problem", "A triangle has the same corner twice.")), {}}};
   }
   return {};
 }
@@ -90,8 +90,8 @@ void complete(Surface& surface) {
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch) {
   Problems problems = whatIsWrong(triangles);
   if (!problems.empty()) return problems;
-  const Problems cancelled{{said(QT_TRANSLATE_NOOP("problem", "Cancelled.")), {}}};
-  watch.tell(QT_TRANSLATE_NOOP("step of work", "Building the tree"), 0.0);
+  const Problems cancelled{{said(TRANSLATE_NOOP("problem", "Cancelled.")), {}}};
+  watch.tell(TRANSLATE_NOOP("step of work", "Building the tree"), 0.0);
   std::optional<Tree> tree = makeTree(triangles, watch);
   if (!tree) return cancelled;
   auto surface = std::make_shared<Surface>();

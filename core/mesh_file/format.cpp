@@ -39,22 +39,22 @@ bool hasObjCorner(std::string_view head) {
 }
 
 Problem tooShort(const Sentence& states, const std::string& path) {
-  return {said(QT_TRANSLATE_NOOP(
-                   "problem", "The file is cut short or damaged: it says that it holds %1, and is too short for them."),
+  return {said(TRANSLATE_NOOP("problem",
+                              "The file is cut short or damaged: it says that it holds %1, and is too short for them."),
                {states}),
           {path}};
 }
 
 Sentence cornersText(std::uint64_t count) {
-  return said(QT_TRANSLATE_NOOP("problem", "%1 corners"), {std::to_string(count)});
+  return said(TRANSLATE_NOOP("problem", "%1 corners"), {std::to_string(count)});
 }
 
 Sentence facesText(std::uint64_t count) {
-  return said(QT_TRANSLATE_NOOP("problem", "%1 faces"), {std::to_string(count)});
+  return said(TRANSLATE_NOOP("problem", "%1 faces"), {std::to_string(count)});
 }
 
 Sentence both(const Sentence& one, const Sentence& other) {
-  return said(QT_TRANSLATE_NOOP("problem", "%1 and %2"), {one, other});
+  return said(TRANSLATE_NOOP("problem", "%1 and %2"), {one, other});
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ const char* nameOf(Format format) {
 }
 
 Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const std::string& path) {
-  if (file_bytes == 0) return Problems{{said(QT_TRANSLATE_NOOP("problem", "The file is empty.")), {path}}};
+  if (file_bytes == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The file is empty.")), {path}}};
   const std::string extension = extensionOf(path);
   const std::string first = lowered(Scan(head).word());
   if (isWholeStlBinary(head, file_bytes)) return Format::StlBinary;
@@ -82,15 +82,13 @@ Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const s
   if (extension == ".obj") return Format::Obj;
   if (extension == ".stl" || extension == ".stlb") return Format::StlBinary;
   if (extension == ".ply")
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "This is no PLY file: it does not begin with \"ply\".")), {path}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "This is no PLY file: it does not begin with \"ply\".")), {path}}};
   if (extension == ".off")
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "This is no OFF file: it does not begin with \"OFF\".")), {path}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "This is no OFF file: it does not begin with \"OFF\".")), {path}}};
   if (head.find('\0') == std::string_view::npos && hasObjCorner(head)) return Format::Obj;
   return Problems{
-      {said(QT_TRANSLATE_NOOP("problem",
-                              "This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and OFF files.")),
+      {said(TRANSLATE_NOOP("problem",
+                           "This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and OFF files.")),
        {path}}};
 }
 
@@ -98,9 +96,9 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
   const auto size = static_cast<double>(file_bytes);
   if (format == Format::StlBinary) {
     const std::uint64_t count = stlBinaryCount(head);
-    if (file_bytes < kStlHeadBytes) return {tooShort(said(QT_TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
+    if (file_bytes < kStlHeadBytes) return {tooShort(said(TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
     if (kStlHeadBytes + count * kStlFaceBytes > file_bytes) return {tooShort(facesText(count), path)};
-    if (count == 0) return {{said(QT_TRANSLATE_NOOP("problem", "The file holds no faces.")), {path}}};
+    if (count == 0) return {{said(TRANSLATE_NOOP("problem", "The file holds no faces.")), {path}}};
   } else if (format == Format::Ply) {
     const Result<PlyHeader> header = readPlyHeader(head);
     if (!header) return {{header.problems()[0].sentence, {path}}};

@@ -18,13 +18,13 @@ Problems problemAt(const std::string& path, const Sentence& sentence) {
 }  // namespace
 
 Result<Input> Input::open(const std::string& path) {
-  Result<NamedFile> file = NamedFile::open(path, said(QT_TRANSLATE_NOOP("problem", "a mesh")));
+  Result<NamedFile> file = NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a mesh")));
   if (!file) return file.problems();
   const std::uint64_t bytes = file.value().bytes();
   if (bytes > kMostFileBytes) {
     return problemAt(
-        path, said(QT_TRANSLATE_NOOP("problem",
-                                     "The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.")));
+        path,
+        said(TRANSLATE_NOOP("problem", "The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.")));
   }
   std::string head(kHeadBytes, '\0');
   const Result<std::size_t> count = file.value().read(head);
@@ -48,13 +48,13 @@ Result<std::string> Input::checksum(const mesh::Watch& watch) const {
   std::vector<char> block(kBlock);
   std::uint64_t done = 0;
   for (;;) {
-    if (watch.isCancelled()) return problemAt(path(), said(QT_TRANSLATE_NOOP("problem", "Cancelled.")));
+    if (watch.isCancelled()) return problemAt(path(), said(TRANSLATE_NOOP("problem", "Cancelled.")));
     const Result<std::size_t> count = file_.read(block);
     if (!count) return count.problems();
     if (count.value() == 0) break;
     digest.add(std::as_bytes(std::span(block).first(count.value())));
     done += count.value();
-    watch.tell(QT_TRANSLATE_NOOP("step of work", "Reading the file"),
+    watch.tell(TRANSLATE_NOOP("step of work", "Reading the file"),
                bytes() == 0 ? 1.0 : std::min(1.0, double(done) / double(bytes())));
   }
   return digest.text();

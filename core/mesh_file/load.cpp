@@ -54,7 +54,7 @@ void addRaw(const Raw& raw, Facts& facts) {
 }
 
 Sentence nothingLeft(const Facts& facts) {
-  Sentence sentence = said(QT_TRANSLATE_NOOP("problem", "There is nothing to feel in the file."));
+  Sentence sentence = said(TRANSLATE_NOOP("problem", "There is nothing to feel in the file."));
   for (const Sentence& line : reportOf(facts, 1.0)) sentence = oneAfterAnother({sentence, line});
   return sentence;
 }
@@ -91,13 +91,13 @@ Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch, const
   loaded.value().format = input.value().format();
   loaded.value().checksum = checksum.value();
   if (!loaded.value().from_cache && !input.value().hasChanged()) {
-    watch.tell(QT_TRANSLATE_NOOP("step of work", "Keeping"), kBuilt);
+    watch.tell(TRANSLATE_NOOP("step of work", "Keeping"), kBuilt);
     const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);
     const std::array parts{std::as_bytes(std::span(&loaded.value().facts, 1)), std::span<const std::byte>(bytes)};
     cache.put(key, parts, watch);
   }
   if (watch.isCancelled()) return problemOf(input.value(), kCancelled);
-  watch.tell(QT_TRANSLATE_NOOP("step of work", "Ready"), 1.0);
+  watch.tell(TRANSLATE_NOOP("step of work", "Ready"), 1.0);
   return loaded;
 }
 

@@ -28,16 +28,16 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     if (keyword.empty()) continue;
     if (!isOffKeyword(keyword))
       return Problems{
-          {said(QT_TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};
+          {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
       return Problems{
-          {said(QT_TRANSLATE_NOOP("problem", "The OFF file holds a mesh that is not in three dimensions.")), {}}};
+          {said(TRANSLATE_NOOP("problem", "The OFF file holds a mesh that is not in three dimensions.")), {}}};
     }
     std::array<std::string_view, 3> counts{scan.word(), scan.word(), scan.word()};
     if (counts[0] == "BINARY") {
       return Problems{
-          {said(QT_TRANSLATE_NOOP(
-               "problem", "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.")),
+          {said(TRANSLATE_NOOP("problem",
+                               "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.")),
            {}}};
     }
     // The third, of edges, is read by nobody and left out by some.
@@ -49,14 +49,14 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     if (!readInteger(counts[0], header.corners) || !readInteger(counts[1], header.faces)) break;
     if (header.faces == 0)
       return Problems{
-          {said(QT_TRANSLATE_NOOP("problem", "The OFF file holds points and no faces. A surface needs faces.")), {}}};
+          {said(TRANSLATE_NOOP("problem", "The OFF file holds points and no faces. A surface needs faces.")), {}}};
     header.bytes = lines.place();
     header.lines = lines.lineNumber();
     return header;
   }
-  return Problems{{said(QT_TRANSLATE_NOOP(
-                       "problem", "The OFF header is damaged: the numbers of corners and faces cannot be read.")),
-                   {}}};
+  return Problems{
+      {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: the numbers of corners and faces cannot be read.")),
+       {}}};
 }
 
 }  // namespace underact::mesh_file

@@ -90,31 +90,31 @@ bool isTwice(const PlyHeader& header, const char* name) {
 Problems checkSurface(const PlyHeader& header) {
   const PlyElement* corners = elementOf(header, "vertex");
   const PlyElement* faces = elementOf(header, "face");
-  if (corners == nullptr) return {{said(QT_TRANSLATE_NOOP("problem", "The PLY file holds no corners (vertex).")), {}}};
+  if (corners == nullptr) return {{said(TRANSLATE_NOOP("problem", "The PLY file holds no corners (vertex).")), {}}};
   if (elementOf(header, "tristrips") != nullptr) {
     return {
-        {said(QT_TRANSLATE_NOOP(
+        {said(TRANSLATE_NOOP(
              "problem", "The PLY file holds strips of triangles, which cannot be read. Save it with single faces.")),
          {}}};
   }
   if (faces == nullptr || faces->count == 0) {
-    return {{said(QT_TRANSLATE_NOOP("problem",
-                                    "The PLY file holds points and no faces. A surface needs faces: make them in the "
-                                    "program that made the points.")),
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "The PLY file holds points and no faces. A surface needs faces: make them in the "
+                                 "program that made the points.")),
              {}}};
   }
   if (isTwice(header, "vertex") || isTwice(header, "face"))
-    return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it names corners or faces twice."));
+    return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it names corners or faces twice."));
   for (const char* axis : {"x", "y", "z"}) {
     const auto is = [axis](const PlyProperty& property) { return property.name == axis; };
     const auto& properties = corners->properties;
     const auto found = std::find_if(properties.begin(), properties.end(), is);
     if (found == properties.end() || std::count_if(properties.begin(), properties.end(), is) != 1) {
-      return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: the corners have not one %1."), axis);
+      return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: the corners have not one %1."), axis);
     }
     if (found->is_list || (found->type != "float" && found->type != "double")) {
       return {
-          {said(QT_TRANSLATE_NOOP(
+          {said(TRANSLATE_NOOP(
                     "problem",
                     "The PLY file holds %1 of its corners as whole numbers. Save it with float or double coordinates."),
                 {axis}),
@@ -125,7 +125,7 @@ Problems checkSurface(const PlyHeader& header) {
     return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
   });
   if (lists != 1)
-    return damaged(QT_TRANSLATE_NOOP(
+    return damaged(TRANSLATE_NOOP(
         "problem", "The PLY header is damaged: the faces have not one list of corners (vertex_indices)."));
   return {};
 }
@@ -136,7 +136,7 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
   Scan lines(head);
   PlyHeader header;
   if (lowered(Scan(lines.line()).word()) != "ply")
-    return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it does not begin with \"ply\"."));
+    return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it does not begin with \"ply\"."));
   bool has_format = false;
   while (!lines.atEnd()) {
     Scan words(lines.line());
@@ -144,7 +144,7 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
     if (key == "end_header") {
       header.bytes = lines.place();
       if (!has_format)
-        return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no line \"format\"."));
+        return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no line \"format\"."));
       Problems problems = checkSurface(header);
       if (!problems.empty()) return problems;
       return header;
@@ -165,10 +165,10 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
       is_well = false;
     }
     if (!is_well)
-      return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: line %1 makes no sense."),
+      return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: line %1 makes no sense."),
                      std::to_string(lines.lineNumber() - 1));
   }
-  return damaged(QT_TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no end."));
+  return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no end."));
 }
 
 double leastBytes(const PlyHeader& header) {

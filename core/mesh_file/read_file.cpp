@@ -17,21 +17,21 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
   switch (answer.ending) {
     case Ending::Exited:
       return answer.code == 0 ? Sentence()
-                              : said(QT_TRANSLATE_NOOP("problem", "The file cannot be read: its reader ended with %1."),
+                              : said(TRANSLATE_NOOP("problem", "The file cannot be read: its reader ended with %1."),
                                      {std::to_string(answer.code)});
     case Ending::Crashed:
-      return said(QT_TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+      return said(TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
                   {std::to_string(answer.code)});
     case Ending::TookTooLong:
-      return said(QT_TRANSLATE_NOOP("problem",
-                                    "The file is damaged, or has very large faces: reading it took longer than %1, "
-                                    "which is enough for a file of its size."),
+      return said(TRANSLATE_NOOP("problem",
+                                 "The file is damaged, or has very large faces: reading it took longer than %1, "
+                                 "which is enough for a file of its size."),
                   {helper::secondsText(errand.most_cpu_s)});
     case Ending::Waited:
       return helper::whyWaited(errand.most_time_s);
     case Ending::WroteTooMuch:
       return said(
-          QT_TRANSLATE_NOOP("problem", "The file is damaged: it gives more faces than a file of its size can hold."));
+          TRANSLATE_NOOP("problem", "The file is damaged: it gives more faces than a file of its size can hold."));
     case Ending::Cancelled:
       return kCancelled;
     case Ending::NotStarted:
@@ -48,7 +48,7 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   const Result<std::string> reader = findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
     return problem(oneAfterAnother({reader.problems().front().sentence,
-                                    said(QT_TRANSLATE_NOOP("problem", "It reads meshes: install Underact again."))}));
+                                    said(TRANSLATE_NOOP("problem", "It reads meshes: install Underact again."))}));
   helper::Errand errand;
   errand.program = reader.value();
   errand.argument = wordOf(input.format());
@@ -57,17 +57,17 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   errand.most_time_s = mostTime_s(input.bytes());
   errand.most_output = mostMemory(input.bytes());
   errand.progress = [&watch](unsigned char percent) {
-    watch.tell(QT_TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
+    watch.tell(TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
   };
   const helper::Answer answer = run(errand, watch);
   const Sentence why = whyNone(answer, errand);
   if (!why.empty()) return problem(why);
   std::optional<Message> message = readMessage(answer.output);
   if (!message)
-    return problem(said(QT_TRANSLATE_NOOP("problem", "The file is damaged: what its reader made of it is no mesh.")));
+    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: what its reader made of it is no mesh.")));
   if (!message->problem.empty()) return problem(message->problem);
   if (input.hasChanged())
-    return problem(said(QT_TRANSLATE_NOOP("problem", "The file was written while it was read. Open it again.")));
+    return problem(said(TRANSLATE_NOOP("problem", "The file was written while it was read. Open it again.")));
   message->raw.cpu_s = answer.cpu_s;
   return std::move(message->raw);
 }

@@ -27,7 +27,7 @@ std::string figure(double value) {
 }
 
 Sentence lengthText(double units, double mm_per_unit) {
-  return said(QT_TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(figure(units * mm_per_unit))});
+  return said(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(figure(units * mm_per_unit))});
 }
 
 /// A pattern for one and a pattern for more, with the number as %1.
@@ -39,33 +39,32 @@ void addLeftOut(const Facts& facts, std::vector<Sentence>& report) {
   const auto leftOut = [&report](std::int64_t count, const char* one, const char* more) {
     if (count > 0) report.push_back(counted(count, one, more));
   };
-  leftOut(facts.not_finite, QT_TRANSLATE_NOOP("problem", "%1 face was left out: a corner of it is not a finite point."),
-          QT_TRANSLATE_NOOP("problem", "%1 faces were left out: they have corners that are not finite points."));
+  leftOut(facts.not_finite, TRANSLATE_NOOP("problem", "%1 face was left out: a corner of it is not a finite point."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they have corners that are not finite points."));
   leftOut(facts.out_of_range,
-          QT_TRANSLATE_NOOP("problem", "%1 face was left out: it names a corner that the file does not hold."),
-          QT_TRANSLATE_NOOP("problem", "%1 faces were left out: they name corners that the file does not hold."));
-  leftOut(facts.without_extent, QT_TRANSLATE_NOOP("problem", "%1 face was left out: it has no extent."),
-          QT_TRANSLATE_NOOP("problem", "%1 faces were left out: they have no extent."));
-  leftOut(facts.duplicates, QT_TRANSLATE_NOOP("problem", "%1 face was left out: it is there twice."),
-          QT_TRANSLATE_NOOP("problem", "%1 faces were left out: they are there more than once."));
+          TRANSLATE_NOOP("problem", "%1 face was left out: it names a corner that the file does not hold."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they name corners that the file does not hold."));
+  leftOut(facts.without_extent, TRANSLATE_NOOP("problem", "%1 face was left out: it has no extent."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they have no extent."));
+  leftOut(facts.duplicates, TRANSLATE_NOOP("problem", "%1 face was left out: it is there twice."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they are there more than once."));
 }
 
 void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.welded > 0) {
-    report.push_back(
-        counted(facts.welded,
-                QT_TRANSLATE_NOOP("problem", "%1 corner was joined to others at the same place, or nearer than %2."),
-                QT_TRANSLATE_NOOP("problem", "%1 corners were joined to others at the same place, or nearer than %2."),
-                lengthText(facts.weld_tolerance, mm_per_unit)));
+    report.push_back(counted(
+        facts.welded, TRANSLATE_NOOP("problem", "%1 corner was joined to others at the same place, or nearer than %2."),
+        TRANSLATE_NOOP("problem", "%1 corners were joined to others at the same place, or nearer than %2."),
+        lengthText(facts.weld_tolerance, mm_per_unit)));
   }
   if (facts.turned > 0) {
     report.push_back(counted(
         facts.turned,
-        QT_TRANSLATE_NOOP("problem", "%1 face was turned over, so that neighbours agree on which side is outside."),
-        QT_TRANSLATE_NOOP("problem", "%1 faces were turned over, so that neighbours agree on which side is outside.")));
+        TRANSLATE_NOOP("problem", "%1 face was turned over, so that neighbours agree on which side is outside."),
+        TRANSLATE_NOOP("problem", "%1 faces were turned over, so that neighbours agree on which side is outside.")));
   }
   if (2 * facts.normals_against > facts.normals) {
-    report.push_back(said(QT_TRANSLATE_NOOP(
+    report.push_back(said(TRANSLATE_NOOP(
         "problem",
         "Most normals in the file point against the order of the corners. The order counts here, and the normals do "
         "not: if outside and inside feel exchanged, save the mesh with its faces turned over.")));
@@ -75,30 +74,30 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
 Sentence partsOf(const Facts& facts) {
   const std::string parts = std::to_string(facts.parts);
   if (facts.nested_parts == 0)
-    return said(QT_TRANSLATE_NOOP("problem", "The mesh is in %1 parts that do not hang together."), {parts});
-  return said(QT_TRANSLATE_NOOP("problem",
-                                "The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow "
-                                "is felt from within."),
+    return said(TRANSLATE_NOOP("problem", "The mesh is in %1 parts that do not hang together."), {parts});
+  return said(TRANSLATE_NOOP("problem",
+                             "The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow "
+                             "is felt from within."),
               {parts, std::to_string(facts.nested_parts)});
 }
 
 Sentence crossingsOf(const Facts& facts) {
   if (facts.crossings_checked == 0) {
     return counted(facts.crossings,
-                   QT_TRANSLATE_NOOP("problem",
-                                     "The surface goes through itself, at least %1 pair of faces. Near there, outside "
-                                     "and inside may be wrong."),
-                   QT_TRANSLATE_NOOP("problem",
-                                     "The surface goes through itself, at least %1 pairs of faces. Near there, outside "
-                                     "and inside may be wrong."));
+                   TRANSLATE_NOOP("problem",
+                                  "The surface goes through itself, at least %1 pair of faces. Near there, outside "
+                                  "and inside may be wrong."),
+                   TRANSLATE_NOOP("problem",
+                                  "The surface goes through itself, at least %1 pairs of faces. Near there, outside "
+                                  "and inside may be wrong."));
   }
   return counted(facts.crossings,
-                 QT_TRANSLATE_NOOP("problem",
-                                   "The surface goes through itself, at %1 pair of faces. Near there, outside and "
-                                   "inside may be wrong."),
-                 QT_TRANSLATE_NOOP("problem",
-                                   "The surface goes through itself, at %1 pairs of faces. Near there, outside and "
-                                   "inside may be wrong."));
+                 TRANSLATE_NOOP("problem",
+                                "The surface goes through itself, at %1 pair of faces. Near there, outside and "
+                                "inside may be wrong."),
+                 TRANSLATE_NOOP("problem",
+                                "The surface goes through itself, at %1 pairs of faces. Near there, outside and "
+                                "inside may be wrong."));
 }
 
 void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
@@ -106,39 +105,39 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
   if (facts.borders > 0) {
     report.push_back(counted(
         facts.borders,
-        QT_TRANSLATE_NOOP("problem",
-                          "The surface is open: %1 border, the longest %2 around. The stylus can go through a hole."),
-        QT_TRANSLATE_NOOP("problem",
-                          "The surface is open: %1 borders, the longest %2 around. The stylus can go through a hole."),
+        TRANSLATE_NOOP("problem",
+                       "The surface is open: %1 border, the longest %2 around. The stylus can go through a hole."),
+        TRANSLATE_NOOP("problem",
+                       "The surface is open: %1 borders, the longest %2 around. The stylus can go through a hole."),
         lengthText(facts.longest_border, mm_per_unit)));
   }
   if (facts.crowded_edges > 0) {
-    report.push_back(counted(facts.crowded_edges, QT_TRANSLATE_NOOP("problem", "%1 edge has more than two faces."),
-                             QT_TRANSLATE_NOOP("problem", "%1 edges have more than two faces.")));
+    report.push_back(counted(facts.crowded_edges, TRANSLATE_NOOP("problem", "%1 edge has more than two faces."),
+                             TRANSLATE_NOOP("problem", "%1 edges have more than two faces.")));
   }
   if (facts.clashing_edges > 0) {
-    report.push_back(counted(
-        facts.clashing_edges,
-        QT_TRANSLATE_NOOP("problem",
-                          "The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is "
-                          "twisted once."),
-        QT_TRANSLATE_NOOP("problem",
-                          "The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is "
-                          "twisted once.")));
+    report.push_back(
+        counted(facts.clashing_edges,
+                TRANSLATE_NOOP("problem",
+                               "The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is "
+                               "twisted once."),
+                TRANSLATE_NOOP("problem",
+                               "The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is "
+                               "twisted once.")));
   }
   if (facts.crossings > 0) {
     report.push_back(crossingsOf(facts));
   } else if (facts.crossings_checked == 0 && facts.faces > 0) {
-    report.push_back(said(QT_TRANSLATE_NOOP(
-        "problem",
-        "Whether the surface goes through itself was not looked for, or not to the end: it has too many "
-        "faces, or too many near each other.")));
+    report.push_back(said(
+        TRANSLATE_NOOP("problem",
+                       "Whether the surface goes through itself was not looked for, or not to the end: it has too many "
+                       "faces, or too many near each other.")));
   }
   if (facts.flat_faces > 0) {
     report.push_back(
         counted(facts.flat_faces,
-                QT_TRANSLATE_NOOP("problem", "%1 face is as narrow as a line. They stay, since they close seams."),
-                QT_TRANSLATE_NOOP("problem", "%1 faces are as narrow as a line. They stay, since they close seams.")));
+                TRANSLATE_NOOP("problem", "%1 face is as narrow as a line. They stay, since they close seams."),
+                TRANSLATE_NOOP("problem", "%1 faces are as narrow as a line. They stay, since they close seams.")));
   }
 }
 
@@ -148,14 +147,14 @@ constexpr double kThin_mm = 1.0;
 void addWhatItMeans(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.thinnest > 0.0 && facts.thinnest * mm_per_unit < kThin_mm) {
     report.push_back(
-        said(QT_TRANSLATE_NOOP("problem", "A part of it is thin, %1 in the mean: the stylus may be pushed through it."),
+        said(TRANSLATE_NOOP("problem", "A part of it is thin, %1 in the mean: the stylus may be pushed through it."),
              {lengthText(facts.thinnest, mm_per_unit)}));
   }
   report.push_back(
       allowsWalls(facts)
-          ? said(QT_TRANSLATE_NOOP(
+          ? said(TRANSLATE_NOOP(
                 "problem", "The mesh is closed: it can be felt from both sides, or as a wall from outside or inside."))
-          : said(QT_TRANSLATE_NOOP("problem", "The mesh can be felt from both sides only: %1."), {whyNoWalls(facts)}));
+          : said(TRANSLATE_NOOP("problem", "The mesh can be felt from both sides only: %1."), {whyNoWalls(facts)}));
 }
 
 }  // namespace
@@ -165,11 +164,11 @@ bool allowsWalls(const Facts& facts) {
 }
 
 Sentence whyNoWalls(const Facts& facts) {
-  if (facts.faces == 0) return said(QT_TRANSLATE_NOOP("problem", "it has no faces"));
-  if (facts.border_edges > 0) return said(QT_TRANSLATE_NOOP("problem", "it is open, so that it has no inside"));
-  if (facts.clashing_edges > 0) return said(QT_TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
+  if (facts.faces == 0) return said(TRANSLATE_NOOP("problem", "it has no faces"));
+  if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so that it has no inside"));
+  if (facts.clashing_edges > 0) return said(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
   if (facts.crowded_edges > 0)
-    return said(QT_TRANSLATE_NOOP("problem", "edges with more than two faces leave open what is inside"));
+    return said(TRANSLATE_NOOP("problem", "edges with more than two faces leave open what is inside"));
   return {};
 }
 
@@ -178,7 +177,7 @@ std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {
   addLeftOut(facts, report);
   addRepaired(facts, mm_per_unit, report);
   if (facts.faces == 0) {
-    report.push_back(said(QT_TRANSLATE_NOOP("problem", "No face is left: there is nothing to feel.")));
+    report.push_back(said(TRANSLATE_NOOP("problem", "No face is left: there is nothing to feel.")));
     return report;
   }
   addWhatIsLeft(facts, mm_per_unit, report);
@@ -190,17 +189,17 @@ std::optional<Proposal> implausible(double largest_mm) {
   if (!(largest_mm > 0.0) || !std::isfinite(largest_mm)) return {};
   if (largest_mm >= kSmallest_mm && largest_mm <= kLargest_mm) return {};
   Proposal proposal;
-  proposal.sentence = said(QT_TRANSLATE_NOOP("problem", "The mesh would be %1 mm long as millimetres."),
+  proposal.sentence = said(TRANSLATE_NOOP("problem", "The mesh would be %1 mm long as millimetres."),
                            {shownNumber(figure(largest_mm))});
-  constexpr std::array<Unit, 4> kUnits{{{QT_TRANSLATE_NOOP("problem", "metres"), 1000.0, 0.0},
-                                        {QT_TRANSLATE_NOOP("problem", "centimetres"), 10.0, 0.0},
-                                        {QT_TRANSLATE_NOOP("problem", "inches"), 25.4, 0.0},
-                                        {QT_TRANSLATE_NOOP("problem", "micrometres"), 0.001, 0.0}}};
+  constexpr std::array<Unit, 4> kUnits{{{TRANSLATE_NOOP("problem", "metres"), 1000.0, 0.0},
+                                        {TRANSLATE_NOOP("problem", "centimetres"), 10.0, 0.0},
+                                        {TRANSLATE_NOOP("problem", "inches"), 25.4, 0.0},
+                                        {TRANSLATE_NOOP("problem", "micrometres"), 0.001, 0.0}}};
   for (Unit unit : kUnits) {
     unit.size_mm = largest_mm * unit.mm_per_unit;
     if (unit.size_mm < kSmallest_mm || unit.size_mm > kLargest_mm) continue;
     proposal.sentence =
-        oneAfterAnother({proposal.sentence, said(QT_TRANSLATE_NOOP("problem", "In %1 it would be %2 mm."),
+        oneAfterAnother({proposal.sentence, said(TRANSLATE_NOOP("problem", "In %1 it would be %2 mm."),
                                                  {said(unit.name), shownNumber(figure(unit.size_mm))})});
     proposal.units.push_back(unit);
   }
@@ -208,8 +207,8 @@ std::optional<Proposal> implausible(double largest_mm) {
     proposal.sentence = oneAfterAnother(
         {proposal.sentence,
          said(largest_mm < kSmallest_mm
-                  ? QT_TRANSLATE_NOOP("problem", "That is too small to be felt: state a larger scale.")
-                  : QT_TRANSLATE_NOOP("problem", "That is far beyond the arm's reach: state a smaller scale."))});
+                  ? TRANSLATE_NOOP("problem", "That is too small to be felt: state a larger scale.")
+                  : TRANSLATE_NOOP("problem", "That is far beyond the arm's reach: state a smaller scale."))});
   }
   return proposal;
 }

@@ -68,7 +68,7 @@ Result<CsvWriter> CsvWriter::into(int fd, const std::string& path) {
     const int error = errno;
     if (fd >= 0) ::close(fd);
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(error)}), {path}}};
+        {said(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(error)}), {path}}};
   }
   CsvWriter writer(file, path);
   writer.write(header());
@@ -91,7 +91,7 @@ Problems CsvWriter::close() {
   if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
-  return {{said(QT_TRANSLATE_NOOP("problem", "The recording is not whole: %1."), {std::strerror(error_)}), {path_}}};
+  return {{said(TRANSLATE_NOOP("problem", "The recording is not whole: %1."), {std::strerror(error_)}), {path_}}};
 }
 
 }  // namespace underact::record

@@ -91,8 +91,8 @@ std::string twoDigits(int value) {
 }
 
 Problems cannotBeKept(const std::string& path, int error) {
-  return {{said(QT_TRANSLATE_NOOP("problem", "The fault cannot be written to a file: %1."), {std::strerror(error)}),
-           {path}}};
+  return {
+      {said(TRANSLATE_NOOP("problem", "The fault cannot be written to a file: %1."), {std::strerror(error)}), {path}}};
 }
 
 struct Closer {
@@ -132,7 +132,7 @@ FaultWords wordsOf(const Fault& fault) {
 
 FaultWords wordsOf(const servo::FaultReport& report) {
   FaultWords words = wordsOf(report.fault);
-  if (!report.trouble.empty()) words.what += " " + report.trouble;
+  words.what = oneAfterAnother({words.what, report.trouble});
   return words;
 }
 

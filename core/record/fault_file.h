@@ -12,8 +12,8 @@ inline constexpr std::size_t kFaultFilesKept = 20;
 /// What is said of a fault.
 struct FaultWords {
   std::string kind;  // "no_sample"
-  std::string what;
-  std::string what_to_do;
+  Sentence what;
+  Sentence what_to_do;
 };
 FaultWords wordsOf(const Fault& fault);
 /// With what the arm's side says of it.

@@ -59,19 +59,19 @@ struct ForeignFile::Impl {
 
   Problems problem(Sentence sentence) const { return {{std::move(sentence), {input->path()}}}; }
   Problems unreadable() const {
-    return problem(said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
   }
   /// Why there was no answer.
   Problems whySilent(const helper::Bounds& bounds) const {
     using helper::Ending;
     switch (talk.ending()) {
       case Ending::Crashed:
-        return problem(said(QT_TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+        return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
                             {std::to_string(talk.code())}));
       case Ending::TookTooLong:
-        return problem(said(QT_TRANSLATE_NOOP("problem",
-                                              "The file is damaged: reading a part of it took longer than %1, which "
-                                              "is enough for any session."),
+        return problem(said(TRANSLATE_NOOP("problem",
+                                           "The file is damaged: reading a part of it took longer than %1, which "
+                                           "is enough for any session."),
                             {helper::secondsText(bounds.most_cpu_s)}));
       case Ending::Waited:
         return problem(helper::whyWaited(bounds.most_time_s));
@@ -125,7 +125,7 @@ Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input,
     if (!program)
       return impl->problem(
           oneAfterAnother({program.problems().front().sentence,
-                           said(QT_TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
+                           said(TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
     impl->talk = helper::Talk(program.value(), impl->input->fd());
     const Problems problems = impl->look(Asks::Open);
     if (!problems.empty()) return problems;

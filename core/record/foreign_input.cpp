@@ -14,16 +14,14 @@ namespace underact::record {
 namespace {
 
 Problems whyNotOpened(const std::string& path, int error) {
-  if (error == ENOENT || error == ENOTDIR)
-    return {{said(QT_TRANSLATE_NOOP("problem", "There is no such file.")), {path}}};
+  if (error == ENOENT || error == ENOTDIR) return {{said(TRANSLATE_NOOP("problem", "There is no such file.")), {path}}};
   if (error == ELOOP)
-    return {{said(QT_TRANSLATE_NOOP("problem",
-                                    "This is a link to another file, which would be changed in its place. Give that "
-                                    "file's own name.")),
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "This is a link to another file, which would be changed in its place. Give that "
+                                 "file's own name.")),
              {path}}};
-  return {
-      {said(QT_TRANSLATE_NOOP("problem", "The file cannot be opened: %1."), {std::generic_category().message(error)}),
-       {path}}};
+  return {{said(TRANSLATE_NOOP("problem", "The file cannot be opened: %1."), {std::generic_category().message(error)}),
+           {path}}};
 }
 
 }  // namespace
@@ -36,12 +34,12 @@ Result<ForeignInput> ForeignInput::open(const std::string& path, bool follows) {
   struct stat file {};
   if (::fstat(fd, &file) != 0) return whyNotOpened(path, errno);
   if (S_ISDIR(file.st_mode))
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
   if (!S_ISREG(file.st_mode))
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This is no file that holds a session.")), {path}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "This is no file that holds a session.")), {path}}};
   if (::flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
+        {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
   return input;
 }
 

@@ -28,15 +28,15 @@ Problems problemAt(const std::string& path, Sentence sentence) {
 /// The system's reason for the last failure, where it gave one.
 Sentence reason() {
   if (errno != 0) return std::strerror(errno);
-  return said(QT_TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
+  return said(TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
 }
 
 /// None: there is a file of that name. The library would wait for whoever writes into a pipe.
 Problems notThere(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
-    return problemAt(path, said(QT_TRANSLATE_NOOP("problem", "There is no such file.")));
-  const Result<NamedFile> file = NamedFile::open(path, said(QT_TRANSLATE_NOOP("problem", "a session")));
+    return problemAt(path, said(TRANSLATE_NOOP("problem", "There is no such file.")));
+  const Result<NamedFile> file = NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a session")));
   return file ? Problems{} : file.problems();
 }
 
@@ -87,12 +87,11 @@ struct Hdf5File::Impl {
       const Id group(isOwn(file, name) ? H5Gopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Gclose);
       if (!group.isGood())
         return problemAt(
-            path,
-            said(QT_TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
+            path, said(TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
       std::optional<OpenTable> table = openTable(group, wanted, writes, bytes());
       if (!table)
         return problemAt(
-            path, said(QT_TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
+            path, said(TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
       tables.push_back(std::move(*table));
     }
     return {};
@@ -111,11 +110,11 @@ struct Hdf5File::Impl {
     if (there < stated)
       return problemAt(
           path,
-          said(QT_TRANSLATE_NOOP("problem",
-                                 "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
+          said(TRANSLATE_NOOP("problem",
+                              "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
                {std::to_string(there), std::to_string(stated)}));
-    return problemAt(
-        path, said(QT_TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
+    return problemAt(path,
+                     said(TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
   }
 };
 
@@ -136,9 +135,9 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   if (Problems problems = checkNew(path, existing); !problems.empty()) return problems;
   if (existing == Existing::Replace && Presence::isAt(path))
     return problemAt(
-        path, said(QT_TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
+        path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const NewFile made = NewFile::make(path, existing);  // the library would let others read it
-  if (!made.isGood()) return impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+  if (!made.isGood()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
   // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file where
   // somebody else, as a list of the folder, got it in between. Others are told by our own.
   const Id access = accessList(false);
@@ -152,7 +151,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   }
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
   if (!good) {
-    Problems problems = impl->fail(QT_TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
     std::error_code ignored;
     std::filesystem::remove(path, ignored);  // nothing is in it, and it would be in the next one's way
     return problems;
@@ -203,16 +202,16 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   if (!impl->file.isGood()) {
     if (Presence::isAt(impl->opened))  // not by errno: HDF5 1.14 asks for other things after the lock was refused
       return problemAt(path,
-                       said(QT_TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
-    return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
+                       said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
+    return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
   if (fd >= 0 && !areTheSame(fd, impl->descriptor()))
-    return problemAt(path, said(QT_TRANSLATE_NOOP("problem",
-                                                  "Another file was put in this one's place meanwhile: nothing was "
-                                                  "changed. Try again.")));
+    return problemAt(path, said(TRANSLATE_NOOP("problem",
+                                               "Another file was put in this one's place meanwhile: nothing was "
+                                               "changed. Try again.")));
   // A killed writer's file is longer than it says; what comes now must not be written over its end.
   if (killed && H5Fincrement_filesize(impl->file, 0) < 0)
-    return impl->fail(QT_TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
+    return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   Problems problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
@@ -224,9 +223,9 @@ Problems Hdf5File::append(std::size_t table, const Block& block) {
   impl_->unflushed_bytes += static_cast<std::int64_t>(block.bytes.size());
   impl_->full = impl_->full || !impl_->set_aside.forMore(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
-    return problemAt(impl_->path, said(QT_TRANSLATE_NOOP("problem",
-                                                         "The disk is full: the recording was stopped and is whole. "
-                                                         "Free some space, or record into another folder.")));
+    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem",
+                                                      "The disk is full: the recording was stopped and is whole. "
+                                                      "Free some space, or record into another folder.")));
   return appendLast(table, block);
 }
 
@@ -240,7 +239,7 @@ Problems Hdf5File::appendLast(std::size_t table, const Block& block) {
   errno = 0;
   return appendBlock(impl_->tables[table], block)
              ? Problems{}
-             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording stopped: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The recording stopped: %1."));
 }
 
 Problems Hdf5File::flush() {
@@ -250,7 +249,7 @@ Problems Hdf5File::flush() {
   impl_->unflushed_bytes = 0;
   return H5Fflush(impl_->file, H5F_SCOPE_GLOBAL) >= 0
              ? Problems{}
-             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording stopped: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The recording stopped: %1."));
 }
 
 Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
@@ -258,7 +257,7 @@ Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
   errno = 0;
   return cutTo(impl_->tables[table], rows)
              ? Problems{}
-             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
 }
 
 Problems Hdf5File::set(const Attribute& attribute) {
@@ -267,7 +266,7 @@ Problems Hdf5File::set(const Attribute& attribute) {
   if (H5Aexists(impl_->file, attribute.name.c_str()) > 0) H5Adelete(impl_->file, attribute.name.c_str());
   return writeAttribute(impl_->file, attribute)
              ? Problems{}
-             : impl_->fail(QT_TRANSLATE_NOOP("problem", "The file takes no change: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The file takes no change: %1."));
 }
 
 Problems Hdf5File::close() {
@@ -279,7 +278,7 @@ Problems Hdf5File::close() {
   good = impl_->file.close() && good;
   impl_->set_aside.giveBack(impl_->opened);
   if (good || !impl_->writes || impl_->failed) return {};
-  return impl_->fail(QT_TRANSLATE_NOOP("problem", "The recording is not whole: %1."));
+  return impl_->fail(TRANSLATE_NOOP("problem", "The recording is not whole: %1."));
 }
 
 std::int64_t Hdf5File::rows(std::size_t table) {
@@ -298,7 +297,7 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   if (end <= begin) return std::vector<Block>{};
   std::optional<std::vector<Block>> blocks = readBlocks(open, begin, end);
   if (!blocks)
-    return problemAt(impl_->path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
   return std::move(*blocks);
 }
 

@@ -100,8 +100,8 @@ class Verification {
   void stopAt(const Gap& gap) {
     if (!result_.unknown.empty()) return;
     result_.unknown = said(
-        QT_TRANSLATE_NOOP(
-            "problem", "The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed."),
+        TRANSLATE_NOOP("problem",
+                       "The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed."),
         {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
   bool isDecided() const { return !result_.unknown.empty() || result_.differs || !problems_.empty(); }
@@ -116,7 +116,7 @@ class Verification {
       const auto missing = static_cast<std::int64_t>(static_cast<std::uint64_t>(record.tick) -
                                                      static_cast<std::uint64_t>(*last_tick_) - 1);
       result_.unknown = said(
-          QT_TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what comes after them cannot be replayed."),
+          TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what comes after them cannot be replayed."),
           {std::to_string(missing), std::to_string(*last_tick_)});
     }
     last_tick_ = record.tick;
@@ -164,7 +164,7 @@ class Verification {
 /// The servo as it was at the first row.
 Result<servo::Rerun> rerunFromStart(Session& session, const std::vector<std::string>& files_in) {
   if (session.changes().empty())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This session does not say which scene it began with.")),
+    return Problems{{said(TRANSLATE_NOOP("problem", "This session does not say which scene it began with.")),
                      {session.info().path}}};
   Result<scene::Description> scene = session.scene(session.changes().front());
   if (!scene) return scene.problems();
@@ -194,7 +194,7 @@ Result<Verified> verifyReplay(Session& session, const std::function<bool(double)
   if (!verification.problems().empty()) return verification.problems();
   Verified result = verification.result();
   if (!goes_on && result.unknown.empty() && !result.differs)
-    result.unknown = said(QT_TRANSLATE_NOOP("problem", "It was stopped."));
+    result.unknown = said(TRANSLATE_NOOP("problem", "It was stopped."));
   return result;
 }
 

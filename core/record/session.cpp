@@ -71,10 +71,10 @@ Result<Session> Session::open(std::shared_ptr<const ForeignInput> input, std::in
 Problems Session::readInfo(const std::string& path) {
   const std::int64_t version = file_.integer("underact_session", 0);
   if (version < 1)
-    return {{said(QT_TRANSLATE_NOOP("problem", "This is an HDF5 file, and no session of Underact.")), {path}}};
+    return {{said(TRANSLATE_NOOP("problem", "This is an HDF5 file, and no session of Underact.")), {path}}};
   if (version > kSessionVersion)
-    return {{said(QT_TRANSLATE_NOOP(
-                 "problem", "This session was recorded by a newer version of Underact. This one reads layout 1.")),
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "This session was recorded by a newer version of Underact. This one reads layout 1.")),
              {path}}};
   info_.path = path;
   info_.program_version = file_.text("program_version");
@@ -92,9 +92,8 @@ Problems Session::readInfo(const std::string& path) {
   header.max_late = static_cast<int>(std::clamp<std::int64_t>(file_.integer("max_late", 20), 0, kMostLate));
   header.gate_time = file_.text("gate_time") == kServosTime ? GateTime::Servo : GateTime::Arm;
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
-    return {
-        {said(QT_TRANSLATE_NOOP("problem", "This session does not say how fast the servo was: the file is damaged.")),
-         {path}}};
+    return {{said(TRANSLATE_NOOP("problem", "This session does not say how fast the servo was: the file is damaged.")),
+             {path}}};
   return {};
 }
 
@@ -106,11 +105,10 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
     const bool are_too_many =
         at >= (table == kMarkers ? kMostMarkers : kMostSmallRows) && blocks && !blocks.value().empty();
     if (!blocks || are_too_many || isAnyDamaged(blocks.value())) {
-      const Problems problems =
-          damagedAt(info_.path,
-                    said(QT_TRANSLATE_NOOP(
-                             "problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
-                         {std::string(sessionTables(1000)[table].name)}));
+      const Problems problems = damagedAt(
+          info_.path,
+          said(TRANSLATE_NOOP("problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
+               {std::string(sessionTables(1000)[table].name)}));
       info_.damage.insert(info_.damage.end(), problems.begin(), problems.end());
     }
     if (!blocks || are_too_many || blocks.value().empty()) return rows;
@@ -165,12 +163,12 @@ Result<std::vector<std::byte>> Session::bytesOf(TableIndex table, std::int64_t b
     Result<std::vector<Block>> read = file_.read(table, at, blocks);
     if (!read) return read.problems();
     if (!areThere(read.value()))
-      return damagedAt(info_.path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+      return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
     for (const Block& block : read.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
   }
   const auto skip = static_cast<std::size_t>(begin - from * block_rows), count = static_cast<std::size_t>(end - begin);
   if (bytes.size() < skip || bytes.size() - skip < count)
-    return damagedAt(info_.path, said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
   const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(skip);
   return std::vector<std::byte>(first, first + static_cast<std::ptrdiff_t>(count));
 }
@@ -182,7 +180,7 @@ Result<std::string> Session::words(const Words& words) {
   if (!bytes)
     return damagedAt(
         info_.path,
-        said(QT_TRANSLATE_NOOP("problem", "The words of this session cannot be read: the file is damaged there.")));
+        said(TRANSLATE_NOOP("problem", "The words of this session cannot be read: the file is damaged there.")));
   return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
 }
 
@@ -200,7 +198,7 @@ Result<scene::Description> Session::scene(const ChangeRow& change) {
 Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   if (file_.text("start_layout") != stateLayout())
     return Problems{
-        {said(QT_TRANSLATE_NOOP(
+        {said(TRANSLATE_NOOP(
              "problem",
              "The servo's memory at the beginning was recorded by a version that lays it out in another way.")),
          {info_.path}}};
@@ -210,7 +208,7 @@ Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   if (!bytes)
     return damagedAt(
         info_.path,
-        said(QT_TRANSLATE_NOOP(
+        said(TRANSLATE_NOOP(
             "problem",
             "The servo's memory at the beginning of this session cannot be read: the file is damaged there.")));
   Result<tick::TickState> state = stateOfBytes(bytes.value(), program);
@@ -236,8 +234,7 @@ Problems Session::eachBlock(const std::function<bool(const Block&, std::int64_t)
     for (const Block& block : read.value()) {
       if (block.bytes.empty()) {
         if (++gaps > kMostGaps)
-          return damagedAt(info_.path,
-                           said(QT_TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+          return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
         damaged({row, block.rows});
       } else if (!visit(block, row)) {
         return {};

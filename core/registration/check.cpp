@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "core/base/translate.h"
@@ -18,14 +17,8 @@ constexpr double kMuchBetter = 0.25;    // of the residual: an order that is the
 constexpr double kAlike_m = 1.5e-3;     // residuals of two orders that are equally good
 constexpr double kRestless_m = 0.5e-3;  // of a tip that was held
 
-std::string number(double value, int decimals) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 Sentence millimetres(double length_m) {
-  return said(QT_TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(number(length_m * kMillimetrePerMetre, 1))});
+  return said(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(length_m * kMillimetrePerMetre, 1)});
 }
 
 /// "2", "2 and 3", "1, 2 and 3": as people count.
@@ -33,7 +26,7 @@ Sentence listOf(const std::vector<std::size_t>& marks) {
   Sentence text;
   for (std::size_t at = 0; at < marks.size(); ++at) {
     const std::string mark = std::to_string(marks[at] + 1);
-    if (at > 0 && at + 1 == marks.size()) return said(QT_TRANSLATE_NOOP("problem", "%1 and %2"), {text, mark});
+    if (at > 0 && at + 1 == marks.size()) return said(TRANSLATE_NOOP("problem", "%1 and %2"), {text, mark});
     text = at > 0 ? text + ", " + mark : mark;
   }
   return text;
@@ -77,18 +70,18 @@ void warnOfLayout(const std::vector<Touch>& touches, std::vector<Warning>& warni
   const Layout layout = layoutOf(marksOf(touches));
   if (layout.off_line_m < kNearLine_m) {
     warnings.push_back({Warning::Kind::NearLine,
-                        said(QT_TRANSLATE_NOOP("problem",
-                                               "The marks lie nearly on one line, %1 beside it: small errors turn the "
-                                               "arm about it. Choose a mark farther beside the line."),
+                        said(TRANSLATE_NOOP("problem",
+                                            "The marks lie nearly on one line, %1 beside it: small errors turn the "
+                                            "arm about it. Choose a mark farther beside the line."),
                              {millimetres(layout.off_line_m)}),
                         {}});
   }
   if (layout.least_apart_m < kNearMarks_m) {
     const std::vector<std::size_t> both{layout.near_one, layout.near_other};
     warnings.push_back({Warning::Kind::NearMarks,
-                        said(QT_TRANSLATE_NOOP("problem",
-                                               "The marks %1 are only %2 apart: small errors there turn everything. "
-                                               "Choose marks that are farther apart."),
+                        said(TRANSLATE_NOOP("problem",
+                                            "The marks %1 are only %2 apart: small errors there turn everything. "
+                                            "Choose marks that are farther apart."),
                              {listOf(both), millimetres(layout.least_apart_m)}),
                         both});
   }
@@ -104,22 +97,22 @@ void warnOfOrder(const std::vector<Touch>& touches, const Fit& fit, std::vector<
     warnings.push_back(
         {Warning::Kind::Order,
          others.size() == 2
-             ? said(QT_TRANSLATE_NOOP("problem",
-                                      "The marks %1 were probably touched in exchange for each other. Touch them again "
-                                      "in the order of their numbers."),
+             ? said(TRANSLATE_NOOP("problem",
+                                   "The marks %1 were probably touched in exchange for each other. Touch them again "
+                                   "in the order of their numbers."),
                     {listOf(others)})
-             : said(QT_TRANSLATE_NOOP("problem",
-                                      "The marks were probably touched in another order: %1. Touch them again in the "
-                                      "order of their numbers."),
+             : said(TRANSLATE_NOOP("problem",
+                                   "The marks were probably touched in another order: %1. Touch them again in the "
+                                   "order of their numbers."),
                     {listOf(order)}),
          others});
   } else if (!isUpright(fit)) {
     warnings.push_back(
         {Warning::Kind::UpsideDown,
-         said(QT_TRANSLATE_NOOP("problem",
-                                "By these marks the arm hangs upside down below the desk. If it does not, the marks "
-                                "were touched in the order of a mirror: touch them again in the order of their "
-                                "numbers.")),
+         said(TRANSLATE_NOOP("problem",
+                             "By these marks the arm hangs upside down below the desk. If it does not, the marks "
+                             "were touched in the order of a mirror: touch them again in the order of their "
+                             "numbers.")),
          {}});
   }
 }
@@ -180,21 +173,20 @@ std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fi
                                           [](const Warning& one) { return one.kind == Warning::Kind::Order; });
   if (fit.rms_m > kMuch_m && !order_is_wrong) {
     const std::size_t worst = worstMark(touches, fit);
-    warnings.push_back(
-        {Warning::Kind::Residual,
-         said(QT_TRANSLATE_NOOP("problem",
-                                "The points miss their marks by %1, which is much. Mark %2 fits worst: "
-                                "touch it again, and see that the sheet was printed at 100 % and the arm "
-                                "is calibrated."),
-              {millimetres(fit.rms_m), std::to_string(worst + 1)}),
-         {worst}});
+    warnings.push_back({Warning::Kind::Residual,
+                        said(TRANSLATE_NOOP("problem",
+                                            "The points miss their marks by %1, which is much. Mark %2 fits worst: "
+                                            "touch it again, and see that the sheet was printed at 100 % and the arm "
+                                            "is calibrated."),
+                             {millimetres(fit.rms_m), std::to_string(worst + 1)}),
+                        {worst}});
   }
   for (std::size_t at = 0; at < touches.size(); ++at) {
     if (touches[at].spread_m <= kRestless_m) continue;
     warnings.push_back({Warning::Kind::Moved,
-                        said(QT_TRANSLATE_NOOP("problem",
-                                               "At mark %1 the tip moved by %2 while it was held. Touch it again, with "
-                                               "the hand rested."),
+                        said(TRANSLATE_NOOP("problem",
+                                            "At mark %1 the tip moved by %2 while it was held. Touch it again, with "
+                                            "the hand rested."),
                              {std::to_string(at + 1), millimetres(touches[at].spread_m)}),
                         {at}});
   }

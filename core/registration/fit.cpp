@@ -29,21 +29,21 @@ struct Words {
   const char* on_line;
 };
 constexpr Words kOfMarks{
-    QT_TRANSLATE_NOOP("problem", "Not all of the marks are finite points within 1 km."),
-    QT_TRANSLATE_NOOP("problem",
-                      "The marks %1 and %2 are one and the same place. Touch them again, or choose marks "
-                      "that are apart."),
-    QT_TRANSLATE_NOOP("problem",
-                      "The marks lie on one line, so nothing says how the arm is turned about it. Choose a "
-                      "mark beside the line.")};
+    TRANSLATE_NOOP("problem", "Not all of the marks are finite points within 1 km."),
+    TRANSLATE_NOOP("problem",
+                   "The marks %1 and %2 are one and the same place. Touch them again, or choose marks "
+                   "that are apart."),
+    TRANSLATE_NOOP("problem",
+                   "The marks lie on one line, so nothing says how the arm is turned about it. Choose a "
+                   "mark beside the line.")};
 constexpr Words kTouchedPoints{
-    QT_TRANSLATE_NOOP("problem", "Not all of the touched points are finite points within 1 km."),
-    QT_TRANSLATE_NOOP("problem",
-                      "The touched points %1 and %2 are one and the same place. Touch them again, or choose "
-                      "marks that are apart."),
-    QT_TRANSLATE_NOOP("problem",
-                      "The touched points lie on one line, so nothing says how the arm is turned about it. "
-                      "Choose a mark beside the line.")};
+    TRANSLATE_NOOP("problem", "Not all of the touched points are finite points within 1 km."),
+    TRANSLATE_NOOP("problem",
+                   "The touched points %1 and %2 are one and the same place. Touch them again, or choose "
+                   "marks that are apart."),
+    TRANSLATE_NOOP("problem",
+                   "The touched points lie on one line, so nothing says how the arm is turned about it. "
+                   "Choose a mark beside the line.")};
 
 void judge(const std::vector<Vec3>& points, const Words& words, Problems& problems) {
   for (const Vec3& point : points) {
@@ -94,7 +94,7 @@ Layout layoutOf(const std::vector<Vec3>& points) {
 
 Result<Fit> fitTouches(const std::vector<Touch>& touches) {
   if (touches.size() < kFewestMarks || touches.size() > kMostMarks) {
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A registration takes 3 to 8 marks; here there are %1."),
+    return Problems{{said(TRANSLATE_NOOP("problem", "A registration takes 3 to 8 marks; here there are %1."),
                           {std::to_string(touches.size())}),
                      {}}};
   }

@@ -36,12 +36,12 @@ void readPlace(ObjectReader& object, const char* key, Vec3& p) {
 
 Touch readTouch(const Value& value, const std::string& path, Findings& findings) {
   Touch touch;
-  if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"),
-                   {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
-              findings))
+  if (!isKind(
+          value, json::Kind::Object, path,
+          said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
+          findings))
     return touch;
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a mark")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a mark")), findings);
   readPlace(object, "p_DM_mm", touch.p_DM);
   readPlace(object, "p_WM_mm", touch.p_WM);
   if (const Value* const spread = object.find("spread_mm")) {
@@ -49,7 +49,7 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
     json::readNumber(*spread, object.pathOf("spread_mm"), spread_mm, findings);
     if (!(spread_mm >= 0.0 && spread_mm <= kMostSpread_mm))
       findings.add(*spread, object.pathOf("spread_mm"),
-                   said(QT_TRANSLATE_NOOP("problem", "This must lie within 0 and 1000 mm.")));
+                   said(TRANSLATE_NOOP("problem", "This must lie within 0 and 1000 mm.")));
     touch.spread_m = kMetrePerMillimetre * spread_mm;
   }
   object.finish();
@@ -58,11 +58,11 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
 
 std::vector<Touch> readTouches(const Value& list, Findings& findings) {
   std::vector<Touch> touches;
-  if (!isKind(list, json::Kind::Array, "marks", said(QT_TRANSLATE_NOOP("problem", "a list of 3 to 8 marks")), findings))
+  if (!isKind(list, json::Kind::Array, "marks", said(TRANSLATE_NOOP("problem", "a list of 3 to 8 marks")), findings))
     return touches;
   if (list.items.size() < kFewestMarks || list.items.size() > kMostMarks) {
     findings.add(list, "marks",
-                 said(QT_TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 marks; here there are %1."),
+                 said(TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 marks; here there are %1."),
                       {std::to_string(list.items.size())}));
     return touches;
   }
@@ -75,9 +75,8 @@ std::vector<Touch> readTouches(const Value& list, Findings& findings) {
 void compare(const Value& value, const Pose& X_DW, Findings& findings) {
   const char* const kKey = "X_DW";
   const Sentence expected =
-      said(QT_TRANSLATE_NOOP("problem", "This must be four rows of four numbers, the last one 0, 0, 0, 1."));
-  if (!isKind(value, json::Kind::Array, kKey, said(QT_TRANSLATE_NOOP("problem", "a list of four rows")), findings))
-    return;
+      said(TRANSLATE_NOOP("problem", "This must be four rows of four numbers, the last one 0, 0, 0, 1."));
+  if (!isKind(value, json::Kind::Array, kKey, said(TRANSLATE_NOOP("problem", "a list of four rows")), findings)) return;
   if (value.items.size() != 4) return findings.add(value, kKey, expected);
   Eigen::Matrix4d X = X_DW.matrix();
   X.topRightCorner<3, 1>() *= kMillimetrePerMetre;
@@ -91,7 +90,7 @@ void compare(const Value& value, const Pose& X_DW, Findings& findings) {
       if (std::abs(one.number - X(row, column)) <= allowed) continue;
       return findings.add(
           one, kKey,
-          said(QT_TRANSLATE_NOOP("problem", "This is not what the marks give, %1. Leave X_DW out: it is made of them."),
+          said(TRANSLATE_NOOP("problem", "This is not what the marks give, %1. Leave X_DW out: it is made of them."),
                {numberText(X(row, column))}));
     }
   }
@@ -99,11 +98,11 @@ void compare(const Value& value, const Pose& X_DW, Findings& findings) {
 
 Registration readWhole(const Value& root, Findings& findings) {
   Registration registration;
-  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "a registration")), findings);
+  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "a registration")), findings);
   const Value* const version = object.find("underact_registration", true);
   if (version != nullptr && (version->kind != json::Kind::Number || version->number != 1.0))
     findings.add(*version, "underact_registration",
-                 said(QT_TRANSLATE_NOOP("problem", "This program reads version 1 of registrations.")));
+                 said(TRANSLATE_NOOP("problem", "This program reads version 1 of registrations.")));
   readWords(object, "arm", true, registration.arm);
   readWords(object, "date", true, registration.date);
   readWords(object, "program", false, registration.program);
@@ -159,7 +158,7 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
   if (!root) return root.problems();
   Findings findings(file_name);
   if (!isKind(root.value(), json::Kind::Object, "",
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_registration\": 1, ...}"}),
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_registration\": 1, ...}"}),
               findings))
     return findings.take();
   Registration registration = readWhole(root.value(), findings);
@@ -170,7 +169,7 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
 
 Result<Registration> readRegistrationFile(const std::string& path) {
   const Result<std::string> text =
-      json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a registration")), kLargest);
+      json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a registration")), kLargest);
   if (!text) return text.problems();
   return readRegistration(text.value(), path);
 }

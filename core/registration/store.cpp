@@ -18,13 +18,13 @@ std::string variable(const char* name) {
 
 Problems cannotKeep(const std::string& path, const std::error_code& error) {
   if (!error)
-    return {{said(QT_TRANSLATE_NOOP("problem",
-                                    "The registration cannot be kept. See that the folder is there and yours, and that "
-                                    "the disk is not full.")),
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "The registration cannot be kept. See that the folder is there and yours, and that "
+                                 "the disk is not full.")),
              {path}}};
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "The registration cannot be kept: %1. See that the folder is there and yours, and "
-                                  "that the disk is not full."),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "The registration cannot be kept: %1. See that the folder is there and yours, and "
+                               "that the disk is not full."),
                 {error.message()}),
            {path}}};
 }
@@ -73,7 +73,7 @@ Result<std::optional<Registration>> recall(const std::string& arm, const std::st
   if (!read) return read.problems();
   if (read.value().arm != arm)
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this one anew."),
+        {said(TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this one anew."),
               {read.value().arm}),
          {path}}};
   return std::optional<Registration>(std::move(read).value());
@@ -84,9 +84,9 @@ Problems forget(const std::string& arm, const std::string& folder) {
   std::error_code error;
   fs::remove(path, error);
   if (!error) return {};
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "The registration cannot be forgotten: %1. See that the folder is there and yours, "
-                                  "and that the disk is not full."),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "The registration cannot be forgotten: %1. See that the folder is there and yours, "
+                               "and that the disk is not full."),
                 {error.message()}),
            {path}}};
 }

@@ -75,7 +75,7 @@ void Checker::checkField(const std::string& key, Meaning meaning, const Mat3& nu
   }
   if (numbers.allFinite() && !isRotation(numbers)) {
     add(key,
-        said(QT_TRANSLATE_NOOP(
+        said(TRANSLATE_NOOP(
             "problem",
             "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.")));
   }
@@ -92,10 +92,10 @@ void Checker::checkControl(const std::string& key, const Control& control) {
     }
     if (field.from > control.law && gains != Vec3::Zero()) {
       add(gain_key,
-          said(QT_TRANSLATE_NOOP("problem",
-                                 "The law %1 does not use this gain; the law %2 does. Change the law or take it away."),
+          said(TRANSLATE_NOOP("problem",
+                              "The law %1 does not use this gain; the law %2 does. Change the law or take it away."),
                {wordOf(kLawWords, control.law),
-                field.from == LawType::PD ? said(QT_TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
+                field.from == LawType::PD ? said(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
     }
   }
   checkVelocity(key + ".velocity", control.velocity);
@@ -109,8 +109,8 @@ void Checker::checkVelocity(const std::string& key, const Velocity& velocity) {
             return;
           add(key + "." + setting.key,
               said(setting.whole
-                       ? QT_TRANSLATE_NOOP("problem", "This must be a whole number from %1 to %2; here it is %3.")
-                       : QT_TRANSLATE_NOOP("problem", "This must be from %1 to %2; here it is %3."),
+                       ? TRANSLATE_NOOP("problem", "This must be a whole number from %1 to %2; here it is %3.")
+                       : TRANSLATE_NOOP("problem", "This must be from %1 to %2; here it is %3."),
                    {numberText(setting.least), numberText(setting.most), numberText(number)}));
         });
       },
@@ -129,24 +129,24 @@ void Checker::checkMetric(const std::string& key, const Control& control, const 
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
   Eigen::Index axis = 0;
   const double least = kp.minCoeff(&axis);
-  add(key, said(QT_TRANSLATE_NOOP(
+  add(key, said(TRANSLATE_NOOP(
                     "problem",
                     "The gain along %1 is %2 beside gains above it, so no point of the %3 is nearest in the gains' own "
                     "metric. Set \"anisotropy\" to \"euclidean\" in the control, or give every axis a gain."),
                 {std::string(1, "xyz"[axis]),
                  least == 0.0 ? Sentence(numberText(least))
-                              : said(QT_TRANSLATE_NOOP("problem", "%1, next to nothing,"), {numberText(least)}),
+                              : said(TRANSLATE_NOOP("problem", "%1, next to nothing,"), {numberText(least)}),
                  typeName(shape)}));
 }
 
 void Checker::checkName(const std::string& key, const std::string& name) {
   if (name.empty()) {
-    add(key, said(QT_TRANSLATE_NOOP("problem", "The constraint has no name.")));
+    add(key, said(TRANSLATE_NOOP("problem", "The constraint has no name.")));
     return;
   }
   const auto [first, is_new] = names_.emplace(name, path_);
   if (!is_new)
-    add(key, said(QT_TRANSLATE_NOOP("problem", "The name %1 is taken by %2; names must differ."),
+    add(key, said(TRANSLATE_NOOP("problem", "The name %1 is taken by %2; names must differ."),
                   {json::shown(name), first->second}));
 }
 
@@ -154,25 +154,25 @@ void Checker::checkInfluence(const Constraint& constraint, const Control& contro
   const std::string key = path_ + ".influence";
   const Influence& influence = *constraint.influence;
   if (!takesInfluence(constraint.shape)) {
-    add(key, said(QT_TRANSLATE_NOOP("problem", "A %1 has no influence."), {typeName(constraint.shape)}));
+    add(key, said(TRANSLATE_NOOP("problem", "A %1 has no influence."), {typeName(constraint.shape)}));
   }
   if (!(influence.t >= 0.0 && influence.t <= 1.0)) {
-    add(key + ".t", said(QT_TRANSLATE_NOOP(
-                             "problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1."),
-                         {numberText(influence.t)}));
+    add(key + ".t",
+        said(TRANSLATE_NOOP("problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1."),
+             {numberText(influence.t)}));
   }
   if (!(influence.blend_deg >= 0.0 && influence.blend_deg <= kWidestBlend_deg)) {
-    add(key + ".blend_deg", said(QT_TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1."),
+    add(key + ".blend_deg", said(TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1."),
                                  {numberText(influence.blend_deg)}));
   }
   if (constraint.side != target::Side::Both) {
-    add(key, said(QT_TRANSLATE_NOOP("problem",
-                                    "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" "
-                                    "or \"influence\" away.")));
+    add(key, said(TRANSLATE_NOOP("problem",
+                                 "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" "
+                                 "or \"influence\" away.")));
   }
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !allSame(control.gains.kp_N_per_mm)) {
-    add(key, said(QT_TRANSLATE_NOOP(
+    add(key, said(TRANSLATE_NOOP(
                  "problem",
                  "With influence the target is not the nearest point of the gains' own metric. Set \"anisotropy\" to "
                  "\"euclidean\" in the control, or give every axis the same kp.")));
@@ -193,12 +193,11 @@ void Checker::checkFriction(const Friction& friction) {
   const std::string key = path_ + ".friction";
   const double most = kMostFriction;
   if (!(friction.static_share >= 0.0 && friction.static_share <= most)) {
-    add(key + ".static", said(QT_TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2."),
+    add(key + ".static", said(TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2."),
                               {numberText(most), numberText(friction.static_share)}));
   } else if (!(friction.dynamic_share >= 0.0 && friction.dynamic_share <= friction.static_share)) {
-    add(key + ".dynamic",
-        said(QT_TRANSLATE_NOOP("problem", "This must be from 0 to the static share, %1; here it is %2."),
-             {numberText(friction.static_share), numberText(friction.dynamic_share)}));
+    add(key + ".dynamic", said(TRANSLATE_NOOP("problem", "This must be from 0 to the static share, %1; here it is %2."),
+                               {numberText(friction.static_share), numberText(friction.dynamic_share)}));
   }
 }
 
@@ -217,7 +216,7 @@ void Checker::checkConstraint(std::size_t index) {
       constraint.shape);
   if (constraint.side != target::Side::Both && !hasSides(constraint.shape)) {
     add(path_ + ".side",
-        said(QT_TRANSLATE_NOOP("problem", "A %1 has no inside and no outside."), {typeName(constraint.shape)}));
+        said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside."), {typeName(constraint.shape)}));
   }
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) {
     checkRobot(*robot, constraint, controlOf(scene_, index));
@@ -233,7 +232,7 @@ void Checker::checkConstraint(std::size_t index) {
   if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
   if (constraint.friction) {
     if (!takesFriction(constraint.shape))
-      add(path_ + ".friction", said(QT_TRANSLATE_NOOP("problem", "There is nothing to slide along.")));
+      add(path_ + ".friction", said(TRANSLATE_NOOP("problem", "There is nothing to slide along.")));
     checkFriction(*constraint.friction);
   }
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);
@@ -243,26 +242,25 @@ void Checker::checkConstraint(std::size_t index) {
 void Checker::checkSimulation(const Simulation& simulation) {
   const double us = simulation.substep_us;
   if (us >= kShortestSubstep_us && us <= kLongestSubstep_us) return;
-  add("simulation.substep_us", said(QT_TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3."),
+  add("simulation.substep_us", said(TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3."),
                                     {numberText(kShortestSubstep_us), numberText(kLongestSubstep_us), numberText(us)}));
 }
 
 Problems Checker::run() {
   if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
-    add("title",
-        said(QT_TRANSLATE_NOOP("problem", "The title is empty; a few words tell people what they will feel.")));
+    add("title", said(TRANSLATE_NOOP("problem", "The title is empty; a few words tell people what they will feel.")));
   }
   if (arm::findPreset(scene_.arm) == nullptr) {
     std::vector<std::string> known;
     for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
-    add("arm", said(QT_TRANSLATE_NOOP("problem", "The arm %1 is not known. There are %2."),
+    add("arm", said(TRANSLATE_NOOP("problem", "The arm %1 is not known. There are %2."),
                     {json::shown(scene_.arm), json::listed(known, "and")}));
   }
   checkControl("control", scene_.control);
   checkSimulation(scene_.simulation);
   const std::size_t count = scene_.constraints.size();
   if (count < 1 || count > tick::kMaxConstraints) {
-    add("constraints", said(QT_TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; here are %2."),
+    add("constraints", said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; here are %2."),
                             {std::to_string(tick::kMaxConstraints), std::to_string(count)}));
   }
   for (std::size_t index = 0; index < count; ++index) checkConstraint(index);

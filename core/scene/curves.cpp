@@ -17,9 +17,9 @@ constexpr double kLongestLead_mm = 1000.0;
 
 void readGuide(const json::Value& value, const std::string& path, CurveGuide& into, Findings& findings) {
   if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"speed_mm_per_s\": 30}"}), findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"speed_mm_per_s\": 30}"}), findings))
     return;
-  ObjectReader guide(value, path, said(QT_TRANSLATE_NOOP("problem", "a guide")), findings);
+  ObjectReader guide(value, path, said(TRANSLATE_NOOP("problem", "a guide")), findings);
   const auto read = [&](const char* key, double& number, bool is_required) {
     const json::Value* const found = guide.find(key, is_required);
     if (found != nullptr) readNumber(*found, guide.pathOf(key), number, findings);
@@ -52,26 +52,24 @@ void checkCurve(const Curve& curve, const Control& control, const Say& say) {
   const CurveGuide& guide = *curve.guide;
   if (!(guide.t >= 0.0 && guide.t <= 1.0)) {
     say("guide.t",
-        said(QT_TRANSLATE_NOOP(
+        said(TRANSLATE_NOOP(
                  "problem",
                  "This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1."),
              {numberText(guide.t)}));
   }
   if (!(std::abs(guide.speed_mm_per_s) <= kFastest_mm_per_s)) {
-    say("guide.speed_mm_per_s",
-        said(QT_TRANSLATE_NOOP("problem", "This must be from -2000 to 2000 mm/s; here it is %1."),
-             {numberText(guide.speed_mm_per_s)}));
+    say("guide.speed_mm_per_s", said(TRANSLATE_NOOP("problem", "This must be from -2000 to 2000 mm/s; here it is %1."),
+                                     {numberText(guide.speed_mm_per_s)}));
   }
   if (!(guide.lead_mm > 0.0 && guide.lead_mm <= kLongestLead_mm)) {
-    say("guide.lead_mm", said(QT_TRANSLATE_NOOP("problem", "This must be above 0 and at most 1000 mm; here it is %1."),
+    say("guide.lead_mm", said(TRANSLATE_NOOP("problem", "This must be above 0 and at most 1000 mm; here it is %1."),
                               {numberText(guide.lead_mm)}));
   }
 }
 
 Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place) {
   if (curve.points == nullptr)
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "The curve %1 is not loaded."), {json::shown(curve.file)}), place}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "The curve %1 is not loaded."), {json::shown(curve.file)}), place}};
   auto made = keptCurve(curve, place);
   if (!made) return made.problems();
   target::CurvePath path{std::move(made).value(), curve.search, {}};

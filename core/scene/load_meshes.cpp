@@ -67,7 +67,7 @@ Problems checked(Mesh& mesh, const Place& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
   return {
-      {said(QT_TRANSLATE_NOOP(
+      {said(TRANSLATE_NOOP(
                 "problem",
                 "The mesh %1 is not the one that the scene was made with: its content has another checksum. Bring that "
                 "file back, or take \"checksum\" away to go on with this one."),
@@ -84,7 +84,7 @@ Problems load(Mesh& mesh, const Description& scene, const Place& place, const me
     Problems problems = loaded.problems();
     for (Problem& problem : problems) {
       if (place.file.empty()) continue;
-      problem.sentence = said(QT_TRANSLATE_NOOP("problem", "The mesh %1: %2"), {path, problem.sentence});
+      problem.sentence = said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {path, problem.sentence});
       problem.place = place;
     }
     return problems;
@@ -125,11 +125,11 @@ Problems notFound(const std::string& name, const Description& scene, const std::
   for (const std::string& folder : folders) {
     if (!folder.empty() && std::find(looked.begin(), looked.end(), folder) == looked.end()) looked.push_back(folder);
   }
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "The file %1 was not found. A recording keeps the names of its meshes and curves and "
-                                  "not their folders; it was looked for in %2. Put it beside the session, or name its "
-                                  "folder: in the window with Replay, Folder of its files; on the command line with "
-                                  "--files FOLDER."),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "The file %1 was not found. A recording keeps the names of its meshes and curves and "
+                               "not their folders; it was looked for in %2. Put it beside the session, or name its "
+                               "folder: in the window with Replay, Folder of its files; on the command line with "
+                               "--files FOLDER."),
                 {json::shown(name), json::listed(looked, "and")}),
            {scene.file}}};
 }

@@ -24,7 +24,7 @@ Sentence judgeValue(const Joint& joint, double value) {
   const double farthest = isTurning(joint) ? kFarthestTurn_rad : kFarthest_mm;
   if (!std::isfinite(value)) return notFinite();
   if (std::abs(value) <= farthest) return {};
-  return said(QT_TRANSLATE_NOOP("problem", "This must lie within %1; here it is %2."),
+  return said(TRANSLATE_NOOP("problem", "This must lie within %1; here it is %2."),
               {isTurning(joint) ? "1000 rad" : "1e6 mm", numberText(value)});
 }
 
@@ -35,7 +35,7 @@ class JointChecker {
   void check(const std::string& key, const Joint& joint) const {
     if (!joint.axis.allFinite()) {
       say(key + ".axis",
-          said(QT_TRANSLATE_NOOP("problem", "This is no finite direction; a double holds at most about 1.8e308.")));
+          said(TRANSLATE_NOOP("problem", "This is no finite direction; a double holds at most about 1.8e308.")));
     } else if (joint.axis.isZero(0.0)) {
       say(key + ".axis", pointsNowhere());
     }
@@ -48,16 +48,15 @@ class JointChecker {
     if (joint.max) say(key + ".max", judgeValue(joint, *joint.max));
     if (joint.min && joint.max && *joint.min > *joint.max) {
       say(key + ".min",
-          said(QT_TRANSLATE_NOOP("problem",
-                                 "The lower limit %1 is above the upper one, %2; no value of the joint is left."),
+          said(TRANSLATE_NOOP("problem",
+                              "The lower limit %1 is above the upper one, %2; no value of the joint is left."),
                {numberText(*joint.min), numberText(*joint.max)}));
     }
     say(key + "." + stiffnessKey(joint.type), judgeGain(joint.stiffness));
     say(key + ".rest", judgeValue(joint, joint.rest));
     if (joint.stiffness == 0.0 && joint.rest != 0.0) {
       say(key + ".rest",
-          said(QT_TRANSLATE_NOOP("problem",
-                                 "Without a spring the joint has no rest; give it \"%1\", or take this away."),
+          said(TRANSLATE_NOOP("problem", "Without a spring the joint has no rest; give it \"%1\", or take this away."),
                {stiffnessKey(joint.type)}));
     }
   }
@@ -80,7 +79,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   bool well = true;
   const JointChecker checker(add, well);
   if (robot.joints.empty() || robot.joints.size() > manipulator::kMaxJoints) {
-    checker.say("joints", said(QT_TRANSLATE_NOOP("problem", "A virtual manipulator has 1 to %1 joints; here are %2."),
+    checker.say("joints", said(TRANSLATE_NOOP("problem", "A virtual manipulator has 1 to %1 joints; here are %2."),
                                {std::to_string(manipulator::kMaxJoints), std::to_string(robot.joints.size())}));
   }
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
@@ -90,22 +89,22 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   checker.say("ko_N_mm_per_rad", judgeGain(robot.ko_N_mm_per_rad));
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
     checker.say("ko_N_mm_per_rad",
-                said(QT_TRANSLATE_NOOP(
+                said(TRANSLATE_NOOP(
                     "problem",
                     "With the orientation \"none\" nothing uses this; set \"orientation\" to \"axis\", \"angle\" or "
                     "\"full\", or take it away.")));
   }
   if (robot.solver.max_steps < 1 || robot.solver.max_steps > 100) {
-    checker.say("solver.max_steps", said(QT_TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100.")));
+    checker.say("solver.max_steps", said(TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100.")));
   }
   if (!(robot.solver.tolerance > 0.0 && robot.solver.tolerance <= 1e-2)) {
-    checker.say("solver.tolerance",
-                said(QT_TRANSLATE_NOOP("problem",
-                                       "This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1."),
-                     {numberText(robot.solver.tolerance)}));
+    checker.say(
+        "solver.tolerance",
+        said(TRANSLATE_NOOP("problem", "This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1."),
+             {numberText(robot.solver.tolerance)}));
   }
   if (control.space == tick::Space::Joint) {
-    checker.say("", said(QT_TRANSLATE_NOOP(
+    checker.say("", said(TRANSLATE_NOOP(
                         "problem",
                         "A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. "
                         "Set \"space\" to \"cartesian\".")));
@@ -113,7 +112,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (control.anisotropy == Anisotropy::Euclidean && !(kp.x() == kp.y() && kp.y() == kp.z())) {
     checker.say("",
-                said(QT_TRANSLATE_NOOP(
+                said(TRANSLATE_NOOP(
                     "problem",
                     "A virtual manipulator is held in the gains' own metric. Take \"anisotropy\" away, or give every "
                     "axis the same kp.")));

@@ -28,13 +28,13 @@ void readMesh(ObjectReader& object, Mesh& into) {
 
 void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,
                     const Eigen::Matrix4d& X_WM, const Control& control, const Say& say) {
-  if (file.empty()) say("file", said(QT_TRANSLATE_NOOP("problem", "A %1 needs the name of its file."), {what}));
+  if (file.empty()) say("file", said(TRANSLATE_NOOP("problem", "A %1 needs the name of its file."), {what}));
   const double unit_mm = std::abs(scale_mm_per_unit);  // below 0: the mirror image
   if (!(unit_mm >= kSmallestScale && unit_mm <= kLargestScale)) {
     say("scale_mm_per_unit",
-        said(QT_TRANSLATE_NOOP("problem",
-                               "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), "
-                               "or as much below 0, which mirrors at the file's origin; here it is %1."),
+        said(TRANSLATE_NOOP("problem",
+                            "This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), "
+                            "or as much below 0, which mirrors at the file's origin; here it is %1."),
              {numberText(scale_mm_per_unit)}));
   }
   if (const Sentence sentence = judgePose(X_WM); !sentence.empty()) say("X_WM", sentence);
@@ -43,7 +43,7 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
   if (weighted && !(kp.x() == kp.y() && kp.y() == kp.z())) {
     say("file",
         said(
-            QT_TRANSLATE_NOOP(
+            TRANSLATE_NOOP(
                 "problem",
                 "The nearest point of a %1 is not sought in the gains' own metric. Set \"anisotropy\" to \"euclidean\" "
                 "in the control, or give every axis the same kp."),
@@ -54,23 +54,22 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say) {
   checkPlacement("mesh", mesh.file, mesh.scale_mm_per_unit, mesh.X_WM, control, say);
   if (!(mesh.smooth_deg >= 0.0 && mesh.smooth_deg <= kMostSmooth_deg)) {
-    say("smooth_deg", said(QT_TRANSLATE_NOOP("problem",
-                                             "This must be from 0 (faces as they are) to %1 degrees that the force may "
-                                             "lean, so that bends feel round; here it is %2."),
+    say("smooth_deg", said(TRANSLATE_NOOP("problem",
+                                          "This must be from 0 (faces as they are) to %1 degrees that the force may "
+                                          "lean, so that bends feel round; here it is %2."),
                            {numberText(kMostSmooth_deg), numberText(mesh.smooth_deg)}));
   }
   if (side == target::Side::Both || mesh.search == Search::Hybrid) return;
-  say("search", said(QT_TRANSLATE_NOOP("problem",
-                                       "A wall's proxy follows the surface; it is not sought. Take \"search\" away.")));
+  say("search",
+      said(TRANSLATE_NOOP("problem", "A wall's proxy follows the surface; it is not sought. Take \"search\" away.")));
 }
 
 Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place) {
   if (mesh.surface == nullptr)
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "The mesh %1 is not loaded."), {json::shown(mesh.file)}), place}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "The mesh %1 is not loaded."), {json::shown(mesh.file)}), place}};
   if (side != target::Side::Both && !mesh.surface->is_closed) {
     return Problems{
-        {said(QT_TRANSLATE_NOOP(
+        {said(TRANSLATE_NOOP(
                   "problem",
                   "The mesh %1 has holes or edges that do not fit together, so it has no inside and no outside. Take "
                   "\"side\" away: the stylus is then held to its surface."),

@@ -17,18 +17,17 @@ void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);
   if (value == nullptr) return;
   Findings& findings = object.findings();
-  if (!isKind(*value, json::Kind::Number, "underact_scene", said(QT_TRANSLATE_NOOP("problem", "the number 1")),
-              findings))
+  if (!isKind(*value, json::Kind::Number, "underact_scene", said(TRANSLATE_NOOP("problem", "the number 1")), findings))
     return;
   if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
     findings.add(*value, "underact_scene",
-                 said(QT_TRANSLATE_NOOP("problem",
-                                        "The scene is of version %1, and this program, older than the scene, reads "
-                                        "version 1. Use a newer Underact."),
+                 said(TRANSLATE_NOOP("problem",
+                                     "The scene is of version %1, and this program, older than the scene, reads "
+                                     "version 1. Use a newer Underact."),
                       {json::numberText(value->number)}));
   } else if (value->number != kVersion) {
     findings.add(*value, "underact_scene",
-                 said(QT_TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));
+                 said(TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));
   }
 }
 
@@ -48,7 +47,7 @@ void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
   const json::Value* list = object.find("constraints", true);
   Findings& findings = object.findings();
   if (list == nullptr || !isKind(*list, json::Kind::Array, "constraints",
-                                 said(QT_TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
+                                 said(TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
     into.emplace_back();  // a harmless one
   } else {
     into.resize(list->items.size());
@@ -70,9 +69,9 @@ void readTexts(ObjectReader& object, Description& into) {
 Simulation readSimulation(const json::Value& value, Findings& findings) {
   Simulation simulation;
   if (!isKind(value, json::Kind::Object, "simulation",
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"substep_us\": 50}"}), findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"substep_us\": 50}"}), findings))
     return simulation;
-  ObjectReader object(value, "simulation", said(QT_TRANSLATE_NOOP("problem", "a simulation")), findings);
+  ObjectReader object(value, "simulation", said(TRANSLATE_NOOP("problem", "a simulation")), findings);
   if (const json::Value* integrator = object.find("integrator"))
     readWord(*integrator, object.pathOf("integrator"), kIntegratorWords, simulation.integrator, findings);
   if (const json::Value* substep = object.find("substep_us"))
@@ -84,7 +83,7 @@ Simulation readSimulation(const json::Value& value, Findings& findings) {
 Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
   Description scene;
   scene.file = file_name;
-  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "a scene")), findings);
+  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "a scene")), findings);
   readVersion(object);
   readTexts(object, scene);
   if (const json::Value* control = object.find("control")) scene.control = readControl(*control, "control", findings);
@@ -97,8 +96,7 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
-    isKind(*schema, json::Kind::String, "$schema", said(QT_TRANSLATE_NOOP("problem", "text in double quotes")),
-           findings);
+    isKind(*schema, json::Kind::String, "$schema", said(TRANSLATE_NOOP("problem", "text in double quotes")), findings);
   }
   object.refuse("velocity", belongsToControl());
   object.refuse("friction", belongsToConstraint());

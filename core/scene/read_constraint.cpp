@@ -37,9 +37,9 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   const std::string nearest = nearestWord(value.text, types);
   findings.add(value, path,
                nearest.empty()
-                   ? said(QT_TRANSLATE_NOOP("problem", "The type %1 is not known. There are %2."),
+                   ? said(TRANSLATE_NOOP("problem", "The type %1 is not known. There are %2."),
                           {shown(value.text), listed(types, "and")})
-                   : said(QT_TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? There are %3."),
+                   : said(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? There are %3."),
                           {shown(value.text), nearest, listed(types, "and")}));
   return std::nullopt;
 }
@@ -70,14 +70,14 @@ void readName(const json::Value& value, const std::string& path, std::string& in
   if (value.kind == json::Kind::String && value.text.empty()) {
     findings.add(
         value, path,
-        said(QT_TRANSLATE_NOOP("problem", "The name is empty; write one, or take the key away and one is made up.")));
+        said(TRANSLATE_NOOP("problem", "The name is empty; write one, or take the key away and one is made up.")));
   }
   readText(value, path, into, findings);
 }
 
 void readSide(ObjectReader& object, Constraint& into) {
   if (!hasSides(into.shape)) {
-    object.refuse("side", said(QT_TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; take \"side\" away."),
+    object.refuse("side", said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; take \"side\" away."),
                                {typeName(into.shape)}));
   } else if (const json::Value* value = object.find("side")) {
     readWord(*value, object.pathOf("side"), kSideWords, into.side, object.findings());
@@ -86,10 +86,10 @@ void readSide(ObjectReader& object, Constraint& into) {
 
 void readInfluence(ObjectReader& object, Constraint& into) {
   if (!takesInfluence(into.shape)) {
-    object.refuse("influence",
-                  said(QT_TRANSLATE_NOOP(
-                           "problem", "A %1 has no influence; a circle, a cylinder and a sphere have. Take it away."),
-                       {typeName(into.shape)}));
+    object.refuse(
+        "influence",
+        said(TRANSLATE_NOOP("problem", "A %1 has no influence; a circle, a cylinder and a sphere have. Take it away."),
+             {typeName(into.shape)}));
     return;
   }
   const json::Value* const value = object.find("influence");
@@ -97,9 +97,9 @@ void readInfluence(ObjectReader& object, Constraint& into) {
   const std::string path = object.pathOf("influence");
   into.influence.emplace();
   if (!isKind(*value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t\": 0.5}"}), object.findings()))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t\": 0.5}"}), object.findings()))
     return;
-  ObjectReader reader(*value, path, said(QT_TRANSLATE_NOOP("problem", "an influence")), object.findings());
+  ObjectReader reader(*value, path, said(TRANSLATE_NOOP("problem", "an influence")), object.findings());
   if (const json::Value* t = reader.find("t", true)) {
     readNumber(*t, reader.pathOf("t"), into.influence->t, object.findings());
   }
@@ -116,7 +116,7 @@ void readFriction(ObjectReader& object, Constraint& into) {
   if (!takesFriction(into.shape)) {
     object.refuse(
         "friction",
-        said(QT_TRANSLATE_NOOP("problem", "A %1 is nothing to slide along, so it has no friction. Take it away."),
+        said(TRANSLATE_NOOP("problem", "A %1 is nothing to slide along, so it has no friction. Take it away."),
              {typeName(into.shape)}));
     return;
   }
@@ -125,11 +125,11 @@ void readFriction(ObjectReader& object, Constraint& into) {
   const std::string path = object.pathOf("friction");
   into.friction.emplace();
   if (!isKind(*value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"static\": 0.4, \"dynamic\": 0.3}"}),
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"static\": 0.4, \"dynamic\": 0.3}"}),
               object.findings())) {
     return;
   }
-  ObjectReader reader(*value, path, said(QT_TRANSLATE_NOOP("problem", "a friction")), object.findings());
+  ObjectReader reader(*value, path, said(TRANSLATE_NOOP("problem", "a friction")), object.findings());
   if (const json::Value* share = reader.find("static", true)) {
     readNumber(*share, reader.pathOf("static"), into.friction->static_share, object.findings());
   }
@@ -143,26 +143,26 @@ void readFriction(ObjectReader& object, Constraint& into) {
 }  // namespace
 
 Sentence belongsToConstraint() {
-  return said(QT_TRANSLATE_NOOP("problem", "This is a part of a constraint, as in %1."),
+  return said(TRANSLATE_NOOP("problem", "This is a part of a constraint, as in %1."),
               {"{\"type\": \"mesh\", \"file\": \"a.stl\", \"friction\": {\"static\": 0.4}}"});
 }
 
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
   into.place = {findings.file(), value.line, value.column, path};
   findings.remember(path, value);
-  if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"),
-                   {"{\"type\": \"point\", \"position_mm\": [0, 0, 0]}"}),
-              findings)) {
+  if (!isKind(
+          value, json::Kind::Object, path,
+          said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"type\": \"point\", \"position_mm\": [0, 0, 0]}"}),
+          findings)) {
     return;
   }
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a constraint")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a constraint")), findings);
   if (const json::Value* name = object.find("name")) readName(*name, object.pathOf("name"), into.name, findings);
   std::optional<Shape> shape;
   if (const json::Value* type = object.find("type", true)) shape = shapeOfType(*type, object.pathOf("type"), findings);
   if (shape) {
     into.shape = *shape;
-    object.setWhat(said(QT_TRANSLATE_NOOP("problem", "a %1"), {typeName(into.shape)}));
+    object.setWhat(said(TRANSLATE_NOOP("problem", "a %1"), {typeName(into.shape)}));
     if (auto* robot = std::get_if<VirtualManipulator>(&into.shape)) {
       readManipulator(object, *robot);
     } else if (auto* mesh = std::get_if<Mesh>(&into.shape)) {
@@ -177,7 +177,7 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
     readFriction(object, into);
     if (!std::holds_alternative<Mesh>(into.shape) && !std::holds_alternative<Curve>(into.shape)) {
       object.refuse("search",
-                    said(QT_TRANSLATE_NOOP(
+                    said(TRANSLATE_NOOP(
                              "problem",
                              "A %1 is found by a formula, not by a search; a mesh and a curve have one. Take it away."),
                          {typeName(into.shape)}));

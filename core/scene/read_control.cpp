@@ -12,25 +12,25 @@ void readGain(const json::Value& value, const std::string& path, Vec3& into, Fin
     readNumber(value, path, into, findings);
   } else {
     isKind(value, json::Kind::Number, path,
-           said(QT_TRANSLATE_NOOP("problem", "a number, or a list of 3 numbers for x, y and z")), findings);
+           said(TRANSLATE_NOOP("problem", "a number, or a list of 3 numbers for x, y and z")), findings);
   }
 }
 
 }  // namespace
 
 Sentence belongsToControl() {
-  return said(QT_TRANSLATE_NOOP("problem", "This is a part of the control, as in %1."),
+  return said(TRANSLATE_NOOP("problem", "This is a part of the control, as in %1."),
               {"\"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}"});
 }
 
 Control readControl(const json::Value& value, const std::string& path, Findings& findings) {
   Control control;
   if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"law\": \"P\", \"kp_N_per_mm\": 0.5}"}),
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"law\": \"P\", \"kp_N_per_mm\": 0.5}"}),
               findings)) {
     return control;
   }
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a control")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a control")), findings);
   if (const json::Value* law = object.find("law")) {
     // PID uses every gain: where the law cannot be read, nothing is said of gains that it would not use.
     if (!readWord(*law, object.pathOf("law"), kLawWords, control.law, findings)) control.law = LawType::PID;

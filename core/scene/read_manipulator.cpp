@@ -17,13 +17,13 @@ void readOptional(ObjectReader& object, const char* key, double& into) {
 
 void readJoint(const json::Value& value, const std::string& path, Joint& into, Findings& findings) {
   if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"),
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"),
                    {"{\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}"}),
               findings)) {
     return;
   }
   findings.remember(path, value);
-  ObjectReader joint(value, path, said(QT_TRANSLATE_NOOP("problem", "a joint")), findings);
+  ObjectReader joint(value, path, said(TRANSLATE_NOOP("problem", "a joint")), findings);
   bool known = false;
   if (const json::Value* type = joint.find("type", true)) {
     known = readWord(*type, joint.pathOf("type"), kJointWords, into.type, findings);
@@ -37,11 +37,11 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
     }
   } else {
     joint.refuse("point_mm",
-                 said(QT_TRANSLATE_NOOP("problem", "A prismatic joint has a direction and no point; take it away.")));
+                 said(TRANSLATE_NOOP("problem", "A prismatic joint has a direction and no point; take it away.")));
   }
   const bool turns = into.type == chain::JointType::Revolute;
   joint.refuse(stiffnessKey(turns ? chain::JointType::Prismatic : chain::JointType::Revolute),
-               said(QT_TRANSLATE_NOOP("problem", "The spring of a %1 joint is \"%2\"."),
+               said(TRANSLATE_NOOP("problem", "The spring of a %1 joint is \"%2\"."),
                     {wordOf(kJointWords, into.type), stiffnessKey(into.type)}));
   readLimit(joint, "min", into.min);
   readLimit(joint, "max", into.max);
@@ -52,9 +52,9 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
 
 void readSolver(const json::Value& value, const std::string& path, Solver& into, Findings& findings) {
   if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"method\": \"auto\"}"}), findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"method\": \"auto\"}"}), findings))
     return;
-  ObjectReader solver(value, path, said(QT_TRANSLATE_NOOP("problem", "a solver")), findings);
+  ObjectReader solver(value, path, said(TRANSLATE_NOOP("problem", "a solver")), findings);
   if (const json::Value* method = solver.find("method")) {
     readWord(*method, solver.pathOf("method"), kSolverWords, into.method, findings);
   }
@@ -65,7 +65,7 @@ void readSolver(const json::Value& value, const std::string& path, Solver& into,
       into.max_steps = static_cast<int>(count);
     } else if (steps->kind == json::Kind::Number) {
       findings.add(*steps, solver.pathOf("max_steps"),
-                   said(QT_TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100; here it is %1."),
+                   said(TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100; here it is %1."),
                         {json::numberText(count)}));
     }
   }
@@ -79,9 +79,9 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
   findings.remember(path, value);
   const bool four = value.kind == json::Kind::Array && value.items.size() == 4;
   if (!four) {
-    if (isKind(value, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
+    if (isKind(value, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
       findings.add(value, path,
-                   said(QT_TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; here are %1."),
+                   said(TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; here are %1."),
                         {std::to_string(value.items.size())}));
     }
     return;
@@ -90,12 +90,11 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
     const json::Value& line = value.items[static_cast<std::size_t>(row)];
     const std::string line_path = path + "[" + std::to_string(row) + "]";
     findings.remember(line_path, line);
-    if (!isKind(line, json::Kind::Array, line_path, said(QT_TRANSLATE_NOOP("problem", "4 numbers")), findings))
-      continue;
+    if (!isKind(line, json::Kind::Array, line_path, said(TRANSLATE_NOOP("problem", "4 numbers")), findings)) continue;
     if (line.items.size() != 4) {
       findings.add(
           line, line_path,
-          said(QT_TRANSLATE_NOOP("problem", "A row has 4 numbers; here are %1."), {std::to_string(line.items.size())}));
+          said(TRANSLATE_NOOP("problem", "A row has 4 numbers; here are %1."), {std::to_string(line.items.size())}));
       continue;
     }
     for (Eigen::Index column = 0; column < 4; ++column) {
@@ -109,7 +108,7 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   Findings& findings = object.findings();
   const json::Value* joints = object.find("joints", true);
   if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"),
-                                  said(QT_TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
+                                  said(TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
     findings.remember(object.pathOf("joints"), *joints);
     into.joints.resize(joints->items.size());
     for (std::size_t i = 0; i < into.joints.size(); ++i) {

@@ -42,8 +42,8 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
              chosen);
   for (const auto& [key, filters] : users) {
     object.refuse(
-        key, said(QT_TRANSLATE_NOOP(
-                      "problem", "The filter \"%1\" does not use this; %2 would. Change the filter or take it away."),
+        key, said(TRANSLATE_NOOP("problem",
+                                 "The filter \"%1\" does not use this; %2 would. Change the filter or take it away."),
                   {filterName(chosen), listed(filters, "and")}));
   }
 }
@@ -53,9 +53,9 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings) {
   Velocity velocity;
   if (!isKind(value, json::Kind::Object, path,
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
     return velocity;
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a velocity")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity")), findings);
   const json::Value* const filter = object.find("filter", true);
   const std::optional<Velocity> chosen =
       filter != nullptr ? filterOf(*filter, object.pathOf("filter"), findings) : std::nullopt;

@@ -60,7 +60,7 @@ std::string withoutLinks(const std::string& path) {
 }  // namespace
 
 Result<Description> readSceneFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "a scene")));
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a scene")));
   if (!text) return text.problems();
   return readScene(text.value(), path);
 }
@@ -71,16 +71,16 @@ Problems writeSceneFile(const Description& scene, const std::string& path, const
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode))
-    return problem(path, said(QT_TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));
+    return problem(path, said(TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));
   Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (file.get() < 0)
-    return problem(path, said(QT_TRANSLATE_NOOP("problem", "The scene cannot be saved: %1."), {reason()}));
+    return problem(path, said(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1."), {reason()}));
   if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777U);
   if (!writeAll(file, writeScene(scene, teaching)) || ::fsync(file.get()) != 0 || !file.close() ||
       std::rename(part.c_str(), target.c_str()) != 0) {
     const Problems problems = problem(
         path,
-        said(QT_TRANSLATE_NOOP("problem", "The scene cannot be saved, what was there is untouched: %1."), {reason()}));
+        said(TRANSLATE_NOOP("problem", "The scene cannot be saved, what was there is untouched: %1."), {reason()}));
     ::unlink(part.c_str());
     return problems;
   }

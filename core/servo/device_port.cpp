@@ -5,7 +5,7 @@
 namespace underact::servo {
 
 Sentence DevicePort::fixedRate() const {
-  return said(QT_TRANSLATE_NOOP("problem", "This arm keeps the rate that it was opened with."));
+  return said(TRANSLATE_NOOP("problem", "This arm keeps the rate that it was opened with."));
 }
 
 }  // namespace underact::servo

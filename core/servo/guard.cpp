@@ -25,17 +25,17 @@ namespace underact::servo {
 
 Sentence guardPhrase(const Guard* guard, const Sentence& why_none) {
   const Sentence gap = guard == nullptr ? why_none : guard->gap();
-  if (guard == nullptr || !gap.empty()) return said(QT_TRANSLATE_NOOP("problem", "no guard: %1"), {gap});
-  if (guard->replaced() == 0) return said(QT_TRANSLATE_NOOP("problem", "guarded by a process of its own"));
-  return said(QT_TRANSLATE_NOOP("problem", "guarded by a process of its own (replaced so far: %1)"),
+  if (guard == nullptr || !gap.empty()) return said(TRANSLATE_NOOP("problem", "no guard: %1"), {gap});
+  if (guard->replaced() == 0) return said(TRANSLATE_NOOP("problem", "guarded by a process of its own"));
+  return said(TRANSLATE_NOOP("problem", "guarded by a process of its own (replaced so far: %1)"),
               {std::to_string(guard->replaced())});
 }
 
 Sentence nothingGuards(const Sentence& gap) {
-  return said(QT_TRANSLATE_NOOP("problem",
-                                "Nothing guards the arm: %1. If this program died now, the arm could keep its last "
-                                "force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the "
-                                "force."),
+  return said(TRANSLATE_NOOP("problem",
+                             "Nothing guards the arm: %1. If this program died now, the arm could keep its last "
+                             "force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the "
+                             "force."),
               {gap});
 }
 
@@ -52,7 +52,7 @@ constexpr int kLimitsInPatience = 10;  // in each of which it looks five times
 std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns, const std::string& program,
                                     Sentence& why) {
   if (word.fd < 0) {
-    why = said(QT_TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
+    why = said(TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
     return nullptr;
   }
   const Result<std::string> path = program.empty() ? findProgram("underact-guard") : program;
@@ -102,7 +102,7 @@ void Guard::watch() {
   const sched_param normal{};
   pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);  // whoever made it may be real-time
   while (waitUntilItEnds()) {
-    setGap(said(QT_TRANSLATE_NOOP("problem", "the guard has ended, and is started again")));
+    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended, and is started again")));
     if (!startAnother()) return;
     replaced_.fetch_add(1, std::memory_order_relaxed);
     setGap({});
@@ -129,7 +129,7 @@ bool Guard::startAnother() {
   for (;;) {
     if (isToldToEnd(pace_.next_ns(monotonicNow_ns()))) return false;
     if (process_->start()) return true;
-    setGap(said(QT_TRANSLATE_NOOP("problem", "the guard has ended, and does not start again (%1)"),
+    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended, and does not start again (%1)"),
                 {std::string(std::strerror(process_->failure()))}));
   }
 }
@@ -148,7 +148,7 @@ bool Guard::isToldToEnd(std::int64_t until_ns) const {
 class GuardProcess {};
 
 std::unique_ptr<Guard> Guard::start(const LastWord&, std::int64_t, const std::string&, Sentence& why) {
-  why = said(QT_TRANSLATE_NOOP("problem", "there is no guard on this system"));
+  why = said(TRANSLATE_NOOP("problem", "there is no guard on this system"));
   return nullptr;
 }
 

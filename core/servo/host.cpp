@@ -53,7 +53,7 @@ struct Host::Impl {
     if (limit_ns > 0)
       guard = Guard::start(word, limit_ns, options.guard_program, no_guard);
     else
-      no_guard = said(QT_TRANSLATE_NOOP("problem", "the watchdog is switched off"));
+      no_guard = said(TRANSLATE_NOOP("problem", "the watchdog is switched off"));
     if (guard) loop.beatInto(&guard->beats());
     driven = Driven::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
@@ -80,12 +80,12 @@ struct Host::Impl {
   bool records() const { return tap && !tap->ended() && !tap->givenUp(); }
   Problems mayTickAt(int rate_hz) const {
     if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
-      return {{said(QT_TRANSLATE_NOOP("problem", "The servo ticks 100 to 10000 times a second, not %1."),
+      return {{said(TRANSLATE_NOOP("problem", "The servo ticks 100 to 10000 times a second, not %1."),
                     {std::to_string(rate_hz)}),
                {}}};
     if (records())
-      return {{said(QT_TRANSLATE_NOOP("problem",
-                                      "A session is recorded at one rate. Stop the recording, then change the rate.")),
+      return {{said(TRANSLATE_NOOP("problem",
+                                   "A session is recorded at one rate. Stop the recording, then change the rate.")),
                {}}};
     const Sentence why = device->refusesRate(rate_hz);
     return why.empty() ? Problems{} : Problems{{why, {}}};
@@ -225,12 +225,12 @@ bool Host::holdToRun() const {
 
 Problems Host::setForceShare(double share) {
   if (!(share >= 0.0 && share <= 1.0))
-    return {{said(QT_TRANSLATE_NOOP("problem", "The share of the force is from 0 to 1.")), {}}};
+    return {{said(TRANSLATE_NOOP("problem", "The share of the force is from 0 to 1.")), {}}};
   if (share == impl_->force_share) return {};
   if (impl_->records())
-    return {{said(QT_TRANSLATE_NOOP("problem",
-                                    "A session is recorded at one limit of the force. Stop the recording first.")),
-             {}}};
+    return {
+        {said(TRANSLATE_NOOP("problem", "A session is recorded at one limit of the force. Stop the recording first.")),
+         {}}};
   impl_->force_share = share;
   return impl_->revision > 0 ? impl_->put(scene::Description(impl_->scene), Order::Retune) : Problems{};
 }
@@ -337,14 +337,13 @@ int Host::rateHz() const {
 
 Scheduling Host::scheduling() const {
   if (impl_->ticksByItself()) {
-    Scheduling granted = impl_->thread
-                             ? impl_->thread->scheduling()
-                             : Scheduling{said(QT_TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
+    Scheduling granted = impl_->thread ? impl_->thread->scheduling()
+                                       : Scheduling{said(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
     granted.also.push_back(guarding());
     return granted;
   }
-  return {said(impl_->options.clock == Clock::Manual ? QT_TRANSLATE_NOOP("problem", "manual")
-                                                     : QT_TRANSLATE_NOOP("problem", "not begun")),
+  return {said(impl_->options.clock == Clock::Manual ? TRANSLATE_NOOP("problem", "manual")
+                                                     : TRANSLATE_NOOP("problem", "not begun")),
           "",
           {}};
 }

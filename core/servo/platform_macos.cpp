@@ -59,14 +59,14 @@ bool runOnCore(int /*core*/) noexcept {
 
 Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz) {
   Scheduling granted{
-      said(QT_TRANSLATE_NOOP("problem", "normal")),
-      said(QT_TRANSLATE_NOOP(
+      said(TRANSLATE_NOOP("problem", "normal")),
+      said(TRANSLATE_NOOP(
           "problem", "On macOS the servo has never been tried: what it reports of lateness is all that is known.")),
       {}};
   granted.also.push_back(wanted.core >= 0
-                             ? said(QT_TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(wanted.core)})
-                             : said(QT_TRANSLATE_NOOP("problem", "all cores")));
-  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "memory not locked")));
+                             ? said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(wanted.core)})
+                             : said(TRANSLATE_NOOP("problem", "all cores")));
+  granted.also.push_back(said(TRANSLATE_NOOP("problem", "memory not locked")));
   if (wanted.way != Way::Normal) {
     const std::int64_t period_ns = 1'000'000'000 / rate_hz;
     thread_time_constraint_policy_data_t policy{};
@@ -77,9 +77,9 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz) {
     const kern_return_t answer =
         thread_policy_set(pthread_mach_thread_np(pthread_self()), THREAD_TIME_CONSTRAINT_POLICY,
                           reinterpret_cast<thread_policy_t>(&policy), THREAD_TIME_CONSTRAINT_POLICY_COUNT);
-    if (answer == KERN_SUCCESS) granted.name = said(QT_TRANSLATE_NOOP("problem", "time constraint"));
+    if (answer == KERN_SUCCESS) granted.name = said(TRANSLATE_NOOP("problem", "time constraint"));
   }
-  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "untested")));
+  granted.also.push_back(said(TRANSLATE_NOOP("problem", "untested")));
   return granted;
 }
 

@@ -89,19 +89,19 @@ bool runOnCore(int core) noexcept {
 
 Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   Scheduling granted{
-      said(QT_TRANSLATE_NOOP("problem", "normal")),
-      said(QT_TRANSLATE_NOOP(
+      said(TRANSLATE_NOOP("problem", "normal")),
+      said(TRANSLATE_NOOP(
           "problem", "On Windows the servo has never been tried: what it reports of lateness is all that is known.")),
       {}};
   if (wanted.core >= 0) {
     const bool runs = runOnCore(wanted.core);
     granted.also.push_back(
-        said(runs ? QT_TRANSLATE_NOOP("problem", "core %1") : QT_TRANSLATE_NOOP("problem", "core %1 refused"),
+        said(runs ? TRANSLATE_NOOP("problem", "core %1") : TRANSLATE_NOOP("problem", "core %1 refused"),
              {std::to_string(wanted.core)}));
   } else {
-    granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "all cores")));
+    granted.also.push_back(said(TRANSLATE_NOOP("problem", "all cores")));
   }
-  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "memory not locked")));
+  granted.also.push_back(said(TRANSLATE_NOOP("problem", "memory not locked")));
   if (wanted.way != Way::Normal) {
     DWORD task = 0;
     const HANDLE mmcss = AvSetMmThreadCharacteristicsW(L"Pro Audio", &task);  // given back when the thread ends
@@ -109,10 +109,10 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
       AvSetMmThreadPriority(mmcss, AVRT_PRIORITY_CRITICAL);
       granted.name = "MMCSS Pro Audio";
     } else if (SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_TIME_CRITICAL) != 0) {
-      granted.name = said(QT_TRANSLATE_NOOP("problem", "time critical"));
+      granted.name = said(TRANSLATE_NOOP("problem", "time critical"));
     }
   }
-  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "untested")));
+  granted.also.push_back(said(TRANSLATE_NOOP("problem", "untested")));
   return granted;
 }
 

@@ -75,18 +75,18 @@ Place takeCore(int wanted, std::vector<Sentence>& also) {
   const std::optional<int> isolated = isolatedCore();
   const int core = wanted >= 0 ? wanted : isolated.value_or(-1);
   if (core < 0) {
-    also.push_back(said(QT_TRANSLATE_NOOP("problem", "all cores")));
+    also.push_back(said(TRANSLATE_NOOP("problem", "all cores")));
     return Place::AllCores;
   }
   if (!runOnCore(core)) {
-    also.push_back(said(QT_TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
+    also.push_back(said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
     return wanted >= 0 ? Place::Refused : Place::AllCores;  // an isolated one that is not for us
   }
   if (wanted >= 0) {
-    also.push_back(said(QT_TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
+    also.push_back(said(TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
     return Place::OneCore;
   }
-  also.push_back(said(QT_TRANSLATE_NOOP("problem", "isolated core %1"), {std::to_string(core)}));
+  also.push_back(said(TRANSLATE_NOOP("problem", "isolated core %1"), {std::to_string(core)}));
   return Place::IsolatedCore;
 }
 
@@ -98,19 +98,19 @@ Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
   if (way == Way::Auto || way == Way::Rtkit) {
     const RtkitAnswer answer = askRtkit();
     if (answer.priority > 0) return "rtkit " + std::to_string(answer.priority);
-    also.push_back(said(QT_TRANSLATE_NOOP("problem", "rtkit: %1"), {answer.refusal}));
+    also.push_back(said(TRANSLATE_NOOP("problem", "rtkit: %1"), {answer.refusal}));
   }
-  return said(QT_TRANSLATE_NOOP("problem", "normal"));
+  return said(TRANSLATE_NOOP("problem", "normal"));
 }
 
 Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked, Place place) {
   if (place == Place::Refused)
-    return said(QT_TRANSLATE_NOOP("problem", "The core that was asked for is not there, or not for this program."));
+    return said(TRANSLATE_NOOP("problem", "The core that was asked for is not there, or not for this program."));
   if (granted.name == "normal" && wanted.way == Way::Normal)
     return said(
-        QT_TRANSLATE_NOOP("problem", "Real time was not asked for, so ticks can come late when the machine is busy."));
+        TRANSLATE_NOOP("problem", "Real time was not asked for, so ticks can come late when the machine is busy."));
   if (granted.name == "normal") {
-    return said(QT_TRANSLATE_NOOP(
+    return said(TRANSLATE_NOOP(
         "problem",
         "The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put \"@users "
         "- "
@@ -118,21 +118,21 @@ Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int 
         "install rtkit; the guide's page real_time.md tells how."));
   }
   if (priority < kPriority) {
-    return said(QT_TRANSLATE_NOOP(
+    return said(TRANSLATE_NOOP(
         "problem",
         "A higher priority would be better still. Put \"@users - rtprio 90\" and \"@users - memlock unlimited\" into a "
         "file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
   }
   if (wanted.lock_memory && !locked) {
-    return said(QT_TRANSLATE_NOOP(
+    return said(TRANSLATE_NOOP(
         "problem",
         "Parts of the program may leave the memory, and a tick then waits for them. Put \"@users - memlock unlimited\" "
         "into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
   }
   if (place == Place::IsolatedCore) return {};
-  return said(QT_TRANSLATE_NOOP("problem",
-                                "On a machine that is always busy, a core for the servo alone (isolcpus) is better "
-                                "still; the guide's page real_time.md tells how."));
+  return said(TRANSLATE_NOOP("problem",
+                             "On a machine that is always busy, a core for the servo alone (isolcpus) is better "
+                             "still; the guide's page real_time.md tells how."));
 }
 
 }  // namespace
@@ -143,13 +143,12 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   const Place place = takeCore(wanted.core, granted.also);
   const bool locked = wanted.lock_memory && lockMemory();
   granted.also.push_back(
-      said(locked ? QT_TRANSLATE_NOOP("problem", "memory locked") : QT_TRANSLATE_NOOP("problem", "memory not locked")));
+      said(locked ? TRANSLATE_NOOP("problem", "memory locked") : TRANSLATE_NOOP("problem", "memory not locked")));
   // Without real time the kernel puts every wait off by 50 us, so as to wake less often.
-  granted.also.push_back(said(prctl(PR_SET_TIMERSLACK, 1UL) == 0
-                                  ? QT_TRANSLATE_NOOP("problem", "timer slack 1 ns")
-                                  : QT_TRANSLATE_NOOP("problem", "timer slack as it was")));
+  granted.also.push_back(said(prctl(PR_SET_TIMERSLACK, 1UL) == 0 ? TRANSLATE_NOOP("problem", "timer slack 1 ns")
+                                                                 : TRANSLATE_NOOP("problem", "timer slack as it was")));
   touchStack();
-  granted.also.push_back(said(QT_TRANSLATE_NOOP("problem", "stack in memory")));
+  granted.also.push_back(said(TRANSLATE_NOOP("problem", "stack in memory")));
   granted.name = takeWay(wanted.way, granted.also, priority);
   granted.hint = hintFor(granted, wanted, priority, locked, place);
   return granted;

@@ -60,7 +60,7 @@ bool isRealTime() {
 RtkitAnswer askRtkit() {
   sd_bus* opened = nullptr;
   if (const int code = sd_bus_open_system(&opened); code < 0)
-    return {0, said(QT_TRANSLATE_NOOP("problem", "no D-Bus: %1"), {std::strerror(-code)})};
+    return {0, said(TRANSLATE_NOOP("problem", "no D-Bus: %1"), {std::strerror(-code)})};
   const std::unique_ptr<sd_bus, Release> bus(opened);
   sd_bus_set_method_call_timeout(bus.get(), kPatience_us);
   CallError absent;
@@ -68,7 +68,7 @@ RtkitAnswer askRtkit() {
   if (const int code = sd_bus_get_property_trivial(bus.get(), kService, kObject, kService, "MaxRealtimePriority",
                                                    absent.get(), 'i', &most_priority);
       code < 0) {
-    return {0, said(QT_TRANSLATE_NOOP("problem", "it does not answer: %1"), {absent.words(code)})};
+    return {0, said(TRANSLATE_NOOP("problem", "it does not answer: %1"), {absent.words(code)})};
   }
   std::int64_t longest_us = 0;  // older ones do not tell
   if (sd_bus_get_property_trivial(bus.get(), kService, kObject, kService, "RTTimeUSecMax", nullptr, 'x', &longest_us) <
@@ -77,9 +77,9 @@ RtkitAnswer askRtkit() {
     longest_us = static_cast<std::int64_t>(kLongest_us);
   }
   const int priority = std::min(kPriority, static_cast<int>(most_priority));
-  if (priority < 1) return {0, said(QT_TRANSLATE_NOOP("problem", "it grants no priority"))};
+  if (priority < 1) return {0, said(TRANSLATE_NOOP("problem", "it grants no priority"))};
   if (!limitTimeWithoutRest(std::min(kLongest_us, static_cast<std::uint64_t>(longest_us)))) {
-    return {0, said(QT_TRANSLATE_NOOP("problem", "RLIMIT_RTTIME cannot be set"))};
+    return {0, said(TRANSLATE_NOOP("problem", "RLIMIT_RTTIME cannot be set"))};
   }
   CallError refused;
   const auto thread = static_cast<std::uint64_t>(syscall(SYS_gettid));
@@ -88,7 +88,7 @@ RtkitAnswer askRtkit() {
       code < 0) {
     return {0, refused.words(code)};
   }
-  if (!isRealTime()) return {0, said(QT_TRANSLATE_NOOP("problem", "it agreed, and nothing changed"))};
+  if (!isRealTime()) return {0, said(TRANSLATE_NOOP("problem", "it agreed, and nothing changed"))};
   return {priority, {}};
 }
 

@@ -37,8 +37,8 @@ void Thread::run(std::promise<Scheduling> granted) {
   platform::nameThread("underact-servo");
   const FlushDenormals flush;
   Scheduling scheduling = platform::askForRealTime(wanted_, rate_hz_);
-  scheduling.also.push_back(said(FlushDenormals::isKnown() ? QT_TRANSLATE_NOOP("problem", "denormals flushed")
-                                                           : QT_TRANSLATE_NOOP("problem", "denormals kept")));
+  scheduling.also.push_back(said(FlushDenormals::isKnown() ? TRANSLATE_NOOP("problem", "denormals flushed")
+                                                           : TRANSLATE_NOOP("problem", "denormals kept")));
   granted.set_value(std::move(scheduling));
   while (wish_ != Wish::End) {
     tickWhileWished();

@@ -31,14 +31,14 @@ Nearest fromInside(const Box& box, const Vec3& d_B, const Vec3& p_WT) noexcept {
 Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, const Place& place) {
   Problems problems;
   if (!p_WC.allFinite())
-    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
+    problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
   const Vec3 half_m = size_m / 2.0;
   if (!(half_m.allFinite() && leastOf(half_m) > 0.0))
-    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
+    problems.push_back({said(TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
   const bool orthonormal =
       R_WB.allFinite() && (R_WB * R_WB.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= 1e-6;
   if (!orthonormal || R_WB.determinant() < 0.0)
-    problems.push_back({said(QT_TRANSLATE_NOOP("problem", "The matrix is not a rotation.")), place});
+    problems.push_back({said(TRANSLATE_NOOP("problem", "The matrix is not a rotation.")), place});
   if (!problems.empty()) return problems;
   if (R_WB == Mat3::Identity()) return Box{p_WC, half_m, R_WB};
   return Box{p_WC, half_m, Eigen::Quaterniond(R_WB).normalized().toRotationMatrix()};

@@ -31,9 +31,9 @@ void readAmountUpTo(ObjectReader& object, const char* key, bool required, double
   if (amount >= 0.0 && amount <= most) return;
   object.findings().add(
       *value, path,
-      said(QT_TRANSLATE_NOOP("problem", "This must lie within 0 and %1; here it is %2."),
+      said(TRANSLATE_NOOP("problem", "This must lie within 0 and %1; here it is %2."),
            {numberText(most), std::isfinite(amount) ? Sentence(numberText(amount))
-                                                    : said(QT_TRANSLATE_NOOP("problem", "no finite number"))}));
+                                                    : said(TRANSLATE_NOOP("problem", "no finite number"))}));
   amount = 0.0;
 }
 
@@ -44,11 +44,11 @@ void readWords(ObjectReader& object, const char* key, bool required, std::string
 
 void readCounts(const Value& list, ArmModel& model, Findings& findings) {
   const char* const kKey = "counts_per_turn";
-  if (!isKind(list, json::Kind::Array, kKey, said(QT_TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
+  if (!isKind(list, json::Kind::Array, kKey, said(TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
     return;
   if (list.items.size() != 6)
     return findings.add(list, kKey,
-                        said(QT_TRANSLATE_NOOP("problem", "This must be a list of six numbers, one for each joint.")));
+                        said(TRANSLATE_NOOP("problem", "This must be a list of six numbers, one for each joint.")));
   arm::EncoderCounts counts{};
   for (std::size_t joint = 0; joint < counts.size(); ++joint) {
     const Value& count = list.items[joint];
@@ -57,30 +57,30 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
     if (count.kind == json::Kind::Number && count.number >= 1.0 && std::isfinite(count.number)) continue;
     findings.add(
         count, std::string(kKey) + "[" + std::to_string(joint) + "]",
-        said(QT_TRANSLATE_NOOP("problem", "This must be a number of at least 1, or null where it was not measured.")));
+        said(TRANSLATE_NOOP("problem", "This must be a number of at least 1, or null where it was not measured.")));
   }
   model.counts_per_turn = counts;
 }
 
 void readPlaces(const Value& list, std::vector<Vec3>& places_mm, Findings& findings) {
   const std::string path = "provenance.places_mm";
-  if (!isKind(list, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of places")), findings)) return;
+  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of places")), findings)) return;
   for (std::size_t index = 0; index < list.items.size(); ++index) {
     Vec3 place_mm = Vec3::Zero();
     const std::string own_path = path + "[" + std::to_string(index) + "]";
     readNumber(list.items[index], own_path, place_mm, findings);
     if (!(place_mm.cwiseAbs().maxCoeff() <= kFurthest_mm))
       findings.add(list.items[index], own_path,
-                   said(QT_TRANSLATE_NOOP("problem", "Each coordinate must lie within 1e6 mm (1 km).")));
+                   said(TRANSLATE_NOOP("problem", "Each coordinate must lie within 1e6 mm (1 km).")));
     places_mm.push_back(place_mm);
   }
 }
 
 void readProvenance(const Value& value, Provenance& provenance, Findings& findings) {
   if (!isKind(value, json::Kind::Object, "provenance",
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"device\": \"...\", ...}"}), findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"device\": \"...\", ...}"}), findings))
     return;
-  ObjectReader object(value, "provenance", said(QT_TRANSLATE_NOOP("problem", "where a model comes from")), findings);
+  ObjectReader object(value, "provenance", said(TRANSLATE_NOOP("problem", "where a model comes from")), findings);
   readWords(object, "device", true, provenance.device);
   readWords(object, "serial", false, provenance.serial);
   readWords(object, "date", true, provenance.date);
@@ -93,7 +93,7 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
       provenance.rate_hz = static_cast<int>(rate_hz);
     else
       findings.add(*rate, "provenance.rate_hz",
-                   said(QT_TRANSLATE_NOOP("problem", "This must be a whole number of ticks a second, at least 1.")));
+                   said(TRANSLATE_NOOP("problem", "This must be a whole number of ticks a second, at least 1.")));
   }
   if (const Value* const places = object.find("places_mm")) readPlaces(*places, provenance.places_mm, findings);
   object.finish();
@@ -102,9 +102,9 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
 ModelUncertainty readUncertainty(const Value& value, Findings& findings) {
   ModelUncertainty uncertainty;
   if (!isKind(value, json::Kind::Object, "uncertainty",
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.001}"}), findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.001}"}), findings))
     return uncertainty;
-  ObjectReader object(value, "uncertainty", said(QT_TRANSLATE_NOOP("problem", "an uncertainty")), findings);
+  ObjectReader object(value, "uncertainty", said(TRANSLATE_NOOP("problem", "an uncertainty")), findings);
   readAmountUpTo(object, "mass_kg", false, kMost, uncertainty.mass_kg);
   readAmountUpTo(object, "friction_N", false, kMost, uncertainty.friction_N);
   readAmountUpTo(object, "damping_N_s_per_m", false, kMost, uncertainty.damping_N_s_per_m);
@@ -116,12 +116,12 @@ void readVersion(ObjectReader& object) {
   const Value* const version = object.find("underact_arm_model", true);
   if (version == nullptr || (version->kind == json::Kind::Number && version->number == 1.0)) return;
   object.findings().add(*version, "underact_arm_model",
-                        said(QT_TRANSLATE_NOOP("problem", "This program reads version 1 of arm models.")));
+                        said(TRANSLATE_NOOP("problem", "This program reads version 1 of arm models.")));
 }
 
 ArmModelFile readWhole(const Value& root, Findings& findings) {
   ArmModelFile file;
-  ObjectReader object(root, "", said(QT_TRANSLATE_NOOP("problem", "an arm model")), findings);
+  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "an arm model")), findings);
   readVersion(object);
   readWords(object, "name", true, file.arm.name);
   readWords(object, "title", true, file.arm.title);
@@ -170,8 +170,7 @@ Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file
   if (!root) return root.problems();
   Findings findings(file_name);
   if (!isKind(root.value(), json::Kind::Object, "",
-              said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm_model\": 1, ...}"}),
-              findings))
+              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm_model\": 1, ...}"}), findings))
     return findings.take();
   ArmModelFile file = readWhole(root.value(), findings);
   Problems problems = findings.take();
@@ -180,7 +179,7 @@ Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file
 }
 
 Result<ArmModelFile> readArmModelFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(QT_TRANSLATE_NOOP("problem", "an arm model")));
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm model")));
   if (!text) return text.problems();
   return readArmModel(text.value(), path);
 }
@@ -231,8 +230,8 @@ Result<ArmModel> chooseArmModel(const std::string& name) {
   std::vector<std::string> names;
   for (const ArmModel& one : armModels()) names.push_back(one.name);
   return Problems{
-      {said(QT_TRANSLATE_NOOP(
-                "problem", "There is no arm model %1; it must be %2, or a file of one (a name with a dot or a slash)."),
+      {said(TRANSLATE_NOOP("problem",
+                           "There is no arm model %1; it must be %2, or a file of one (a name with a dot or a slash)."),
             {json::shown(name), json::listed(names)})}};
 }
 

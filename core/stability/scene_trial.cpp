@@ -56,7 +56,7 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
   for (int tick = ticksIn(kRamps_s + kSettling * swing_s, wall); tick-- > 0;) {
     const tick::TickReport& report = loop.tick(program, state);
     if (tick == 0 && (report.held.size() != 1 || report.held[0].status != target::Status::Unique))
-      return Problems{{said(QT_TRANSLATE_NOOP(
+      return Problems{{said(TRANSLATE_NOOP(
           "problem", "From there no single target is nearest, so nothing says where to begin. Begin elsewhere."))}};
   }
   return loop.arm().p_WT;
@@ -141,7 +141,7 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
   const Result<SceneTrial> soft = tryOne(wall, one.value(), kLeast_N_per_m);
   if (!soft) return soft.problems();
   if (!soft.value().holds)
-    return Problems{{said(QT_TRANSLATE_NOOP(
+    return Problems{{said(TRANSLATE_NOOP(
         "problem", "Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."))}};
   if (soft.value().trial.behaviour == Behaviour::Grows) return 0.0;
   Problems problems;

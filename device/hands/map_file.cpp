@@ -20,7 +20,7 @@ using json::Value;
 
 constexpr std::array kWayNames{"right", "up", "near", "turn_x", "turn_y", "turn_z"};
 constexpr std::array kPressNames{"stylus_1", "stylus_2", "stop"};
-constexpr const char* kMap = QT_TRANSLATE_NOOP("problem", "a hand's map");
+constexpr const char* kMap = TRANSLATE_NOOP("problem", "a hand's map");
 constexpr std::size_t kLargest = std::size_t{1} << 20;
 
 bool isTurn(std::size_t way) {
@@ -43,13 +43,13 @@ void readWithin(ObjectReader& object, const char* key, double least, double most
     return;
   }
   object.findings().add(*value, object.pathOf(key),
-                        said(QT_TRANSLATE_NOOP("problem", "This must lie between %1 and %2."),
+                        said(TRANSLATE_NOOP("problem", "This must lie between %1 and %2."),
                              {json::numberText(least), json::numberText(most)}));
 }
 
 /// false, and a problem: it is none, 0 to most - 1.
 bool readIndex(const Value& value, const std::string& path, int most, int& into, Findings& findings) {
-  if (!json::isKind(value, json::Kind::Number, path, said(QT_TRANSLATE_NOOP("problem", "a number, as in 0")), findings))
+  if (!json::isKind(value, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, as in 0")), findings))
     return false;
   const bool is_one = value.number >= 0.0 && value.number < most && value.number == std::floor(value.number);
   if (is_one)
@@ -57,19 +57,19 @@ bool readIndex(const Value& value, const std::string& path, int most, int& into,
   else
     findings.add(
         value, path,
-        said(QT_TRANSLATE_NOOP("problem", "This must be a whole number from 0 to %1."), {std::to_string(most - 1)}));
+        said(TRANSLATE_NOOP("problem", "This must be a whole number from 0 to %1."), {std::to_string(most - 1)}));
   return is_one;
 }
 
 /// [there, back], each a number or null.
 void readPair(const Value& value, const std::string& path, int most, Source& source, Findings& findings) {
-  if (!json::isKind(value, json::Kind::Array, path, said(QT_TRANSLATE_NOOP("problem", "a list of two, as in [4, 5]")),
+  if (!json::isKind(value, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of two, as in [4, 5]")),
                     findings))
     return;
   if (value.items.size() != 2) {
     findings.add(value, path,
-                 said(QT_TRANSLATE_NOOP(
-                     "problem", "This must be a list of two: the one that goes there, the one that goes back.")));
+                 said(TRANSLATE_NOOP("problem",
+                                     "This must be a list of two: the one that goes there, the one that goes back.")));
     return;
   }
   const std::array<int*, 2> parts{&source.plus, &source.minus};
@@ -99,19 +99,19 @@ void readSource(ObjectReader& object, const Value& all, Source& source) {
   }
   if (kinds > 1)
     findings.add(all, object.pathOf("axis"),
-                 said(QT_TRANSLATE_NOOP("problem", "Only one of \"axis\", \"buttons\" and \"triggers\" may stand.")));
+                 said(TRANSLATE_NOOP("problem", "Only one of \"axis\", \"buttons\" and \"triggers\" may stand.")));
 }
 
 AxisMap readWay(const Value& value, const std::string& path, std::size_t way, Findings& findings) {
   AxisMap map;
   if (!json::isKind(value, json::Kind::Object, path,
-                    said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"axis\": 0}"}), findings))
+                    said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"axis\": 0}"}), findings))
     return map;
-  ObjectReader object(value, path, said(QT_TRANSLATE_NOOP("problem", "a way")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a way")), findings);
   readSource(object, value, map.source);
   if (const Value* const inverted = object.find("inverted")) {
     const std::string at = object.pathOf("inverted");
-    if (json::isKind(*inverted, json::Kind::Bool, at, said(QT_TRANSLATE_NOOP("problem", "true or false")), findings))
+    if (json::isKind(*inverted, json::Kind::Bool, at, said(TRANSLATE_NOOP("problem", "true or false")), findings))
       map.inverted = inverted->boolean;
   }
   readWithin(object, "dead_zone", 0.0, kFurthestDeadZone, map.dead_zone);
@@ -126,10 +126,9 @@ AxisMap readWay(const Value& value, const std::string& path, std::size_t way, Fi
 
 void readWays(const Value& value, Map& map, Findings& findings) {
   if (!json::isKind(value, json::Kind::Object, "ways",
-                    said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"right\": {\"axis\": 0}}"}),
-                    findings))
+                    said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"right\": {\"axis\": 0}}"}), findings))
     return;
-  ObjectReader object(value, "ways", said(QT_TRANSLATE_NOOP("problem", "a map")), findings);
+  ObjectReader object(value, "ways", said(TRANSLATE_NOOP("problem", "a map")), findings);
   for (std::size_t way = 0; way < kWays; ++way) {
     if (const Value* const one = object.find(kWayNames[way]))
       map.ways[way] = readWay(*one, object.pathOf(kWayNames[way]), way, findings);
@@ -139,9 +138,9 @@ void readWays(const Value& value, Map& map, Findings& findings) {
 
 void readPresses(const Value& value, Map& map, Findings& findings) {
   if (!json::isKind(value, json::Kind::Object, "buttons",
-                    said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"stop\": 1}"}), findings))
+                    said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"stop\": 1}"}), findings))
     return;
-  ObjectReader object(value, "buttons", said(QT_TRANSLATE_NOOP("problem", "the buttons of a map")), findings);
+  ObjectReader object(value, "buttons", said(TRANSLATE_NOOP("problem", "the buttons of a map")), findings);
   for (std::size_t press = 0; press < kPresses; ++press) {
     if (const Value* const one = object.find(kPressNames[press]))
       readIndex(*one, object.pathOf(kPressNames[press]), kMostButtons, map.presses[press], findings);
@@ -191,7 +190,7 @@ Result<MapFile> readMap(std::string_view text, const std::string& file_name) {
   Findings findings(file_name);
   MapFile file;
   if (json::isKind(root.value(), json::Kind::Object, "",
-                   said(QT_TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_hand_map\": 1, ...}"}),
+                   said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_hand_map\": 1, ...}"}),
                    findings)) {
     ObjectReader object(root.value(), "", said(kMap), findings);
     if (const Value* const version = object.find("underact_hand_map", true)) {
@@ -199,7 +198,7 @@ Result<MapFile> readMap(std::string_view text, const std::string& file_name) {
       json::readNumber(*version, "underact_hand_map", number, findings);
       if (number != 1.0)
         findings.add(*version, "underact_hand_map",
-                     said(QT_TRANSLATE_NOOP("problem", "This program reads version 1 only.")));
+                     said(TRANSLATE_NOOP("problem", "This program reads version 1 only.")));
     }
     if (const Value* const device = object.find("device")) json::readText(*device, "device", file.device, findings);
     if (const Value* const id = object.find("id", true)) json::readText(*id, "id", file.id, findings);

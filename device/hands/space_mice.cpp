@@ -102,7 +102,7 @@ void SpaceMice::open(Mouse& mouse) {
       mouse.model->buttons.empty() ? kMostButtons / 4 : static_cast<int>(mouse.model->buttons.size());
   if (!bus_.mayOpen(mouse.node)) {
     mouse.missing = {
-        {said(QT_TRANSLATE_NOOP("problem", "You may not read %1."), {mouse.node.path}), udevCommand(mouse.node)}};
+        {said(TRANSLATE_NOOP("problem", "You may not read %1."), {mouse.node.path}), udevCommand(mouse.node)}};
     return;
   }
   Result<std::unique_ptr<HidPipe>> pipe = bus_.open(mouse.node);

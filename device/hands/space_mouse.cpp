@@ -12,7 +12,7 @@ namespace underact::device::hands {
 namespace {
 
 // Bits of report 3: PySpaceMouse, devices.toml (bytes from 1, eight bits each).
-constexpr std::array kTwo{QT_TRANSLATE_NOOP("problem", "left"), QT_TRANSLATE_NOOP("problem", "right")};
+constexpr std::array kTwo{TRANSLATE_NOOP("problem", "left"), TRANSLATE_NOOP("problem", "right")};
 constexpr std::array kPro{"Menu", "Fit", "Top", "",  "Right", "Front", "",      "",     "Roll",
                           "",     "",    "",    "1", "2",     "3",     "4",     "",     "",
                           "",     "",    "",    "",  "Esc",   "Alt",   "Shift", "Ctrl", "Rotation"};
@@ -42,10 +42,10 @@ constexpr std::array kModels{
     SpaceMouseModel{kLogitech, 0xC628, "SpaceNavigator for Notebooks", kTwo},
     SpaceMouseModel{kLogitech, 0xC629, "SpacePilot Pro", kPilotPro},
     SpaceMouseModel{kLogitech, 0xC62B, "SpaceMouse Pro", kPro},
-    SpaceMouseModel{k3dconnexion, 0xC62E, QT_TRANSLATE_NOOP("problem", "SpaceMouse Wireless (cable)"), kTwo},
-    SpaceMouseModel{k3dconnexion, 0xC62F, QT_TRANSLATE_NOOP("problem", "SpaceMouse Wireless (receiver)"), kTwo},
-    SpaceMouseModel{k3dconnexion, 0xC631, QT_TRANSLATE_NOOP("problem", "SpaceMouse Pro Wireless (cable)"), kPro},
-    SpaceMouseModel{k3dconnexion, 0xC632, QT_TRANSLATE_NOOP("problem", "SpaceMouse Pro Wireless (receiver)"), kPro},
+    SpaceMouseModel{k3dconnexion, 0xC62E, TRANSLATE_NOOP("problem", "SpaceMouse Wireless (cable)"), kTwo},
+    SpaceMouseModel{k3dconnexion, 0xC62F, TRANSLATE_NOOP("problem", "SpaceMouse Wireless (receiver)"), kTwo},
+    SpaceMouseModel{k3dconnexion, 0xC631, TRANSLATE_NOOP("problem", "SpaceMouse Pro Wireless (cable)"), kPro},
+    SpaceMouseModel{k3dconnexion, 0xC632, TRANSLATE_NOOP("problem", "SpaceMouse Pro Wireless (receiver)"), kPro},
     SpaceMouseModel{k3dconnexion, 0xC633, "SpaceMouse Enterprise", kEnterprise},
     SpaceMouseModel{k3dconnexion, 0xC635, "SpaceMouse Compact", kTwo},
     SpaceMouseModel{k3dconnexion, 0xC636, "SpaceMouse Module", {}},

@@ -37,24 +37,24 @@ void set(Map& made, Way way, Source source, bool inverted = false) {
 // Axes and buttons of a gamepad: GLFW 3.3, input guide, "Gamepad axes" and "Gamepad buttons". Down is positive.
 void describeController(Seen& seen) {
   seen.axis_names = {
-      said(QT_TRANSLATE_NOOP("problem", "left stick, right")),  said(QT_TRANSLATE_NOOP("problem", "left stick, down")),
-      said(QT_TRANSLATE_NOOP("problem", "right stick, right")), said(QT_TRANSLATE_NOOP("problem", "right stick, down")),
-      said(QT_TRANSLATE_NOOP("problem", "left trigger")),       said(QT_TRANSLATE_NOOP("problem", "right trigger"))};
+      said(TRANSLATE_NOOP("problem", "left stick, right")),  said(TRANSLATE_NOOP("problem", "left stick, down")),
+      said(TRANSLATE_NOOP("problem", "right stick, right")), said(TRANSLATE_NOOP("problem", "right stick, down")),
+      said(TRANSLATE_NOOP("problem", "left trigger")),       said(TRANSLATE_NOOP("problem", "right trigger"))};
   seen.button_names = {"A",
                        "B",
                        "X",
                        "Y",
-                       said(QT_TRANSLATE_NOOP("problem", "left bumper")),
-                       said(QT_TRANSLATE_NOOP("problem", "right bumper")),
+                       said(TRANSLATE_NOOP("problem", "left bumper")),
+                       said(TRANSLATE_NOOP("problem", "right bumper")),
                        "Back",
                        "Start",
                        "Guide",
-                       said(QT_TRANSLATE_NOOP("problem", "left stick")),
-                       said(QT_TRANSLATE_NOOP("problem", "right stick")),
-                       said(QT_TRANSLATE_NOOP("problem", "pad up")),
-                       said(QT_TRANSLATE_NOOP("problem", "pad right")),
-                       said(QT_TRANSLATE_NOOP("problem", "pad down")),
-                       said(QT_TRANSLATE_NOOP("problem", "pad left"))};
+                       said(TRANSLATE_NOOP("problem", "left stick")),
+                       said(TRANSLATE_NOOP("problem", "right stick")),
+                       said(TRANSLATE_NOOP("problem", "pad up")),
+                       said(TRANSLATE_NOOP("problem", "pad right")),
+                       said(TRANSLATE_NOOP("problem", "pad down")),
+                       said(TRANSLATE_NOOP("problem", "pad left"))};
   const Source triggers{SourceKind::Triggers, 5, 4}, bumpers{SourceKind::Buttons, 4, 5};
   seen.pairs = {triggers, bumpers, {SourceKind::Buttons, 11, 13}, {SourceKind::Buttons, 12, 14}};
   seen.usual = nothing(kStickZone);
@@ -84,10 +84,9 @@ void describeJoystick(Seen& seen, int hats) {
 // HID: x to the right, y towards the person, z down (facts on devices, 3.3), so W's y is -z and W's z is y, of turns,
 // too.
 void describeSpaceMouse(Seen& seen, int stop) {
-  seen.axis_names = {
-      said(QT_TRANSLATE_NOOP("problem", "right")),      said(QT_TRANSLATE_NOOP("problem", "towards you")),
-      said(QT_TRANSLATE_NOOP("problem", "down")),       said(QT_TRANSLATE_NOOP("problem", "tilt back")),
-      said(QT_TRANSLATE_NOOP("problem", "tilt right")), said(QT_TRANSLATE_NOOP("problem", "twist right"))};
+  seen.axis_names = {said(TRANSLATE_NOOP("problem", "right")),      said(TRANSLATE_NOOP("problem", "towards you")),
+                     said(TRANSLATE_NOOP("problem", "down")),       said(TRANSLATE_NOOP("problem", "tilt back")),
+                     said(TRANSLATE_NOOP("problem", "tilt right")), said(TRANSLATE_NOOP("problem", "twist right"))};
   seen.usual = nothing(kCapZone);
   set(seen.usual, Way::Right, axis(0));
   set(seen.usual, Way::Near, axis(1));

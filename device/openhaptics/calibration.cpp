@@ -36,17 +36,17 @@ void Calibration::look(const Calls& hd, bool pressed) noexcept {
 Sentence calibrationSentence(std::uint32_t status, std::uint32_t style) {
   if (status == kCalibrated) return {};
   if (status == kCalibrationNeedsHand && style == kInkwell)
-    return said(QT_TRANSLATE_NOOP("problem",
-                                  "The arm is not calibrated, so it gives no force. Put the stylus into the inkwell."));
+    return said(
+        TRANSLATE_NOOP("problem", "The arm is not calibrated, so it gives no force. Put the stylus into the inkwell."));
   if (status == kCalibrationNeedsHand && style == kEncoderReset) {
-    return said(QT_TRANSLATE_NOOP("problem",
-                                  "The arm is not calibrated, so it gives no force. Hold it in its reset position, as "
-                                  "the vendor's manual shows, and press the stylus button nearer to the tip."));
+    return said(TRANSLATE_NOOP("problem",
+                               "The arm is not calibrated, so it gives no force. Hold it in its reset position, as "
+                               "the vendor's manual shows, and press the stylus button nearer to the tip."));
   }
   if (status == kCalibrationNeedsHand || status == kCalibrationNeedsUpdate)
-    return said(QT_TRANSLATE_NOOP(
+    return said(TRANSLATE_NOOP(
         "problem", "The arm is not calibrated, so it gives no force. Move the stylus about slowly until it is."));
-  return said(QT_TRANSLATE_NOOP(
+  return said(TRANSLATE_NOOP(
       "problem", "The arm does not say whether it is calibrated, so it gives no force. Run the vendor's setup."));
 }
 

@@ -60,13 +60,13 @@ std::vector<Missing> permissions(const Places& places, const fs::path& device, c
   for (const std::string& node : nodesOf(device)) {
     const fs::path path = places.nodes / node;
     if (access(path.c_str(), F_OK) != 0) {
-      missing.push_back({said(QT_TRANSLATE_NOOP("problem", "The system has not made %1 for the arm. Plug it in again."),
+      missing.push_back({said(TRANSLATE_NOOP("problem", "The system has not made %1 for the arm. Plug it in again."),
                               {path.string()}),
                          ""});
     } else if (access(path.c_str(), R_OK | W_OK) != 0) {
-      missing.push_back({said(QT_TRANSLATE_NOOP("problem",
-                                                "You may not use %1, the arm's. This rule lets whoever sits at the "
-                                                "machine do so; plug the arm in again after it."),
+      missing.push_back({said(TRANSLATE_NOOP("problem",
+                                             "You may not use %1, the arm's. This rule lets whoever sits at the "
+                                             "machine do so; plug the arm in again after it."),
                               {path.string()}),
                          ruleFor(node, vendor)});
     }
@@ -76,9 +76,9 @@ std::vector<Missing> permissions(const Places& places, const fs::path& device, c
 
 std::vector<Missing> settings(const Places& places) {
   if (places.settings_are_named || settingsFolder(places.home, places.shared)) return {};
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "The vendor's driver has no settings: there is no folder config in %1 nor in %2, and "
-                                  "GTDD_HOME does not name another. Run the vendor's Touch_Setup, or name the folder."),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "The vendor's driver has no settings: there is no folder config in %1 nor in %2, and "
+                               "GTDD_HOME does not name another. Run the vendor's Touch_Setup, or name the folder."),
                 {places.home.string(), places.shared.string()}),
            std::string("export ") + kSettingsVariable + "=" + places.home.string()}};
 }
@@ -106,18 +106,18 @@ std::vector<Found> look(const Places& places, const std::vector<Missing>& librar
     const std::string vendor = wordIn(at->path() / "idVendor"), product = wordIn(at->path() / "idProduct");
     if (!isTheMakers(vendor, product)) continue;
     const std::string serial = wordIn(at->path() / "serial");
-    Found one{serial.empty() ? said(QT_TRANSLATE_NOOP("problem", "Touch or Omni on USB"))
-                             : said(QT_TRANSLATE_NOOP("problem", "Touch or Omni on USB, serial %1"), {serial}),
+    Found one{serial.empty() ? said(TRANSLATE_NOOP("problem", "Touch or Omni on USB"))
+                             : said(TRANSLATE_NOOP("problem", "Touch or Omni on USB, serial %1"), {serial}),
               "", common};
     append(one.missing, permissions(places, at->path(), vendor));
     found.push_back(std::move(one));
   }
   if (!found.empty()) return found;
-  common.push_back({said(QT_TRANSLATE_NOOP("problem",
-                                           "No Touch or Omni is on USB. Plug it in and switch it on; one on FireWire "
-                                           "or Ethernet is not seen from here, and may be opened all the same.")),
+  common.push_back({said(TRANSLATE_NOOP("problem",
+                                        "No Touch or Omni is on USB. Plug it in and switch it on; one on FireWire "
+                                        "or Ethernet is not seen from here, and may be opened all the same.")),
                     "lsusb -d 2988:"});
-  return {{said(QT_TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)")), "", common}};
+  return {{said(TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)")), "", common}};
 }
 
 }  // namespace underact::device::openhaptics

@@ -20,13 +20,13 @@ constexpr double kFrozen_s = 0.5;  // encoder steps are 0.05 mm: no hand is so s
 constexpr std::int64_t kSilence_ns = 500'000'000;
 constexpr std::uint32_t kAlreadyOpen = 0x301;
 constexpr const char* kStandsStill =
-    QT_TRANSLATE_NOOP("problem",
-                      "The clock of the arm's driver stands still: it has not called for half a second. Restart the "
-                      "servo; if that does not help, end the program.");
+    TRANSLATE_NOOP("problem",
+                   "The clock of the arm's driver stands still: it has not called for half a second. Restart the "
+                   "servo; if that does not help, end the program.");
 constexpr const char* kHangs =
-    QT_TRANSLATE_NOOP("problem",
-                      "A call of the arm's driver has not come back, and the force may still be on. Switch the arm "
-                      "off, end the program and start it again.");
+    TRANSLATE_NOOP("problem",
+                   "A call of the arm's driver has not come back, and the force may still be on. Switch the arm "
+                   "off, end the program and start it again.");
 
 /// Frames that hang in the driver: they may come back, and find what they touch.
 void keepForGood(std::unique_ptr<Frames> frames) {
@@ -112,11 +112,11 @@ Problems OpenHapticsArm::initialise() {
     const char* const words = worst != 0 ? hd_.hdGetErrorString(worst) : nullptr;
     return {{oneAfterAnother(
                  {options_.address.empty()
-                      ? said(QT_TRANSLATE_NOOP("problem", "No arm could be opened."))
-                      : said(QT_TRANSLATE_NOOP("problem", "No arm could be opened under the name \"%1\"."),
+                      ? said(TRANSLATE_NOOP("problem", "No arm could be opened."))
+                      : said(TRANSLATE_NOOP("problem", "No arm could be opened under the name \"%1\"."),
                              {options_.address}),
-                  worst != 0 ? sentenceOf(worst) : said(QT_TRANSLATE_NOOP("problem", "Its driver gives no reason.")),
-                  words != nullptr ? said(QT_TRANSLATE_NOOP("problem", "Its driver says: %1."), {words}) : Sentence()}),
+                  worst != 0 ? sentenceOf(worst) : said(TRANSLATE_NOOP("problem", "Its driver gives no reason.")),
+                  words != nullptr ? said(TRANSLATE_NOOP("problem", "Its driver says: %1."), {words}) : Sentence()}),
              {}}};
   }
   hd_.hdMakeCurrentDevice(device_);
@@ -125,8 +125,8 @@ Problems OpenHapticsArm::initialise() {
   const Drained drained = drain(hd_);
   if (is_on && drained.worst == Severity::None) return {};
   disconnect();
-  return {{oneAfterAnother({said(QT_TRANSLATE_NOOP("problem", "The arm's force cannot be switched on.")),
-                            sentenceOf(drained.code)}),
+  return {{oneAfterAnother(
+               {said(TRANSLATE_NOOP("problem", "The arm's force cannot be switched on.")), sentenceOf(drained.code)}),
            {}}};
 }
 
@@ -188,7 +188,7 @@ Sentence OpenHapticsArm::fixedRate() const {
   const std::vector<int> rates = Scheduler::theOne().rates();
   if (Scheduler::theOne().users() > 1) return refusesRate(0);
   if (rates.size() > 1) return {};
-  return said(QT_TRANSLATE_NOOP("problem", "The arm's driver has one rate alone, %1 Hz."), {std::to_string(rate_hz_)});
+  return said(TRANSLATE_NOOP("problem", "The arm's driver has one rate alone, %1 Hz."), {std::to_string(rate_hz_)});
 }
 
 Sentence OpenHapticsArm::refusesRate(int rate_hz) const {
@@ -225,7 +225,7 @@ servo::DeviceInfo OpenHapticsArm::info() const {
   const std::scoped_lock lock(mutex_);
   std::string title = capabilities_.model.value_or("");
   if (title.empty()) title = "Touch, Omni";
-  return {said(QT_TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s};
+  return {said(TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s};
 }
 
 std::vector<std::string> OpenHapticsArm::listing() const {

@@ -1,8 +1,5 @@
 #include "device/openhaptics/standing.h"
 
-#include <array>
-#include <cstdio>
-
 #include "core/base/translate.h"
 #include "device/openhaptics/calibration.h"
 #include "device/openhaptics/errors.h"
@@ -15,9 +12,7 @@ constexpr int kManyPeriods = 20;                   // as many as the gate bears
 constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm is some 0.1 mm off its own model
 
 Sentence millimetres(double length_m) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), "%.0f", 1e3 * length_m);
-  return shownNumber(text.data());
+  return shownNumber(1e3 * length_m, 0);
 }
 
 }  // namespace
@@ -64,22 +59,22 @@ Sentence Standing::sentence(std::int64_t now_ns, const std::string& arm) const {
   if (status != kCalibrated) return calibrationSentence(status, style);
   if (without_sample_.load(std::memory_order_relaxed) >= kManyPeriods) return sentenceOf(sample_code_);
   if (docked_.load(std::memory_order_relaxed))
-    return said(QT_TRANSLATE_NOOP("problem", "The stylus is in the inkwell, so the arm gives no force. Take it out."));
+    return said(TRANSLATE_NOOP("problem", "The stylus is in the inkwell, so the arm gives no force. Take it out."));
   const double off_m = off_m_.load(std::memory_order_relaxed);
   if (wrong_.load(std::memory_order_relaxed)) {
-    return said(QT_TRANSLATE_NOOP("problem",
-                                  "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it, "
-                                  "so it gets no force: the force would point elsewhere. Choose the arm that it is."),
+    return said(TRANSLATE_NOOP("problem",
+                               "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it, "
+                               "so it gets no force: the force would point elsewhere. Choose the arm that it is."),
                 {millimetres(off_m), arm});
   }
   const std::int64_t at_ns = force_error_ns_.load(std::memory_order_relaxed);
   if (at_ns != 0 && now_ns - at_ns < kShown_ns)
     return oneAfterAnother({sentenceOf(force_code_),
-                            said(QT_TRANSLATE_NOOP("problem", "%1 times so far."), {std::to_string(forceErrors())})});
+                            said(TRANSLATE_NOOP("problem", "%1 times so far."), {std::to_string(forceErrors())})});
   if (off_m > kWorthAWord_m) {
-    return said(QT_TRANSLATE_NOOP("problem",
-                                  "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it. "
-                                  "Choose the arm that it is, or shapes are felt elsewhere than they are shown."),
+    return said(TRANSLATE_NOOP("problem",
+                               "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it. "
+                               "Choose the arm that it is, or shapes are felt elsewhere than they are shown."),
                 {millimetres(off_m), arm});
   }
   return {};

@@ -20,9 +20,9 @@ bool isOfIpv6(char c) {
 }
 
 Problems wrong(std::string_view text) {
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "\"%1\" is no address of a shared arm. It is HOST:PORT or HOST, as in "
-                                  "192.168.1.20:7878, arm-pc or [fe80::1]:7878."),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "\"%1\" is no address of a shared arm. It is HOST:PORT or HOST, as in "
+                               "192.168.1.20:7878, arm-pc or [fe80::1]:7878."),
                 {std::string(text)}),
            {}}};
 }

@@ -40,12 +40,12 @@ fs::path usersFolder() {
 Problems notOursAlone(const struct stat& status, const Sentence& may, const Sentence& what_to_do,
                       const fs::path& file) {
   if (status.st_uid != ::geteuid() && status.st_uid != 0)
-    return problemAt(said(QT_TRANSLATE_NOOP("problem",
-                                            "This file of keys belongs to another user of this computer, so it is not "
-                                            "used. Delete it, and find out who put it there.")),
+    return problemAt(said(TRANSLATE_NOOP("problem",
+                                         "This file of keys belongs to another user of this computer, so it is not "
+                                         "used. Delete it, and find out who put it there.")),
                      file);
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return {};
-  return problemAt(said(QT_TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
+  return problemAt(said(TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
                         {may, file.string(), what_to_do}),
                    file);
 }
@@ -54,24 +54,23 @@ Problems notOursAlone(const struct stat& status, const Sentence& may, const Sent
 struct KeyFile {
   const char *name, *may, *what_to_do;
 };
-constexpr KeyFile kOwn{"arm_key", QT_TRANSLATE_NOOP("problem", "Others may read your secret key."),
-                       QT_TRANSLATE_NOOP("problem", "underact-cli share-arm --new-key")};
-constexpr KeyFile kClients{"arm_clients",
-                           QT_TRANSLATE_NOOP("problem", "Others may read or change who may use your arm."),
-                           QT_TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
-constexpr KeyFile kHosts{"arm_hosts", QT_TRANSLATE_NOOP("problem", "Others may read or change which arms you trust."),
-                         QT_TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
+constexpr KeyFile kOwn{"arm_key", TRANSLATE_NOOP("problem", "Others may read your secret key."),
+                       TRANSLATE_NOOP("problem", "underact-cli share-arm --new-key")};
+constexpr KeyFile kClients{"arm_clients", TRANSLATE_NOOP("problem", "Others may read or change who may use your arm."),
+                           TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
+constexpr KeyFile kHosts{"arm_hosts", TRANSLATE_NOOP("problem", "Others may read or change which arms you trust."),
+                         TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
 
 /// Its lines; none: there is no such file. Problems: it cannot be read, or is not this user's alone.
 Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, const KeyFile& which) {
   const fs::path path = folder / which.name;
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::optional<std::vector<std::string>>{};
-  const Result<NamedFile> file = NamedFile::open(path.string(), said(QT_TRANSLATE_NOOP("problem", "keys of arms")));
+  const Result<NamedFile> file = NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "keys of arms")));
   if (!file) return file.problems();
   struct stat status {};
   if (::fstat(file.value().descriptor(), &status) != 0)
-    return problemAt(said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
+    return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
   Problems problems = notOursAlone(status, said(which.may), said(which.what_to_do), path);
   if (!problems.empty()) return problems;
   const Result<std::string> text = file.value().readAll(kMostBytes);
@@ -94,8 +93,8 @@ Problems writeFile(const fs::path& file, const std::string& text) {
   if (fd >= 0) is_well = ::close(fd) == 0 && is_well;
   if (is_well && ::rename(part.c_str(), file.c_str()) == 0) return {};
   ::unlink(part.c_str());
-  return problemAt(
-      said(QT_TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(errno)}), file);
+  return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(errno)}),
+                   file);
 }
 
 /// The words of a line: first and second; the rest is for people.
@@ -107,9 +106,9 @@ std::pair<std::string, std::string> wordsOf(const std::string& line) {
 }
 
 Problems noKey(const std::string& text) {
-  return {{said(QT_TRANSLATE_NOOP("problem",
-                                  "\"%1\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" "
-                                  "prints it. Put it in single quotes, since some of them mean something to a shell."),
+  return {{said(TRANSLATE_NOOP("problem",
+                               "\"%1\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" "
+                               "prints it. Put it in single quotes, since some of them mean something to a shell."),
                 {text.substr(0, kKeyCharacters + 1)}),
            {}}};
 }
@@ -130,8 +129,8 @@ Result<KeyPair> KeyFolder::makeNew() const {
   std::array<char, kKeyCharacters + 1> public_key{}, secret_key{};
   if (zmq_curve_keypair(public_key.data(), secret_key.data()) != 0)
     return Problems{
-        {said(QT_TRANSLATE_NOOP(
-             "problem", "The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.")),
+        {said(TRANSLATE_NOOP("problem",
+                             "The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.")),
          {}}};
   const KeyPair pair{public_key.data(), secret_key.data()};
   const Problems problems = writeFile(folder_ / kOwn.name, pair.public_key + "\n" + pair.secret_key + "\n");
@@ -152,8 +151,8 @@ Result<KeyPair> KeyFolder::own() const {
   const std::vector<std::string>& text = *lines.value();
   if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
     return problemAt(
-        said(QT_TRANSLATE_NOOP(
-            "problem", "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
+        said(TRANSLATE_NOOP("problem",
+                            "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
         file);
   return KeyPair{text[0], text[1]};
 }
@@ -173,7 +172,7 @@ Result<std::vector<std::string>> KeyFolder::clients() const {
       keys.push_back(key);
     } else {
       problems.push_back(
-          {said(QT_TRANSLATE_NOOP("problem", "A line begins with a key of 40 characters.")), {file.string(), number}});
+          {said(TRANSLATE_NOOP("problem", "A line begins with a key of 40 characters.")), {file.string(), number}});
     }
   }
   if (!problems.empty()) return problems;
@@ -201,7 +200,7 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
     const auto [host, key] = wordsOf(line);
     if (host != address.text()) continue;
     if (!isKey(key))
-      return problemAt(said(QT_TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
+      return problemAt(said(TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
     return key;
   }
   if (!address.isThisMachine()) return std::string();

@@ -40,7 +40,7 @@ Problems RemoteArm::connect() {
   Result<Welcome> welcome = ask(*wire.value());
   if (!welcome) return welcome.problems();
   if (welcome.value().rate_hz != rate_hz_)
-    return {{said(QT_TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz and not at %3 Hz."),
+    return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz and not at %3 Hz."),
                   {reach_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
              {}}};
   wire_ = std::move(wire).value();
@@ -115,14 +115,14 @@ void RemoteArm::run() {
     const bool is_broken = wire_->state() != LineState::Connected;
     if (is_broken) hear();  // why, if it was said
     if (is_broken)
-      lose(said(QT_TRANSLATE_NOOP("problem",
-                                  "The line to the arm at %1 broke. Look after the network and the sharing program at "
-                                  "its computer, then press Restart."),
+      lose(said(TRANSLATE_NOOP("problem",
+                               "The line to the arm at %1 broke. Look after the network and the sharing program at "
+                               "its computer, then press Restart."),
                 {reach_.address.text()}));
     else if (now_ns - came_ns_ > kLost_ns)
-      lose(said(QT_TRANSLATE_NOOP("problem",
-                                  "Nothing comes from the arm at %1 any more. Look after the network and the sharing "
-                                  "program at its computer, then press Restart."),
+      lose(said(TRANSLATE_NOOP("problem",
+                               "Nothing comes from the arm at %1 any more. Look after the network and the sharing "
+                               "program at its computer, then press Restart."),
                 {reach_.address.text()}));
   }
   if (is_lost_) wire_.reset();  // whatever comes late is nobody's
@@ -224,9 +224,9 @@ void RemoteArm::cut() noexcept {
 }
 
 Sentence RemoteArm::fixedRate() const {
-  return said(QT_TRANSLATE_NOOP("problem",
-                                "The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then "
-                                "the rate, and open it again."),
+  return said(TRANSLATE_NOOP("problem",
+                             "The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then "
+                             "the rate, and open it again."),
               {reach_.address.text()});
 }
 
@@ -236,7 +236,7 @@ Sentence RemoteArm::trouble() const {
   if (!trouble_.empty()) return ofArmAt(reach_.address, trouble_);
   if (missed_ >= kSilentReads)
     return said(
-        QT_TRANSLATE_NOOP(
+        TRANSLATE_NOOP(
             "problem",
             "Nothing comes from the arm at %1. Look after the network and the sharing program at its computer."),
         {reach_.address.text()});
@@ -252,8 +252,8 @@ std::vector<std::string> RemoteArm::listing() const {
 
 servo::DeviceInfo RemoteArm::info() const {
   const std::scoped_lock lock(words_mutex_);
-  const char* const title = welcome_.allows_force ? QT_TRANSLATE_NOOP("problem", "%1 at %2")
-                                                  : QT_TRANSLATE_NOOP("problem", "%1 at %2, without force");
+  const char* const title = welcome_.allows_force ? TRANSLATE_NOOP("problem", "%1 at %2")
+                                                  : TRANSLATE_NOOP("problem", "%1 at %2, without force");
   return {said(title, {welcome_.title, reach_.address.text()}), false, true, welcome_.frozen_s};
 }
 

@@ -23,13 +23,13 @@ Result<HidNode> find(const std::vector<HidNode>& nodes, const std::string& which
     others += (others.empty() ? "" : ", ") + (node.serial.empty() ? node.path : node.serial);
   }
   const Sentence none =
-      which.empty() ? said(QT_TRANSLATE_NOOP("problem", "No WoodenHaptics arm is plugged in."))
-                    : said(QT_TRANSLATE_NOOP(
-                               "problem", "No WoodenHaptics arm with the serial number or path \"%1\" is plugged in."),
-                           {which});
+      which.empty()
+          ? said(TRANSLATE_NOOP("problem", "No WoodenHaptics arm is plugged in."))
+          : said(TRANSLATE_NOOP("problem", "No WoodenHaptics arm with the serial number or path \"%1\" is plugged in."),
+                 {which});
   if (others.empty()) return problem(none);
-  return problem(oneAfterAnother(
-      {none, said(QT_TRANSLATE_NOOP("problem", "What may be one, and is taken by name: %1."), {others})}));
+  return problem(
+      oneAfterAnother({none, said(TRANSLATE_NOOP("problem", "What may be one, and is taken by name: %1."), {others})}));
 }
 
 /// The first report that comes, and the format that its length tells. Zero is said in the shortest form first: it is
@@ -41,7 +41,7 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
     const int size = pipe->read(bytes, kAsk_ms);
     if (size < 0)
       return problem(said(
-          QT_TRANSLATE_NOOP("problem", "The WoodenHaptics arm was unplugged while it was opened. Plug it in again.")));
+          TRANSLATE_NOOP("problem", "The WoodenHaptics arm was unplugged while it was opened. Plug it in again.")));
     const auto format = formatOf(static_cast<std::size_t>(size));
     if (format) {
       const auto first = readWoodenReport(*format, std::span(bytes).first(static_cast<std::size_t>(size)));
@@ -52,11 +52,11 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
     pipe->write(currentsMessage(kTried[static_cast<std::size_t>(ask) % kTried.size()], {}).span());
   }
   if (last_size > 0)
-    return problem(said(
-        QT_TRANSLATE_NOOP("problem", "%1 sends reports of %2 bytes; those of a WoodenHaptics arm have 8, 14 or 64."),
-        {node.path, std::to_string(last_size)}));
+    return problem(
+        said(TRANSLATE_NOOP("problem", "%1 sends reports of %2 bytes; those of a WoodenHaptics arm have 8, 14 or 64."),
+             {node.path, std::to_string(last_size)}));
   return problem(
-      said(QT_TRANSLATE_NOOP(
+      said(TRANSLATE_NOOP(
                "problem",
                "The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew."),
            {node.path}));
@@ -85,8 +85,8 @@ std::vector<HidNode> woodenNodes(HidBus& bus) {
 Result<WoodenLine> shakeHands(HidBus& bus, const WoodenChoice& choice) {
   if (choice.model != nullptr && !choice.model->is_open)
     return problem(
-        said(QT_TRANSLATE_NOOP(
-                 "problem", "How the arm \"%1\" moves is not published, so it cannot be used. WoodenHaptics arms can."),
+        said(TRANSLATE_NOOP("problem",
+                            "How the arm \"%1\" moves is not published, so it cannot be used. WoodenHaptics arms can."),
              {choice.model->title}));
   const Result<HidNode> node = find(woodenNodes(bus), choice.which);
   if (!node) return node.problems();

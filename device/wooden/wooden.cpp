@@ -28,13 +28,12 @@ std::vector<Found> lookForWooden(HidBus& bus) {
         std::count_if(nodes.begin(), nodes.end(), [&](const HidNode& other) { return other.serial == node.serial; });
     const bool has_serial = !node.serial.empty() && alike == 1;
     Found one{id.board, has_serial ? node.serial : node.path, {}};
-    one.title = has_serial ? said(QT_TRANSLATE_NOOP("problem", "%1, serial %2"), {id.board, one.address})
+    one.title = has_serial ? said(TRANSLATE_NOOP("problem", "%1, serial %2"), {id.board, one.address})
                            : Sentence(id.board + (", " + one.address));
-    if (id.is_shared) one.title = said(QT_TRANSLATE_NOOP("problem", "%1: perhaps a WoodenHaptics arm"), {one.title});
+    if (id.is_shared) one.title = said(TRANSLATE_NOOP("problem", "%1: perhaps a WoodenHaptics arm"), {one.title});
     if (!bus.mayOpen(node))
       one.missing.push_back(
-          {said(QT_TRANSLATE_NOOP("problem", "You may not open %1: the system's rules give it to nobody."),
-                {node.path}),
+          {said(TRANSLATE_NOOP("problem", "You may not open %1: the system's rules give it to nobody."), {node.path}),
            udevCommand(node)});
     found.push_back(std::move(one));
   }

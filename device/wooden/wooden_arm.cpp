@@ -65,14 +65,14 @@ Problems WoodenArm::connect() {
     const std::scoped_lock lock(words_mutex_);
     const std::string& serial = line.value().node.serial;
     title_ = serial.empty() ? Sentence(model_->title)
-                            : said(QT_TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial});
+                            : said(TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial});
     way_home_ = format_.protocol == WoodenProtocol::V1
-                    ? said(QT_TRANSLATE_NOOP("problem",
-                                             "Unplug it, put it in its home posture (upper arm upright, forearm level, "
-                                             "straight ahead), plug it in and press Restart."))
-                    : said(QT_TRANSLATE_NOOP("problem",
-                                             "Put it in its home posture (upper arm upright, forearm level, straight "
-                                             "ahead) and press the calibration button of its board."));
+                    ? said(TRANSLATE_NOOP("problem",
+                                          "Unplug it, put it in its home posture (upper arm upright, forearm level, "
+                                          "straight ahead), plug it in and press Restart."))
+                    : said(TRANSLATE_NOOP("problem",
+                                          "Put it in its home posture (upper arm upright, forearm level, straight "
+                                          "ahead) and press the calibration button of its board."));
   }
   ends_ = false;
   calibrates_ = false;
@@ -234,16 +234,16 @@ servo::LastWord WoodenArm::lastWord() const {
 
 Sentence WoodenArm::trouble() const {
   if (loss_ != Loss::None)
-    return said(QT_TRANSLATE_NOOP(
+    return said(TRANSLATE_NOOP(
         "problem", "The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart."));
   if (isSilent())
-    return said(QT_TRANSLATE_NOOP("problem",
-                                  "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of "
-                                  "its board, or plug it in anew, and press Restart."));
+    return said(TRANSLATE_NOOP("problem",
+                               "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of "
+                               "its board, or plug it in anew, and press Restart."));
   const std::scoped_lock lock(words_mutex_);
   if (is_lost_)
     return oneAfterAnother(
-        {said(QT_TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it does not push.")),
+        {said(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it does not push.")),
          way_home_});
   return {};
 }

@@ -1066,73 +1066,6 @@ Erlaubt: %4, denn das ist %5.</translation>
     </message>
 </context>
 <context>
-    <name>fault</name>
-    <message>
-        <source>The window met an error of its own: %1.</source>
-        <translation>Im Fenster selbst trat ein Fehler auf: %1.</translation>
-    </message>
-    <message>
-        <source>Save the scene under another name, then press Start. If it comes again, end the program and send the file to its makers.</source>
-        <translation>Die Szene unter anderem Namen sichern, dann Start drücken. Kommt es wieder, das Programm beenden und die Datei an die Hersteller schicken.</translation>
-    </message>
-    <message>
-        <source>Force is off.</source>
-        <translation>Die Kraft ist aus.</translation>
-    </message>
-    <message>
-        <source>The arm stopped answering.</source>
-        <translation>Der Arm antwortet nicht mehr.</translation>
-    </message>
-    <message>
-        <source>The arm sent the same sample twice.</source>
-        <translation>Der Arm hat dieselbe Messung zweimal geschickt.</translation>
-    </message>
-    <message>
-        <source>The arm sent a position that is not a number.</source>
-        <translation>Der Arm hat eine Lage geschickt, die keine Zahl ist.</translation>
-    </message>
-    <message>
-        <source>The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most.</source>
-        <translation>Die Lage des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
-    </message>
-    <message>
-        <source>%1 ticks in a row came a whole period late.</source>
-        <translation>%1 Takte nacheinander kamen um eine ganze Periode zu spät.</translation>
-    </message>
-    <message>
-        <source>The servo stood still for %1 s.</source>
-        <translation>Der Servo stand %1 s lang still.</translation>
-    </message>
-    <message>
-        <source>The arm's clock advanced by %1 s while %2 s passed.</source>
-        <translation>Die Uhr des Arms ging um %1 s weiter, während %2 s vergingen.</translation>
-    </message>
-    <message>
-        <source>The computer was asleep for %1 s.</source>
-        <translation>Der Rechner war %1 s lang im Ruhezustand.</translation>
-    </message>
-    <message>
-        <source>Check the cable, then press Start.</source>
-        <translation>Kabel prüfen, dann Start drücken.</translation>
-    </message>
-    <message>
-        <source>Press Start to try again.</source>
-        <translation>Start drücken, um es wieder zu versuchen.</translation>
-    </message>
-    <message>
-        <source>Close what keeps the machine busy or choose a lower rate, then press Start.</source>
-        <translation>Schließen, was den Rechner auslastet, oder eine kleinere Rate wählen, dann Start drücken.</translation>
-    </message>
-    <message>
-        <source>Press Start to go on.</source>
-        <translation>Start drücken, um weiterzumachen.</translation>
-    </message>
-    <message>
-        <source>Restart the servo, which opens the arm again, then press Start.</source>
-        <translation>Den Servo neu starten, was auch den Arm neu öffnet, dann Start drücken.</translation>
-    </message>
-</context>
-<context>
     <name>gain</name>
     <message>
         <source>Stiffness</source>
@@ -1157,221 +1090,6 @@ Erlaubt: %4, denn das ist %5.</translation>
     <message>
         <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
         <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
-    </message>
-</context>
-<context>
-    <name>lesson</name>
-    <message>
-        <source>The tip</source>
-        <translation>Die Spitze</translation>
-    </message>
-    <message>
-        <source>The tip in B</source>
-        <translation>Die Spitze in B</translation>
-    </message>
-    <message>
-        <source>The velocity</source>
-        <translation>Die Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>The speed</source>
-        <translation>Das Tempo</translation>
-    </message>
-    <message>
-        <source>The stylus' direction</source>
-        <translation>Die Richtung des Stifts</translation>
-    </message>
-    <message>
-        <source>The joint angle</source>
-        <translation>Der Gelenkwinkel</translation>
-    </message>
-    <message>
-        <source>The device's angle</source>
-        <translation>Der Winkel des Geräts</translation>
-    </message>
-    <message>
-        <source>The solution</source>
-        <translation>Die Lösung</translation>
-    </message>
-    <message>
-        <source>The number of inverse solutions</source>
-        <translation>Die Anzahl der inversen Lösungen</translation>
-    </message>
-    <message>
-        <source>The number of solutions within limits</source>
-        <translation>Die Anzahl der Lösungen innerhalb der Grenzen</translation>
-    </message>
-    <message>
-        <source>The determinant of J_p</source>
-        <translation>Die Determinante von J_p</translation>
-    </message>
-    <message>
-        <source>The manipulability</source>
-        <translation>Die Manipulierbarkeit</translation>
-    </message>
-    <message>
-        <source>The gain of J_p</source>
-        <translation>Die Verstärkung von J_p</translation>
-    </message>
-    <message>
-        <source>The distance from axis 1</source>
-        <translation>Der Abstand von Achse 1</translation>
-    </message>
-    <message>
-        <source>The distance from a stretched or folded elbow</source>
-        <translation>Der Abstand vom gestreckten oder gefalteten Ellbogen</translation>
-    </message>
-    <message>
-        <source>The distance from axes 4 and 6 in line</source>
-        <translation>Der Abstand von Achse 4 und 6 in einer Linie</translation>
-    </message>
-    <message>
-        <source>The distance to the nearest joint limit</source>
-        <translation>Der Abstand zur nächsten Gelenkgrenze</translation>
-    </message>
-    <message>
-        <source>The force</source>
-        <translation>Die Kraft</translation>
-    </message>
-    <message>
-        <source>The force asked for</source>
-        <translation>Die verlangte Kraft</translation>
-    </message>
-    <message>
-        <source>The joint torque</source>
-        <translation>Das Gelenkdrehmoment</translation>
-    </message>
-    <message>
-        <source>The error</source>
-        <translation>Der Fehler</translation>
-    </message>
-    <message>
-        <source>The way from target to tip</source>
-        <translation>Der Weg vom Ziel zur Spitze</translation>
-    </message>
-    <message>
-        <source>The stiffness felt</source>
-        <translation>Die gefühlte Steifigkeit</translation>
-    </message>
-    <message>
-        <source>The angle between force and way to the target</source>
-        <translation>Der Winkel zwischen der Kraft und dem Weg zum Ziel</translation>
-    </message>
-    <message>
-        <source>What the limits take off</source>
-        <translation>Was die Grenzen wegnehmen</translation>
-    </message>
-    <message>
-        <source>The energy</source>
-        <translation>Die Energie</translation>
-    </message>
-    <message>
-        <source>The controller's damping force</source>
-        <translation>Die Dämpfungskraft des Reglers</translation>
-    </message>
-    <message>
-        <source>The stiffness kp</source>
-        <translation>Die Steifigkeit kp</translation>
-    </message>
-    <message>
-        <source>The damping kd</source>
-        <translation>Die Dämpfung kd</translation>
-    </message>
-    <message>
-        <source>The influence t</source>
-        <translation>Der Einfluss t</translation>
-    </message>
-    <message>
-        <source>The angle about the shape's axis</source>
-        <translation>Der Winkel um die Achse der Form</translation>
-    </message>
-    <message>
-        <source>The virtual robot's joint</source>
-        <translation>Das Gelenk des virtuellen Roboters</translation>
-    </message>
-    <message>
-        <source>The robot's energy</source>
-        <translation>Die Energie des Roboters</translation>
-    </message>
-    <message>
-        <source>The moment that is not sent</source>
-        <translation>Das Moment, das nicht gesendet wird</translation>
-    </message>
-    <message>
-        <source>The stylus button</source>
-        <translation>Die Stifttaste</translation>
-    </message>
-    <message>
-        <source>%1; it should be %2</source>
-        <translation>%1; Soll: %2</translation>
-    </message>
-    <message>
-        <source>Held for %1 of %2 s.</source>
-        <translation>%1 von %2 s gehalten.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 reached.</source>
-        <translation>%1 von %2 erreicht.</translation>
-    </message>
-    <message>
-        <source>Still to go: %1, to %2. %3.</source>
-        <translation>Noch offen: %1, bis %2. %3.</translation>
-    </message>
-    <message>
-        <source>%1 went over %2 of %3.</source>
-        <translation>%1 durchlief %2 von %3.</translation>
-    </message>
-    <message>
-        <source>%1 swung through %2 %3 of %4 times within %5 s.</source>
-        <translation>%1 schwang innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
-    </message>
-    <message>
-        <source>Type your answer.</source>
-        <translation>Geben Sie Ihre Antwort ein.</translation>
-    </message>
-    <message>
-        <source>Choose an answer.</source>
-        <translation>Wählen Sie eine Antwort.</translation>
-    </message>
-    <message>
-        <source>At the same time it should be: %1 %2; now %3.</source>
-        <translation>Zugleich soll gelten: %1 %2; jetzt %3.</translation>
-    </message>
-    <message>
-        <source>%1 is right.</source>
-        <translation>%1 ist richtig.</translation>
-    </message>
-    <message>
-        <source>%1 is not right. Look again.</source>
-        <translation>%1 ist nicht richtig. Schauen Sie noch einmal hin.</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1 is not measured yet</source>
-        <translation>%1 ist noch nicht gemessen</translation>
-    </message>
-    <message>
-        <source>%1 is %2</source>
-        <translation>%1 ist %2</translation>
-    </message>
-    <message>
-        <source>within %1 of %2</source>
-        <translation>höchstens %1 neben %2</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-    <message>
-        <source>between %1 and %2</source>
-        <translation>zwischen %1 und %2</translation>
     </message>
 </context>
 <context>
@@ -2982,6 +2700,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
     </message>
     <message>
+        <source>The window met an error of its own: %1.</source>
+        <translation>Im Fenster selbst trat ein Fehler auf: %1.</translation>
+    </message>
+    <message>
+        <source>Save the scene under another name, then press Start. If it comes again, end the program and send the file to its makers.</source>
+        <translation>Die Szene unter anderem Namen sichern, dann Start drücken. Kommt es wieder, das Programm beenden und die Datei an die Hersteller schicken.</translation>
+    </message>
+    <message>
         <source>The figures are not made yet.</source>
         <translation>Die Abbildungen sind noch nicht gemacht.</translation>
     </message>
@@ -3220,6 +2946,62 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>an arm</source>
         <translation>eine Armdatei</translation>
+    </message>
+    <message>
+        <source>The arm stopped answering.</source>
+        <translation>Der Arm antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The arm sent the same sample twice.</source>
+        <translation>Der Arm hat dieselbe Messung zweimal geschickt.</translation>
+    </message>
+    <message>
+        <source>The arm sent a position that is not a number.</source>
+        <translation>Der Arm hat eine Lage geschickt, die keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most.</source>
+        <translation>Die Lage des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
+    </message>
+    <message>
+        <source>%1 ticks in a row came a whole period late.</source>
+        <translation>%1 Takte nacheinander kamen um eine ganze Periode zu spät.</translation>
+    </message>
+    <message>
+        <source>The servo stood still for %1 s.</source>
+        <translation>Der Servo stand %1 s lang still.</translation>
+    </message>
+    <message>
+        <source>The arm's clock advanced by %1 s while %2 s passed.</source>
+        <translation>Die Uhr des Arms ging um %1 s weiter, während %2 s vergingen.</translation>
+    </message>
+    <message>
+        <source>The computer was asleep for %1 s.</source>
+        <translation>Der Rechner war %1 s lang im Ruhezustand.</translation>
+    </message>
+    <message>
+        <source>Check the cable, then press Start.</source>
+        <translation>Kabel prüfen, dann Start drücken.</translation>
+    </message>
+    <message>
+        <source>Press Start to try again.</source>
+        <translation>Start drücken, um es wieder zu versuchen.</translation>
+    </message>
+    <message>
+        <source>Close what keeps the machine busy or choose a lower rate, then press Start.</source>
+        <translation>Schließen, was den Rechner auslastet, oder eine kleinere Rate wählen, dann Start drücken.</translation>
+    </message>
+    <message>
+        <source>Press Start to go on.</source>
+        <translation>Start drücken, um weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>Restart the servo, which opens the arm again, then press Start.</source>
+        <translation>Den Servo neu starten, was auch den Arm neu öffnet, dann Start drücken.</translation>
+    </message>
+    <message>
+        <source>Force is off.</source>
+        <translation>Die Kraft ist aus.</translation>
     </message>
     <message>
         <source>This is a folder, not %1 file.</source>
@@ -3818,6 +3600,146 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Zähler hat eine höhere Ordnung als der Nenner (%1 gegen %2): Ein Sprung ergäbe einen Impuls. Geben Sie ihm höchstens dessen Ordnung.</translation>
     </message>
     <message>
+        <source>The tip</source>
+        <translation>Die Spitze</translation>
+    </message>
+    <message>
+        <source>The tip in B</source>
+        <translation>Die Spitze in B</translation>
+    </message>
+    <message>
+        <source>The velocity</source>
+        <translation>Die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The speed</source>
+        <translation>Das Tempo</translation>
+    </message>
+    <message>
+        <source>The stylus' direction</source>
+        <translation>Die Richtung des Stifts</translation>
+    </message>
+    <message>
+        <source>The joint angle</source>
+        <translation>Der Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>The device's angle</source>
+        <translation>Der Winkel des Geräts</translation>
+    </message>
+    <message>
+        <source>The solution</source>
+        <translation>Die Lösung</translation>
+    </message>
+    <message>
+        <source>The number of inverse solutions</source>
+        <translation>Die Anzahl der inversen Lösungen</translation>
+    </message>
+    <message>
+        <source>The number of solutions within limits</source>
+        <translation>Die Anzahl der Lösungen innerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>The determinant of J_p</source>
+        <translation>Die Determinante von J_p</translation>
+    </message>
+    <message>
+        <source>The manipulability</source>
+        <translation>Die Manipulierbarkeit</translation>
+    </message>
+    <message>
+        <source>The gain of J_p</source>
+        <translation>Die Verstärkung von J_p</translation>
+    </message>
+    <message>
+        <source>The distance from axis 1</source>
+        <translation>Der Abstand von Achse 1</translation>
+    </message>
+    <message>
+        <source>The distance from a stretched or folded elbow</source>
+        <translation>Der Abstand vom gestreckten oder gefalteten Ellbogen</translation>
+    </message>
+    <message>
+        <source>The distance from axes 4 and 6 in line</source>
+        <translation>Der Abstand von Achse 4 und 6 in einer Linie</translation>
+    </message>
+    <message>
+        <source>The distance to the nearest joint limit</source>
+        <translation>Der Abstand zur nächsten Gelenkgrenze</translation>
+    </message>
+    <message>
+        <source>The force</source>
+        <translation>Die Kraft</translation>
+    </message>
+    <message>
+        <source>The force asked for</source>
+        <translation>Die verlangte Kraft</translation>
+    </message>
+    <message>
+        <source>The joint torque</source>
+        <translation>Das Gelenkdrehmoment</translation>
+    </message>
+    <message>
+        <source>The error</source>
+        <translation>Der Fehler</translation>
+    </message>
+    <message>
+        <source>The way from target to tip</source>
+        <translation>Der Weg vom Ziel zur Spitze</translation>
+    </message>
+    <message>
+        <source>The stiffness felt</source>
+        <translation>Die gefühlte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The angle between force and way to the target</source>
+        <translation>Der Winkel zwischen der Kraft und dem Weg zum Ziel</translation>
+    </message>
+    <message>
+        <source>What the limits take off</source>
+        <translation>Was die Grenzen wegnehmen</translation>
+    </message>
+    <message>
+        <source>The energy</source>
+        <translation>Die Energie</translation>
+    </message>
+    <message>
+        <source>The controller's damping force</source>
+        <translation>Die Dämpfungskraft des Reglers</translation>
+    </message>
+    <message>
+        <source>The stiffness kp</source>
+        <translation>Die Steifigkeit kp</translation>
+    </message>
+    <message>
+        <source>The damping kd</source>
+        <translation>Die Dämpfung kd</translation>
+    </message>
+    <message>
+        <source>The influence t</source>
+        <translation>Der Einfluss t</translation>
+    </message>
+    <message>
+        <source>The angle about the shape's axis</source>
+        <translation>Der Winkel um die Achse der Form</translation>
+    </message>
+    <message>
+        <source>The virtual robot's joint</source>
+        <translation>Das Gelenk des virtuellen Roboters</translation>
+    </message>
+    <message>
+        <source>The robot's energy</source>
+        <translation>Die Energie des Roboters</translation>
+    </message>
+    <message>
+        <source>The moment that is not sent</source>
+        <translation>Das Moment, das nicht gesendet wird</translation>
+    </message>
+    <message>
+        <source>The stylus button</source>
+        <translation>Die Stifttaste</translation>
+    </message>
+    <message>
         <source>The scene "%1" has no %2: no constraint of it has an influence.</source>
         <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen hat einen Einfluss.</translation>
     </message>
@@ -3984,6 +3906,74 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The scene is not right: %1</source>
         <translation>Die Szene stimmt nicht: %1</translation>
+    </message>
+    <message>
+        <source>%1; it should be %2</source>
+        <translation>%1; Soll: %2</translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s.</source>
+        <translation>%1 von %2 s gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reached.</source>
+        <translation>%1 von %2 erreicht.</translation>
+    </message>
+    <message>
+        <source>Still to go: %1, to %2. %3.</source>
+        <translation>Noch offen: %1, bis %2. %3.</translation>
+    </message>
+    <message>
+        <source>%1 went over %2 of %3.</source>
+        <translation>%1 durchlief %2 von %3.</translation>
+    </message>
+    <message>
+        <source>%1 swung through %2 %3 of %4 times within %5 s.</source>
+        <translation>%1 schwang innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
+    </message>
+    <message>
+        <source>Type your answer.</source>
+        <translation>Geben Sie Ihre Antwort ein.</translation>
+    </message>
+    <message>
+        <source>Choose an answer.</source>
+        <translation>Wählen Sie eine Antwort.</translation>
+    </message>
+    <message>
+        <source>At the same time it should be: %1 %2; now %3.</source>
+        <translation>Zugleich soll gelten: %1 %2; jetzt %3.</translation>
+    </message>
+    <message>
+        <source>%1 is right.</source>
+        <translation>%1 ist richtig.</translation>
+    </message>
+    <message>
+        <source>%1 is not right. Look again.</source>
+        <translation>%1 ist nicht richtig. Schauen Sie noch einmal hin.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet</source>
+        <translation>%1 ist noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>within %1 of %2</source>
+        <translation>höchstens %1 neben %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
     </message>
     <message>
         <source>A virtual manipulator has at most %1 joints, not %2.</source>

@@ -108,6 +108,16 @@ std::string aroundTheModel(const std::string& line, const std::string& path, con
   return "nobody but the model has the servo's host: ServoFacts, ServoControl";
 }
 
+/// A name of Qt's where there is no Qt; what stands in a comment or a text is none.
+std::string nameOfQt(const std::string& line, const std::string& path) {
+  if (!path.starts_with("core/") && !path.starts_with("device/")) return {};
+  static const std::regex kApart(R"re("(?:[^"\\]|\\.)*"|//.*)re");
+  static const std::regex kName(R"(\b(?:Qt|QT_\w+|Q[A-Z][a-z]\w*|tr(?=\()))");
+  const std::string code = std::regex_replace(line, kApart, "");
+  std::smatch name;
+  return std::regex_search(code, name, kName) ? name.str() + " is a name of Qt's" : "";
+}
+
 bool isSource(const fs::path& path) {
   return path.extension() == ".h" || path.extension() == ".cpp";
 }
@@ -124,6 +134,7 @@ std::vector<std::string> violationsOf(const Rooms& rooms, const fs::path& file, 
     std::smatch include;
     std::string wrong = aroundTheGate(line, path);
     if (wrong.empty()) wrong = aroundTheModel(line, path, room);
+    if (wrong.empty()) wrong = nameOfQt(line, path);
     if (std::regex_search(line, include, kInclude)) {
       wrong = wrongLibrary(include[2], room, is_header);
       if (wrong.empty() && include[1] == "\"") wrong = wrongRoom(rooms, include[2], room);

@@ -123,6 +123,13 @@ TEST_F(PlantedHouse, QtInADeviceIsFound) {
   expectFound("device/mouse.h:1: Qt does not belong in device");
 }
 
+TEST_F(PlantedHouse, ANameOfQtsInCoreIsFoundAndWordsAboutItAreNot) {
+  write("core/tick/step.cpp", "f(\"QT_PLUGIN_PATH\");  // as Qt's QString\ng(QT_TRANSLATE_NOOP(\"a\", \"b\"));\n");
+  write("device/arm.cpp", "str(1);\nf(tr(\"No.\"));\n");
+  EXPECT_EQ(found(), (std::vector<std::string>{"core/tick/step.cpp:2: QT_TRANSLATE_NOOP is a name of Qt's",
+                                               "device/arm.cpp:2: tr is a name of Qt's"}));
+}
+
 TEST_F(PlantedHouse, VtkInCoreIsFound) {
   write("core/tick/draw.cpp", "#include <vtkSphereSource.h>\n");
   expectFound("core/tick/draw.cpp:1: VTK does not belong in core/tick");

@@ -176,13 +176,13 @@ TEST(LanguageStory, LessonsAndScenesAreShownInGerman) {
 TEST(LanguageStory, AFaultIsSaidInGermanAndItsFileStaysEnglish) {
   for (int kind = 1; kind < kFaultKinds; ++kind) {
     const Fault fault{static_cast<FaultKind>(kind), 12.0, 3.0};
-    const QString english = faultText(fault);
+    const QString english = sentenceText(describe(fault));
     EXPECT_EQ(english.toStdString(), describe(fault));
     const German german;
-    const QString said = faultText(fault);
+    const QString said = sentenceText(describe(fault));
     EXPECT_TRUE(said.contains("Die Kraft ist aus.")) << said.toStdString();
-    EXPECT_NE(happenedText(fault), QString::fromStdString(whatHappened(fault)));
-    EXPECT_NE(toDoText(fault), QString::fromStdString(whatToDo(fault)));
+    EXPECT_NE(sentenceText(whatHappened(fault)), QString::fromStdString(whatHappened(fault)));
+    EXPECT_NE(sentenceText(whatToDo(fault)), QString::fromStdString(whatToDo(fault)));
     EXPECT_EQ(german.missing().join('\n').toStdString(), "");
     EXPECT_EQ(describe(fault), english.toStdString());
   }

@@ -5,7 +5,6 @@
 #include "app/gui/kit/words.h"
 #include "app/gui/model/fault_folder.h"
 #include "app/gui/model/scene_library.h"
-#include "app/gui/model/servo_words.h"
 #include "app/gui/view/scene_view.h"
 #include "core/base/units.h"
 #include "core/record/fault_file.h"
@@ -138,7 +137,7 @@ void SecondArm::takeFaults() {
   while (const std::optional<servo::FaultReport> report = simulated_.host->takeFault()) {
     const record::FaultWords words = record::wordsOf(*report);
     const Result<std::string> kept = record::keepFault(*report, words, faultFolder().toStdString());
-    emit told(tr("The second arm: %1 %2").arg(happenedText(*report), toDoText(report->fault)) +
+    emit told(tr("The second arm: %1 %2").arg(sentenceText(words.what), sentenceText(words.what_to_do)) +
               (kept ? tr(" It is kept in %1.").arg(QString::fromStdString(kept.value())) : QString()));
   }
 }

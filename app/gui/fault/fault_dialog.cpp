@@ -107,7 +107,7 @@ void FaultDialog::fillList() {
   const QSignalBlocker silent(list_);
   list_->clear();
   for (const ToldFault& fault : faults_) {
-    list_->addItem(QString("%1  %2").arg(fault.when, fault.what));
+    list_->addItem(QString("%1  %2").arg(fault.when, sentenceText(fault.words.what)));
   }
   list_->setCurrentRow(count() - 1);
   list_->setVisible(count() > 1);
@@ -117,9 +117,10 @@ void FaultDialog::showFault(int index) {
   if (index < 0 || index >= count()) return;
   shown_ = index;
   const ToldFault& fault = faults_[static_cast<std::size_t>(index)];
-  what_->setText(fault.times > 1 ? tr("%1 (%2 times)").arg(fault.what).arg(fault.times) : fault.what);
+  const QString what = sentenceText(fault.words.what);
+  what_->setText(fault.times > 1 ? tr("%1 (%2 times)").arg(what).arg(fault.times) : what);
   meaning_->setText(tr("Force is off, and stays off until Start is pressed."));
-  to_do_->setText(fault.to_do);
+  to_do_->setText(sentenceText(fault.words.what_to_do));
   const bool kept = !fault.path.isEmpty();
   file_->setText(kept ? tr("The second before it is kept in %1").arg(fault.path) : fault.not_kept);
   file_->setProperty("role", kept ? "quiet" : "alarm");

@@ -15,11 +15,10 @@ class FaultPlot;
 
 /// A fault as it is told.
 struct ToldFault {
-  record::FaultWords words;  // of its file, which is English
-  QString what, to_do;       // the same in the window's language
-  QString when;              // "19:56:47"
-  QString path;              // of its file; empty: there is none
-  QString not_kept;          // why not
+  record::FaultWords words;
+  QString when;      // "19:56:47"
+  QString path;      // of its file; empty: there is none
+  QString not_kept;  // why not
   std::vector<servo::TickRecord> last_second;
   int rate_hz = 1000;
   int times = 1;  // the same came so often

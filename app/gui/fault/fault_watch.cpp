@@ -1,7 +1,6 @@
 #include "app/gui/fault/fault_watch.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QStandardPaths>
 #include <QTimer>
@@ -14,25 +13,18 @@
 #include "app/gui/kit/words.h"
 #include "app/gui/model/fault_folder.h"
 #include "app/gui/model/servo_rate.h"
-#include "app/gui/model/servo_words.h"
 
 namespace underact::gui {
 namespace {
 
 constexpr const char* kWindowKind = "window";
 
-constexpr const char* kMet = QT_TRANSLATE_NOOP("fault", "The window met an error of its own: %1.");
-constexpr const char* kToDo =
-    QT_TRANSLATE_NOOP("fault",
-                      "Save the scene under another name, then press Start. If it comes again, end the program and "
-                      "send the file to its makers.");
-
-ToldFault toldException(const QString& message) {
-  ToldFault told;
-  told.words = {kWindowKind, QString(kMet).arg(message).toStdString(), kToDo};
-  told.what = QCoreApplication::translate("fault", kMet).arg(message);
-  told.to_do = QCoreApplication::translate("fault", kToDo);
-  return told;
+record::FaultWords wordsOfException(const std::string& message) {
+  return {kWindowKind, said(QT_TRANSLATE_NOOP("problem", "The window met an error of its own: %1."), {message}),
+          said(QT_TRANSLATE_NOOP(
+              "problem",
+              "Save the scene under another name, then press Start. If it comes again, end the program and "
+              "send the file to its makers."))};
 }
 
 }  // namespace
@@ -65,8 +57,6 @@ void FaultWatch::look(const servo::Snapshot& snapshot) {
   while (std::optional<servo::FaultReport> report = control_.takeFault()) {
     ToldFault told;
     told.words = record::wordsOf(*report);
-    told.what = happenedText(*report);
-    told.to_do = toDoText(report->fault);
     keepAndTell(std::move(*report), std::move(told));
   }
   if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);
@@ -78,7 +68,8 @@ void FaultWatch::tellException(const std::string& message) {
 }
 
 void FaultWatch::tellOfWindow(const std::string& message) {
-  ToldFault told = toldException(QString::fromStdString(message));
+  ToldFault told;
+  told.words = wordsOfException(message);
   // What throws in every frame is told once, and counted.
   const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
   if (before != nullptr && before->words.kind == kWindowKind && before->words.what == told.words.what) {

@@ -105,7 +105,7 @@ QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
   if (snapshot.mode == servo::Mode::Running || waits) return {};
   if (snapshot.mode == servo::Mode::Faulted)
     return tr("%1 Force is off. When that is mended, press “Repeat this part”.")
-        .arg(happenedText(snapshot.report.fault));
+        .arg(sentenceText(whatHappened(snapshot.report.fault)));
   return tr("The servo was stopped.");
 }
 

@@ -4,10 +4,11 @@
 #include <QLocale>
 #include <QObject>
 #include <QStringList>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "app/gui/kit/number_box.h"
-#include "core/base/fault_words.h"
 
 namespace underact::gui {
 
@@ -16,14 +17,19 @@ QString tr(const char* text) {
 }
 
 QString sentenceText(const Sentence& sentence) {
-  if (sentence.isNumber()) return QString::fromStdString(sentence).replace('.', QLocale().decimalPoint());
+  if (sentence.isNumber())
+    return QString::fromStdString(sentence).replace('.', QLocale().decimalPoint()).replace('-', QChar(0x2212));
   // Changed as a string since it was put together: its pattern does not say it any more.
   const bool is_whole = filled(sentence.pattern(), {sentence.places().begin(), sentence.places().end()}) == sentence;
   if (!is_whole) return QString::fromStdString(sentence);
   std::vector<std::string> words;
   for (const Sentence& place : sentence.places()) words.push_back(sentenceText(place).toStdString());
-  const QString pattern = QCoreApplication::translate("problem", sentence.pattern().c_str());
-  return QString::fromStdString(filled(pattern.toStdString(), words));
+  // Without a letter it is the same in every language.
+  const auto isLetter = [](char one) { return std::isalpha(static_cast<unsigned char>(one)) != 0; };
+  const bool has_words = std::any_of(sentence.pattern().begin(), sentence.pattern().end(), isLetter);
+  const std::string pattern =
+      has_words ? QCoreApplication::translate("problem", sentence.pattern().c_str()).toStdString() : sentence.pattern();
+  return QString::fromStdString(filled(pattern, words));
 }
 
 QString sentencesOf(const Problems& problems) {
@@ -39,28 +45,6 @@ QString numberText(double value, int decimals) {
   QString text = localNumber(std::abs(value), 'f', decimals);
   if (value < 0.0 && !zero) text.prepend(QChar(0x2212));
   return text;
-}
-
-QString happenedText(const Fault& fault) {
-  if (fault.kind == FaultKind::None) return {};
-  const FaultSentence sentence = happenedSentence(fault);
-  QString text = QCoreApplication::translate("fault", sentence.pattern);
-  for (std::size_t index = 0; index < sentence.numbers.size(); ++index) {
-    const auto [value, decimals] = sentence.numbers[index];
-    text.replace("%" + QString::number(index + 1), numberText(value, decimals));
-  }
-  return text;
-}
-
-QString toDoText(const Fault& fault) {
-  if (fault.kind == FaultKind::None) return {};
-  return QCoreApplication::translate("fault", toDoSentence(fault));
-}
-
-QString faultText(const Fault& fault) {
-  if (fault.kind == FaultKind::None) return {};
-  return QString("%1 %2 %3")
-      .arg(happenedText(fault), QCoreApplication::translate("fault", kForceIsOff), toDoText(fault));
 }
 
 QString millimetres(double length_mm) {

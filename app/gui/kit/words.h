@@ -18,13 +18,6 @@ QString sentenceText(const Sentence& sentence);
 /// The sentences alone, one a line: for a panel that the reader is already looking at.
 QString sentencesOf(const Problems& problems);
 
-/// What a fault was, in the window's language; empty for none.
-QString happenedText(const Fault& fault);
-/// What to do about it.
-QString toDoText(const Fault& fault);
-/// Both, and what it means for the hand.
-QString faultText(const Fault& fault);
-
 /// A length on the screen, 0.1 mm.
 QString millimetres(double length_mm);
 

@@ -88,8 +88,8 @@ void CheckRow::give() {
   }
 }
 
-void CheckRow::present(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech) {
-  const QString text = checkText(check, state, speech);
+void CheckRow::present(const lesson::Check& check, const lesson::CheckState& state) {
+  const QString text = checkText(check, state);
   const bool shows_slip = number_ != nullptr && !state.solved && !number_->text().isEmpty() &&
                           !typed(number_->text());  // what give() has said of it stays
   if (said_->text() != text && !shows_slip) said_->setText(text);

@@ -2,7 +2,6 @@
 #include <QWidget>
 
 #include "core/lesson/check.h"
-#include "core/lesson/tell.h"
 
 class QButtonGroup;
 class QLabel;
@@ -17,7 +16,7 @@ class CheckRow : public QWidget {
  public:
   /// number: of the check in its step, from 1.
   CheckRow(const lesson::Check& check, std::size_t number, QWidget* parent);
-  void present(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech);
+  void present(const lesson::Check& check, const lesson::CheckState& state);
 
  signals:
   void answered(double answer);

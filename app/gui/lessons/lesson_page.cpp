@@ -37,8 +37,7 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
       checks_(makeChecks()),
       servo_(toldLabel("panel.lessons.servo", tr("Servo"), "amber", this)),
       name_(new QLineEdit(this)),
-      note_(toldLabel("panel.lessons.note", tr("Report"), "quiet", this)),
-      speech_(lessonSpeech()) {
+      note_(toldLabel("panel.lessons.note", tr("Report"), "quiet", this)) {
   text_->setObjectName("panel.lessons.text");
   text_->setAccessibleName(tr("Text of the step"));
   text_->setFrameShape(QFrame::NoFrame);
@@ -142,7 +141,7 @@ void LessonPage::present() {
   showHead();
   const std::vector<lesson::CheckState>& states = run_.states(run_.at());
   for (std::size_t index = 0; index < rows_.size() && index < states.size(); ++index) {
-    rows_[index]->present(run_.step().checks[index], states[index], speech_);
+    rows_[index]->present(run_.step().checks[index], states[index]);
   }
   const QString start = asksForStart();
   servo_->setVisible(!start.isEmpty());

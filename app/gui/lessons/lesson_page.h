@@ -2,8 +2,6 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/lesson/tell.h"
-
 class QLabel;
 class QLineEdit;
 class QVBoxLayout;
@@ -49,7 +47,6 @@ class LessonPage : public QWidget {
   QLineEdit* name_;
   QLabel* note_;
   std::vector<CheckRow*> rows_;
-  lesson::Speech speech_;
   bool hinted_ = false;
 };
 

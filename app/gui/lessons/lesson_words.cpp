@@ -2,11 +2,11 @@
 
 #include <underact/version.h>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 
 #include "app/gui/kit/words.h"
+#include "core/lesson/tell.h"
 
 namespace underact::gui {
 namespace {
@@ -15,7 +15,7 @@ QString row(const QString& head, const QString& cell) {
   return QString("<tr><th>%1</th><td>%2</td></tr>\n").arg(head.toHtmlEscaped(), cell.toHtmlEscaped());
 }
 
-QString stepText(const LessonRun& run, std::size_t step, const lesson::Speech& speech) {
+QString stepText(const LessonRun& run, std::size_t step) {
   const lesson::Step& its = run.lesson().steps[step];
   QString text = QString("<h2>%1. %2</h2>\n<p><b>%3</b></p>\n")
                      .arg(step + 1)
@@ -28,27 +28,18 @@ QString stepText(const LessonRun& run, std::size_t step, const lesson::Speech& s
   for (std::size_t index = 0; index < states.size(); ++index) {
     const std::string* const question = lesson::questionOf(its.checks[index]);
     const QString asked = question == nullptr ? QString() : QString::fromStdString(*question) + " ";
-    text += QString("<li>%1</li>\n").arg((asked + checkText(its.checks[index], states[index], speech)).toHtmlEscaped());
+    text += QString("<li>%1</li>\n").arg((asked + checkText(its.checks[index], states[index])).toHtmlEscaped());
   }
   return text + "</ul>\n";
 }
 
 }  // namespace
 
-lesson::Speech lessonSpeech() {
-  lesson::Speech speech;
-  speech.words = [](const char* text) { return QCoreApplication::translate("lesson", text).toStdString(); };
-  speech.number = [](double number, int decimals) { return numberText(number, decimals).toStdString(); };
-  return speech;
-}
-
-QString checkText(const lesson::Check& check, const lesson::CheckState& state, const lesson::Speech& speech) {
-  const QString said = QString::fromStdString(tell(check, state, speech));
-  return (state.solved ? tr("✓ Solved: %1") : tr("○ To do: %1")).arg(said);
+QString checkText(const lesson::Check& check, const lesson::CheckState& state) {
+  return (state.solved ? tr("✓ Solved: %1") : tr("○ To do: %1")).arg(sentenceText(tell(check, state)));
 }
 
 QString lessonReport(const LessonRun& run, const QString& name, const QDateTime& when) {
-  const lesson::Speech speech = lessonSpeech();
   const QString title = QString::fromStdString(run.lesson().title);
   std::size_t solved = 0;
   for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) solved += run.isSolved(step) ? 1 : 0;
@@ -63,7 +54,7 @@ QString lessonReport(const LessonRun& run, const QString& name, const QDateTime&
   page += row(tr("Solved"), tr("%1 of %2 steps").arg(solved).arg(run.lesson().steps.size()));
   page += row(tr("Program"), QString("Underact %1").arg(kVersion));
   page += "</table>\n";
-  for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) page += stepText(run, step, speech);
+  for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) page += stepText(run, step);
   return page + "</body></html>\n";
 }
 

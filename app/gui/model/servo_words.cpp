@@ -6,10 +6,6 @@
 
 namespace underact::gui {
 
-QString happenedText(const servo::FaultReport& report) {
-  return (happenedText(report.fault) + " " + sentenceText(report.trouble)).trimmed();
-}
-
 QString schedulingText(const servo::Scheduling& scheduling) {
   const QString granted = sentenceText(scheduling.name);
   return scheduling.name == "normal" ? QObject::tr("real time: not granted")

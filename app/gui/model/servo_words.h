@@ -5,9 +5,6 @@
 
 namespace underact::gui {
 
-/// What a fault was, with the arm's own words behind it, see DevicePort::trouble().
-QString happenedText(const servo::FaultReport& report);
-
 /// "real time: FIFO 80"
 QString schedulingText(const servo::Scheduling& scheduling);
 

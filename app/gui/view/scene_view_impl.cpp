@@ -123,7 +123,7 @@ void SceneView::Impl::paintWords(QPainter& painter) {
   state.camera = camera;
   state.hint = hint;
   if (hand.known() && shown && shown->mode == servo::Mode::Faulted) {
-    state.fault = faultText(shown->report.fault);
+    state.fault = sentenceText(describe(shown->report.fault));
   }
   state.force_N = hand.force_N();
   state.force_limit_N = force_limit_N;

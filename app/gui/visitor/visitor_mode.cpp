@@ -227,7 +227,7 @@ void VisitorMode::tellState(const servo::Snapshot& snapshot) {
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
   if (snapshot.mode == servo::Mode::Running) trouble_.clear();
   QString trouble = trouble_;
-  if (trouble.isEmpty() && faulted) trouble = faultText(snapshot.report.fault);
+  if (trouble.isEmpty() && faulted) trouble = sentenceText(describe(snapshot.report.fault));
   card_->setState(!parts_.servo.running(), trouble);
 }
 

@@ -51,7 +51,7 @@ void MainWindow::frame() {
 
 void MainWindow::presentMode(const servo::Snapshot& snapshot) {
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
-  const QString sentence = faulted ? faultText(snapshot.report.fault) : QString();
+  const QString sentence = faulted ? sentenceText(describe(snapshot.report.fault)) : QString();
   if (fault_ != sentence) {  // the view shows it; a screen reader says it at once, wherever it is
     fault_ = sentence;
     services_.status->setFault(sentence);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace underact {
 namespace {
 
@@ -25,6 +27,13 @@ TEST(Sentence, NumbersAreToldFromOtherDigits) {
   EXPECT_TRUE(shownNumber("0.5").isNumber());
   EXPECT_FALSE(Sentence("0.5").isNumber());
   EXPECT_EQ(said("%1 mm", {shownNumber("0.5")}), "0.5 mm");
+  EXPECT_TRUE(shownNumber(0.5, 1).isNumber());
+}
+
+TEST(Sentence, NumbersHaveTheDecimalsAskedForAndNoMinusBeforeZero) {
+  EXPECT_EQ(shownNumber(-12.345, 2), "-12.35");
+  EXPECT_EQ(shownNumber(-0.004, 2), "0.00");
+  EXPECT_EQ(shownNumber(HUGE_VAL, 2), "–");
 }
 
 TEST(Sentence, SeveralStandOneAfterAnother) {

@@ -191,13 +191,15 @@ TEST(ASolvedCheck, StaysSolvedAndKeepsWhatWasMeasured) {
   EXPECT_FALSE(isSolved({state, CheckState{}}));
 }
 
-TEST(Speech, IsTheReadersOwn) {
+TEST(WhatIsTold, CanBeSaidInAnotherLanguage) {
   const Check check = checkOf(R"({"measure": "asked_N", "above": 0.3})");
-  Speech speech;
-  speech.words = [](const char* text) { return std::string(text) == "%1 is %2" ? "%2 hat %1" : text; };
-  speech.number = [](double, int) { return std::string("1,5"); };
   const CheckState state = after(check, 2e-3, [](Moment& moment, double) { push(moment, 0.4); });
-  EXPECT_EQ(tell(check, state, speech), "1,5 N hat The force asked for.");
+  const Sentence whole = tell(check, state);  // "%1.", and in it "%1 is %2"
+  ASSERT_EQ(whole.places().size(), 1U);
+  const Sentence& is = whole.places()[0];
+  EXPECT_EQ(is.pattern(), "%1 is %2");
+  EXPECT_EQ(is.places().at(0).pattern(), "The force asked for");
+  EXPECT_TRUE(is.places().at(1).places().at(0).isNumber());
 }
 
 }  // namespace

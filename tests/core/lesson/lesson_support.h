@@ -55,7 +55,7 @@ inline std::vector<std::string> problemsIn(const std::string& text) {
 }
 
 inline std::string said(const Check& check, const CheckState& state) {
-  return tell(check, state, Speech());
+  return tell(check, state);
 }
 
 }  // namespace underact::lesson::test
