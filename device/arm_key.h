@@ -1,15 +1,13 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/servo/device_port.h"
 
 namespace underact::device {
 
-/// What tells one arm from all others, over restarts and sockets: its kind and serial number ("wooden:0042"), as the
-/// line "Serial number: ..." of its listing or the end of its title (", serial ...") say it; of an arm without one, the
-/// name by which it was opened. name: as openDevice() takes it; empty: not known.
-std::string armKey(std::string_view name, const servo::DeviceInfo& info, const std::vector<std::string>& listing);
+/// What tells one arm from all others, over restarts and sockets: its kind and serial number ("wooden:0042"); of an arm
+/// without one, the name by which it was opened. name: as openDevice() takes it; empty: not known.
+std::string armKey(std::string_view name, const servo::DeviceInfo& info);
 
 }  // namespace underact::device

@@ -80,7 +80,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.device, {preset, {}, kRate_hz, {}});
   if (!arm) return arm.problems();
   Registration registration;
-  registration.arm = device::armKey(options.device, arm.value()->info(), arm.value()->listing());
+  registration.arm = device::armKey(options.device, arm.value()->info());
   const Interrupt interrupt(Reader::MayGo);
   streams.err << "No force is sent. Marks are touched in the order of their numbers.\n";
   Result<std::vector<Touch>> touches =

@@ -17,8 +17,9 @@ inline constexpr int kSlowest_hz = 100, kFastest_hz = 10'000;
 struct DeviceInfo {
   Sentence title;  // "Simulated arm"
   bool simulated = false;
-  bool untested = false;  // never tried on the hardware it is for
-  double frozen_s = 0.0;  // a sample the same to the bit for so long is no hand's; 0: it may well be
+  bool untested = false;    // never tried on the hardware it is for
+  double frozen_s = 0.0;    // a sample the same to the bit for so long is no hand's; 0: it may well be
+  std::string serial = {};  // what tells this arm from others of its kind; empty: it has none, or it is not known here
 };
 
 /// A message to an arm that means zero force, and where to write it.

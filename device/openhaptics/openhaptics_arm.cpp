@@ -225,7 +225,8 @@ servo::DeviceInfo OpenHapticsArm::info() const {
   const std::scoped_lock lock(mutex_);
   std::string title = capabilities_.model.value_or("");
   if (title.empty()) title = "Touch, Omni";
-  return {said(TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s};
+  return {said(TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s,
+          capabilities_.serial.value_or("")};
 }
 
 std::vector<std::string> OpenHapticsArm::listing() const {

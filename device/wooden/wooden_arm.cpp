@@ -64,8 +64,9 @@ Problems WoodenArm::connect() {
   {
     const std::scoped_lock lock(words_mutex_);
     const std::string& serial = line.value().node.serial;
-    title_ = serial.empty() ? Sentence(model_->title)
-                            : said(TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial});
+    info_ = {serial.empty() ? Sentence(model_->title)
+                            : said(TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial}),
+             false, true, kFrozen_s, serial};
     way_home_ = format_.protocol == WoodenProtocol::V1
                     ? said(TRANSLATE_NOOP("problem",
                                           "Unplug it, put it in its home posture (upper arm upright, forearm level, "
@@ -250,7 +251,7 @@ Sentence WoodenArm::trouble() const {
 
 servo::DeviceInfo WoodenArm::info() const {
   const std::scoped_lock lock(words_mutex_);
-  return {title_, false, true, kFrozen_s};
+  return info_;
 }
 
 }  // namespace underact::device

@@ -77,7 +77,8 @@ class WoodenArm final : public servo::DevicePort {
   bool is_own_ = false;  // the samples are of the arm's own joints
   std::thread reader_, writer_;
   mutable std::mutex words_mutex_;  // never the tick's
-  Sentence title_ = "WoodenHaptics", way_home_;
+  servo::DeviceInfo info_{"WoodenHaptics"};
+  Sentence way_home_;
   // Between threads.
   servo::Slot<Taken> taken_;
   servo::Slot<Wanted> wanted_;

@@ -40,6 +40,7 @@ TEST_F(OpenHapticsArmTest, TellsWhatItsDriverKnowsInOurUnits) {
   EXPECT_EQ(lineOf(lines, "Warmth of the motors, 0 to 1: "), "0.25 0.25 0.25");
   EXPECT_EQ(lineOf(lines, "Safety switch: "), "(no such line)") << "the stand-in has none";
   EXPECT_EQ(arm->info().title, "Touch (vendor's driver)");
+  EXPECT_EQ(arm->info().serial, "0042");
 }
 
 TEST_F(OpenHapticsArmTest, PlaceAndTurnOfTheStylusAreWhatTheDriverHasThem) {

@@ -53,7 +53,6 @@ class SecondArm : public QObject {
   // Where it is on.
   ServoFacts servo() const { return *simulated_.host; }
   void run(std::int64_t ticks) { simulated_.host->run(ticks); }  // by a clock that is not its own
-  std::vector<std::string> listing() const { return simulated_.chosen->listing(); }
   ArmChoice& arms() { return *arms_; }
   device::SimulatedArm& simulatedArm() { return *simulated_.arm; }
 

@@ -73,13 +73,11 @@ std::string RegistrationTool::keyOf(Which which) const {
     if (!hasSecond()) return {};
     // Simulated, it is another one than the first.
     if (isSimulated(which)) return "simulated:second";
-    return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.servo().device(),
-                          parts_.second.listing());
+    return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.servo().device());
   }
   const bool by_name = parts_.chosen != nullptr;
   return device::armKey(by_name ? parts_.arms.name().toStdString() : std::string(),
-                        by_name ? parts_.chosen->info() : parts_.servo.device(),
-                        by_name ? parts_.chosen->listing() : std::vector<std::string>());
+                        by_name ? parts_.chosen->info() : parts_.servo.device());
 }
 
 void RegistrationTool::recallAll() {

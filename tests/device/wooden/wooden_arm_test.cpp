@@ -105,6 +105,7 @@ TEST(WoodenArm, TheAddressNamesModelAndSerialNumber) {
             "by name: 0042.");
   EXPECT_EQ(rig.whyNot("woody-2019/0042"), "");
   EXPECT_EQ(rig.arm->info().title, "WoodenHaptics, 2019, serial 0042");
+  EXPECT_EQ(rig.arm->info().serial, "0042");
   EXPECT_EQ(rig.whyNot("woody//dev/hidraw7"), "");
   EXPECT_EQ(rig.arm->info().title, "WoodenHaptics, 2015, serial 0042");
   EXPECT_EQ(rig.whyNot("polhem-v3"),
