@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/translate.h"
 #include "core/curve/along.h"
 
 namespace underact::curve {
@@ -31,21 +30,6 @@ void slew(const Vec3& p_WT, double dt_s, const GuideState& state, Guided& guided
 }
 
 }  // namespace
-
-Result<Guide> makeGuide(const Guide& guide, const Place& place) {
-  Problems problems;
-  if (!(guide.t >= 0.0 && guide.t <= 1.0))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The guide's t must be between 0 and 1.")), place});
-  if (!(std::abs(guide.speed_m_per_s) <= kFastestGuide_m_per_s)) {
-    problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "The guide's speed must be between -2000 and 2000 mm/s.")), place});
-  }
-  if (!(guide.lead_m > 0.0 && std::isfinite(guide.lead_m))) {
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The guide's lead must be above 0.")), place});
-  }
-  if (!problems.empty()) return problems;
-  return guide;
-}
 
 Guided guidedTarget(const Curve& curve, const Guide& guide, const Nearest& nearest, const Vec3& p_WT, double dt_s,
                     GuideState& state) noexcept {

@@ -1,6 +1,5 @@
 #pragma once
 #include "core/base/real_time.h"
-#include "core/base/result.h"
 #include "core/curve/curve.h"
 #include "core/curve/nearest.h"
 
@@ -13,10 +12,6 @@ struct Guide {
   double speed_m_per_s = 0.0;  // a hint: how fast the guide runs, and (its sign) which way; 0: there is no guide
   double lead_m = 0.01;        // how far ahead of the hand the guide may be, along the curve: it waits there
 };
-
-/// Problems: t outside [0, 1], a lead or a speed that is not finite, a lead not above 0, a speed above
-/// kFastestGuide_m_per_s.
-Result<Guide> makeGuide(const Guide& guide, const Place& place = {});
 
 /// As fast as the target may move by itself: a faster guide would never be caught up with.
 inline constexpr double kFastestGuide_m_per_s = 2.0;

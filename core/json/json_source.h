@@ -19,7 +19,6 @@ class Source {
   void Flush() {}
   std::size_t PutEnd(char*) { return 0; }
 
-  bool inString() const { return in_string_; }
   std::size_t stringStart() const { return string_start_; }  // of the last string
   std::size_t numberStart() const { return number_start_; }  // of the last number
   std::string_view number() const { return text_.substr(number_start_, number_end_ - number_start_); }

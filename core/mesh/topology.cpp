@@ -49,18 +49,4 @@ Topology topologyOf(const std::vector<Face>& faces) {
   return topology;
 }
 
-CornerFaces facesAtCorners(const std::vector<Face>& faces, std::size_t corners) {
-  CornerFaces at{std::vector<std::int32_t>(corners + 1, 0), std::vector<std::int32_t>(3 * faces.size())};
-  for (const Face& face : faces) {
-    for (const std::int32_t corner : face) ++at.begins[static_cast<std::size_t>(corner) + 1];
-  }
-  for (std::size_t corner = 0; corner < corners; ++corner) at.begins[corner + 1] += at.begins[corner];
-  std::vector<std::int32_t> next(at.begins.begin(), at.begins.end() - 1);
-  for (std::size_t face = 0; face < faces.size(); ++face) {
-    for (const std::int32_t corner : faces[face])
-      at.faces[static_cast<std::size_t>(next[static_cast<std::size_t>(corner)]++)] = static_cast<std::int32_t>(face);
-  }
-  return at;
-}
-
 }  // namespace underact::mesh

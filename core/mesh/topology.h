@@ -14,10 +14,4 @@ struct Topology {
 /// faces: of three different corners each. Sorts the edges: n log n.
 Topology topologyOf(const std::vector<Face>& faces);
 
-/// For each corner the faces that have it: those of corner k are faces[begins[k]] to before faces[begins[k + 1]].
-struct CornerFaces {
-  std::vector<std::int32_t> begins, faces;
-};
-CornerFaces facesAtCorners(const std::vector<Face>& faces, std::size_t corners);
-
 }  // namespace underact::mesh

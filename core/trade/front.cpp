@@ -85,12 +85,6 @@ void markFront(std::vector<Point>& points) {
   }
 }
 
-std::vector<Point> frontOf(const std::vector<Point>& points) {
-  std::vector<Point> front;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(front), [](const Point& one) { return one.on_front; });
-  return front;
-}
-
 std::vector<Point> measurePoints(const scene::Description& scene, const std::vector<NamedHand>& hands, double seconds,
                                  int rate_hz, const Progress& goes_on) {
   const Settings own = settingsOf(scene, rate_hz);

@@ -27,9 +27,6 @@ std::vector<Settings> waysOf(const scene::Description& scene, int rate_hz);
 std::vector<Point> measurePoints(const scene::Description& scene, const std::vector<NamedHand>& hands, double seconds,
                                  int rate_hz, const Progress& goes_on);
 
-/// Those on the front alone, the cheapest and least exact first.
-std::vector<Point> frontOf(const std::vector<Point>& points);
-
 /// Marks the points that no other one beats in both.
 void markFront(std::vector<Point>& points);
 

@@ -3164,18 +3164,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Kurve braucht mindestens 2 verschiedene Punkte.</translation>
     </message>
     <message>
-        <source>The guide's t must be between 0 and 1.</source>
-        <translation>Das t der Führung muss zwischen 0 und 1 liegen.</translation>
-    </message>
-    <message>
-        <source>The guide's speed must be between -2000 and 2000 mm/s.</source>
-        <translation>Das Tempo der Führung muss zwischen -2000 und 2000 mm/s liegen.</translation>
-    </message>
-    <message>
-        <source>The guide's lead must be above 0.</source>
-        <translation>Der Vorlauf der Führung muss über 0 liegen.</translation>
-    </message>
-    <message>
         <source>The file has more than 1000000 points; leave out every second one.</source>
         <translation>Die Datei hat mehr als 1000000 Punkte; lassen Sie jeden zweiten weg.</translation>
     </message>

@@ -15,7 +15,6 @@ class FramePacer : public QObject {
   /// Not seen: 30 a second, enough to fetch what the servo says, and nothing is drawn.
   void setSeen(bool seen) { seen_ = seen; }
   bool isSeen() const { return seen_; }
-  int interval_ms() const { return interval_ms_; }
 
  signals:
   void frame();

@@ -31,7 +31,6 @@ class ArmSearch : public QObject {
   /// Now, if it is not at it. found() comes where something has changed.
   void look();
   const std::vector<ArmEntry>& entries() const { return entries_; }
-  bool hasLooked() const { return has_looked_; }
 
  signals:
   void found();

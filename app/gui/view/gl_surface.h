@@ -33,7 +33,6 @@ class GlSurface : public QOpenGLWidget {
   vtkRenderer& renderer() { return *renderer_; }
   void setBackground(const QColor& colour);
   /// Whether the processor draws; known after the first picture.
-  bool software() const { return software_; }
   QString rendererName() const { return renderer_name_; }
   QImage picture();
   qint64 framesDrawn() const { return frames_; }

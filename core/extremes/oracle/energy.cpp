@@ -46,13 +46,4 @@ Real slopeOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, std:
   return (after - energyOf(manipulator, X_WT, theta)) / (2 * tiny);
 }
 
-Real bendOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, std::vector<Real> theta, std::size_t joint) {
-  const Real tiny = ldexp(Real(1), -80), middle = theta[joint];
-  const Real here = energyOf(manipulator, X_WT, theta);
-  theta[joint] = middle + tiny;
-  const Real after = energyOf(manipulator, X_WT, theta);
-  theta[joint] = middle - tiny;
-  return (after - 2 * here + energyOf(manipulator, X_WT, theta)) / (tiny * tiny);
-}
-
 }  // namespace underact::extremes::oracle

@@ -17,7 +17,5 @@ Real energyOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, con
 
 /// dV/dtheta_i, by differences (see armJacobian()).
 Real slopeOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, std::vector<Real> theta, std::size_t joint);
-/// d2V/dtheta_i2, the same.
-Real bendOf(const manipulator::Manipulator& manipulator, const Pose& X_WT, std::vector<Real> theta, std::size_t joint);
 
 }  // namespace underact::extremes::oracle

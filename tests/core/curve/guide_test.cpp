@@ -27,12 +27,6 @@ struct Led {
 const std::vector<Vec3> kLine{{0, 0, 0}, {0.03, 0, 0}, {0.1, 0, 0}};
 const std::vector<Vec3> kSquare{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}};
 
-TEST(Guide, OfImpossibleNumbersIsRefusedWithAllOfThem) {
-  EXPECT_TRUE(makeGuide({0.0, -2.0, 1e-3}));
-  EXPECT_EQ(makeGuide({-0.1, 2.1, 0.0}).problems().size(), 3U);
-  EXPECT_EQ(makeGuide({kNotANumber, kNotANumber, kInfinity}).problems().size(), 3U);
-}
-
 TEST(Guide, WithoutAHintOrAtFullStrengthOfPositionTheTargetIsTheNearestPoint) {
   for (const Guide& guide : {Guide{0.0, 0.0, 0.01}, Guide{1.0, 0.2, 0.01}}) {
     Led led{curveOf(kLine, Kind::Spline), guide};
