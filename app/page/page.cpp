@@ -18,6 +18,63 @@ std::string textOf(const MD_ATTRIBUTE& attribute) {
   return {attribute.text, attribute.size};
 }
 
+/// What stands around a block; where begin is not at its end, what is told of the block follows.
+struct Tags {
+  const char *begin = "", *end = "";
+};
+Tags tagsOf(MD_BLOCKTYPE type) {
+  switch (type) {
+    case MD_BLOCK_QUOTE:
+      return {"<blockquote>\n", "</blockquote>\n"};
+    case MD_BLOCK_UL:
+      return {"<ul>\n", "</ul>\n"};
+    case MD_BLOCK_OL:
+      return {"<ol start=\"", "</ol>\n"};
+    case MD_BLOCK_LI:
+      return {"<li>", "</li>\n"};
+    case MD_BLOCK_HR:
+      return {"<hr>\n", ""};
+    case MD_BLOCK_CODE:
+      return {"<pre class=\"code\">", "</pre>\n"};
+    case MD_BLOCK_TABLE:
+      return {"<table class=\"facts\" cellspacing=\"0\" cellpadding=\"4\">\n", "</table>\n"};
+    case MD_BLOCK_THEAD:
+      return {"<thead>", "</thead>\n"};
+    case MD_BLOCK_TBODY:
+      return {"<tbody>", "</tbody>\n"};
+    case MD_BLOCK_TR:
+      return {"<tr>", "</tr>\n"};
+    case MD_BLOCK_TH:
+      return {"<th align=\"", "</th>"};
+    case MD_BLOCK_TD:
+      return {"<td align=\"", "</td>"};
+    default:
+      return {};
+  }
+}
+
+/// Null: it is no plain pair of tags.
+const char* tagOf(MD_SPANTYPE type) {
+  switch (type) {
+    case MD_SPAN_EM:
+      return "em";
+    case MD_SPAN_STRONG:
+      return "strong";
+    case MD_SPAN_DEL:
+      return "s";
+    case MD_SPAN_CODE:
+      return "code";
+    case MD_SPAN_A:
+      return "a";
+    default:
+      return nullptr;
+  }
+}
+
+bool isFormula(MD_SPANTYPE type) {
+  return type == MD_SPAN_LATEXMATH || type == MD_SPAN_LATEXMATH_DISPLAY;
+}
+
 /// Makes the page as md4c tells of its parts.
 class Writer {
  public:
@@ -35,6 +92,11 @@ class Writer {
   int text(MD_TEXTTYPE type, std::string_view text);
 
  private:
+  bool isTooDeep() {
+    if (++depth_ <= kDeepestPage) return false;
+    refuse("This page is nested more than 60 deep.");
+    return true;
+  }
   void put(std::string_view html) { page_.html += html; }
   void say(std::string_view plain) { (in_heading_ ? heading_ : page_.sections.back().text) += plain; }
   // md4c 0.4.8 may end a span that it has not begun, or inside another one (an asterisk in a link's target): what is
@@ -115,64 +177,22 @@ void Writer::closeHeading(unsigned level) {
 }
 
 int Writer::enter(MD_BLOCKTYPE type, void* detail) {
-  if (++depth_ > kDeepestPage) {
-    refuse("This page is nested more than 60 deep.");
-    return 1;
+  if (isTooDeep()) return 1;
+  put(tagsOf(type).begin);
+  if (type == MD_BLOCK_P) openParagraph();
+  if (type == MD_BLOCK_OL) put(std::to_string(static_cast<MD_BLOCK_OL_DETAIL*>(detail)->start) + "\">\n");
+  if (type == MD_BLOCK_H) {
+    heading_at_ = page_.html.size();
+    heading_.clear();
+    in_heading_ = true;
   }
-  switch (type) {
-    case MD_BLOCK_QUOTE:
-      put("<blockquote>\n");
-      break;
-    case MD_BLOCK_UL:
-      put("<ul>\n");
-      break;
-    case MD_BLOCK_OL:
-      put("<ol start=\"" + std::to_string(static_cast<MD_BLOCK_OL_DETAIL*>(detail)->start) + "\">\n");
-      break;
-    case MD_BLOCK_LI: {
-      const auto* item = static_cast<MD_BLOCK_LI_DETAIL*>(detail);
-      put(item->is_task == 0 ? "<li>" : item->task_mark == ' ' ? "<li>☐ " : "<li>☑ ");
-      break;
-    }
-    case MD_BLOCK_HR:
-      put("<hr>\n");
-      break;
-    case MD_BLOCK_H:
-      heading_at_ = page_.html.size();
-      heading_.clear();
-      in_heading_ = true;
-      break;
-    case MD_BLOCK_CODE:
-      put("<pre class=\"code\">");
-      break;
-    case MD_BLOCK_P:
-      openParagraph();
-      break;
-    case MD_BLOCK_TABLE:
-      put("<table class=\"facts\" cellspacing=\"0\" cellpadding=\"4\">\n");
-      break;
-    case MD_BLOCK_THEAD:
-      put("<thead>");
-      break;
-    case MD_BLOCK_TBODY:
-      put("<tbody>");
-      break;
-    case MD_BLOCK_TR:
-      put("<tr>");
-      break;
-    case MD_BLOCK_TH:
-    case MD_BLOCK_TD: {
-      const MD_ALIGN align = static_cast<MD_BLOCK_TD_DETAIL*>(detail)->align;
-      put(std::string(type == MD_BLOCK_TH ? "<th" : "<td") + " align=\"" +
-          (align == MD_ALIGN_RIGHT    ? "right"
-           : align == MD_ALIGN_CENTER ? "center"
-                                      : "left") +
-          "\">");
-      break;
-    }
-    case MD_BLOCK_DOC:
-    case MD_BLOCK_HTML:
-      break;
+  if (type == MD_BLOCK_LI) {
+    const auto* item = static_cast<MD_BLOCK_LI_DETAIL*>(detail);
+    if (item->is_task != 0) put(item->task_mark == ' ' ? "☐ " : "☑ ");
+  }
+  if (type == MD_BLOCK_TH || type == MD_BLOCK_TD) {
+    const MD_ALIGN align = static_cast<MD_BLOCK_TD_DETAIL*>(detail)->align;
+    put(align == MD_ALIGN_RIGHT ? "right\">" : align == MD_ALIGN_CENTER ? "center\">" : "left\">");
   }
   return 0;
 }
@@ -180,86 +200,25 @@ int Writer::enter(MD_BLOCKTYPE type, void* detail) {
 int Writer::leave(MD_BLOCKTYPE type, void* detail) {
   depth_--;
   endSpans();
-  switch (type) {
-    case MD_BLOCK_QUOTE:
-      put("</blockquote>\n");
-      break;
-    case MD_BLOCK_UL:
-      put("</ul>\n");
-      break;
-    case MD_BLOCK_OL:
-      put("</ol>\n");
-      break;
-    case MD_BLOCK_LI:
-      put("</li>\n");
-      break;
-    case MD_BLOCK_H:
-      closeHeading(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
-      break;
-    case MD_BLOCK_CODE:
-      put("</pre>\n");
-      break;
-    case MD_BLOCK_P:
-      closeParagraph();
-      break;
-    case MD_BLOCK_TABLE:
-      put("</table>\n");
-      break;
-    case MD_BLOCK_THEAD:
-      put("</thead>\n");
-      break;
-    case MD_BLOCK_TBODY:
-      put("</tbody>\n");
-      break;
-    case MD_BLOCK_TR:
-      put("</tr>\n");
-      break;
-    case MD_BLOCK_TH:
-      put("</th>");
-      break;
-    case MD_BLOCK_TD:
-      put("</td>");
-      break;
-    case MD_BLOCK_DOC:
-    case MD_BLOCK_HR:
-    case MD_BLOCK_HTML:
-      break;
-  }
+  put(tagsOf(type).end);
+  if (type == MD_BLOCK_P) closeParagraph();
+  if (type == MD_BLOCK_H) closeHeading(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
   if (type != MD_BLOCK_H) say("\n");
   return 0;
 }
 
 int Writer::enter(MD_SPANTYPE type, void* detail) {
-  if (++depth_ > kDeepestPage) {
-    refuse("This page is nested more than 60 deep.");
-    return 1;
-  }
+  if (isTooDeep()) return 1;
   if (type == MD_SPAN_IMG && in_picture_++ == 0)
     picture_ = "<img src=\"" + linked(textOf(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src), true) + "\" alt=\"";
   if (in_picture_ > 0) return 0;
-  switch (type) {
-    case MD_SPAN_EM:
-      openSpan("em");
-      break;
-    case MD_SPAN_STRONG:
-      openSpan("strong");
-      break;
-    case MD_SPAN_DEL:
-      openSpan("s");
-      break;
-    case MD_SPAN_CODE:
-      openSpan("code");
-      break;
-    case MD_SPAN_A:
-      openSpan("a", " href=\"" + linked(textOf(static_cast<MD_SPAN_A_DETAIL*>(detail)->href), false) + "\"");
-      break;
-    case MD_SPAN_LATEXMATH:
-    case MD_SPAN_LATEXMATH_DISPLAY:
-      formula_.clear();
-      in_formula_ = true;
-      break;
-    default:
-      break;
+  if (type == MD_SPAN_A)
+    openSpan("a", " href=\"" + linked(textOf(static_cast<MD_SPAN_A_DETAIL*>(detail)->href), false) + "\"");
+  else if (const char* const tag = tagOf(type))
+    openSpan(tag);
+  if (isFormula(type)) {
+    formula_.clear();
+    in_formula_ = true;
   }
   return 0;
 }
@@ -268,31 +227,8 @@ int Writer::leave(MD_SPANTYPE type, void*) {
   depth_--;
   if (type == MD_SPAN_IMG && in_picture_ > 0 && --in_picture_ == 0) put(picture_ + "\">");
   if (in_picture_ > 0) return 0;
-  switch (type) {
-    case MD_SPAN_EM:
-      closeSpan("em");
-      break;
-    case MD_SPAN_STRONG:
-      closeSpan("strong");
-      break;
-    case MD_SPAN_DEL:
-      closeSpan("s");
-      break;
-    case MD_SPAN_CODE:
-      closeSpan("code");
-      break;
-    case MD_SPAN_A:
-      closeSpan("a");
-      break;
-    case MD_SPAN_LATEXMATH:
-      if (in_formula_) formula(false);
-      break;
-    case MD_SPAN_LATEXMATH_DISPLAY:
-      if (in_formula_) formula(true);
-      break;
-    default:
-      break;
-  }
+  if (const char* const tag = tagOf(type)) closeSpan(tag);
+  if (isFormula(type) && in_formula_) formula(type == MD_SPAN_LATEXMATH_DISPLAY);
   return 0;
 }
 
