@@ -7640,6 +7640,33 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
+    <name>underact::gui::AddDialog</name>
+    <message>
+        <source>Why it was not added</source>
+        <translation>Warum nichts hinzugefügt wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the scene</source>
+        <translation>Zur Szene &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;New scene of it</source>
+        <translation>&amp;Neue Szene daraus</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Closes this. The scene stays.</source>
+        <translation>Schließt dies. Die Szene bleibt.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::AddressDialog</name>
     <message>
         <source>Warning</source>
@@ -8399,16 +8426,20 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::CurveDialog</name>
     <message>
+        <source>Curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
         <source>Size of the curve</source>
         <translation>Größe der Kurve</translation>
     </message>
     <message>
-        <source>Why it was not added</source>
-        <translation>Warum sie nicht hinzugefügt wurde</translation>
+        <source>Adds the curve to the scene that is there.</source>
+        <translation>Fügt die Kurve zur vorhandenen Szene hinzu.</translation>
     </message>
     <message>
-        <source>Curve %1</source>
-        <translation>Kurve %1</translation>
+        <source>Opens a new scene that holds this curve alone.</source>
+        <translation>Öffnet eine neue Szene, die nur diese Kurve enthält.</translation>
     </message>
     <message>
         <source>How the points are joined</source>
@@ -8469,30 +8500,6 @@ und %2 weitere</translation>
     <message>
         <source>%1 It is taken to be in %2.</source>
         <translation>%1 Angenommen wird %2.</translation>
-    </message>
-    <message>
-        <source>&amp;Add to the scene</source>
-        <translation>Zur Szene &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>Adds the curve to the scene that is there.</source>
-        <translation>Fügt die Kurve zur vorhandenen Szene hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;New scene of it</source>
-        <translation>&amp;Neue Szene daraus</translation>
-    </message>
-    <message>
-        <source>Opens a new scene that holds this curve alone.</source>
-        <translation>Öffnet eine neue Szene, die nur diese Kurve enthält.</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Closes this. The scene stays.</source>
-        <translation>Schließt dies. Die Szene bleibt.</translation>
     </message>
     <message>
         <source>%1 points, %2; %3 from point to point.</source>
@@ -11467,20 +11474,16 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MeshDialog</name>
     <message>
+        <source>Mesh %1</source>
+        <translation>Dreiecksnetz %1</translation>
+    </message>
+    <message>
         <source>Size of the mesh</source>
         <translation>Größe des Dreiecksnetzes</translation>
     </message>
     <message>
         <source>Report on the mesh</source>
         <translation>Bericht über das Dreiecksnetz</translation>
-    </message>
-    <message>
-        <source>Why it was not added</source>
-        <translation>Warum es nicht hinzugefügt wurde</translation>
-    </message>
-    <message>
-        <source>Mesh %1</source>
-        <translation>Dreiecksnetz %1</translation>
     </message>
     <message>
         <source>What was found</source>
@@ -11559,32 +11562,12 @@ und %2 weitere</translation>
         <translation>Kopiert den Bericht.</translation>
     </message>
     <message>
-        <source>&amp;Add to the scene</source>
-        <translation>&amp;Zur Szene hinzufügen</translation>
-    </message>
-    <message>
         <source>Adds the mesh to the scene that is there.</source>
         <translation>Fügt das Dreiecksnetz der vorhandenen Szene hinzu.</translation>
     </message>
     <message>
-        <source>&amp;New scene of it</source>
-        <translation>&amp;Neue Szene daraus</translation>
-    </message>
-    <message>
         <source>Opens a new scene that holds this mesh alone.</source>
         <translation>Öffnet eine neue Szene, die nur dieses Dreiecksnetz enthält.</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
-    </message>
-    <message>
-        <source>Closes this. The scene stays.</source>
-        <translation>Schließt dies. Die Szene bleibt.</translation>
     </message>
     <message>
         <source>%1: %2 triangles, %3 corners, %4.</source>

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "app/gui/kit/number_box.h"
-#include "app/gui/kit/push_button.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/mesh_file/report.h"
@@ -32,14 +31,8 @@ class ScaleField : public NumberBox {
 
 CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<Vec3>> points, bool can_add,
                          QWidget* parent)
-    : QDialog(parent),
-      points_(std::move(points)),
-      counts_(toldLabel("dialog.curve.counts", tr("Size of the curve"), "", this)),
-      refusal_(toldLabel("dialog.curve.refusal", tr("Why it was not added"), "alarm", this)) {
-  setObjectName("dialog.curve");
-  setAttribute(Qt::WA_DeleteOnClose);
-  setModal(false);  // nothing keeps anybody from the arm
-  setWindowTitle(tr("Curve %1").arg(QFileInfo(path).fileName()));
+    : AddDialog("dialog.curve", tr("Curve %1").arg(QFileInfo(path).fileName()), tr("Size of the curve"), parent),
+      points_(std::move(points)) {
   Vec3 low = points_->front(), high = low, last = low;
   for (const Vec3& p : *points_) {
     low = low.cwiseMin(p);
@@ -48,21 +41,15 @@ CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<
     last = p;
   }
   size_ = high - low;
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(12);
-  column->addWidget(counts_);
-  buildChoices(column);
-  proposeUnit(column);
-  refusal_->hide();
-  column->addWidget(refusal_);
-  column->addStretch(1);
-  buildButtons(column, can_add);
+  buildChoices();
+  proposeUnit();
+  layFoot(can_add, tr("Adds the curve to the scene that is there."),
+          tr("Opens a new scene that holds this curve alone."));
   refresh();
   resize(QSize(64 * fontMetrics().averageCharWidth(), sizeHint().height()));
 }
 
-void CurveDialog::buildChoices(QVBoxLayout* column) {
+void CurveDialog::buildChoices() {
   kind_ = new QComboBox(this);
   kind_->setObjectName("dialog.curve.kind");
   kind_->setAccessibleName(tr("How the points are joined"));
@@ -85,13 +72,13 @@ void CurveDialog::buildChoices(QVBoxLayout* column) {
   rows->addRow(tr("&Joined"), kind_);
   rows->addRow(tr("Ends"), closed_);
   rows->addRow(tr("A &unit is"), scale_);
-  column->addLayout(rows);
+  column()->addLayout(rows);
   connect(scale_, &QDoubleSpinBox::valueChanged, this, &CurveDialog::refresh);
   connect(closed_, &QCheckBox::toggled, this, &CurveDialog::refresh);
 }
 
 // A file says nothing of its unit: where millimetres make no size for a hand, the likeliest other one is set.
-void CurveDialog::proposeUnit(QVBoxLayout* column) {
+void CurveDialog::proposeUnit() {
   const auto proposal = mesh_file::implausible(size_.maxCoeff());
   if (!proposal || !(size_.maxCoeff() > 0.0)) return;
   QLabel* told = toldLabel("dialog.curve.question", tr("Which unit"), "amber", this);
@@ -102,34 +89,13 @@ void CurveDialog::proposeUnit(QVBoxLayout* column) {
     scale_->setValue(likeliest.mm_per_unit);
     told->setText(tr("%1 It is taken to be in %2.").arg(as_mm, QString::fromLatin1(likeliest.name)));
   }
-  column->addWidget(told);
-}
-
-void CurveDialog::buildButtons(QVBoxLayout* column, bool can_add) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addStretch(1);
-  const auto button = [&](const char* name, const QString& text, const QString& tip) {
-    QPushButton* made = pushButton(QString("dialog.curve.") + name, text, tip, this);
-    made->setAutoDefault(true);
-    row->addWidget(made);
-    return made;
-  };
-  QPushButton* add = button("add", tr("&Add to the scene"), tr("Adds the curve to the scene that is there."));
-  QPushButton* fresh = button("new", tr("&New scene of it"), tr("Opens a new scene that holds this curve alone."));
-  QPushButton* close = button("close", tr("&Cancel"), tr("Closes this. The scene stays."));
-  add->setEnabled(can_add);
-  (can_add ? add : fresh)->setDefault(true);
-  connect(add, &QPushButton::clicked, this, &CurveDialog::addAsked);
-  connect(fresh, &QPushButton::clicked, this, &CurveDialog::newSceneAsked);
-  connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  column->addLayout(row);
+  column()->addWidget(told);
 }
 
 void CurveDialog::refresh() {
   const CurveWish now = wish();
   const double way = way_ + (now.closed ? (points_->front() - points_->back()).norm() : 0.0);
-  counts_->setText(
+  counts()->setText(
       tr("%1 points, %2; %3 from point to point.")
           .arg(points_->size())
           .arg(placeText(now.mm_per_unit * size_).replace(", ", " × "), millimetres(now.mm_per_unit * way)));
@@ -137,11 +103,6 @@ void CurveDialog::refresh() {
 
 CurveWish CurveDialog::wish() const {
   return {scale_->value(), static_cast<curve::Kind>(kind_->currentData().toInt()), closed_->isChecked()};
-}
-
-void CurveDialog::setRefusal(const QString& sentences) {
-  refusal_->setText(sentences);
-  refusal_->setVisible(!sentences.isEmpty());
 }
 
 }  // namespace underact::gui

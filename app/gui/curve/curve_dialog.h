@@ -1,15 +1,13 @@
 #pragma once
-#include <QDialog>
 #include <memory>
 #include <vector>
 
+#include "app/gui/kit/add_dialog.h"
 #include "core/scene/description.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
-class QVBoxLayout;
 
 namespace underact::gui {
 
@@ -22,30 +20,21 @@ struct CurveWish {
 
 /// What a file of points holds, and the choice of how they are joined, of their unit, and whether the curve goes into
 /// the scene that is there.
-class CurveDialog : public QDialog {
+class CurveDialog : public AddDialog {
   Q_OBJECT
  public:
   /// can_add: there is a scene.
   CurveDialog(const QString& path, std::shared_ptr<const std::vector<Vec3>> points, bool can_add, QWidget* parent);
   CurveWish wish() const;
-  /// Why it was not added; the dialog stays.
-  void setRefusal(const QString& sentences);
-
- signals:
-  void addAsked();
-  void newSceneAsked();
 
  private:
-  void buildChoices(QVBoxLayout* column);
-  void buildButtons(QVBoxLayout* column, bool can_add);
-  void proposeUnit(QVBoxLayout* column);
+  void buildChoices();
+  void proposeUnit();
   void refresh();
 
   std::shared_ptr<const std::vector<Vec3>> points_;
   Vec3 size_ = Vec3::Zero();  // of all points, in the file's unit
   double way_ = 0.0;          // from point to point
-  QLabel* counts_;
-  QLabel* refusal_;
   QComboBox* kind_ = nullptr;
   QCheckBox* closed_ = nullptr;
   QDoubleSpinBox* scale_ = nullptr;

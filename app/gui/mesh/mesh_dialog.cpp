@@ -16,7 +16,6 @@
 
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/push_button.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
@@ -57,42 +56,28 @@ QDoubleSpinBox* shareField(const char* name, const QString& spoken, double value
 
 MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit,
                        bool can_add, QWidget* parent)
-    : QDialog(parent),
+    : AddDialog("dialog.mesh", tr("Mesh %1").arg(QFileInfo(path).fileName()), tr("Size of the mesh"), parent),
       loaded_(loaded),
       name_(QFileInfo(path).fileName()),
       mm_per_unit_(mm_per_unit.value_or(1.0)),
-      counts_(toldLabel("dialog.mesh.counts", tr("Size of the mesh"), "", this)),
-      report_(toldLabel("dialog.mesh.report", tr("Report on the mesh"), "", this)),
-      refusal_(toldLabel("dialog.mesh.refusal", tr("Why it was not added"), "alarm", this)) {
-  setObjectName("dialog.mesh");
-  setAttribute(Qt::WA_DeleteOnClose);
-  setModal(false);  // nothing keeps anybody from the arm
-  setWindowTitle(tr("Mesh %1").arg(name_));
+      report_(toldLabel("dialog.mesh.report", tr("Report on the mesh"), "", this)) {
   const bool is_to_add = !mm_per_unit;
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(12);
-  column->addWidget(counts_);
   if (is_to_add) {
-    if (const auto proposal = mesh_file::implausible(mesh_file::largestExtent(loaded.facts)))
-      buildUnits(column, *proposal);
+    if (const auto proposal = mesh_file::implausible(mesh_file::largestExtent(loaded.facts))) buildUnits(*proposal);
   }
-  QLabel* found = sectionTitle(tr("What was found"), this);
-  column->addWidget(found);
+  column()->addWidget(sectionTitle(tr("What was found"), this));
   report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  column->addWidget(panelScroll(report_, this), 1);
-  if (is_to_add) buildChoices(column);
-  refusal_->hide();
-  column->addWidget(refusal_);
-  buildButtons(column, is_to_add, can_add);
+  column()->addWidget(panelScroll(report_, this), 1);
+  if (is_to_add) buildChoices();
+  buildFoot(is_to_add, can_add);
   refresh();
   resize(QSize(78 * fontMetrics().averageCharWidth(), (is_to_add ? 30 : 18) * fontMetrics().lineSpacing()));
 }
 
-void MeshDialog::buildUnits(QVBoxLayout* column, const mesh_file::Proposal& proposal) {
+void MeshDialog::buildUnits(const mesh_file::Proposal& proposal) {
   QLabel* question = toldLabel("dialog.mesh.question", tr("Which unit"), "amber", this);
   question->setText(tr("%1 Which unit is the file in?").arg(sentenceText(proposal.sentence)));
-  column->addWidget(question);
+  column()->addWidget(question);
   unit_ = new QButtonGroup(this);
   const auto button = [&](const QString& text, double mm_per_unit) {
     auto* made = new QRadioButton(text, this);
@@ -100,7 +85,7 @@ void MeshDialog::buildUnits(QVBoxLayout* column, const mesh_file::Proposal& prop
     made->setAccessibleName(text);
     unit_->addButton(made, static_cast<int>(units_.size()));
     units_.push_back(mm_per_unit);
-    column->addWidget(made);
+    column()->addWidget(made);
   };
   for (const mesh_file::Unit& unit : proposal.units)
     button(tr("In %1: %2 long").arg(QCoreApplication::translate("problem", unit.name), millimetres(unit.size_mm)),
@@ -110,7 +95,7 @@ void MeshDialog::buildUnits(QVBoxLayout* column, const mesh_file::Proposal& prop
   connect(unit_, &QButtonGroup::idToggled, this, &MeshDialog::refresh);
 }
 
-void MeshDialog::buildChoices(QVBoxLayout* column) {
+void MeshDialog::buildChoices() {
   auto* rows = new QFormLayout;
   rows->setHorizontalSpacing(12);
   side_ = new QComboBox(this);
@@ -136,7 +121,7 @@ void MeshDialog::buildChoices(QVBoxLayout* column) {
   shares->addWidget(dynamic_);
   shares->addStretch(1);
   rows->addRow(tr("Surface"), shares);
-  column->addLayout(rows);
+  column()->addLayout(rows);
   for (QDoubleSpinBox* field : {static_, dynamic_}) {
     field->setEnabled(false);
     connect(friction_, &QCheckBox::toggled, field, &QWidget::setEnabled);
@@ -146,29 +131,11 @@ void MeshDialog::buildChoices(QVBoxLayout* column) {
   dynamic_->setMaximum(static_->value());
 }
 
-void MeshDialog::buildButtons(QVBoxLayout* column, bool is_to_add, bool can_add) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  const auto button = [&](const char* name, const QString& text, const QString& tip) {
-    QPushButton* made = pushButton(QString("dialog.mesh.") + name, text, tip, this);
-    made->setAutoDefault(true);
-    row->addWidget(made);
-    return made;
-  };
-  QPushButton* copy = button("copy", tr("C&opy"), tr("Copies the report."));
+void MeshDialog::buildFoot(bool is_to_add, bool can_add) {
+  QPushButton* copy = footButton("copy", tr("C&opy"), tr("Copies the report."));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
-  row->addStretch(1);
-  if (is_to_add) {
-    QPushButton* add = button("add", tr("&Add to the scene"), tr("Adds the mesh to the scene that is there."));
-    QPushButton* fresh = button("new", tr("&New scene of it"), tr("Opens a new scene that holds this mesh alone."));
-    add->setEnabled(can_add);
-    (can_add ? add : fresh)->setDefault(true);
-    connect(add, &QPushButton::clicked, this, &MeshDialog::addAsked);
-    connect(fresh, &QPushButton::clicked, this, &MeshDialog::newSceneAsked);
-  }
-  QPushButton* close = button("close", is_to_add ? tr("&Cancel") : tr("&Close"), tr("Closes this. The scene stays."));
-  connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  column->addLayout(row);
+  layFoot(can_add, is_to_add ? tr("Adds the mesh to the scene that is there.") : QString(),
+          tr("Opens a new scene that holds this mesh alone."));
 }
 
 double MeshDialog::mmPerUnit() const {
@@ -181,18 +148,18 @@ void MeshDialog::refresh() {
   Vec3 size_mm;
   for (std::size_t axis = 0; axis < 3; ++axis)
     size_mm[static_cast<Eigen::Index>(axis)] = scale * (facts.high[axis] - facts.low[axis]);
-  counts_->setText(tr("%1: %2 triangles, %3 corners, %4.")
-                       .arg(formatText(loaded_.format))
-                       .arg(facts.faces)
-                       .arg(facts.corners)
-                       .arg(placeText(size_mm).replace(", ", " × ")));
+  counts()->setText(tr("%1: %2 triangles, %3 corners, %4.")
+                        .arg(formatText(loaded_.format))
+                        .arg(facts.faces)
+                        .arg(facts.corners)
+                        .arg(placeText(size_mm).replace(", ", " × ")));
   QStringList sentences;
   for (const Sentence& sentence : mesh_file::reportOf(facts, scale)) sentences << sentenceText(sentence);
   report_->setText(sentences.join("\n"));
 }
 
 QString MeshDialog::text() const {
-  return QStringList{name_, counts_->text(), report_->text()}.join('\n');
+  return QStringList{name_, counts()->text(), report_->text()}.join('\n');
 }
 
 MeshWish MeshDialog::wish() const {
@@ -202,11 +169,6 @@ MeshWish MeshDialog::wish() const {
   if (friction_ != nullptr && friction_->isChecked())
     wish.friction = scene::Friction{static_->value(), dynamic_->value()};
   return wish;
-}
-
-void MeshDialog::setRefusal(const QString& sentences) {
-  refusal_->setText(sentences);
-  refusal_->setVisible(!sentences.isEmpty());
 }
 
 }  // namespace underact::gui

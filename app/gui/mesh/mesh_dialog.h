@@ -1,7 +1,7 @@
 #pragma once
-#include <QDialog>
 #include <optional>
 
+#include "app/gui/kit/add_dialog.h"
 #include "core/mesh_file/load.h"
 #include "core/mesh_file/report.h"
 #include "core/scene/description.h"
@@ -10,9 +10,6 @@ class QButtonGroup;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QGridLayout;
-class QLabel;
-class QVBoxLayout;
 
 namespace underact::gui {
 
@@ -25,24 +22,18 @@ struct MeshWish {
 
 /// What a mesh file holds, what was repaired and how it can be felt. To add: with the choice of its unit where its size
 /// is implausible, of side and friction, and whether it goes into the scene that is there. To read: the report alone.
-class MeshDialog : public QDialog {
+class MeshDialog : public AddDialog {
   Q_OBJECT
  public:
   /// mm_per_unit: of a mesh of a scene, whose report is only read; none: it is to be added. can_add: there is a scene.
   MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit, bool can_add,
              QWidget* parent);
   MeshWish wish() const;
-  /// Why it was not added; the dialog stays.
-  void setRefusal(const QString& sentences);
-
- signals:
-  void addAsked();
-  void newSceneAsked();
 
  private:
-  void buildUnits(QVBoxLayout* column, const mesh_file::Proposal& proposal);
-  void buildChoices(QVBoxLayout* column);
-  void buildButtons(QVBoxLayout* column, bool is_to_add, bool can_add);
+  void buildUnits(const mesh_file::Proposal& proposal);
+  void buildChoices();
+  void buildFoot(bool is_to_add, bool can_add);
   double mmPerUnit() const;
   void refresh();
   QString text() const;
@@ -52,9 +43,7 @@ class MeshDialog : public QDialog {
   double mm_per_unit_ = 1.0;
   std::vector<double> units_;  // mm a unit, of each button
   QButtonGroup* unit_ = nullptr;
-  QLabel* counts_;
   QLabel* report_;
-  QLabel* refusal_;
   QComboBox* side_ = nullptr;
   QCheckBox* friction_ = nullptr;
   QDoubleSpinBox* static_ = nullptr;

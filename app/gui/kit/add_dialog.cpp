@@ -1,0 +1,60 @@
+#include "app/gui/kit/add_dialog.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+
+namespace underact::gui {
+
+AddDialog::AddDialog(const QString& name, const QString& title, const QString& counts, QWidget* parent)
+    : QDialog(parent),
+      column_(new QVBoxLayout(this)),
+      counts_(toldLabel(qPrintable(name + ".counts"), counts, "", this)),
+      refusal_(toldLabel(qPrintable(name + ".refusal"), tr("Why it was not added"), "alarm", this)),
+      foot_(new QHBoxLayout) {
+  setObjectName(name);
+  setAttribute(Qt::WA_DeleteOnClose);
+  setModal(false);  // nothing keeps anybody from the arm
+  setWindowTitle(title);
+  column_->setContentsMargins(16, 16, 16, 16);
+  column_->setSpacing(12);
+  column_->addWidget(counts_);
+  refusal_->hide();
+  foot_->setSpacing(8);
+}
+
+QPushButton* AddDialog::footButton(const char* name, const QString& text, const QString& tip) {
+  QPushButton* made = pushButton(objectName() + '.' + name, text, tip, this);
+  made->setAutoDefault(true);
+  foot_->addWidget(made);
+  return made;
+}
+
+void AddDialog::layFoot(bool can_add, const QString& add, const QString& fresh) {
+  column_->addWidget(refusal_);
+  column_->addStretch();
+  foot_->addStretch(1);
+  if (!add.isEmpty()) {
+    QPushButton* adds = footButton("add", tr("&Add to the scene"), add);
+    QPushButton* opens = footButton("new", tr("&New scene of it"), fresh);
+    adds->setEnabled(can_add);
+    (can_add ? adds : opens)->setDefault(true);
+    connect(adds, &QPushButton::clicked, this, &AddDialog::addAsked);
+    connect(opens, &QPushButton::clicked, this, &AddDialog::newSceneAsked);
+  }
+  QPushButton* close =
+      footButton("close", add.isEmpty() ? tr("&Close") : tr("&Cancel"), tr("Closes this. The scene stays."));
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  column_->addLayout(foot_);
+}
+
+void AddDialog::setRefusal(const QString& sentences) {
+  refusal_->setText(sentences);
+  refusal_->setVisible(!sentences.isEmpty());
+}
+
+}  // namespace underact::gui
