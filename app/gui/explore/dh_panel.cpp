@@ -105,7 +105,7 @@ void DhPanel::addCommands() {
   parts_.actions.addCommand("dh.remove", [this](const QVariantList&) {
     return tables_.now().rows.size() > 1 && change(withoutRow(tables_.now(), selected()));
   });
-  addHistoryCommands(parts_.actions, "dh", tables_, [this] { showTable(); });
+  addUndoCommands(parts_.actions, "dh", tables_.stack(), [this] { showTable(); });
   parts_.actions.addCommand("dh.follow", [this](const QVariantList& values) {
     follows_->setChecked(values.value(0, true).toBool());
     return true;
@@ -175,8 +175,8 @@ void DhPanel::showTable() {
   showNumbers();
   buttons_.add->setEnabled(table.rows.size() < kMostDhRows);
   buttons_.remove->setEnabled(table.rows.size() > 1);
-  buttons_.undo->setEnabled(tables_.canUndo());
-  buttons_.redo->setEnabled(tables_.canRedo());
+  buttons_.undo->setEnabled(tables_.stack().canUndo());
+  buttons_.redo->setEnabled(tables_.stack().canRedo());
   const Problems odd = chain::oddIn(table.rows);
   odd_->setText(sentencesOf(odd));
   odd_->setVisible(!odd.empty());

@@ -41,7 +41,7 @@ class DhPanel : public Panel {
   void draw();
 
   FeatureParts parts_;
-  History<DhTable> tables_;
+  Undoable<DhTable> tables_;
   arm::JointAngles q_rad_{};    // of the arm
   Vec3 p_WT_ = Vec3::Zero();    // where its tip is
   std::int64_t shown_ns_ = -1;  // when the numbers were written

@@ -5,8 +5,8 @@
 #include <array>
 #include <functional>
 
-#include "app/gui/explore/history.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/edit.h"
 
 namespace underact::gui {
 
@@ -30,17 +30,20 @@ inline void layEditRow(QVBoxLayout* column, const EditRow& buttons, Actions& act
 }
 
 /// "KEY.undo" and "KEY.redo". shown: after each.
-template <class State>
-void addHistoryCommands(Actions& actions, const QString& key, History<State>& history, std::function<void()> shown) {
-  const auto add = [&](const char* name, bool (History<State>::*step)()) {
-    actions.addCommand(key + "." + name, [&history, step, shown](const QVariantList&) {
-      const bool done = (history.*step)();
-      shown();
-      return done;
-    });
-  };
-  add("undo", &History<State>::undo);
-  add("redo", &History<State>::redo);
+inline void addUndoCommands(Actions& actions, const QString& key, QUndoStack& stack,
+                            const std::function<void()>& shown) {
+  actions.addCommand(key + ".undo", [&stack, shown](const QVariantList&) {
+    const bool can = stack.canUndo();
+    stack.undo();
+    shown();
+    return can;
+  });
+  actions.addCommand(key + ".redo", [&stack, shown](const QVariantList&) {
+    const bool can = stack.canRedo();
+    stack.redo();
+    shown();
+    return can;
+  });
 }
 
 }  // namespace underact::gui

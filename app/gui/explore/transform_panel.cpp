@@ -136,7 +136,7 @@ void TransformPanel::addCommands() {
     state.steps.erase(state.steps.begin() + selected());
     return change(state);
   });
-  addHistoryCommands(actions, "transform", states_, [this] { refresh(); });
+  addUndoCommands(actions, "transform", states_.stack(), [this] { refresh(); });
 }
 
 bool TransformPanel::setStep(int row, const QString& kind, const QString& amount) {
@@ -216,8 +216,8 @@ void TransformPanel::refresh() {
   }
   buttons_.add->setEnabled(state.steps.size() < kMostSteps);
   buttons_.remove->setEnabled(state.steps.size() > 1);
-  buttons_.undo->setEnabled(states_.canUndo());
-  buttons_.redo->setEnabled(states_.canRedo());
+  buttons_.undo->setEnabled(states_.stack().canUndo());
+  buttons_.redo->setEnabled(states_.stack().canRedo());
   const Pose listed = frames(false).back(), reversed = frames(true).back();
   write(*listed_, listed);
   write(*reversed_, reversed);

@@ -42,7 +42,7 @@ class TransformPanel : public Panel {
   std::vector<Pose> frames(bool reversed) const;
 
   FeatureParts parts_;
-  History<State> states_;
+  Undoable<State> states_;
   bool drawn_ = false;
   QComboBox* axes_ = nullptr;
   EditTable* table_ = nullptr;

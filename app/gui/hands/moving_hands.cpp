@@ -2,12 +2,12 @@
 #include "app/gui/hands/moving_hands.h"
 
 #include <QSettings>
-#include <QUndoCommand>
 #include <QWidget>
 #include <algorithm>
 #include <utility>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/edit.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/view/hand.h"
 #include "core/arm/forward.h"
@@ -32,29 +32,6 @@ bool isSameSeen(const hands::Seen& one, const hands::Seen& other) {
 }
 
 }  // namespace
-
-/// A change of one device's map; a drag of a slider is one.
-class MapEdit : public QUndoCommand {
- public:
-  MapEdit(MovingHands& hands, QString id, hands::Map before, hands::Map after, QString field, bool fresh)
-      : hands_(hands), id_(std::move(id)), before_(before), after_(after), field_(std::move(field)), fresh_(fresh) {}
-  void undo() override { hands_.setMap(id_, before_); }
-  void redo() override { hands_.setMap(id_, after_); }
-  int id() const override { return 1; }
-  bool mergeWith(const QUndoCommand* other) override {
-    const auto* next = static_cast<const MapEdit*>(other);
-    if (next->fresh_ || next->id_ != id_ || next->field_ != field_) return false;
-    after_ = next->after_;
-    return true;
-  }
-
- private:
-  MovingHands& hands_;
-  QString id_;
-  hands::Map before_, after_;
-  QString field_;
-  bool fresh_;
-};
 
 MovingHands::MovingHands(ServoFacts servo, Hand& hand, std::vector<hands::Port*> ports, Actions& actions,
                          QWidget* window)
@@ -208,7 +185,13 @@ void MovingHands::use(const QString& id, bool on) {
 bool MovingHands::change(const QString& id, const hands::Map& map, const QString& field, bool fresh) {
   const HandEntry* const entry = find(id);
   if (entry == nullptr) return false;
-  if (!(entry->map == map)) undo_.push(new MapEdit(*this, id, entry->map, map, field, fresh));
+  if (entry->map == map) return true;
+  if (fresh || id + field != gestured_) ++gesture_;
+  gestured_ = id + field;
+  const hands::Map before = entry->map;
+  setMap(id, map);
+  undo_.push(new Edit<hands::Map>(
+      before, map, [this, id](const hands::Map& put) { setMap(id, put); }, {}, gesture_));
   return true;
 }
 

@@ -70,7 +70,6 @@ class MovingHands : public QObject {
     device::hands::Readings before;
     int first = -1;  // the button for one way; the other one is waited for
   };
-  friend class MapEdit;
   void setMap(const QString& id, const device::hands::Map& map);
   bool takeSeen();
   void take(device::hands::Seen seen, std::vector<HandEntry>& now, bool& is_new);
@@ -91,6 +90,8 @@ class MovingHands : public QObject {
   std::map<QString, device::hands::Map> usual_;
   std::map<QString, QString> problems_;  // by device
   QUndoStack undo_;
+  QString gestured_;  // the field that was changed last, and of which device
+  int gesture_ = 0;
   std::optional<Learning> learning_;
   QTimer looks_, saves_, gives_up_;
   std::int64_t time_ns_ = -1;  // of the arm, at the last look

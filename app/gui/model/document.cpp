@@ -4,42 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/kit/edit.h"
 #include "core/scene/edit.h"
 #include "core/scene/mesh_names.h"
 #include "core/scene/mirror.h"
 #include "core/scene/write.h"
 
 namespace underact::gui {
-
-/// One step back or forth between two scenes, both as written: whichever hand it is by then.
-class SceneEdit : public QUndoCommand {
- public:
-  SceneEdit(Document& document, scene::Description before, scene::Description after, const QString& what, int gesture)
-      : QUndoCommand(what),
-        document_(document),
-        before_(std::move(before)),
-        after_(std::move(after)),
-        gesture_(gesture) {}
-  int id() const override { return gesture_; }
-  void undo() override { document_.put(before_); }
-  void redo() override {
-    if (!done_)
-      done_ = true;  // edit() has put it into effect: that is how it knew that it is allowed
-    else
-      document_.put(after_);
-  }
-  bool mergeWith(const QUndoCommand* other) override {
-    after_ = static_cast<const SceneEdit*>(other)->after_;
-    setObsolete(scene::isSame(before_, after_));
-    return true;
-  }
-
- private:
-  Document& document_;
-  scene::Description before_, after_;
-  int gesture_;
-  bool done_ = false;
-};
 
 Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(host), undo_(this) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(modified()); });
@@ -80,9 +51,14 @@ Problems Document::edit(const scene::Description& after, const QString& what, in
   Problems problems = host_.edit(after);
   if (!problems.empty()) return problems;
   kept_.reset();
-  undo_.push(new SceneEdit(*this, throughMirror(before), throughMirror(after), what, gesture));
+  pushEdit(throughMirror(before), throughMirror(after), what, gesture);
   emit edited();
   return {};
+}
+
+void Document::pushEdit(scene::Description before, scene::Description after, const QString& what, int gesture) {
+  undo_.push(new Edit<scene::Description>(
+      std::move(before), std::move(after), [this](const scene::Description& written) { put(written); }, what, gesture));
 }
 
 void Document::put(const scene::Description& written) {
@@ -140,9 +116,7 @@ void Document::putBackOwn() {
   static_cast<void>(host_.load(throughMirror(own.scene)));  // it was in effect before
   original_ = throughMirror(own.original);
   path_ = own.path;
-  if (!scene::isSame(own.original, own.scene)) {
-    undo_.push(new SceneEdit(*this, own.original, own.scene, tr("edits"), newGesture()));
-  }
+  if (!scene::isSame(own.original, own.scene)) pushEdit(own.original, own.scene, tr("edits"), newGesture());
   if (path_.isEmpty()) undo_.resetClean();
   emit opened();
 }

@@ -86,9 +86,9 @@ class Document : public QObject {
   void leftHandedChanged(bool on);
 
  private:
-  friend class SceneEdit;
-  friend class HandEdit;
   const scene::Constraint* original(std::size_t index) const;
+  /// Both as written: whichever hand it is when they are put into effect again.
+  void pushEdit(scene::Description before, scene::Description after, const QString& what, int gesture);
   void put(const scene::Description& written);  // one that was in effect before
   Problems takeHand(bool left);
   Problems followHand();

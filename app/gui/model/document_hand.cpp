@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "app/gui/kit/edit.h"
 #include "app/gui/model/document.h"
 #include "core/scene/edit.h"
 #include "core/scene/mirror.h"
@@ -8,25 +9,13 @@ namespace underact::gui {
 
 // Which hand the document's scene is for.
 
-/// One step back or forth between the hands.
-class HandEdit : public QUndoCommand {
- public:
-  HandEdit(Document& document, bool left)
-      : QUndoCommand(left ? Document::tr("left-handed") : Document::tr("right-handed")),
-        document_(document),
-        left_(left) {}
-  void undo() override { static_cast<void>(document_.takeHand(!left_)); }  // that scene was in effect before
-  void redo() override { static_cast<void>(document_.takeHand(left_)); }   // the first time it is so already
-
- private:
-  Document& document_;
-  bool left_;
-};
-
 Problems Document::setLeftHanded(bool on) {
   const bool was_mirrored = is_mirrored_;
   Problems problems = takeHand(on);
-  if (problems.empty() && is_mirrored_ != was_mirrored) undo_.push(new HandEdit(*this, on));
+  if (problems.empty() && is_mirrored_ != was_mirrored) {
+    const auto take = [this](bool left) { static_cast<void>(takeHand(left)); };  // that scene was in effect before
+    undo_.push(new Edit<bool>(!on, on, take, on ? tr("left-handed") : tr("right-handed")));
+  }
   return problems;
 }
 
