@@ -1,19 +1,16 @@
 #pragma once
-#include <QWidget>
-
-#include "app/gui/kit/theme.h"
+#include "app/gui/plot/mark_chart.h"
 #include "core/calibration/measurement.h"
 
 namespace underact::gui {
 
 /// Difference against trial on a logarithmic scale: filled right, hollow wrong, a ring where the way turned; the
 /// threshold as a line in a band of one standard deviation either way.
-class StaircaseChart : public QWidget {
+class StaircaseChart : public MarkChart {
   Q_OBJECT
  public:
   explicit StaircaseChart(QWidget* parent = nullptr);
   void present(const calibration::Measurement& run);
-  void setTheme(const Theme& theme);
   QSize minimumSizeHint() const override;
 
  protected:
@@ -27,9 +24,8 @@ class StaircaseChart : public QWidget {
   void drawThreshold(QPainter& painter) const;
   void drawTrials(QPainter& painter) const;
 
-  Theme theme_ = Theme::light();
   calibration::Measurement run_;
-  double least_ = 0.01, most_ = 1.0;  // of the scale
+  LogScale scale_ = {0.01, 1.0};
 };
 
 }  // namespace underact::gui

@@ -3,26 +3,17 @@
 #include <QPainter>
 #include <cmath>
 
-#include "app/gui/kit/spoken.h"
-
 namespace underact::gui {
 
-AxisBar::AxisBar(const QString& name, const QString& spoken, QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Graphic);
-  setObjectName(name);
-  setAccessibleName(spoken);
-  setToolTip(tr("The line: how far it is moved. The bar: what comes through. Grey: the dead zone."));
+AxisBar::AxisBar(const QString& name, const QString& spoken, QWidget* parent)
+    : Painted(name, spoken, tr("The line: how far it is moved. The bar: what comes through. Grey: the dead zone."),
+              parent) {
   setMinimumWidth(72);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 QSize AxisBar::sizeHint() const {
   return {120, 16};
-}
-
-void AxisBar::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
 }
 
 void AxisBar::present(double deflection, double share, double dead_zone) {
@@ -38,12 +29,11 @@ void AxisBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  const QColor ground = palette().color(QPalette::Window);
   const QRectF track(1.0, 0.5 * height() - 4.0, width() - 2.0, 8.0);
   const double middle = track.center().x(), half = 0.5 * track.width();
-  painter.setBrush(mixed(ground, theme_.quiet, 0.3));
+  painter.setBrush(quiet(0.3));
   painter.drawRoundedRect(track, 3, 3);
-  painter.setBrush(mixed(ground, theme_.ink, 0.5));
+  painter.setBrush(ink(0.5));
   painter.drawRect(QRectF(middle - half * dead_zone_, track.top(), 2.0 * half * dead_zone_, track.height()));
   painter.setBrush(theme_.constraint);
   const double end = middle + half * share_;

@@ -6,23 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/kit/spoken.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
 
 DistanceBar::DistanceBar(const QString& object_name, const QString& name, const QString& tip, const Scale& scale,
                          QWidget* parent)
-    : QWidget(parent),
+    : Painted(object_name, name, tip, parent),
       name_(name),
       scale_(scale),
       track_(new QLabel(this)),
       value_(new QLabel(this)),
       word_(new QLabel(this)) {
-  speakAs(this, QAccessible::Graphic);
-  setObjectName(object_name);
-  setAccessibleName(name);
-  setToolTip(tip);
   auto* label = new QLabel(name, this);
   label->setFixedWidth(fontMetrics().horizontalAdvance("q6 gimbal 3") + 4);
   value_->setObjectName(object_name + ".value");
@@ -50,11 +45,6 @@ void DistanceBar::setFarthest(double farthest) {
   update();
 }
 
-void DistanceBar::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
-}
-
 void DistanceBar::present(double distance) {
   const QString text = numberText(distance, scale_.decimals) + scale_.unit;
   if (distance == distance_ && text == value_->text()) return;
@@ -69,10 +59,10 @@ void DistanceBar::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const QRectF all(track_->x(), 0.5 * height() - 5.0, track_->width(), 10.0);
-  painter.setBrush(mixed(palette().color(QPalette::Window), theme_.quiet, 0.5));
+  painter.setBrush(quiet(0.5));
   painter.drawRoundedRect(all, 3, 3);
   const double share = std::clamp(distance_ / scale_.farthest, 0.0, 1.0);
-  painter.setBrush(isNear() ? theme_.force : mixed(palette().color(QPalette::Window), theme_.ink, 0.5));
+  painter.setBrush(isNear() ? theme_.force : ink(0.5));
   painter.drawRoundedRect(QRectF(all.topLeft(), QSizeF(std::max(3.0, share * all.width()), all.height())), 3, 3);
   painter.setBrush(theme_.ink);  // where near begins
   painter.drawRect(QRectF(std::round(all.left() + scale_.near_below / scale_.farthest * all.width()) - 1.0,

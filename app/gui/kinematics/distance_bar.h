@@ -1,7 +1,5 @@
 #pragma once
-#include <QWidget>
-
-#include "app/gui/kit/theme.h"
+#include "app/gui/kit/painted.h"
 
 class QLabel;
 
@@ -9,7 +7,7 @@ namespace underact::gui {
 
 /// How far something is, as a bar from 0 (on it) to the farthest, with a mark where near begins, the number and, under
 /// the mark, the word "near" and amber.
-class DistanceBar : public QWidget {
+class DistanceBar : public Painted {
   Q_OBJECT
  public:
   struct Scale {
@@ -21,7 +19,6 @@ class DistanceBar : public QWidget {
   DistanceBar(const QString& object_name, const QString& name, const QString& tip, const Scale& scale,
               QWidget* parent = nullptr);
   void setFarthest(double farthest);
-  void setTheme(const Theme& theme);
   void present(double distance);
   bool isNear() const { return distance_ < scale_.near_below; }
 
@@ -31,7 +28,6 @@ class DistanceBar : public QWidget {
  private:
   QString name_;
   Scale scale_;
-  Theme theme_ = Theme::light();
   double distance_ = 0.0;
   QLabel *track_, *value_, *word_;
 };

@@ -1,11 +1,8 @@
 #include "app/gui/lab/front_chart.h"
 
-#include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/kit/spoken.h"
 #include "app/gui/lab/lab_words.h"
 
 namespace underact::gui {
@@ -33,22 +30,15 @@ std::vector<double> ticksIn(double least, double most, std::size_t at_most) {
   return fine.size() <= at_most ? fine : all({1.0});
 }
 
-double shareOf(double value, double least, double most) {
-  return std::log(value / least) / std::log(most / least);
-}
-
 }  // namespace
 
-FrontChart::FrontChart(QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Chart);
-  setObjectName("panel.lab.chart");
-  setAccessibleName(tr("Error of the tip's way against processor time"));
-  setToolTip(
-      tr("Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is "
-         "off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in "
-         "both."));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
-}
+FrontChart::FrontChart(QWidget* parent)
+    : MarkChart(
+          "panel.lab.chart", tr("Error of the tip's way against processor time"),
+          tr("Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is "
+             "off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in "
+             "both."),
+          parent) {}
 
 QSize FrontChart::minimumSizeHint() const {
   return {14 * fontMetrics().averageCharWidth() + 96, 14 * fontMetrics().lineSpacing()};
@@ -79,23 +69,16 @@ void FrontChart::present(const std::vector<trade::Point>& points, const std::opt
   update();
 }
 
-void FrontChart::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
-}
-
 QRectF FrontChart::plot() const {
-  const double left = fontMetrics().horizontalAdvance(kWidest) + 8.0;
-  const double line = fontMetrics().lineSpacing();
-  return {left, line + 4.0, width() - left - 8.0, height() - 5.0 * line - 16.0};
+  return axes(kWidest, 4.0 * lineHeight() + 12.0);
 }
 
 double FrontChart::xOf(double us_per_s) const {
-  return plot().left() + plot().width() * shareOf(std::max(us_per_s, cost_.least), cost_.least, cost_.most);
+  return plot().left() + plot().width() * cost_.shareOf(std::max(us_per_s, cost_.least));
 }
 
 double FrontChart::yOf(double error_mm) const {
-  return plot().bottom() - plot().height() * shareOf(std::max(error_mm, kLeastError_mm), error_.least, error_.most);
+  return plot().bottom() - plot().height() * error_.shareOf(std::max(error_mm, kLeastError_mm));
 }
 
 QPointF FrontChart::at(const trade::Point& point) const {
@@ -113,54 +96,42 @@ void FrontChart::paintEvent(QPaintEvent*) {
 }
 
 void FrontChart::drawAxes(QPainter& painter) const {
-  const QColor words = mixed(palette().color(QPalette::Window), theme_.ink, 0.75);
-  const QColor lines = mixed(palette().color(QPalette::Window), theme_.quiet, 0.6);
-  const double line = fontMetrics().lineSpacing();
+  const double line = lineHeight();
   const auto room = static_cast<double>(fontMetrics().horizontalAdvance(kWidest)) + 8.0;
-  painter.setPen(words);
-  painter.drawText(QRectF(0.0, 0.0, width(), line), Qt::AlignLeft, tr("error of the tip's way"));
+  drawTitle(painter, tr("error of the tip's way"));
   painter.drawText(QRectF(0.0, plot().bottom() + line + 4.0, plot().right(), line), Qt::AlignRight,
                    tr("processor time for a second"));
-  for (const double tick :
-       ticksIn(error_.least, error_.most, static_cast<std::size_t>(plot().height() / (1.5 * line)))) {
-    painter.setPen(QPen(lines, 1.0));
-    painter.drawLine(QPointF(plot().left(), yOf(tick)), QPointF(plot().right(), yOf(tick)));
-    painter.setPen(words);
-    painter.drawText(QRectF(0.0, yOf(tick) - 0.5 * line, plot().left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter,
-                     lengthText(tick));
-  }
+  for (const double tick : ticksIn(error_.least, error_.most, static_cast<std::size_t>(plot().height() / (1.5 * line))))
+    drawLevel(painter, plot(), yOf(tick), lengthText(tick));
   for (const double tick : ticksIn(cost_.least, cost_.most, static_cast<std::size_t>(plot().width() / room))) {
-    painter.setPen(QPen(lines, 1.0));
+    painter.setPen(gridPen());
     painter.drawLine(QPointF(xOf(tick), plot().top()), QPointF(xOf(tick), plot().bottom()));
-    painter.setPen(words);
+    painter.setPen(ink(0.75));
     const double left = std::clamp(xOf(tick) - 0.5 * room, 0.0, std::max(0.0, width() - room));
     painter.drawText(QRectF(left, plot().bottom() + 4.0, room, line), Qt::AlignHCenter, timeText(tick));
   }
 }
 
 void FrontChart::drawKey(QPainter& painter) const {
-  painter.setPen(mixed(palette().color(QPalette::Window), theme_.ink, 0.75));
-  const double top = plot().bottom() + 2.0 * fontMetrics().lineSpacing() + 8.0;
+  painter.setPen(ink(0.75));
+  const double top = plot().bottom() + 2.0 * lineHeight() + 8.0;
   painter.drawText(QRectF(0.0, top, width(), height() - top), Qt::AlignHCenter | Qt::TextWordWrap,
                    tr("○ a way  ● on the front  ■ as it was  ◎ chosen"));
 }
 
 void FrontChart::drawFront(QPainter& painter) const {
-  QPainterPath way;
+  std::vector<QPointF> way;
   for (const trade::Point& point : points_) {
-    if (!point.on_front) continue;
-    way.elementCount() == 0 ? way.moveTo(at(point)) : way.lineTo(at(point));
+    if (point.on_front) way.push_back(at(point));
   }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme_.constraint, 2.0));
-  painter.drawPath(way);
+  drawWay(painter, way, QPen(theme_.constraint, 2.0));
 }
 
 void FrontChart::drawPoints(QPainter& painter) const {
   const QColor ground = palette().color(QPalette::Window);
-  const double unit = fontMetrics().lineSpacing() / kUsualLine;
+  const double unit = lineHeight() / kUsualLine;
   for (const bool on_front : {false, true}) {  // those that matter lie on top
-    painter.setPen(QPen(on_front ? theme_.constraint : mixed(ground, theme_.ink, 0.55), 1.2));
+    painter.setPen(QPen(on_front ? theme_.constraint : ink(0.55), 1.2));
     painter.setBrush(on_front ? theme_.constraint : ground);
     for (const trade::Point& point : points_) {
       if (point.on_front == on_front) painter.drawEllipse(at(point), kDot * unit, kDot * unit);

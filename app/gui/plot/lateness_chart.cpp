@@ -1,11 +1,9 @@
 #include "app/gui/plot/lateness_chart.h"
 
-#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "app/gui/kit/spoken.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -20,13 +18,12 @@ double edge_us(std::size_t bar) {
 
 }  // namespace
 
-LatenessChart::LatenessChart(QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Chart);
-  setObjectName("panel.servo.lateness");
-  setAccessibleName(tr("How often ticks were how late"));
-  setToolTip(
-      tr("Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick "
-         "was late."));
+LatenessChart::LatenessChart(QWidget* parent)
+    : MarkChart(
+          "panel.servo.lateness", tr("How often ticks were how late"),
+          tr("Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick "
+             "was late."),
+          parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -50,11 +47,6 @@ void LatenessChart::present(const servo::Histogram& lateness, double period_us) 
   update();
 }
 
-void LatenessChart::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
-}
-
 QRectF LatenessChart::plot() const {
   return {4.0, 4.0, width() - 8.0, height() - fontMetrics().lineSpacing() - 10.0};
 }
@@ -65,7 +57,6 @@ double LatenessChart::xOf(double lateness_us) const {
 
 void LatenessChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  const QColor ground = palette().color(QPalette::Window);
   const QRectF area = plot();
   const std::int64_t most = *std::max_element(counts_.begin(), counts_.end());
   const double highest = std::log10(1.0 + static_cast<double>(std::max<std::int64_t>(most, 9)));
@@ -75,13 +66,13 @@ void LatenessChart::paintEvent(QPaintEvent*) {
     const double high = std::max(2.0, area.height() * std::log10(1.0 + static_cast<double>(counts_[bar])) / highest);
     const QRectF column(area.left() + width * static_cast<double>(bar) + 0.5, area.bottom() - high, width - 1.0, high);
     const bool late = edge_us(bar) > period_us_ * 1.0001;
-    painter.fillRect(column, late ? theme_.force_limited : mixed(ground, theme_.ink, 0.5));
+    painter.fillRect(column, late ? theme_.force_limited : ink(0.5));
   }
-  painter.setPen(QPen(mixed(ground, theme_.ink, 0.5), 1.0));
+  painter.setPen(QPen(ink(0.5), 1.0));
   painter.drawLine(area.bottomLeft(), area.bottomRight());
   painter.setPen(QPen(theme_.ink, 1.0, Qt::DashLine));
   painter.drawLine(QPointF(xOf(period_us_), area.top()), QPointF(xOf(period_us_), area.bottom()));
-  painter.setPen(mixed(ground, theme_.ink, 0.75));
+  painter.setPen(ink(0.75));
   const double line = fontMetrics().lineSpacing();
   const QRectF words(area.left(), area.bottom() + 4.0, area.width(), line);
   painter.drawText(words, Qt::AlignLeft, tr("1 µs"));

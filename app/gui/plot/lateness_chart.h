@@ -1,19 +1,17 @@
 #pragma once
-#include <QWidget>
 #include <array>
 
-#include "app/gui/kit/theme.h"
+#include "app/gui/plot/mark_chart.h"
 #include "core/servo/histogram.h"
 
 namespace underact::gui {
 
 /// How often ticks were how late, both on logarithmic scales, so that one in a million is seen.
-class LatenessChart : public QWidget {
+class LatenessChart : public MarkChart {
   Q_OBJECT
  public:
   explicit LatenessChart(QWidget* parent = nullptr);
   void present(const servo::Histogram& lateness, double period_us);
-  void setTheme(const Theme& theme);
   QSize minimumSizeHint() const override;
   /// Ticks in a bar, from 0.
   std::int64_t count(std::size_t bar) const { return counts_[bar]; }
@@ -26,7 +24,6 @@ class LatenessChart : public QWidget {
   QRectF plot() const;
   double xOf(double lateness_us) const;
 
-  Theme theme_ = Theme::light();
   std::array<std::int64_t, kBars> counts_{};
   double period_us_ = 1000.0;
 };

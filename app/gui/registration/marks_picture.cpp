@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/gui/kit/spoken.h"
 #include "core/base/units.h"
 #include "core/registration/sheet.h"
 
@@ -21,10 +20,8 @@ QPointF flat_mm(const Vec3& p_D) {
 
 }  // namespace
 
-MarksPicture::MarksPicture(const QString& object_name, QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Graphic);
-  setObjectName(object_name);
-  setAccessibleName(tr("The marks on the desk, from above"));
+MarksPicture::MarksPicture(const QString& object_name, QWidget* parent)
+    : Painted(object_name, tr("The marks on the desk, from above"), {}, parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   present({}, {});
 }
@@ -34,11 +31,6 @@ void MarksPicture::present(std::vector<ShownMark> marks, std::optional<std::size
   due_ = due;
   setAccessibleDescription(due ? tr("Mark %1 of %2 is due.").arg(*due + 1).arg(marks_.size())
                                : tr("%1 marks.").arg(marks_.size()));
-  update();
-}
-
-void MarksPicture::setTheme(const Theme& theme) {
-  theme_ = theme;
   update();
 }
 

@@ -1,9 +1,8 @@
 #pragma once
-#include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "app/gui/kit/theme.h"
+#include "app/gui/kit/painted.h"
 #include "core/base/types.h"
 
 namespace underact::gui {
@@ -17,13 +16,12 @@ struct ShownMark {
 
 /// The desk from above, away from the person at the top: marks with their numbers, the one that is due, and how far
 /// beside their marks the points lie, enlarged.
-class MarksPicture : public QWidget {
+class MarksPicture : public Painted {
   Q_OBJECT
  public:
   MarksPicture(const QString& object_name, QWidget* parent);
   /// due: the mark that is touched next; none: no one.
   void present(std::vector<ShownMark> marks, std::optional<std::size_t> due);
-  void setTheme(const Theme& theme);
   QSize sizeHint() const override { return {420, 260}; }
   QSize minimumSizeHint() const override { return {200, 120}; }
 
@@ -35,7 +33,6 @@ class MarksPicture : public QWidget {
 
   std::vector<ShownMark> marks_;
   std::optional<std::size_t> due_;
-  Theme theme_ = Theme::light();
 };
 
 }  // namespace underact::gui

@@ -6,16 +6,10 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "app/gui/kit/spoken.h"
-
 namespace underact::gui {
 
 ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_note, QWidget* parent)
-    : QWidget(parent), track_(new QLabel(this)), value_(new QLabel(this)) {
-  speakAs(this, QAccessible::Graphic);
-  setObjectName(object_name);
-  setAccessibleName(words.name);
-  setToolTip(words.tip);
+    : Painted(object_name, words.name, words.tip, parent), track_(new QLabel(this)), value_(new QLabel(this)) {
   auto* label = new QLabel(words.name, this);
   label->setFixedWidth(fontMetrics().horizontalAdvance(words.widest_name) + 4);
   track_->setObjectName(object_name + ".bar");
@@ -44,11 +38,6 @@ ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_not
   grid->addWidget(note_, 1, 0, 1, 3);
 }
 
-void ShareBar::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
-}
-
 void ShareBar::present(double share, const QString& value, bool acts) {
   if (acts == acts_ && share == share_ && value == value_->text()) return;
   share_ = share;
@@ -70,11 +59,11 @@ void ShareBar::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const QRectF all(track_->x(), track_->y() + 0.5 * track_->height() - 4.0, track_->width(), 8.0);
-  painter.setBrush(mixed(palette().color(QPalette::Window), theme_.quiet, 0.5));
+  painter.setBrush(quiet(0.5));
   painter.drawRoundedRect(all, 3, 3);
   const double share = std::clamp(share_, 0.0, 1.0);
   if (!(share > 0.0)) return;
-  painter.setBrush(acts_ ? theme_.force_limited : mixed(palette().color(QPalette::Window), theme_.ink, 0.5));
+  painter.setBrush(acts_ ? theme_.force_limited : ink(0.5));
   painter.drawRoundedRect(QRectF(all.topLeft(), QSizeF(std::max(3.0, share * all.width()), all.height())), 3, 3);
 }
 

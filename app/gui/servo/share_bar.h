@@ -1,7 +1,5 @@
 #pragma once
-#include <QWidget>
-
-#include "app/gui/kit/theme.h"
+#include "app/gui/kit/painted.h"
 
 class QLabel;
 
@@ -9,7 +7,7 @@ namespace underact::gui {
 
 /// A share from 0 to 1 as a bar with its name and its value in words; quiet until it acts, then vermillion, with the
 /// word, and a line below for what it did before.
-class ShareBar : public QWidget {
+class ShareBar : public Painted {
   Q_OBJECT
  public:
   /// What it is called, and room for the longest name and value of those that stand in line.
@@ -18,7 +16,6 @@ class ShareBar : public QWidget {
   };
   /// with_note: there is a line below.
   ShareBar(const QString& object_name, const Words& words, bool with_note, QWidget* parent = nullptr);
-  void setTheme(const Theme& theme);
   void present(double share, const QString& value, bool acts);
   void setNote(const QString& note);
   bool acts() const { return acts_; }
@@ -27,7 +24,6 @@ class ShareBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Theme theme_ = Theme::light();
   double share_ = 0.0;
   bool acts_ = false;
   QLabel *track_, *value_, *note_ = nullptr;
