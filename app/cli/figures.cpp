@@ -3,7 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/python.h"
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 namespace underact::cli {
 
@@ -19,7 +19,7 @@ void addFigures(Command program, const Streams& streams, Exit& exit) {
                "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 27, "
                "\"figure\": \"4.2\"}");
   command.whenChosen([out, only, progress_lines, &streams, &exit] {
-    const std::filesystem::path folder = standpoint().here;
+    const std::filesystem::path folder = system::standpoint().here;
     std::vector<std::string> arguments{
         "figures", "--cli", (folder / "underact-cli").string(), "--window", (folder / "underact").string(),
         "--out",   *out};

@@ -8,15 +8,15 @@
 #include "app/cli/lesson_try.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
-#include "core/base/places.h"
 #include "core/lesson/read.h"
+#include "core/system/places.h"
 
 namespace underact::cli {
 namespace {
 
 Exit checkLessonFiles(const std::vector<std::string>& paths, const Streams& streams) {
   Exit exit = Exit::Well;
-  const Result<std::string> scenes = findResource(Resource::Scenes);
+  const Result<std::string> scenes = system::findResource(system::Resource::Scenes);
   for (const std::string& path : paths) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path);
     if (read && !scenes && namesShippedScene(read.value())) return fail(scenes.problems(), Exit::File, streams);

@@ -9,9 +9,9 @@
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
-#include "core/base/places.h"
 #include "core/lesson/read.h"
 #include "core/lesson/tell.h"
+#include "core/system/places.h"
 #include "device/lesson_trial.h"
 
 namespace underact::cli {
@@ -92,7 +92,7 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
   }
   attempt.hand = std::move(hand).value();
   attempt.seconds = options.seconds, attempt.answers = options.answers, attempt.starts = !options.stopped;
-  const Result<std::string> scenes = findResource(Resource::Scenes);
+  const Result<std::string> scenes = system::findResource(system::Resource::Scenes);
   if (!scenes && namesShippedScene(lesson)) return fail(scenes.problems(), Exit::File, streams);
   Result<LoadedScene> scene =
       loadScene(lesson::sceneFileOf(lesson, options.step - 1, scenes ? scenes.value() : std::string()), streams);

@@ -11,10 +11,10 @@
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
-#include "core/base/named_file.h"
 #include "core/json/json.h"
 #include "core/mesh_file/load.h"
 #include "core/mesh_file/report.h"
+#include "core/system/named_file.h"
 
 namespace underact::cli {
 namespace {
@@ -125,7 +125,7 @@ void printAsTable(const std::string& path, const Timed& timed, const MeshOptions
 
 /// A file that cannot be opened is no input at all; one that is no mesh is bad input.
 Exit exitOfMesh(const std::string& path) {
-  return NamedFile::open(path, "a mesh") ? Exit::BadInput : Exit::File;
+  return system::NamedFile::open(path, "a mesh") ? Exit::BadInput : Exit::File;
 }
 
 Exit showMeshes(const MeshOptions& options, const Streams& streams) {

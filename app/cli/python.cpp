@@ -8,7 +8,7 @@
 #include <cstring>
 #include <ostream>
 
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 namespace underact::cli {
 namespace {
@@ -60,7 +60,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 }  // namespace
 
 Exit runPython(const std::vector<std::string>& arguments, const Streams& streams) {
-  const Result<std::string> package = findResource(Resource::Python);
+  const Result<std::string> package = system::findResource(system::Resource::Python);
   if (!package) {
     streams.err << package.problems().front().sentence << '\n';  // alone: a window shows the last line
     return Exit::File;

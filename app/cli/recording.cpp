@@ -4,10 +4,10 @@
 
 namespace underact::cli {
 
-Problems Recording::check(const std::string& path, Existing existing) {
+Problems Recording::check(const std::string& path, system::Existing existing) {
   if (path.empty()) return {};
-  Problems problems = checkNew(path, existing);
-  if (!problems.empty() && checkNew(path, Existing::Replace).empty())
+  Problems problems = system::checkNew(path, existing);
+  if (!problems.empty() && system::checkNew(path, system::Existing::Replace).empty())
     problems.front().sentence =
         oneAfterAnother({problems.front().sentence, "With --overwrite it is replaced; what a link leads to stays."});
   return problems;

@@ -12,7 +12,7 @@ namespace underact::cli {
 class Recording {
  public:
   /// Whether a file may be made at path, before anything runs. Problems: those of checkNew(), with the way out.
-  static Problems check(const std::string& path, Existing existing);
+  static Problems check(const std::string& path, system::Existing existing);
   /// Before the first tick. options: of a session; existing of both. Problems: the file cannot be made.
   static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionWords& words,
                                  const record::RecorderOptions& options);

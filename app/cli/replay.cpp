@@ -11,7 +11,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
-#include "core/base/places.h"
 #include "core/base/units.h"
 #include "core/record/csv.h"
 #include "core/record/tick_figures.h"
@@ -19,6 +18,7 @@
 #include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
+#include "core/system/places.h"
 
 namespace underact::cli {
 namespace {
@@ -29,7 +29,7 @@ struct ReplayOptions {
   bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
   std::optional<std::size_t> law;  // by its place in scene::LawType
-  Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
+  system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
   bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
 };
 
@@ -81,7 +81,7 @@ class Comparison {
 /// Where the meshes and curves of a recording are looked for: where the person says, then in the scenes that ship.
 std::vector<std::string> foldersOf(const ReplayOptions& options) {
   std::vector<std::string> folders = options.files_in;
-  const Result<std::string> shipped = findResource(Resource::Scenes);
+  const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
   if (shipped) folders.push_back(shipped.value());
   return folders;
 }

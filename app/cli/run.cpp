@@ -56,7 +56,7 @@ struct RunOptions {
   std::string device{kSimulated};
   servo::SchedulingWanted scheduling;
   bool isSimulated() const { return device == kSimulated; }
-  Existing existing() const { return overwrite ? Existing::Replace : Existing::Refuse; }
+  system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
 /// "name: sentence" a line, for --help.

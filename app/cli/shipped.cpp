@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 namespace underact::cli {
 namespace {
 
-Result<std::vector<std::string>> filesOf(Resource resource) {
-  const Result<std::string> folder = findResource(resource);
+Result<std::vector<std::string>> filesOf(system::Resource resource) {
+  const Result<std::string> folder = system::findResource(resource);
   if (!folder) return folder.problems();
   std::vector<std::string> files;
   std::error_code error;
@@ -24,11 +24,11 @@ Result<std::vector<std::string>> filesOf(Resource resource) {
 }  // namespace
 
 Result<std::vector<std::string>> shippedScenes() {
-  return filesOf(Resource::Scenes);
+  return filesOf(system::Resource::Scenes);
 }
 
 Result<std::vector<std::string>> shippedLessons() {
-  return filesOf(Resource::Lessons);
+  return filesOf(system::Resource::Lessons);
 }
 
 }  // namespace underact::cli

@@ -20,7 +20,7 @@
 #include "app/gui/view/scene_view.h"
 #include "app/gui/window/main_window.h"
 #include "app/options/window_options.h"
-#include "core/base/current_folder.h"
+#include "core/system/current_folder.h"
 #include "device/hands/controllers.h"
 #include "device/hands/space_mice.h"
 #include "device/wooden/hid_bus.h"
@@ -143,6 +143,6 @@ int run(int argc, char** argv) {
 }  // namespace underact::gui
 
 int main(int argc, char** argv) {
-  underact::keepOutCurrentFolder();
+  underact::system::keepOutCurrentFolder();
   return underact::gui::run(argc, argv);
 }

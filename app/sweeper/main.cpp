@@ -8,7 +8,7 @@
 #include "app/cli/scene_file.h"
 #include "app/sweeper/command.h"
 #include "app/sweeper/mpi_team.h"
-#include "core/base/current_folder.h"
+#include "core/system/current_folder.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ class Nothing : public std::streambuf {
 
 int main(int argc, char** argv) {
   using underact::sweep::Team;
-  underact::keepOutCurrentFolder();
+  underact::system::keepOutCurrentFolder();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told of as a disk that is full
   std::unique_ptr<Team> team;
   if (underact::sweep::isOneOfTeam()) {

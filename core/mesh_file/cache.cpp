@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/named_file.h"
 #include "core/mesh_file/digest.h"
 #include "core/mesh_file/limits.h"
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#endif
+#include "core/system/named_file.h"
+#include "core/system/this_process.h"
 
 namespace underact::mesh_file {
 namespace {
@@ -54,15 +50,6 @@ bool isName(const std::string& key) {
   });
 }
 
-std::string asideOf(const std::string& key) {
-  static std::atomic<unsigned> count{0};
-  std::string name = key + "." + std::to_string(count++);
-#if defined(__unix__) || defined(__APPLE__)
-  name += "." + std::to_string(::getpid());
-#endif
-  return name + kAside;
-}
-
 class Writing {
  public:
   Writing(const fs::path& path, const mesh::Watch& watch) : file_(path, std::ios::binary), watch_(watch) {}
@@ -85,7 +72,7 @@ class Writing {
 };
 
 /// Whether the file has so many bytes more.
-bool fills(const NamedFile& file, std::span<std::byte> into) {
+bool fills(const system::NamedFile& file, std::span<std::byte> into) {
   const Result<std::size_t> count = file.read({reinterpret_cast<char*>(into.data()), into.size()});
   return count && count.value() == into.size();
 }
@@ -105,7 +92,7 @@ Cache::Cache(std::string folder, std::uint64_t most_bytes)
 std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const mesh::Watch& watch) const {
   if (folder_.empty() || !isName(key)) return {};
   const fs::path path = fs::path(folder_) / (key + kExtension);
-  const Result<NamedFile> file = NamedFile::open(path.string(), "a kept mesh");
+  const Result<system::NamedFile> file = system::NamedFile::open(path.string(), "a kept mesh");
   CacheHead head;
   if (!file || !fills(file.value(), std::as_writable_bytes(std::span(&head, 1)))) return {};
   // The length is believed where the file has it.
@@ -139,7 +126,7 @@ bool Cache::put(const std::string& key, std::span<const std::span<const std::byt
   std::copy(text.begin(), text.end(), head.digest.begin());
   std::error_code error;
   fs::create_directories(folder_, error);
-  const fs::path aside = fs::path(folder_) / asideOf(key);
+  const fs::path aside = fs::path(folder_) / (key + "." + system::unusedWord() + kAside);
   Writing writing(aside, watch);
   bool is_well = writing.add(std::as_bytes(std::span(&head, 1)));
   for (const std::span<const std::byte> part : parts) is_well = is_well && writing.add(part);

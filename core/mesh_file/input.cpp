@@ -18,7 +18,7 @@ Problems problemAt(const std::string& path, const Sentence& sentence) {
 }  // namespace
 
 Result<Input> Input::open(const std::string& path) {
-  Result<NamedFile> file = NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a mesh")));
+  Result<system::NamedFile> file = system::NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a mesh")));
   if (!file) return file.problems();
   const std::uint64_t bytes = file.value().bytes();
   if (bytes > kMostFileBytes) {

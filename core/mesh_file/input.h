@@ -3,10 +3,10 @@
 #include <string>
 #include <utility>
 
-#include "core/base/named_file.h"
 #include "core/base/result.h"
 #include "core/mesh/watch.h"
 #include "core/mesh_file/format.h"
+#include "core/system/named_file.h"
 
 namespace underact::mesh_file {
 
@@ -28,8 +28,8 @@ class Input {
   bool hasChanged() const { return file_.hasChanged(); }
 
  private:
-  Input(NamedFile file, Format format) : file_(std::move(file)), format_(format) {}
-  NamedFile file_;
+  Input(system::NamedFile file, Format format) : file_(std::move(file)), format_(format) {}
+  system::NamedFile file_;
   Format format_;
 };
 

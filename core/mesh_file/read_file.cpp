@@ -1,10 +1,10 @@
 #include "core/mesh_file/read_file.h"
 
-#include "core/base/places.h"
 #include "core/base/translate.h"
 #include "core/helper/run.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
+#include "core/system/places.h"
 
 namespace underact::mesh_file {
 namespace {
@@ -45,7 +45,7 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
 
 Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
-  const Result<std::string> reader = findProgram(kReader, "UNDERACT_MESH_READER");
+  const Result<std::string> reader = system::findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
     return problem(oneAfterAnother({reader.problems().front().sentence,
                                     said(TRANSLATE_NOOP("problem", "It reads meshes: install Underact again."))}));

@@ -1,9 +1,5 @@
 #include "core/record/csv.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -13,6 +9,7 @@
 
 #include "core/base/translate.h"
 #include "core/record/columns.h"
+#include "core/system/file.h"
 
 namespace underact::record {
 namespace {
@@ -54,22 +51,19 @@ class Row {
 }  // namespace
 
 Result<CsvWriter> CsvWriter::open(const std::string& path) {
-  return into(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR), path);
+  return into(system::makeFile(path, system::Making::Emptied, system::Readers::OwnerAlone), path);
 }
 
-Result<CsvWriter> CsvWriter::create(const std::string& path, Existing existing) {
-  if (Problems problems = checkNew(path, existing); !problems.empty()) return problems;
-  return into(NewFile::make(path, existing).release(), path);
+Result<CsvWriter> CsvWriter::create(const std::string& path, system::Existing existing) {
+  if (Problems problems = system::checkNew(path, existing); !problems.empty()) return problems;
+  return into(system::makeNew(path, existing), path);
 }
 
-Result<CsvWriter> CsvWriter::into(int fd, const std::string& path) {
-  std::FILE* const file = fd < 0 ? nullptr : ::fdopen(fd, "wb");
-  if (file == nullptr) {
-    const int error = errno;
-    if (fd >= 0) ::close(fd);
+Result<CsvWriter> CsvWriter::into(system::Descriptor made, const std::string& path) {
+  std::FILE* const file = system::streamOf(std::move(made));
+  if (file == nullptr)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(error)}), {path}}};
-  }
+        {said(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(errno)}), {path}}};
   CsvWriter writer(file, path);
   writer.write(header());
   return writer;

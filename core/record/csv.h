@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/private_file.h"
 #include "core/base/result.h"
 #include "core/servo/snapshot.h"
+#include "core/system/private_file.h"
 
 namespace underact::record {
 
@@ -19,7 +19,7 @@ class CsvWriter {
   static Result<CsvWriter> open(const std::string& path);
   /// A file of its own that its owner alone may read and write: a recording. Problems: those of checkNew(); it cannot
   /// be made.
-  static Result<CsvWriter> create(const std::string& path, Existing existing);
+  static Result<CsvWriter> create(const std::string& path, system::Existing existing);
   /// After a failure nothing more is written.
   void add(const servo::TickRecord& record);
   /// Something could not be written; the sentence comes with close().
@@ -31,8 +31,8 @@ class CsvWriter {
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  /// fd: below 0: none, and errno says why.
-  static Result<CsvWriter> into(int fd, const std::string& path);
+  /// made: where it is none, errno says why.
+  static Result<CsvWriter> into(system::Descriptor made, const std::string& path);
   CsvWriter(std::FILE* file, std::string path) : file_(file), path_(std::move(path)) {}
   void write(std::string_view text);
   std::unique_ptr<std::FILE, Closer> file_;

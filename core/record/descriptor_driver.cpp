@@ -1,13 +1,13 @@
 #include "core/record/descriptor_driver.h"
 
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <memory>
+
+#include "core/system/file.h"
 
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
@@ -69,7 +69,7 @@ herr_t allocateGiven(H5FD_t* file, H5FD_mem_t /*kind*/, haddr_t until) {
 
 haddr_t lengthOfGiven(const H5FD_t* file, H5FD_mem_t /*kind*/) {
   const Given& given = fileOf(file)->given;
-  return static_cast<haddr_t>(std::max(lengthAt(given.fd), given.at_least));
+  return static_cast<haddr_t>(std::max(system::lengthOf(given.fd), given.at_least));
 }
 
 herr_t handleOfGiven(H5FD_t* file, hid_t /*access*/, void** descriptor) {
@@ -80,19 +80,10 @@ herr_t handleOfGiven(H5FD_t* file, hid_t /*access*/, void** descriptor) {
 /// Zeros beyond the end, as the library's own drivers give.
 herr_t readGiven(H5FD_t* file, H5FD_mem_t /*kind*/, hid_t /*transfer*/, haddr_t from, size_t size, void* to) {
   if (from > static_cast<haddr_t>(INT64_MAX) || size > static_cast<haddr_t>(INT64_MAX) - from) return -1;
-  auto* bytes = static_cast<char*>(to);
-  while (size > 0) {
-    const ssize_t count = ::pread(fileOf(file)->given.fd, bytes, size, static_cast<off_t>(from));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return -1;
-    if (count == 0) {
-      std::memset(bytes, 0, size);
-      return 0;
-    }
-    bytes += count;
-    from += static_cast<haddr_t>(count);
-    size -= static_cast<std::size_t>(count);
-  }
+  const std::span into(static_cast<char*>(to), size);
+  const std::optional<std::size_t> count = system::readAllAt(fileOf(file)->given.fd, from, into);
+  if (!count) return -1;
+  std::fill(into.begin() + static_cast<std::ptrdiff_t>(*count), into.end(), '\0');
   return 0;
 }
 
@@ -142,19 +133,6 @@ bool accessThrough(Handle access, int fd, std::int64_t at_least) {
   const Id registered(H5FDregister(&kDriver), H5FDunregister);
   const Given given{fd, at_least};
   return registered.isGood() && H5Pset_driver(access, registered, &given) >= 0;
-}
-
-std::int64_t lengthAt(int fd) {
-  return std::max<std::int64_t>(::lseek(fd, 0, SEEK_END), 0);
-}
-
-// Version 3 of the superblock: 8 bytes from the 28th on.
-std::int64_t statedLength(int fd) {
-  std::array<char, 36> head{};
-  if (::pread(fd, head.data(), head.size(), 0) != static_cast<ssize_t>(head.size()) || head[8] != 3) return 0;
-  std::int64_t length = 0;
-  std::memcpy(&length, head.data() + 28, sizeof length);
-  return length;
 }
 
 }  // namespace underact::record

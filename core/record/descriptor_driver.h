@@ -13,10 +13,4 @@ inline constexpr const char* kGivenFile = "/session";
 /// at_least: so long the file is taken to be, with zeros where it has been cut off. false: the library refused.
 bool accessThrough(Handle access, int fd, std::int64_t at_least);
 
-/// Of the file at a descriptor, by the one system call that a sealed process may make for it.
-std::int64_t lengthAt(int fd);
-
-/// What an HDF5 file says its length is; 0: it does not say.
-std::int64_t statedLength(int fd);
-
 }  // namespace underact::record

@@ -10,12 +10,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/base/private_file.h"
 #include "core/base/translate.h"
 #include "core/json/json.h"
 #include "core/record/columns.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/write.h"
+#include "core/system/file.h"
+#include "core/system/private_file.h"
 #include "underact/version.h"
 
 namespace underact::record {
@@ -181,21 +182,14 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
 
 Problems writeFaultFile(std::string_view text, const std::string& path) {
   const std::string part = path + ".part";
-  NewFile made = NewFile::make(part, Existing::Replace);  // it says who felt what, and when: its owner's alone
-  std::unique_ptr<std::FILE, Closer> file(made.isGood() ? ::fdopen(made.descriptor(), "wb") : nullptr);
-  if (file == nullptr) return cannotBeKept(path, errno);
-  made.release();  // to the file
-  int error = 0;
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) error = errno;
-  if (std::fclose(file.release()) != 0 && error == 0) error = errno;
-  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return {};
-  std::remove(part.c_str());
-  return cannotBeKept(path, error);
+  // It says who felt what, and when: its owner's alone.
+  const int reason =
+      system::putInPlace(system::makeNew(part, system::Existing::Replace), part, path, text, system::Lasting::Written);
+  return reason == 0 ? Problems{} : cannotBeKept(path, reason);
 }
 
 Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder) {
-  if (const int reason = makePrivateFolder(folder); reason != 0) return cannotBeKept(folder, reason);
+  if (const int reason = system::makePrivateFolder(folder); reason != 0) return cannotBeKept(folder, reason);
   std::string time = isoTime(report.unix_time_s);
   std::erase_if(time, [](char letter) { return letter == '-' || letter == ':'; });
   int number = 1;  // of the faults of that second

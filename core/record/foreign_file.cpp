@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/places.h"
 #include "core/base/translate.h"
 #include "core/helper/talk.h"
 #include "core/helper/words.h"
 #include "core/record/foreign_protocol.h"
 #include "core/record/hdf5_file.h"
+#include "core/system/places.h"
 
 namespace underact::record {
 namespace {
@@ -121,7 +121,7 @@ Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input,
   impl->tables.assign(tables.begin(), tables.end());
   impl->at_least = at_least;
   if constexpr (kIsSealed) {
-    const Result<std::string> program = findProgram(kSessionReader, "UNDERACT_SESSION_READER");
+    const Result<std::string> program = system::findProgram(kSessionReader, "UNDERACT_SESSION_READER");
     if (!program)
       return impl->problem(
           oneAfterAnother({program.problems().front().sentence,

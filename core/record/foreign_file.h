@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/record/table.h"
+#include "core/system/descriptor.h"
 
 namespace underact::record {
 
@@ -17,19 +18,16 @@ class ForeignInput {
   /// follows: also where path is a link to another file. Problems: it is not there, no regular file, or another program
   /// has it open for writing without letting others read.
   static Result<ForeignInput> open(const std::string& path, bool follows = true);
-  ForeignInput(ForeignInput&& other) noexcept;
-  ForeignInput& operator=(ForeignInput&& other) noexcept;
-  ~ForeignInput();
-  int fd() const { return fd_; }
+  int fd() const { return file_.number(); }
   const std::string& path() const { return path_; }
   std::int64_t bytes() const;
   /// Others may write it from here on.
   void unlock() const;
 
  private:
-  ForeignInput(std::string path, int fd) : path_(std::move(path)), fd_(fd) {}
+  ForeignInput(std::string path, system::Descriptor file) : path_(std::move(path)), file_(std::move(file)) {}
   std::string path_;
-  int fd_ = -1;
+  system::Descriptor file_;
 };
 
 /// Each file that is open has a process of its own, so that several threads may each read one.

@@ -1,14 +1,9 @@
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <system_error>
-#include <utility>
 
 #include "core/base/translate.h"
 #include "core/record/foreign_file.h"
+#include "core/system/file.h"
 
 namespace underact::record {
 namespace {
@@ -27,42 +22,26 @@ Problems whyNotOpened(const std::string& path, int error) {
 }  // namespace
 
 Result<ForeignInput> ForeignInput::open(const std::string& path, bool follows) {
-  // Not blocking: a pipe of that name would wait for its writer.
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | (follows ? 0 : O_NOFOLLOW));
-  if (fd < 0) return whyNotOpened(path, errno);
-  ForeignInput input(path, fd);
-  struct stat file {};
-  if (::fstat(fd, &file) != 0) return whyNotOpened(path, errno);
-  if (S_ISDIR(file.st_mode))
+  system::Descriptor opened = system::openToRead(path, follows ? system::Links::Follow : system::Links::Refuse);
+  const std::optional<system::Status> file = opened.isOpen() ? system::statusOf(opened.number()) : std::nullopt;
+  if (!file) return whyNotOpened(path, errno);
+  if (file->kind == system::Kind::Folder)
     return Problems{{said(TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
-  if (!S_ISREG(file.st_mode))
+  if (file->kind != system::Kind::File)
     return Problems{{said(TRANSLATE_NOOP("problem", "This is no file that holds a session.")), {path}}};
-  if (::flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  if (!system::lock(opened.number(), system::Lock::Shared))
     return Problems{
         {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
-  return input;
-}
-
-ForeignInput::ForeignInput(ForeignInput&& other) noexcept
-    : path_(std::move(other.path_)), fd_(std::exchange(other.fd_, -1)) {}
-
-ForeignInput& ForeignInput::operator=(ForeignInput&& other) noexcept {
-  std::swap(path_, other.path_);
-  std::swap(fd_, other.fd_);
-  return *this;
-}
-
-ForeignInput::~ForeignInput() {
-  if (fd_ >= 0) ::close(fd_);
+  return ForeignInput(path, std::move(opened));
 }
 
 std::int64_t ForeignInput::bytes() const {
-  struct stat file {};
-  return ::fstat(fd_, &file) == 0 ? static_cast<std::int64_t>(file.st_size) : 0;
+  const std::optional<system::Status> file = system::statusOf(fd());
+  return file ? static_cast<std::int64_t>(file->bytes) : 0;
 }
 
 void ForeignInput::unlock() const {
-  ::flock(fd_, LOCK_UN);
+  system::unlock(fd());
 }
 
 }  // namespace underact::record

@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/base/named_file.h"
 #include "core/base/translate.h"
 #include "core/record/descriptor_driver.h"
 #include "core/record/disk.h"
 #include "core/record/hdf5_table.h"
+#include "core/system/file.h"
+#include "core/system/named_file.h"
 
 namespace underact::record {
 namespace {
@@ -36,7 +37,7 @@ Problems notThere(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     return problemAt(path, said(TRANSLATE_NOOP("problem", "There is no such file.")));
-  const Result<NamedFile> file = NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a session")));
+  const Result<system::NamedFile> file = system::NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a session")));
   return file ? Problems{} : file.problems();
 }
 
@@ -77,10 +78,12 @@ struct Hdf5File::Impl {
   /// From here on the library writes into nothing: what it has in memory is ahead of the disk, and half of it there
   /// would spoil what is whole.
   void letBe() const {
-    if (writes && descriptor() >= 0) writeIntoNothing(descriptor());
+    if (writes && descriptor() >= 0) system::leadNowhere(descriptor());
   }
   /// Of the file, now.
-  std::int64_t bytes() const { return by_descriptor ? std::max(lengthAt(descriptor()), at_least) : sizeOf(opened); }
+  std::int64_t bytes() const {
+    return by_descriptor ? std::max(system::lengthOf(descriptor()), at_least) : sizeOf(opened);
+  }
   Problems openTables(std::span<const Table> wanted_tables) {
     for (const Table& wanted : wanted_tables) {
       const std::string name(wanted.name);
@@ -126,22 +129,22 @@ Hdf5File::~Hdf5File() {
 }
 
 Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attribute> attributes,
-                                  std::span<const Table> tables, Existing existing) {
+                                  std::span<const Table> tables, system::Existing existing) {
   quiet();
   errno = 0;
   auto impl = std::make_unique<Impl>();
   impl->path = impl->opened = path;
   impl->writes = true;
-  if (Problems problems = checkNew(path, existing); !problems.empty()) return problems;
-  if (existing == Existing::Replace && Presence::isAt(path))
+  if (Problems problems = system::checkNew(path, existing); !problems.empty()) return problems;
+  if (existing == system::Existing::Replace && Presence::isAt(path))
     return problemAt(
         path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
-  const NewFile made = NewFile::make(path, existing);  // the library would let others read it
-  if (!made.isGood()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+  const system::Descriptor made = system::makeNew(path, existing);  // the library would let others read it
+  if (!made.isOpen()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
   // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file where
   // somebody else, as a list of the folder, got it in between. Others are told by our own.
   const Id access = accessList(false);
-  impl->file = Id(H5Fcreate(made.sameFile(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+  impl->file = Id(H5Fcreate(system::nameOf(made.number(), path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   bool good = impl->file.isGood();
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);
   for (const Table& wanted : tables) {
@@ -177,10 +180,9 @@ Result<Hdf5File> Hdf5File::openAt(int fd, std::span<const Table> tables, std::in
   impl->by_descriptor = true;
   impl->at_least = at_least;
   const Id access = accessList();
-  const std::int64_t there = std::max(lengthAt(fd), at_least);
-  Problems problems = accessThrough(access, fd, at_least)
-                          ? impl->openToRead(kGivenFile, access, there, statedLength(fd))
-                          : impl->whyNoSession(0, 0);
+  const std::int64_t there = std::max(system::lengthOf(fd), at_least);
+  Problems problems = accessThrough(access, fd, at_least) ? impl->openToRead(kGivenFile, access, there, statedSize(fd))
+                                                          : impl->whyNoSession(0, 0);
   if (problems.empty()) problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
@@ -191,7 +193,7 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   errno = 0;
   auto impl = std::make_unique<Impl>();
   impl->path = impl->opened = path;
-  if (fd >= 0) impl->opened = nameOf(fd, path);
+  if (fd >= 0) impl->opened = system::nameOf(fd, path);
   impl->writes = true;
   if (Problems problems = notThere(path); !problems.empty()) return problems;
   const Id access = accessList();
@@ -205,7 +207,7 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
                        said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
-  if (fd >= 0 && !areTheSame(fd, impl->descriptor()))
+  if (fd >= 0 && !system::areTheSame(system::statusOf(fd), system::statusOf(impl->descriptor())))
     return problemAt(path, said(TRANSLATE_NOOP("problem",
                                                "Another file was put in this one's place meanwhile: nothing was "
                                                "changed. Try again.")));

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/private_file.h"
 #include "core/base/result.h"
 #include "core/record/hdf5_id.h"
 #include "core/record/table.h"
+#include "core/system/private_file.h"
 
 namespace underact::record {
 
@@ -25,7 +25,7 @@ class Hdf5File {
   /// A new file that its owner alone may read and write; from then on readers may follow it. Problems: those of
   /// checkNew(); it cannot be made.
   static Result<Hdf5File> create(const std::string& path, std::span<const Attribute> attributes,
-                                 std::span<const Table> tables, Existing existing = Existing::Refuse);
+                                 std::span<const Table> tables, system::Existing existing = system::Existing::Refuse);
   /// For reading, also while another program writes it or after that one was killed. tables: those that must be there
   /// with just these columns; their block_rows are read from the file. Problems: no such file, not HDF5, damaged.
   static Result<Hdf5File> open(const std::string& path, std::span<const Table> tables);

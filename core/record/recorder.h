@@ -10,10 +10,10 @@
 namespace underact::record {
 
 struct RecorderOptions {
-  std::int64_t most_ticks = 0;              // no more than these; 0: until stop()
-  std::int64_t reserve_bytes = 64LL << 20;  // with less left on the disk the recording ends in order
-  double block_s = kBlock_s;                // kShortestBlock_s to kLongestBlock_s
-  Existing existing = Existing::Refuse;     // a file of that name
+  std::int64_t most_ticks = 0;                           // no more than these; 0: until stop()
+  std::int64_t reserve_bytes = 64LL << 20;               // with less left on the disk the recording ends in order
+  double block_s = kBlock_s;                             // kShortestBlock_s to kLongestBlock_s
+  system::Existing existing = system::Existing::Refuse;  // a file of that name
 };
 
 /// How a recording goes.

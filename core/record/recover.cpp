@@ -60,7 +60,7 @@ Result<std::int64_t> recover(const std::string& path) {
   Result<ForeignInput> opened = ForeignInput::open(path, false);
   if (!opened) return opened.problems();
   const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());
-  const std::int64_t length = lengthToGrowTo(input->bytes(), statedLength(input->fd()));
+  const std::int64_t length = lengthToGrowTo(input->bytes(), statedSize(input->fd()));
   {
     const Result<Session> session = Session::open(input, length);
     if (!session) return session.problems();

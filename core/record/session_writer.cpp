@@ -60,7 +60,8 @@ SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
   packer_.begin(block_rows_);
 }
 
-Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header, Existing existing) {
+Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header,
+                                            system::Existing existing) {
   const std::array tables = sessionTables(header.rate_hz, header.block_s);
   Result<Hdf5File> file = Hdf5File::create(path, attributesOf(header), tables, existing);
   if (!file) return file.problems();

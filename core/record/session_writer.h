@@ -45,7 +45,7 @@ class SessionWriter {
   /// A file that its owner alone may read and write. Problems: there is one of that name, unless it is to be replaced;
   /// it cannot be made.
   static Result<SessionWriter> create(const std::string& path, const SessionHeader& header,
-                                      Existing existing = Existing::Refuse);
+                                      system::Existing existing = system::Existing::Refuse);
   /// Once, before the first tick. The scene of no constraints is what a servo has that was given none.
   Problems begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state,
                  const scene::Description& scene);

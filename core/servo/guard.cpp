@@ -16,9 +16,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/base/places.h"
 #include "core/servo/guard_process.h"
 #include "core/servo/platform.h"
+#include "core/system/places.h"
 #endif
 
 namespace underact::servo {
@@ -55,7 +55,7 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
     why = said(TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
     return nullptr;
   }
-  const Result<std::string> path = program.empty() ? findProgram("underact-guard") : program;
+  const Result<std::string> path = program.empty() ? system::findProgram("underact-guard") : program;
   if (!path) {
     why = path.problems().front().sentence;
     return nullptr;

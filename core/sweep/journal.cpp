@@ -1,11 +1,8 @@
 #include "core/sweep/journal.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -13,6 +10,7 @@
 
 #include "core/json/text_file.h"
 #include "core/sweep/checksum.h"
+#include "core/system/file.h"
 #include "underact/version.h"
 
 namespace underact::sweep {
@@ -69,28 +67,17 @@ std::string journalOf(const std::string& result) {
   return result + ".part";
 }
 
-Journal::Journal(std::string path, std::string fingerprint, int fd)
-    : path_(std::move(path)), fingerprint_(std::move(fingerprint)), fd_(fd) {}
-
-Journal::Journal(Journal&& other) noexcept
-    : path_(std::move(other.path_)),
-      fingerprint_(std::move(other.fingerprint_)),
-      fd_(std::exchange(other.fd_, -1)),
-      rows_(std::move(other.rows_)) {}
-
-Journal::~Journal() {
-  if (fd_ >= 0) close(fd_);
-}
+Journal::Journal(std::string path, std::string fingerprint, system::Descriptor file)
+    : path_(std::move(path)), fingerprint_(std::move(fingerprint)), file_(std::move(file)) {}
 
 Result<Journal> Journal::open(const Sweep& sweep, const std::string& result) {
   const std::string path = journalOf(result);
-  const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (fd < 0) return systemProblem(path, "The journal of finished cells cannot be opened", errno);
-  Journal journal(path, sweep.fingerprint, fd);
-  // A file system without locks is used without one.
-  if (flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  system::Descriptor file = system::makeFile(path, system::Making::Further, system::Readers::AsUsual);
+  if (!file.isOpen()) return systemProblem(path, "The journal of finished cells cannot be opened", errno);
+  if (!system::lock(file.number(), system::Lock::Alone))
     return problemAt(path,
                      "Another underact-sweep is at work on this result. Wait for its end, or choose another --out.");
+  Journal journal(path, sweep.fingerprint, std::move(file));
   Problems problems = journal.read(sweep);
   if (!problems.empty()) return problems;
   return journal;
@@ -105,8 +92,8 @@ Problems Journal::read(const Sweep& sweep) {
   const bool is_torn_first = here.empty() && (text.starts_with(kFirst) || kFirst.starts_with(text));
   if (here != first && !is_torn_first) return problemAt(path_, refusal(here, sweep.fingerprint.size()));
   const std::size_t whole = text.rfind('\n') + 1;  // what comes behind was torn by a kill; of none, 0
-  if (ftruncate(fd_, static_cast<off_t>(whole)) != 0)
-    return systemProblem(path_, "The journal of finished cells cannot be written", errno);
+  if (const int reason = system::cutTo(file_.number(), whole); reason != 0)
+    return systemProblem(path_, "The journal of finished cells cannot be written", reason);
   if (whole == 0) return write(first);
   for (std::size_t at = here.size(); at < whole;) {
     const std::size_t end = text.find('\n', at);
@@ -120,13 +107,8 @@ Problems Journal::read(const Sweep& sweep) {
 }
 
 Problems Journal::write(const std::string& line) {
-  for (std::size_t done = 0; done < line.size();) {
-    const ssize_t count = ::write(fd_, line.data() + done, line.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return systemProblem(path_, "The journal takes no more", count < 0 ? errno : ENOSPC);
-    done += static_cast<std::size_t>(count);
-  }
-  return {};
+  const int reason = system::writeAll(file_.number(), line);
+  return reason == 0 ? Problems{} : systemProblem(path_, "The journal takes no more", reason);
 }
 
 Problems Journal::add(std::size_t cell, const std::string& row) {
@@ -137,7 +119,7 @@ Problems Journal::add(std::size_t cell, const std::string& row) {
 }
 
 void Journal::remove() {
-  unlink(path_.c_str());
+  std::remove(path_.c_str());
 }
 
 }  // namespace underact::sweep

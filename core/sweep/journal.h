@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/sweep/sweep.h"
+#include "core/system/descriptor.h"
 
 namespace underact::sweep {
 
@@ -19,11 +20,6 @@ class Journal {
   /// Opens the journal of the result at `result`, or begins one. Lines that are torn or damaged are left out, and their
   /// cells run again. Problems: another program writes it; it is of another sweep; the file cannot be read or written.
   static Result<Journal> open(const Sweep& sweep, const std::string& result);
-  Journal(Journal&& other) noexcept;
-  Journal& operator=(Journal&&) = delete;
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
-  ~Journal();
 
   /// The line of rowOf(). Problems: the disk takes no more.
   Problems add(std::size_t cell, const std::string& row);
@@ -34,13 +30,13 @@ class Journal {
   void remove();
 
  private:
-  Journal(std::string path, std::string fingerprint, int fd);
+  Journal(std::string path, std::string fingerprint, system::Descriptor file);
   Problems read(const Sweep& sweep);
   Problems write(const std::string& line);
 
   std::string path_;
   std::string fingerprint_;
-  int fd_ = -1;
+  system::Descriptor file_;
   Rows rows_;
 };
 

@@ -1,8 +1,5 @@
 #include "core/sweep/result_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -11,6 +8,7 @@
 #include <system_error>
 
 #include "core/json/text_file.h"
+#include "core/system/file.h"
 
 namespace underact::sweep {
 namespace {
@@ -19,25 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestResult = std::size_t{8} << 30U;
 const std::string kGoOn = "Move it away, and give the same command again: the cells are kept.";
-
-/// So that the new name of a file outlives a power cut. What a file system cannot do is left.
-void keepNames(const fs::path& folder) {
-  const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return;
-  fsync(fd);
-  close(fd);
-}
-
-/// errno of what went wrong; 0: all is on the disk.
-int writeAll(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(fd, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return count < 0 ? errno : ENOSPC;
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return fsync(fd) == 0 ? 0 : errno;
-}
 
 /// Makes way for the file `beside`, where a program that was killed has left a part of text. Problems: it is something
 /// else.
@@ -50,19 +29,8 @@ Problems removeTorn(const std::string& beside, std::string_view text) {
   if (!found || !text.starts_with(found.value()))
     return problemAt(
         beside, "The result is to be written here first, but something else is here, and is not overwritten. " + kGoOn);
-  unlink(beside.c_str());
+  std::remove(beside.c_str());
   return {};
-}
-
-/// from gets the name `to`, if nothing has it; errno of what went wrong, 0: nothing.
-int nameAnew(const std::string& from, const std::string& to) {
-  if (link(from.c_str(), to.c_str()) == 0) {
-    unlink(from.c_str());
-    return 0;
-  }
-  if (errno == EEXIST) return EEXIST;
-  // File systems without second names, as memory cards have them.
-  return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0 ? 0 : errno;
 }
 
 }  // namespace
@@ -89,14 +57,16 @@ Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& pa
   const std::string beside = path + ".new";
   Problems in_the_way = removeTorn(beside, text);
   if (!in_the_way.empty()) return in_the_way;
-  const int fd = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  int error = fd < 0 ? errno : writeAll(fd, text);
-  if (fd >= 0 && close(fd) != 0 && error == 0) error = errno;
+  system::Descriptor made = system::makeFile(beside, system::Making::New, system::Readers::AsUsual);
+  const bool is_made = made.isOpen();
+  int error = is_made ? system::writeAll(made.number(), text) : errno;
+  if (error == 0) error = system::sync(made.number());
+  if (const int late = made.close(); error == 0) error = late;
   // On the disk before it has its name: a name without content would pass for a result.
-  if (error == 0) error = nameAnew(beside, path);
-  if (fd >= 0 && error != 0) unlink(beside.c_str());
+  if (error == 0) error = system::renameIfFree(beside, path);
+  if (is_made && error != 0) std::remove(beside.c_str());
   if (error == 0) {
-    keepNames(fs::path(path).parent_path());  // before anybody removes the journal
+    system::syncFolderOf(path);  // before anybody removes the journal
     return {};
   }
   if (error == EEXIST)

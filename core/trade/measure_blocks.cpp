@@ -1,11 +1,9 @@
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 
 #include "core/base/units.h"
 #include "core/record/session_writer.h"
+#include "core/system/this_process.h"
 #include "core/trade/measures.h"
 
 namespace underact::trade {
@@ -14,11 +12,7 @@ namespace {
 /// A file in the system's place for such, gone with the object.
 class Scratch {
  public:
-  Scratch() {
-    static std::atomic<int> count{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("underact-trade-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".h5");
-  }
+  Scratch() : path_(std::filesystem::temp_directory_path() / ("underact-trade-" + system::unusedWord() + ".h5")) {}
   ~Scratch() {
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);

@@ -1,7 +1,5 @@
 #include "device/remote/keys.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zmq.h>
 
 #include <algorithm>
@@ -12,9 +10,10 @@
 #include <optional>
 #include <sstream>
 
-#include "core/base/named_file.h"
-#include "core/base/private_file.h"
 #include "core/base/translate.h"
+#include "core/system/file.h"
+#include "core/system/named_file.h"
+#include "core/system/private_file.h"
 
 namespace underact::device::remote {
 namespace {
@@ -37,14 +36,14 @@ fs::path usersFolder() {
 }
 
 /// Why a file of keys is not to be trusted: others may read or write it, or it is theirs. what_to_do: beside chmod.
-Problems notOursAlone(const struct stat& status, const Sentence& may, const Sentence& what_to_do,
+Problems notOursAlone(const system::Status& status, const Sentence& may, const Sentence& what_to_do,
                       const fs::path& file) {
-  if (status.st_uid != ::geteuid() && status.st_uid != 0)
+  if (!status.is_trusted)
     return problemAt(said(TRANSLATE_NOOP("problem",
                                          "This file of keys belongs to another user of this computer, so it is not "
                                          "used. Delete it, and find out who put it there.")),
                      file);
-  if ((status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return {};
+  if ((status.rights & 077U) == 0) return {};
   return problemAt(said(TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
                         {may, file.string(), what_to_do}),
                    file);
@@ -66,12 +65,12 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
   const fs::path path = folder / which.name;
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::optional<std::vector<std::string>>{};
-  const Result<NamedFile> file = NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "keys of arms")));
+  const Result<system::NamedFile> file =
+      system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "keys of arms")));
   if (!file) return file.problems();
-  struct stat status {};
-  if (::fstat(file.value().descriptor(), &status) != 0)
-    return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
-  Problems problems = notOursAlone(status, said(which.may), said(which.what_to_do), path);
+  const std::optional<system::Status> status = system::statusOf(file.value().descriptor());
+  if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
+  Problems problems = notOursAlone(*status, said(which.may), said(which.what_to_do), path);
   if (!problems.empty()) return problems;
   const Result<std::string> text = file.value().readAll(kMostBytes);
   if (!text) return text.problems();
@@ -86,14 +85,12 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
 
 /// The whole file or, where that fails, the one that was; nobody else may read it.
 Problems writeFile(const fs::path& file, const std::string& text) {
-  makePrivateFolder(file.parent_path().string());
+  system::makePrivateFolder(file.parent_path().string());
   const fs::path part = file.string() + ".part";
-  const int fd = NewFile::make(part.string(), Existing::Replace).release();
-  bool is_well = fd >= 0 && ::write(fd, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  if (fd >= 0) is_well = ::close(fd) == 0 && is_well;
-  if (is_well && ::rename(part.c_str(), file.c_str()) == 0) return {};
-  ::unlink(part.c_str());
-  return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(errno)}),
+  const int reason = system::putInPlace(system::makeNew(part.string(), system::Existing::Replace), part.string(),
+                                        file.string(), text, system::Lasting::Written);
+  if (reason == 0) return {};
+  return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(reason)}),
                    file);
 }
 

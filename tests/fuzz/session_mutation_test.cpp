@@ -59,7 +59,7 @@ Parts partsOf(const std::string& path) {
 }
 
 void writeParts(const std::string& path, const Parts& parts) {
-  Hdf5File file = Hdf5File::create(path, parts.attributes, parts.tables, Existing::Replace).value();
+  Hdf5File file = Hdf5File::create(path, parts.attributes, parts.tables, system::Existing::Replace).value();
   for (std::size_t table = 0; table < record::kTables; ++table) {
     for (const Block& block : parts.blocks[table]) (void)file.append(table, block);
   }

@@ -27,11 +27,11 @@ BREAKAGES = [
     # ------------------------------------------------------------------------------------- core
     Breakage(
         says="files of a person alone may be read by the group",
-        file="core/base/private_file.cpp",
+        file="core/system/file_linux.cpp",
         old="kOwnersFile = 0600",
         new="kOwnersFile = 0640",
-        program="base_test",
-        test="base_test",
+        program="system_test",
+        test="system_test",
     ),
     Breakage(
         says="half of a UTF-16 pair is taken for a letter",
@@ -336,8 +336,8 @@ BREAKAGES = [
     Breakage(
         says="keys that the group may read are used",
         file="device/remote/keys.cpp",
-        old="(status.st_mode & (S_IRWXG | S_IRWXO)) == 0",
-        new="(status.st_mode & S_IRWXO) == 0",
+        old="(status.rights & 077U) == 0",
+        new="(status.rights & 007U) == 0",
         program="device_test",
         test="device_test",
         only="RemoteKeys*",

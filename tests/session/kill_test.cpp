@@ -37,7 +37,7 @@ struct Shared {
   if (!host->load(test::sphereScene()).empty()) _exit(3);
   host->start();
   host->begin();
-  const auto recorder = Recorder::start(*host, path, {.name = "killed"}, {.existing = Existing::Replace});
+  const auto recorder = Recorder::start(*host, path, {.name = "killed"}, {.existing = system::Existing::Replace});
   if (!recorder) _exit(4);
   shared.first = host->snapshot().ticks;
   const auto end = std::chrono::steady_clock::now() + 60s;

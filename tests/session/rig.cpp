@@ -84,7 +84,8 @@ void recordEvents(const std::string& path, const scene::Description& scene, cons
   ASSERT_TRUE(host->load(scene).empty());
   host->start();
   host->run(700 + static_cast<std::int64_t>(random.below(800)));  // the recording begins in the midst
-  const auto recorder = record::Recorder::start(*host, path, {.name = scene.title}, {.existing = Existing::Replace});
+  const auto recorder =
+      record::Recorder::start(*host, path, {.name = scene.title}, {.existing = system::Existing::Replace});
   ASSERT_TRUE(recorder) << recorder.problems().front().sentence;
   for (int event = 0; event < 12; ++event) {
     host->run(20 + static_cast<std::int64_t>(random.below(200)));

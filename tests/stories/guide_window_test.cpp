@@ -20,7 +20,7 @@
 #include "app/gui/model/settings.h"
 #include "app/gui/window/features.h"
 #include "app/page/style.h"
-#include "core/base/places.h"
+#include "core/system/places.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -32,7 +32,7 @@ const std::vector<HelpPage>& pages() {
 }
 
 const guide::Guide& theGuide() {
-  static const Result<guide::Guide> kGuide = guide::readGuide(findResource(Resource::Guide).value());
+  static const Result<guide::Guide> kGuide = guide::readGuide(system::findResource(system::Resource::Guide).value());
   return kGuide.value();
 }
 

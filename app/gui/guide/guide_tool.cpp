@@ -10,7 +10,7 @@
 #include "app/gui/kit/problems_box.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/settings.h"
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 namespace underact::gui {
 
@@ -49,7 +49,7 @@ void GuideTool::remember(Settings& settings) {
 
 bool GuideTool::open(const QString& place) {
   if (window_ == nullptr) {
-    const Result<std::string> folder = findResource(Resource::Guide);
+    const Result<std::string> folder = system::findResource(system::Resource::Guide);
     Result<guide::Guide> read = folder ? guide::readGuide(folder.value()) : folder.problems();
     if (!read) {
       showProblemsBox("dialog.guide_problems", tr("Guide"), tr("The guide cannot be opened."), read.problems(), main_);

@@ -1,7 +1,7 @@
 #include "app/gui/kit/cli_process.h"
 
 #include "app/gui/kit/words.h"
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 #ifdef Q_OS_UNIX
 #include <sys/resource.h>
@@ -46,7 +46,7 @@ CliProcess::~CliProcess() {
 }
 
 void CliProcess::start(const QStringList& words) {
-  const Result<std::string> program = findProgram("underact-cli", "UNDERACT_CLI");
+  const Result<std::string> program = system::findProgram("underact-cli", "UNDERACT_CLI");
   if (program) {
     process_.start(QString::fromStdString(program.value()), words, QIODevice::ReadOnly);
     return;

@@ -7,20 +7,20 @@
 
 namespace underact::gui {
 
-QString shippedFolder(Resource resource) {
-  const Standpoint from = standpoint();
-  const Result<std::string> found = findResource(resource, from);
+QString shippedFolder(system::Resource resource) {
+  const system::Standpoint from = system::standpoint();
+  const Result<std::string> found = system::findResource(resource, from);
   if (found) return QString::fromStdString(found.value());
   const std::vector<std::string> places = placesOf(resource, from);
   return places.empty() ? QString("/") : QString::fromStdString(places.front());
 }
 
-QString whyNotFound(Resource resource) {
-  const Result<std::string> found = findResource(resource);
+QString whyNotFound(system::Resource resource) {
+  const Result<std::string> found = system::findResource(resource);
   return found ? QString() : sentencesOf(found.problems());
 }
 
-QLabel* notFoundLabel(Resource resource, const char* name, const QString& spoken, QWidget* parent) {
+QLabel* notFoundLabel(system::Resource resource, const char* name, const QString& spoken, QWidget* parent) {
   QLabel* const label = toldLabel(name, spoken, "amber", parent);
   label->setText(whyNotFound(resource));
   label->setVisible(!label->text().isEmpty());

@@ -27,7 +27,7 @@ QString keyOf(const QString& path) {
 }  // namespace
 
 QString lessonFolder() {
-  return shippedFolder(Resource::Lessons);
+  return shippedFolder(system::Resource::Lessons);
 }
 
 std::vector<lesson::Lesson> shippedLessons() {

@@ -49,7 +49,8 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
-  column->addWidget(notFoundLabel(Resource::Lessons, "panel.lessons.missing", tr("Why there are no lessons"), this));
+  column->addWidget(
+      notFoundLabel(system::Resource::Lessons, "panel.lessons.missing", tr("Why there are no lessons"), this));
   column->addWidget(list_, 1);
   column->addWidget(about_);
   column->addWidget(note_);

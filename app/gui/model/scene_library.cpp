@@ -24,7 +24,7 @@ SceneEntry sceneEntry(const QString& path) {
 }
 
 QString sceneFolder() {
-  return shippedFolder(Resource::Scenes);
+  return shippedFolder(system::Resource::Scenes);
 }
 
 QString scenePicture(const QString& path, bool dark) {

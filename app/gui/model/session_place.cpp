@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QStandardPaths>
 
-#include "core/base/private_file.h"
+#include "core/system/private_file.h"
 
 namespace underact::gui {
 namespace {
@@ -45,7 +45,7 @@ QString prepareSessionFolder(const QString& folder) {
   const QFileInfo there(folder);
   if (there.exists() && !there.isDir())
     return QObject::tr("%1 is a file, not a folder. Choose another folder for the recordings.").arg(folder);
-  if (!there.exists() && makePrivateFolder(folder.toStdString()) != 0)
+  if (!there.exists() && system::makePrivateFolder(folder.toStdString()) != 0)
     return QObject::tr("The folder %1 cannot be made. Choose another folder for the recordings.").arg(folder);
   if (!QFileInfo(folder).isWritable())
     return QObject::tr("Nothing can be written into the folder %1. Choose another folder for the recordings.")

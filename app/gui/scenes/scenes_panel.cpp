@@ -94,7 +94,8 @@ ScenesPanel::ScenesPanel(const FeatureParts& parts, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
-  column->addWidget(notFoundLabel(Resource::Scenes, "panel.scenes.missing", tr("Why there are no scenes"), this));
+  column->addWidget(
+      notFoundLabel(system::Resource::Scenes, "panel.scenes.missing", tr("Why there are no scenes"), this));
   for (QWidget* widget :
        {static_cast<QWidget*>(filter_), static_cast<QWidget*>(list_), static_cast<QWidget*>(about_)}) {
     column->addWidget(widget, widget == list_ ? 3 : widget == about_ ? 2 : 0);

@@ -11,7 +11,7 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   Result<record::Session> read = record::Session::open(session);
   if (!read) return {.problems = read.problems()};
   const std::string part = out + ".part";
-  Result<record::CsvWriter> writer = record::CsvWriter::create(part, Existing::Replace);
+  Result<record::CsvWriter> writer = record::CsvWriter::create(part, system::Existing::Replace);
   if (!writer)
     return {.problems = {
                 {said(QT_TRANSLATE_NOOP("problem", "The file cannot be made there. Choose another folder.")), {out}}}};

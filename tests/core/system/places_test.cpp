@@ -1,4 +1,4 @@
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace underact {
+namespace underact::system {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST(FindProgram, SaysEachPlaceWhereItIsNot) {
 }
 
 }  // namespace
-}  // namespace underact
+}  // namespace underact::system

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 
-namespace underact {
+namespace underact::system {
 
 /// What comes with the program as files that it opens: scenes, lessons, the guide's pages, the Python package.
 enum class Resource { Scenes, Lessons, Guide, Python };
@@ -34,4 +34,4 @@ Result<std::string> findResource(Resource resource, const Standpoint& from = sta
 Result<std::string> findProgram(const std::string& program, const char* variable = nullptr,
                                 const Standpoint& from = standpoint());
 
-}  // namespace underact
+}  // namespace underact::system

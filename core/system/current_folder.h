@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace underact {
+namespace underact::system {
 
 /// A list of folders, a colon between two, without those that are empty or relative.
 std::string absoluteFolders(std::string_view list);
@@ -12,4 +12,4 @@ std::string absoluteFolders(std::string_view list);
 /// of a program. First in main(): no thread may run yet.
 void keepOutCurrentFolder();
 
-}  // namespace underact
+}  // namespace underact::system

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "core/base/result.h"
+#include "core/system/descriptor.h"
 
-namespace underact {
+namespace underact::system {
 
 /// A regular file that a person or another file named, open for reading. Opening never waits, whatever lies at that
 /// name: a pipe would wait for its writer, a device may begin to work. Those and sockets are refused unopened, also at
@@ -17,20 +18,11 @@ class NamedFile {
   /// what: for the sentences, as "a scene". Problems, one, at path without a line: not there, a folder, no regular
   /// file.
   static Result<NamedFile> open(const std::string& path, const Sentence& what);
-  NamedFile(NamedFile&& other) noexcept
-      : path_(std::move(other.path_)),
-        what_(std::move(other.what_)),
-        fd_(std::exchange(other.fd_, -1)),
-        bytes_(other.bytes_),
-        changed_ns_(other.changed_ns_) {}
-  NamedFile& operator=(NamedFile&&) = delete;
-  ~NamedFile();
-
   const std::string& path() const { return path_; }
   /// When it was opened.
   std::uint64_t bytes() const { return bytes_; }
   /// This object's.
-  int descriptor() const { return fd_; }
+  int descriptor() const { return file_.number(); }
   /// Goes back to its beginning.
   void rewind() const;
   /// Fills into, or up to the end of the file; gives how many bytes. Problems: the disk's.
@@ -44,9 +36,9 @@ class NamedFile {
   NamedFile(std::string path, Sentence what) : path_(std::move(path)), what_(std::move(what)) {}
   std::string path_;
   Sentence what_;
-  int fd_ = -1;
+  Descriptor file_;
   std::uint64_t bytes_ = 0;
   std::int64_t changed_ns_ = 0;
 };
 
-}  // namespace underact
+}  // namespace underact::system

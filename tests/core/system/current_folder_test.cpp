@@ -1,4 +1,4 @@
-#include "core/base/current_folder.h"
+#include "core/system/current_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace underact {
+namespace underact::system {
 namespace {
 
 TEST(CurrentFolder, IsLeftOutOfAListOfFolders) {
@@ -44,4 +44,4 @@ TEST(CurrentFolder, IsKeptOutOfTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace underact
+}  // namespace underact::system

@@ -1,4 +1,4 @@
-#include "core/base/named_file.h"
+#include "core/system/named_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "tests/support/odd_files.h"
 #include "tests/support/watchdog.h"
 
-namespace underact {
+namespace underact::system {
 namespace {
 
 constexpr std::uint64_t kMost = std::uint64_t{1} << 20;
@@ -77,4 +77,4 @@ TEST(NamedFile, OneByteTooManyIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace underact
+}  // namespace underact::system

@@ -1,4 +1,4 @@
-#include "core/base/places.h"
+#include "core/system/places.h"
 
 #include <underact/folders.h>
 
@@ -8,18 +8,10 @@
 #include <fstream>
 
 #include "core/base/translate.h"
+#include "core/system/file.h"
+#include "core/system/this_process.h"
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#endif
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-
-#include <array>
-#include <cstdint>
-#endif
-
-namespace underact {
+namespace underact::system {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,26 +50,9 @@ const Row& rowOf(Resource resource) {
   return *std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& row) { return row.resource == resource; });
 }
 
-bool isProgram(const fs::path& path) {
+bool isProgram(const std::string& path) {
   std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return false;
-#if defined(__unix__) || defined(__APPLE__)
-  return ::access(path.c_str(), X_OK) == 0;
-#else
-  return true;
-#endif
-}
-
-/// The folder of the running program; empty: the system does not say.
-fs::path hereFolder() {
-  std::error_code ignored;
-#ifdef __APPLE__
-  std::array<char, 4096> path{};
-  auto size = static_cast<std::uint32_t>(path.size());
-  return _NSGetExecutablePath(path.data(), &size) == 0 ? fs::path(path.data()).parent_path() : fs::path();
-#else
-  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
-#endif
+  return fs::is_regular_file(path, ignored) && mayExecute(path);
 }
 
 bool holds(const fs::path& folder, const char* mark) {
@@ -104,7 +79,7 @@ std::string listed(const std::vector<std::string>& places) {
 Standpoint standpoint() {
   Standpoint from;
   if (const char* stated = std::getenv("UNDERACT_DATA_DIR")) from.stated = absoluteOr(stated, "");
-  from.here = hereFolder().string();
+  from.here = fs::path(ownProgram()).parent_path().string();
   // Only beside the program itself: whoever may write there may change the program, too.
   std::ifstream file(fs::path(from.here) / "underact-places");
   std::string line;
@@ -161,4 +136,4 @@ Result<std::string> findProgram(const std::string& program, const char* variable
       {said(TRANSLATE_NOOP("problem", "%1 was not found (it was looked for at %2)."), {program, listed(places)})}};
 }
 
-}  // namespace underact
+}  // namespace underact::system

@@ -1,8 +1,10 @@
-#include "core/base/current_folder.h"
+#include "core/system/current_folder.h"
 
 #include <cstdlib>
 
-namespace underact {
+#include "core/system/this_process.h"
+
+namespace underact::system {
 namespace {
 
 /// What programs, Python, Qt, VTK, HDF5, OpenGL and GTK (Qt's looks on some desktops) look into for code.
@@ -35,21 +37,13 @@ std::string absoluteFolders(std::string_view list) {
 }
 
 void keepOutCurrentFolder() {
-#if defined(__unix__) || defined(__APPLE__)
   for (const char* const name : kLists) {
     const char* const list = std::getenv(name);
     if (list == nullptr) continue;
     const std::string kept = absoluteFolders(list);
     if (!kept.empty() && kept == list) continue;
-    if (!kept.empty()) {
-      ::setenv(name, kept.c_str(), 1);
-    } else if (std::string_view(name) == "PATH") {
-      ::setenv(name, kPlainPath, 1);
-    } else {
-      ::unsetenv(name);
-    }
+    setVariable(name, kept.empty() && std::string_view(name) == "PATH" ? kPlainPath : kept);
   }
-#endif
 }
 
-}  // namespace underact
+}  // namespace underact::system

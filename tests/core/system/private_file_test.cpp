@@ -1,4 +1,4 @@
-#include "core/base/private_file.h"
+#include "core/system/private_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,11 @@
 #include <cerrno>
 #include <fstream>
 
+#include "core/system/file.h"
 #include "tests/support/modes.h"
 #include "tests/support/odd_files.h"
 
-namespace underact {
+namespace underact::system {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,8 +26,8 @@ TEST(NewFile, IsItsOwnersAloneWhateverTheUmaskIs) {
   const test::ScratchFolder folder;
   for (const mode_t mask : {0, 022, 077, 0577}) {
     const test::Umask umask(mask);
-    const NewFile file = NewFile::make(folder.file("new"), Existing::Replace);
-    ASSERT_TRUE(file.isGood());
+    const Descriptor file = makeNew(folder.file("new"), Existing::Replace);
+    ASSERT_TRUE(file.isOpen());
     EXPECT_EQ(test::modeOf(folder.file("new")) & 0077U, 0U) << mask;
   }
 }
@@ -39,7 +40,7 @@ TEST(NewFile, NothingOfThatNameIsTouchedUnlessItIsToBeReplaced) {
   for (const std::string& path : {file, link, dangling}) {
     EXPECT_EQ(checkNew(path, Existing::Refuse).at(0).sentence,
               "There is a file or a link of this name already; it was left as it is. Give another name.");
-    EXPECT_FALSE(NewFile::make(path, Existing::Refuse).isGood());
+    EXPECT_FALSE(makeNew(path, Existing::Refuse).isOpen());
     EXPECT_EQ(errno, EEXIST);
   }
   EXPECT_EQ(contentOf(file), "mine");
@@ -52,9 +53,9 @@ TEST(NewFile, ReplacingTakesALinkAwayAndNotWhatItLeadsTo) {
   fs::create_symlink(target, link);
   ASSERT_TRUE(checkNew(link, Existing::Replace).empty());
   {
-    const NewFile made = NewFile::make(link, Existing::Replace);
-    ASSERT_TRUE(made.isGood());
-    EXPECT_EQ(::write(made.descriptor(), "new", 3), 3);
+    const Descriptor made = makeNew(link, Existing::Replace);
+    ASSERT_TRUE(made.isOpen());
+    EXPECT_EQ(::write(made.number(), "new", 3), 3);
   }
   EXPECT_FALSE(fs::is_symlink(link));
   EXPECT_EQ(contentOf(link), "new");
@@ -66,15 +67,15 @@ TEST(NewFile, FoldersPipesAndDevicesAreNeverReplaced) {
   for (const test::OddFile& odd : test::oddFiles(folder, "")) {
     if (odd.what == "no file" || odd.what == "1 TiB of nothing" || fs::is_symlink(odd.path)) continue;
     ASSERT_EQ(checkNew(odd.path, Existing::Replace).size(), 1U) << odd.what;
-    EXPECT_FALSE(NewFile::make(odd.path, Existing::Replace).isGood()) << odd.what;
+    EXPECT_FALSE(makeNew(odd.path, Existing::Replace).isOpen()) << odd.what;
     EXPECT_TRUE(fs::exists(odd.path)) << odd.what;
   }
 }
 
 TEST(NewFile, SameFileOpensTheOneThatWasMadeAlsoWhereAnotherStandsAtItsName) {
   const test::ScratchFolder folder;
-  const NewFile made = NewFile::make(folder.file("new"), Existing::Refuse);
-  const std::string same = made.sameFile(folder.file("new"));
+  const Descriptor made = makeNew(folder.file("new"), Existing::Refuse);
+  const std::string same = nameOf(made.number(), folder.file("new"));
   if (same == folder.file("new")) GTEST_SKIP() << "this system has no /proc";
   const std::string target = folder.write("target", "mine");
   fs::remove(folder.file("new"));
@@ -98,4 +99,4 @@ TEST(PrivateFolder, ThoseThatAreMadeAreTheirOwnersAlone) {
 }
 
 }  // namespace
-}  // namespace underact
+}  // namespace underact::system

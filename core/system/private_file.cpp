@@ -1,0 +1,54 @@
+#include "core/system/private_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/base/translate.h"
+#include "core/system/file.h"
+
+namespace underact::system {
+namespace {
+
+bool mayBeReplaced(const Status& there) {
+  return there.kind == Kind::File || there.kind == Kind::Link;
+}
+
+}  // namespace
+
+Problems checkNew(const std::string& path, Existing existing) {
+  const std::optional<Status> there = statusOf(path, Links::Refuse);
+  if (!there) return {};  // none; if another thing is wrong, making it says what
+  if (!mayBeReplaced(*there))
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "A folder, a pipe or a device has this name and is not replaced. Give another "
+                                 "name.")),
+             {path}}};
+  if (existing == Existing::Replace) return {};
+  return {{said(TRANSLATE_NOOP("problem",
+                               "There is a file or a link of this name already; it was left as it is. Give another "
+                               "name.")),
+           {path}}};
+}
+
+Descriptor makeNew(const std::string& path, Existing existing) {
+  const std::optional<Status> there = statusOf(path, Links::Refuse);
+  if (existing == Existing::Replace && there && mayBeReplaced(*there)) std::remove(path.c_str());
+  return makeFile(path, Making::New, Readers::OwnerAlone);
+}
+
+int makePrivateFolder(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  if (error) return error.value();
+  std::filesystem::path at;
+  for (const std::filesystem::path& part : whole) {
+    at /= part;
+    const int reason = makeOwnersFolder(at.string());
+    // One that is there; where nothing may be made, it may be there, too.
+    if (reason != 0 && !std::filesystem::is_directory(at, error)) return reason == EEXIST ? ENOTDIR : reason;
+  }
+  return 0;
+}
+
+}  // namespace underact::system
