@@ -54,7 +54,7 @@ struct RunOptions {
   bool left_handed = false;
   std::string arm_model{sim::kDefaultArmModel};
   std::string device{kSimulated};
-  servo::SchedulingWanted scheduling;
+  system::SchedulingWanted scheduling;
   bool isSimulated() const { return device == kSimulated; }
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };

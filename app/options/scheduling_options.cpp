@@ -4,11 +4,11 @@
 
 namespace underact::options {
 
-void addSchedulingOptions(Command command, servo::SchedulingWanted& wanted) {
-  static const std::map<std::string, servo::Way> kWays{{"auto", servo::Way::Auto},
-                                                       {"fifo", servo::Way::Fifo},
-                                                       {"rtkit", servo::Way::Rtkit},
-                                                       {"normal", servo::Way::Normal}};
+void addSchedulingOptions(Command command, system::SchedulingWanted& wanted) {
+  static const std::map<std::string, system::Way> kWays{{"auto", system::Way::Auto},
+                                                        {"fifo", system::Way::Fifo},
+                                                        {"rtkit", system::Way::Rtkit},
+                                                        {"normal", system::Way::Normal}};
   std::vector<std::string> names;
   for (const auto& [name, way] : kWays) names.push_back(name);
   command

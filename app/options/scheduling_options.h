@@ -1,10 +1,10 @@
 #pragma once
 #include "app/options/command.h"
-#include "core/servo/scheduling.h"
+#include "core/system/scheduling.h"
 
 namespace underact::options {
 
 /// --scheduling and --core.
-void addSchedulingOptions(Command command, servo::SchedulingWanted& wanted);
+void addSchedulingOptions(Command command, system::SchedulingWanted& wanted);
 
 }  // namespace underact::options

@@ -80,10 +80,10 @@ herr_t handleOfGiven(H5FD_t* file, hid_t /*access*/, void** descriptor) {
 /// Zeros beyond the end, as the library's own drivers give.
 herr_t readGiven(H5FD_t* file, H5FD_mem_t /*kind*/, hid_t /*transfer*/, haddr_t from, size_t size, void* to) {
   if (from > static_cast<haddr_t>(INT64_MAX) || size > static_cast<haddr_t>(INT64_MAX) - from) return -1;
-  const std::span into(static_cast<char*>(to), size);
+  const std::span into(static_cast<std::byte*>(to), size);
   const std::optional<std::size_t> count = system::readAllAt(fileOf(file)->given.fd, from, into);
   if (!count) return -1;
-  std::fill(into.begin() + static_cast<std::ptrdiff_t>(*count), into.end(), '\0');
+  std::fill(into.begin() + static_cast<std::ptrdiff_t>(*count), into.end(), std::byte{0});
   return 0;
 }
 

@@ -42,7 +42,7 @@ void SetAside::giveBack(const std::string& path) const {
 // Version 3 of the superblock: 8 bytes from the 28th on.
 std::int64_t statedSize(int fd) {
   std::array<char, 36> head{};
-  if (system::readAllAt(fd, 0, head) != head.size() || head[8] != 3) return 0;
+  if (system::readAllAt(fd, 0, std::as_writable_bytes(std::span(head))) != head.size() || head[8] != 3) return 0;
   std::int64_t size = 0;
   std::memcpy(&size, head.data() + 28, sizeof size);
   return size;

@@ -1,10 +1,10 @@
 #include "core/servo/bare_loop.h"
 
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::servo {
 
-BareLoop::BareLoop(int rate_hz, const SchedulingWanted& wanted) {
+BareLoop::BareLoop(int rate_hz, const system::SchedulingWanted& wanted) {
   std::binary_semaphore ready{0};
   thread_ = std::thread([&] { run(rate_hz, wanted, ready); });
   ready.acquire();
@@ -35,9 +35,9 @@ void BareLoop::tell(Wish wish) {
   wish_.notify_one();
 }
 
-void BareLoop::run(int rate_hz, const SchedulingWanted& wanted, std::binary_semaphore& ready) {
-  platform::nameThread("underact-bare");
-  platform::askForRealTime(wanted, rate_hz);
+void BareLoop::run(int rate_hz, const system::SchedulingWanted& wanted, std::binary_semaphore& ready) {
+  system::nameThread("underact-bare");
+  system::askForRealTime(wanted, rate_hz);
   ready.release();  // from here on neither ready nor wanted may be there any more
   while (wish_ != Wish::End) {
     wish_.wait(Wish::Rest);
@@ -46,10 +46,10 @@ void BareLoop::run(int rate_hz, const SchedulingWanted& wanted, std::binary_sema
 }
 
 void BareLoop::wakeWhileWished(std::int64_t period_ns) {
-  std::int64_t deadline_ns = monotonicNow_ns() + period_ns;
+  std::int64_t deadline_ns = system::monotonicNow_ns() + period_ns;
   while (wish_.load(std::memory_order_relaxed) == Wish::Wake) {
-    platform::sleepUntil(deadline_ns);
-    const std::int64_t late_ns = monotonicNow_ns() - deadline_ns;
+    system::sleepUntil(deadline_ns);
+    const std::int64_t late_ns = system::monotonicNow_ns() - deadline_ns;
     lateness_.add(late_ns);
     deadline_ns += (1 + late_ns / period_ns) * period_ns;
   }

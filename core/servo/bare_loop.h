@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "core/servo/histogram.h"
-#include "core/servo/scheduling.h"
+#include "core/system/scheduling.h"
 
 namespace underact::servo {
 
@@ -13,7 +13,7 @@ namespace underact::servo {
 /// until resume().
 class BareLoop {
  public:
-  BareLoop(int rate_hz, const SchedulingWanted& wanted);
+  BareLoop(int rate_hz, const system::SchedulingWanted& wanted);
   ~BareLoop();
   BareLoop(const BareLoop&) = delete;
   BareLoop& operator=(const BareLoop&) = delete;
@@ -25,7 +25,7 @@ class BareLoop {
  private:
   enum class Wish : std::uint8_t { Rest, Wake, End };
   void tell(Wish wish);
-  void run(int rate_hz, const SchedulingWanted& wanted, std::binary_semaphore& ready);
+  void run(int rate_hz, const system::SchedulingWanted& wanted, std::binary_semaphore& ready);
   void wakeWhileWished(std::int64_t period_ns);
 
   std::atomic<Wish> wish_{Wish::Rest};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::servo {
 
@@ -20,8 +20,8 @@ Busy::~Busy() {
 }
 
 void Busy::work(int core) {
-  platform::nameThread("underact-busy");
-  platform::runOnCore(core);  // refused: the system spreads them
+  system::nameThread("underact-busy");
+  system::runOnCore(core);  // refused: the system spreads them
   std::vector<double> numbers(kNumbers, 1.0);
   double sum = 1.0;
   while (!ends_.load(std::memory_order_relaxed)) {

@@ -9,9 +9,9 @@
 
 #include "core/servo/bare_loop.h"
 #include "core/servo/busy.h"
-#include "core/servo/clock.h"
 #include "core/servo/loop.h"
 #include "core/servo/thread.h"
+#include "core/system/clock.h"
 
 namespace underact::servo {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds kPause{50};  // between two looks at the ser
 class Servo {
  public:
   Servo(DevicePort& device, tick::TickProgram program, const CheckOptions& options)
-      : pushes_(device.info().simulated), loop_(device, kSecond_ns / options.rate_hz, 0) {
+      : pushes_(device.info().simulated), loop_(device, system::kSecond_ns / options.rate_hz, 0) {
     program.limits.frozen_s = device.info().frozen_s;
     tick::TickState state = tick::makeState(program);
     loop_.send({Order::Load, new Instance{std::move(program), std::move(state), 1}});
@@ -63,14 +63,14 @@ class Servo {
 
 CheckResult checkServo(DevicePort& device, tick::TickProgram program, const CheckOptions& options,
                        const std::function<bool(double)>& progress) {
-  const std::int64_t whole_ns = options.seconds * kSecond_ns;
-  const std::int64_t turn_ns = std::max<std::int64_t>(1, std::min(kSecond_ns, whole_ns / 2));
+  const std::int64_t whole_ns = options.seconds * system::kSecond_ns;
+  const std::int64_t turn_ns = std::max<std::int64_t>(1, std::min(system::kSecond_ns, whole_ns / 2));
   const auto servo = std::make_unique<Servo>(device, std::move(program), options);
   servo->rest();
   BareLoop bare(options.rate_hz, options.scheduling);
   std::optional<Busy> busy;
   if (options.load) busy.emplace();
-  const std::int64_t begin_ns = monotonicNow_ns();
+  const std::int64_t begin_ns = system::monotonicNow_ns();
   std::int64_t past_ns = 0;
   bool goes_on = true;
   for (std::int64_t turn = 0; goes_on && past_ns < whole_ns; ++turn) {
@@ -81,7 +81,7 @@ CheckResult checkServo(DevicePort& device, tick::TickProgram program, const Chec
       std::this_thread::sleep_for(
           std::min<std::chrono::nanoseconds>(kPause, std::chrono::nanoseconds(end_ns - past_ns)));
       servo->take();
-      past_ns = monotonicNow_ns() - begin_ns;
+      past_ns = system::monotonicNow_ns() - begin_ns;
       goes_on = progress(std::min(1.0, static_cast<double>(past_ns) / static_cast<double>(whole_ns)));
     }
     is_bare ? bare.rest() : servo->rest();

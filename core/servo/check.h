@@ -5,7 +5,7 @@
 #include "core/servo/device_port.h"
 #include "core/servo/histogram.h"
 #include "core/servo/late.h"
-#include "core/servo/scheduling.h"
+#include "core/system/scheduling.h"
 #include "core/tick/program.h"
 
 namespace underact::servo {
@@ -14,14 +14,14 @@ struct CheckOptions {
   int seconds = 60;    // in all
   int rate_hz = 1000;  // 100 to 10000
   bool load = false;   // one busy thread on each core meanwhile
-  SchedulingWanted scheduling = {};
+  system::SchedulingWanted scheduling = {};
 };
 
 /// floor: lateness of a loop that does nothing but wake; servo: lateness of the servo's ticks; tick_time: what they
 /// took. The rest is of the servo.
 struct CheckResult {
   Percentiles floor, servo, tick_time;
-  Scheduling scheduling;
+  system::Scheduling scheduling;
   LateTicks late;
   double seconds = 0;
   std::int64_t ticks = 0;

@@ -19,8 +19,8 @@ Wake Deadlines::begin(std::int64_t now_ns) noexcept {
   return wake;
 }
 
-LateCause Deadlines::causeOf(const platform::Interruptions& now) noexcept {
-  const platform::Interruptions before = counted_;
+LateCause Deadlines::causeOf(const system::Interruptions& now) noexcept {
+  const system::Interruptions before = counted_;
   counted_ = now;
   if (busy_ns_ >= period_ns_) return 2 * waiting_ns_ >= busy_ns_ ? LateCause::Device : LateCause::Overrun;
   if (now.page_faults > before.page_faults) return LateCause::PageFault;

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "core/servo/late.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::servo {
 
@@ -11,7 +11,7 @@ namespace underact::servo {
 class Deadlines {
  public:
   /// now_ns, now: the moment from which deadlines and interruptions count; the first deadline is a period later.
-  Deadlines(std::int64_t period_ns, std::int64_t now_ns, const platform::Interruptions& now)
+  Deadlines(std::int64_t period_ns, std::int64_t now_ns, const system::Interruptions& now)
       : period_ns_(period_ns), next_ns_(now_ns + period_ns), counted_(now) {}
 
   /// When to wake: the next deadline; where the tick that ended at now_ns is past it already, a moment later. That
@@ -26,7 +26,7 @@ class Deadlines {
   /// Why the tick that just began is a whole period late. now: what the system counts by this moment; it is compared
   /// with its counts at the last late tick, so a page fault between the two is taken for the cause even if it was not.
   /// An overrun is seen for sure and goes first.
-  LateCause causeOf(const platform::Interruptions& now) noexcept;
+  LateCause causeOf(const system::Interruptions& now) noexcept;
 
   /// The tick took busy_ns in all, and waiting_ns of them went into waiting for the arm.
   void end(std::int64_t busy_ns, std::int64_t waiting_ns) noexcept;
@@ -34,7 +34,7 @@ class Deadlines {
  private:
   std::int64_t period_ns_;
   std::int64_t next_ns_;
-  platform::Interruptions counted_;
+  system::Interruptions counted_;
   std::int64_t busy_ns_ = 0;
   std::int64_t waiting_ns_ = 0;
 };

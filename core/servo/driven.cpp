@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "core/base/denormals.h"
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 
 namespace underact::servo {
 namespace {
@@ -26,7 +26,7 @@ Driven::Driven(Loop& loop, DevicePort& device, int rate_hz, std::int64_t patienc
       device_(device),
       period_ns_(1'000'000'000 / rate_hz),
       patience_ns_(patience_ns > 0 ? patience_ns : kPatience_ns),
-      heard_ns_(monotonicNow_ns()) {}
+      heard_ns_(system::monotonicNow_ns()) {}
 
 Driven::~Driven() {
   if (!stand_in_.joinable()) return;  // it has never driven
@@ -41,7 +41,7 @@ Driven::~Driven() {
 }
 
 void Driven::tick() noexcept {
-  const std::int64_t now_ns = monotonicNow_ns();
+  const std::int64_t now_ns = system::monotonicNow_ns();
   heard_ns_.store(now_ns, std::memory_order_relaxed);
   tickOnce(now_ns);
 }
@@ -67,7 +67,7 @@ void Driven::standIn() {
   const std::chrono::nanoseconds pause(patience_ns_ / kLooksInPatience);
   std::unique_lock<std::mutex> lock(mutex_);
   while (!wake_.wait_for(lock, pause, [this] { return ends_; })) {
-    const std::int64_t now_ns = monotonicNow_ns();
+    const std::int64_t now_ns = system::monotonicNow_ns();
     const std::int64_t silence_ns = now_ns - heard_ns_.load(std::memory_order_relaxed);
     if (silence_ns < patience_ns_) continue;
     loop_.stoodStill(silence_ns);  // these ticks keep the watchdog quiet

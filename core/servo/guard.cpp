@@ -17,8 +17,8 @@
 #include <cstring>
 
 #include "core/servo/guard_process.h"
-#include "core/servo/platform.h"
 #include "core/system/places.h"
+#include "core/system/thread.h"
 #endif
 
 namespace underact::servo {
@@ -98,7 +98,7 @@ void Guard::setGap(Sentence gap) {
 }
 
 void Guard::watch() {
-  platform::nameThread("underact-warden");
+  system::nameThread("underact-warden");
   const sched_param normal{};
   pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);  // whoever made it may be real-time
   while (waitUntilItEnds()) {
@@ -112,13 +112,13 @@ void Guard::watch() {
 /// true: the guard is gone, false: the watching is to end. One that stands still is no guard, and is killed.
 bool Guard::waitUntilItEnds() {
   const std::atomic<std::int64_t>& looks = process_->line()->looks;
-  std::int64_t seen = looks.load(std::memory_order_relaxed), seen_ns = monotonicNow_ns();
+  std::int64_t seen = looks.load(std::memory_order_relaxed), seen_ns = system::monotonicNow_ns();
   for (;;) {
     std::array ends{pollfd{wake_fd_, POLLIN, 0}, pollfd{process_->endFd(), POLLIN, 0}};
     ::poll(ends.data(), ends.size(), kLookAfterGuard_ms);
     if ((ends[0].revents & POLLIN) != 0) return false;
     if (process_->hasEnded()) return true;
-    const std::int64_t count = looks.load(std::memory_order_relaxed), now_ns = monotonicNow_ns();
+    const std::int64_t count = looks.load(std::memory_order_relaxed), now_ns = system::monotonicNow_ns();
     if (std::exchange(seen, count) != count) seen_ns = now_ns;
     if (now_ns - seen_ns > patience_ns_) process_->kill();
   }
@@ -127,7 +127,7 @@ bool Guard::waitUntilItEnds() {
 /// As soon as the pace allows; false: the watching is to end.
 bool Guard::startAnother() {
   for (;;) {
-    if (isToldToEnd(pace_.next_ns(monotonicNow_ns()))) return false;
+    if (isToldToEnd(pace_.next_ns(system::monotonicNow_ns()))) return false;
     if (process_->start()) return true;
     setGap(said(TRANSLATE_NOOP("problem", "the guard has ended, and does not start again (%1)"),
                 {std::string(std::strerror(process_->failure()))}));
@@ -136,7 +136,7 @@ bool Guard::startAnother() {
 
 /// Waits until then, or until it is told to end.
 bool Guard::isToldToEnd(std::int64_t until_ns) const {
-  for (std::int64_t left_ns = 0; (left_ns = until_ns - monotonicNow_ns()) > 0;) {
+  for (std::int64_t left_ns = 0; (left_ns = until_ns - system::monotonicNow_ns()) > 0;) {
     pollfd end{wake_fd_, POLLIN, 0};
     if (::poll(&end, 1, static_cast<int>(left_ns / 1'000'000 + 1)) > 0) return true;
   }

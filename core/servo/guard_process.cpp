@@ -16,7 +16,7 @@
 #include <new>
 #include <utility>
 
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 
 namespace underact::servo {
 namespace {
@@ -137,9 +137,9 @@ void GuardProcess::kill() {
 
 /// time_ms below 0: as long as it takes.
 bool GuardProcess::waitForEnd(int time_ms) {
-  const std::int64_t end_ns = monotonicNow_ns() + std::int64_t{time_ms} * 1'000'000;
+  const std::int64_t end_ns = system::monotonicNow_ns() + std::int64_t{time_ms} * 1'000'000;
   while (!hasEnded()) {
-    if (time_ms >= 0 && monotonicNow_ns() >= end_ns) return false;
+    if (time_ms >= 0 && system::monotonicNow_ns() >= end_ns) return false;
     pollfd end{end_fd_, POLLIN, 0};
     ::poll(&end, 1, kLook_ms);
   }

@@ -335,10 +335,11 @@ int Host::rateHz() const {
   return impl_->options.rate_hz;
 }
 
-Scheduling Host::scheduling() const {
+system::Scheduling Host::scheduling() const {
   if (impl_->ticksByItself()) {
-    Scheduling granted = impl_->thread ? impl_->thread->scheduling()
-                                       : Scheduling{said(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
+    system::Scheduling granted =
+        impl_->thread ? impl_->thread->scheduling()
+                      : system::Scheduling{said(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
     granted.also.push_back(guarding());
     return granted;
   }
@@ -348,7 +349,7 @@ Scheduling Host::scheduling() const {
           {}};
 }
 
-const SchedulingWanted& Host::schedulingWanted() const {
+const system::SchedulingWanted& Host::schedulingWanted() const {
   return impl_->options.scheduling;
 }
 

@@ -7,12 +7,12 @@
 
 #include "core/base/result.h"
 #include "core/scene/description.h"
-#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
-#include "core/servo/scheduling.h"
 #include "core/servo/snapshot.h"
 #include "core/servo/tap.h"
 #include "core/servo/timing.h"
+#include "core/system/clock.h"
+#include "core/system/scheduling.h"
 #include "core/tick/program.h"
 
 namespace underact::servo {
@@ -24,11 +24,11 @@ enum class Clock : std::uint8_t { Thread, Manual };
 struct HostOptions {
   int rate_hz = 1000;  // 100 to 10000
   Clock clock = Clock::Thread;
-  SchedulingWanted scheduling = {};
+  system::SchedulingWanted scheduling = {};
   double watchdog_s = 0.1;  // no tick for so long: the arm gets zero force from outside the servo thread, and a fault
   int max_late = 20;        // ticks in a row a whole period late that are borne; more let the force go, and are a fault
   std::string guard_program = {};  // underact-guard, for an arm that has a last word; empty: it is looked for
-  Clocks clocks = {};
+  system::Clocks clocks = {};
 };
 
 /// Everything a fault leaves behind.
@@ -40,7 +40,7 @@ struct FaultReport {
   scene::Description scene;             // as it was run
   DeviceInfo device;
   Sentence trouble;  // what the arm's side said of it, see DevicePort::trouble()
-  Scheduling scheduling;
+  system::Scheduling scheduling;
   int rate_hz = 0;  // then
   LateTicks late;
 };
@@ -111,8 +111,8 @@ class Host {
   bool records() const;
 
   int rateHz() const;
-  Scheduling scheduling() const;
-  const SchedulingWanted& schedulingWanted() const;
+  system::Scheduling scheduling() const;
+  const system::SchedulingWanted& schedulingWanted() const;
   /// Whether a process guards the arm, or why none does: a phrase, as in Scheduling::also. Empty: no tick yet.
   Sentence guarding() const;
   /// Why nothing would tell the arm zero if the program died, with a way out, where an arm can be told: its guard has

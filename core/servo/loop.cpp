@@ -38,7 +38,7 @@ unsigned bitsOf(const tick::TickInput& input) noexcept UNDERACT_REAL_TIME {
 
 }  // namespace
 
-Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const Clocks& clocks)
+Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks)
     : device_(device),
       current_(new Instance),
       period_ns_(period_ns),

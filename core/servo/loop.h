@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "core/servo/arm_clock_watch.h"
-#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
 #include "core/servo/history.h"
 #include "core/servo/sleep_watch.h"
 #include "core/servo/slot.h"
 #include "core/servo/snapshot.h"
 #include "core/servo/tap.h"
+#include "core/system/clock.h"
 #include "core/tick/step.h"
 
 namespace underact::servo {
@@ -42,7 +42,7 @@ struct Command {
 /// start.
 class Loop {
  public:
-  Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const Clocks& clocks = {});
+  Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks = {});
   ~Loop();
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -100,7 +100,7 @@ class Loop {
   bool hold_to_run_ = false;
   bool was_faulted_ = false;
   std::int64_t period_ns_, watchdog_ns_;
-  Clocks clocks_;
+  system::Clocks clocks_;
   SleepWatch sleep_;
   std::int64_t slept_ns_ = 0;  // that no tick was told of yet
   ArmClockWatch arm_clock_;

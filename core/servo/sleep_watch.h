@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 
 namespace underact::servo {
 
@@ -18,10 +18,12 @@ class SleepWatch {
   /// How long it slept since the last look; 0: it was awake. The clock with sleep is read first: a thread that is held
   /// up between the two sees them nearer to each other than they are, and never takes that for sleep. For the same
   /// reason the first look, which all others are held against, is three.
-  std::int64_t look(const Clocks& clocks) noexcept UNDERACT_REAL_TIME { return look(clocks, aheadNow_ns(clocks)); }
+  std::int64_t look(const system::Clocks& clocks) noexcept UNDERACT_REAL_TIME {
+    return look(clocks, aheadNow_ns(clocks));
+  }
 
   /// The same for who has read both, in that order: how far the one with sleep was ahead.
-  std::int64_t look(const Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
+  std::int64_t look(const system::Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
     if (!knows_) {
       knows_ = true;
       most_ahead_ns_ = std::max({ahead_ns, aheadNow_ns(clocks), aheadNow_ns(clocks)});
@@ -33,7 +35,7 @@ class SleepWatch {
   }
 
  private:
-  static std::int64_t aheadNow_ns(const Clocks& clocks) noexcept UNDERACT_REAL_TIME {
+  static std::int64_t aheadNow_ns(const system::Clocks& clocks) noexcept UNDERACT_REAL_TIME {
     const std::int64_t with_sleep_ns = clocks.with_sleep_ns();
     return with_sleep_ns - clocks.now_ns();
   }

@@ -3,14 +3,14 @@
 #include "core/base/denormals.h"
 #include "core/base/translate.h"
 #include "core/servo/deadlines.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::servo {
 
-Thread::Thread(Loop& loop, int rate_hz, const SchedulingWanted& wanted)
+Thread::Thread(Loop& loop, int rate_hz, const system::SchedulingWanted& wanted)
     : loop_(loop), rate_hz_(rate_hz), wanted_(wanted) {
-  std::promise<Scheduling> granted;
-  std::future<Scheduling> scheduling = granted.get_future();
+  std::promise<system::Scheduling> granted;
+  std::future<system::Scheduling> scheduling = granted.get_future();
   thread_ = std::thread(&Thread::run, this, std::move(granted));
   scheduling_ = scheduling.get();
 }
@@ -33,10 +33,10 @@ void Thread::tell(Wish wish) {
   wish_.notify_one();
 }
 
-void Thread::run(std::promise<Scheduling> granted) {
-  platform::nameThread("underact-servo");
+void Thread::run(std::promise<system::Scheduling> granted) {
+  system::nameThread("underact-servo");
   const FlushDenormals flush;
-  Scheduling scheduling = platform::askForRealTime(wanted_, rate_hz_);
+  system::Scheduling scheduling = system::askForRealTime(wanted_, rate_hz_);
   scheduling.also.push_back(said(FlushDenormals::isKnown() ? TRANSLATE_NOOP("problem", "denormals flushed")
                                                            : TRANSLATE_NOOP("problem", "denormals kept")));
   granted.set_value(std::move(scheduling));
@@ -49,15 +49,15 @@ void Thread::run(std::promise<Scheduling> granted) {
 
 void Thread::tickWhileWished() {
   const std::int64_t period_ns = 1'000'000'000 / rate_hz_;
-  std::int64_t now_ns = monotonicNow_ns();
-  Deadlines deadlines(period_ns, now_ns, platform::interruptions());
+  std::int64_t now_ns = system::monotonicNow_ns();
+  Deadlines deadlines(period_ns, now_ns, system::interruptions());
   while (wish_.load(std::memory_order_relaxed) == Wish::Tick) {
-    platform::sleepUntil(deadlines.wakeAt_ns(now_ns));
-    const std::int64_t begin_ns = monotonicNow_ns();
+    system::sleepUntil(deadlines.wakeAt_ns(now_ns));
+    const std::int64_t begin_ns = system::monotonicNow_ns();
     Wake wake = deadlines.begin(begin_ns);
-    if (wake.lateness_ns >= period_ns) wake.cause = deadlines.causeOf(platform::interruptions());
+    if (wake.lateness_ns >= period_ns) wake.cause = deadlines.causeOf(system::interruptions());
     loop_.tick(wake);
-    now_ns = monotonicNow_ns();
+    now_ns = system::monotonicNow_ns();
     deadlines.end(now_ns - begin_ns, loop_.lastRead_ns());
   }
 }

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "core/servo/loop.h"
-#include "core/servo/scheduling.h"
+#include "core/system/scheduling.h"
 
 namespace underact::servo {
 
@@ -13,11 +13,11 @@ namespace underact::servo {
 class Thread {
  public:
   /// rate_hz: 100 to 10000.
-  Thread(Loop& loop, int rate_hz, const SchedulingWanted& wanted);
+  Thread(Loop& loop, int rate_hz, const system::SchedulingWanted& wanted);
   ~Thread();  // zero force, then the thread ends
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
-  const Scheduling& scheduling() const { return scheduling_; }
+  const system::Scheduling& scheduling() const { return scheduling_; }
 
   /// Zero force within a period, and no tick until resume(), which begins with a fresh deadline.
   void rest();
@@ -26,14 +26,14 @@ class Thread {
  private:
   enum class Wish : std::uint8_t { Tick, Rest, End };
   void tell(Wish wish);
-  void run(std::promise<Scheduling> granted);
+  void run(std::promise<system::Scheduling> granted);
   void tickWhileWished();
 
   Loop& loop_;
   int rate_hz_;
-  SchedulingWanted wanted_;
+  system::SchedulingWanted wanted_;
   std::atomic<Wish> wish_{Wish::Tick};
-  Scheduling scheduling_;
+  system::Scheduling scheduling_;
   std::thread thread_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 
 namespace underact::servo {
 
@@ -22,10 +22,10 @@ Watchdog::~Watchdog() {
 
 void Watchdog::run() {
   const std::chrono::nanoseconds pause(limit_ns_ / kLooksInLimit);
-  std::int64_t seen = loop_.beats(), seen_ns = monotonicNow_ns();
+  std::int64_t seen = loop_.beats(), seen_ns = system::monotonicNow_ns();
   std::unique_lock<std::mutex> lock(mutex_);
   while (!wake_.wait_for(lock, pause, [this] { return ends_; })) {
-    const std::int64_t beats = loop_.beats(), now_ns = monotonicNow_ns();
+    const std::int64_t beats = loop_.beats(), now_ns = system::monotonicNow_ns();
     if (beats != seen) {
       seen = beats;
       seen_ns = now_ns;

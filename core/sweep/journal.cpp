@@ -107,7 +107,7 @@ Problems Journal::read(const Sweep& sweep) {
 }
 
 Problems Journal::write(const std::string& line) {
-  const int reason = system::writeAll(file_.number(), line);
+  const int reason = system::writeAll(file_.number(), std::as_bytes(std::span(line)));
   return reason == 0 ? Problems{} : systemProblem(path_, "The journal takes no more", reason);
 }
 

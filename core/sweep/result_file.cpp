@@ -59,7 +59,7 @@ Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& pa
   if (!in_the_way.empty()) return in_the_way;
   system::Descriptor made = system::makeFile(beside, system::Making::New, system::Readers::AsUsual);
   const bool is_made = made.isOpen();
-  int error = is_made ? system::writeAll(made.number(), text) : errno;
+  int error = is_made ? system::writeAll(made.number(), std::as_bytes(std::span(text))) : errno;
   if (error == 0) error = system::sync(made.number());
   if (const int late = made.close(); error == 0) error = late;
   // On the disk before it has its name: a name without content would pass for a result.

@@ -14,9 +14,6 @@ namespace underact::system {
 namespace {
 
 constexpr mode_t kOwnersFile = 0600, kOwnersFolder = 0700, kUsualFile = 0666;
-// In one go: kernels that do not preempt themselves let nobody run on that processor before a read is done, not even
-// the servo. Of 38 MB at once that was 6 ms.
-constexpr std::size_t kAtOnce = std::size_t{1} << 18;
 
 int reasonOf(int result) {
   return result == 0 ? 0 : errno;
@@ -67,6 +64,10 @@ Descriptor openToRead(const std::string& path, Links links) {
   return Descriptor(::open(path.c_str(), links == Links::Refuse ? flags | O_NOFOLLOW : flags));
 }
 
+Descriptor openToWrite(const std::string& path) {
+  return Descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+}
+
 Descriptor makeFile(const std::string& path, Making making, Readers readers) {
   const int flags = making == Making::New       ? O_RDWR | O_EXCL | O_NOFOLLOW
                     : making == Making::Emptied ? O_WRONLY | O_TRUNC
@@ -112,18 +113,18 @@ std::string nameOf(int descriptor, const std::string& path) {
   return areTheSame(statusOf(descriptor), statusOf(by_number)) ? by_number : path;
 }
 
-std::optional<std::size_t> readAll(int descriptor, std::span<char> into) {
+std::optional<std::size_t> readAll(int descriptor, std::span<std::byte> into) {
   return movedAll(into.size(),
                   [&](std::size_t at, std::size_t most) { return ::read(descriptor, into.data() + at, most); });
 }
 
-std::optional<std::size_t> readAllAt(int descriptor, std::uint64_t from, std::span<char> into) {
+std::optional<std::size_t> readAllAt(int descriptor, std::uint64_t from, std::span<std::byte> into) {
   return movedAll(into.size(), [&](std::size_t at, std::size_t most) {
     return ::pread(descriptor, into.data() + at, most, static_cast<off_t>(from + at));
   });
 }
 
-int writeAll(int descriptor, std::span<const char> bytes) {
+int writeAll(int descriptor, std::span<const std::byte> bytes) {
   const std::optional<std::size_t> done = movedAll(
       bytes.size(), [&](std::size_t at, std::size_t most) { return ::write(descriptor, bytes.data() + at, most); });
   if (!done) return errno;

@@ -53,7 +53,7 @@ void NamedFile::rewind() const {
 }
 
 Result<std::size_t> NamedFile::read(std::span<char> into) const {
-  const std::optional<std::size_t> count = system::readAll(descriptor(), into);
+  const std::optional<std::size_t> count = system::readAll(descriptor(), std::as_writable_bytes(into));
   if (!count) return failed(path_, TRANSLATE_NOOP("problem", "The file cannot be read: %1."));
   return *count;
 }

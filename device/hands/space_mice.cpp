@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "device/hands/usual.h"
 
 namespace underact::device::hands {
@@ -52,7 +52,7 @@ std::vector<Seen> SpaceMice::look() {
 }
 
 void SpaceMice::run() {
-  std::int64_t searched_ns = servo::monotonicNow_ns() - search_every_ns_;
+  std::int64_t searched_ns = system::monotonicNow_ns() - search_every_ns_;
   for (;;) {
     {
       std::unique_lock lock(mutex_);
@@ -61,9 +61,9 @@ void SpaceMice::run() {
       if (!any) ending_.wait_for(lock, std::chrono::milliseconds(kIdle_ms), [this] { return ends_; });
       if (ends_) break;
     }
-    if (servo::monotonicNow_ns() - searched_ns >= search_every_ns_) {
+    if (system::monotonicNow_ns() - searched_ns >= search_every_ns_) {
       search();
-      searched_ns = servo::monotonicNow_ns();
+      searched_ns = system::monotonicNow_ns();
     }
     const int each_ms = std::max(1, kRead_ms / std::max(1, static_cast<int>(mice_.size())));
     const auto isGone = [&](Mouse& mouse) { return mouse.pipe != nullptr && !read(mouse, each_ms); };
@@ -121,9 +121,9 @@ bool SpaceMice::read(Mouse& mouse, int time_ms) {
     if (size == 0) break;
     const auto report = std::span(bytes).first(std::min(static_cast<std::size_t>(size), bytes.size()));
     if (takeSpaceMouseReport(report, mouse.readings) == SpaceMouseReport::Moved)
-      mouse.moved_ns = servo::monotonicNow_ns();
+      mouse.moved_ns = system::monotonicNow_ns();
   }
-  if (servo::monotonicNow_ns() - mouse.moved_ns > kSilent_ns) mouse.readings.axis.fill(0.0);
+  if (system::monotonicNow_ns() - mouse.moved_ns > kSilent_ns) mouse.readings.axis.fill(0.0);
   return true;
 }
 

@@ -12,7 +12,7 @@
 #include "core/arm/forward.h"
 #include "core/base/units.h"
 #include "core/safety/gate.h"
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 
 namespace underact::device::openhaptics {
 namespace {
@@ -45,7 +45,7 @@ Ticket* newTicket() {
 }  // namespace
 
 Frames::Frames(const Calls& hd, const arm::Preset& arm)
-    : hd_(hd), geometry_(arm.geometry), preset_force_N_(arm.continuous_force_N), opened_ns_(servo::monotonicNow_ns()) {
+    : hd_(hd), geometry_(arm.geometry), preset_force_N_(arm.continuous_force_N), opened_ns_(system::monotonicNow_ns()) {
   standing_.begin();
 }
 
@@ -60,7 +60,7 @@ std::uint32_t Frames::callback(void* ticket) {
 
 void Frames::run() noexcept {
   count_.fetch_add(1, std::memory_order_release);
-  began_ns_.store(servo::monotonicNow_ns(), std::memory_order_relaxed);
+  began_ns_.store(system::monotonicNow_ns(), std::memory_order_relaxed);
   if (standing_.stopped()) {
     rest();
   } else {
@@ -78,7 +78,7 @@ Ticket* Frames::begin(Handle device) {
   known_ = false;
   zeros_ = 0;
   count_ = 0;
-  began_ns_ = servo::monotonicNow_ns();
+  began_ns_ = system::monotonicNow_ns();
   quiet_until_ns_ = 0;
   could_push_ = inkwell_works_ = is_docked_ = is_wrong_arm_ = false;
   is_output_on_ = true;  // whoever opened it has switched it on
@@ -106,7 +106,7 @@ bool Frames::retire() noexcept {
 }
 
 void Frames::frame() noexcept {
-  const std::int64_t now_ns = servo::monotonicNow_ns();
+  const std::int64_t now_ns = system::monotonicNow_ns();
   judge(drain(hd_), false, now_ns);  // left over from others
   hd_.hdBeginFrame(device_);
   if (!known_.load(std::memory_order_relaxed)) learn();

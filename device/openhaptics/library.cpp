@@ -1,7 +1,5 @@
 #include "device/openhaptics/library.h"
 
-#include <dlfcn.h>
-
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "core/base/translate.h"
+#include "core/system/library.h"
 
 namespace underact::device::openhaptics {
 namespace {
@@ -41,9 +40,8 @@ std::vector<std::string> candidates() {
 /// the first.
 void* open(std::string& why) {
   for (const std::string& name : candidates()) {
-    if (void* const library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
-    const char* const text = dlerror();
-    const std::string words = text != nullptr ? text : name + ": no reason given";
+    std::string words;
+    if (void* const library = system::openLibrary(name, words)) return library;
     const bool is_there = words.rfind(name + ":", 0) != 0;
     if (why.empty() || is_there) why = words;
     if (is_there) break;
@@ -59,7 +57,7 @@ void attempt(State& state) {
     state.missing.push_back(explain(why));
     return;
   }
-  const Problems problems = bind([library](const char* name) { return dlsym(library, name); }, state.calls);
+  const Problems problems = bind([library](const char* name) { return system::addressIn(library, name); }, state.calls);
   for (const Problem& problem : problems) state.missing.push_back({problem.sentence, ""});
   state.is_bound = problems.empty();
 }

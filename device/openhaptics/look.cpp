@@ -1,13 +1,12 @@
 #include "device/openhaptics/look.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <string>
 
 #include "core/base/translate.h"
+#include "core/system/file.h"
 #include "device/openhaptics/settings.h"
 
 namespace underact::device::openhaptics {
@@ -59,11 +58,12 @@ std::vector<Missing> permissions(const Places& places, const fs::path& device, c
   std::vector<Missing> missing;
   for (const std::string& node : nodesOf(device)) {
     const fs::path path = places.nodes / node;
-    if (access(path.c_str(), F_OK) != 0) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
       missing.push_back({said(TRANSLATE_NOOP("problem", "The system has not made %1 for the arm. Plug it in again."),
                               {path.string()}),
                          ""});
-    } else if (access(path.c_str(), R_OK | W_OK) != 0) {
+    } else if (!system::mayReadAndWrite(path.string())) {
       missing.push_back({said(TRANSLATE_NOOP("problem",
                                              "You may not use %1, the arm's. This rule lets whoever sits at the "
                                              "machine do so; plug the arm in again after it."),

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "device/openhaptics/library.h"
 #include "device/openhaptics/look.h"
 #include "device/openhaptics/scheduler.h"
@@ -216,7 +216,7 @@ void OpenHapticsArm::endDrive() {
 Sentence OpenHapticsArm::trouble() const {
   const std::scoped_lock lock(mutex_);
   if (!trouble_.empty()) return trouble_;
-  const std::int64_t now_ns = servo::monotonicNow_ns();
+  const std::int64_t now_ns = system::monotonicNow_ns();
   const Sentence sentence = frames_->standing().sentence(now_ns, options_.arm.name);
   return sentence.empty() && now_ns - frames_->began_ns() > kSilence_ns ? said(kStandsStill) : sentence;
 }

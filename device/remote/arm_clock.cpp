@@ -1,7 +1,7 @@
 #include "device/remote/arm_clock.h"
 
 #include "core/base/denormals.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::device::remote {
 
@@ -18,15 +18,15 @@ ArmClock::~ArmClock() {
 }
 
 void ArmClock::run() {
-  servo::platform::nameThread("underact-arm");
+  system::nameThread("underact-arm");
   const FlushDenormals flush;
-  servo::platform::askForRealTime({}, rate_hz_);
+  system::askForRealTime({}, rate_hz_);
   const std::int64_t period_ns = 1'000'000'000 / rate_hz_;
-  std::int64_t next_ns = servo::monotonicNow_ns();
+  std::int64_t next_ns = system::monotonicNow_ns();
   while (!ends_.load(std::memory_order_relaxed)) {
     next_ns += period_ns;
-    servo::platform::sleepUntil(next_ns);
-    const std::int64_t now_ns = servo::monotonicNow_ns();
+    system::sleepUntil(next_ns);
+    const std::int64_t now_ns = system::monotonicNow_ns();
     if (now_ns - next_ns > period_ns) next_ns = now_ns;  // what is late is not caught up in a burst
     ticks_.tick();
   }

@@ -34,7 +34,7 @@ Result<ArmSide::Options> optionsOf(const arm::Preset& preset, const servo::Devic
   return options;
 }
 
-ArmSide::ArmSide(servo::DevicePort& port, const Options& options, Doorbell& shown)
+ArmSide::ArmSide(servo::DevicePort& port, const Options& options, system::Doorbell& shown)
     : port_(port), options_(options), bell_(shown) {}
 
 void ArmSide::take(const ForceMessage& message) {

@@ -5,11 +5,11 @@
 #include "core/arm/preset.h"
 #include "core/control/passivity.h"
 #include "core/servo/arm_clock_watch.h"
-#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
 #include "core/servo/sleep_watch.h"
 #include "core/servo/slot.h"
-#include "device/remote/doorbell.h"
+#include "core/system/clock.h"
+#include "core/system/doorbell.h"
 #include "device/remote/message.h"
 
 namespace underact::device::remote {
@@ -39,7 +39,7 @@ class ArmSide final : public servo::Ticks {
     std::int64_t period_ns = 1'000'000;
     bool allows_force = false, is_passive = true;
     bool counts_time = false;  // a tick is a period, whenever it comes: for who ticks it faster than real time
-    servo::Clocks clocks = {};
+    system::Clocks clocks = {};
   };
   /// What a tick saw.
   struct Shown {
@@ -50,7 +50,7 @@ class ArmSide final : public servo::Ticks {
     std::int64_t pauses = 0;        // times that a force ended because none came
     std::int64_t most_unfresh = 0;  // most forces, in all of these, that still went out after the last that came
   };
-  ArmSide(servo::DevicePort& port, const Options& options, Doorbell& shown);
+  ArmSide(servo::DevicePort& port, const Options& options, system::Doorbell& shown);
 
   void tick() noexcept UNDERACT_REAL_TIME override;
 
@@ -81,7 +81,7 @@ class ArmSide final : public servo::Ticks {
 
   servo::DevicePort& port_;
   const Options options_;
-  Doorbell& bell_;
+  system::Doorbell& bell_;
   servo::Slot<Came> came_;
   servo::Slot<Shown> shown_;
   std::atomic<std::uint32_t> seat_{0};  // counts who came and who went; odd: it is taken

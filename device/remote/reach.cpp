@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 
 namespace underact::device::remote {
 namespace {
@@ -40,8 +40,8 @@ Problems whyNot(LineState state, const Address& address) {
 
 /// What comes next; none: nothing came in time, or nothing that is known.
 std::optional<Message> nextOf(Wire& wire, int time_ms) {
-  const std::int64_t end_ns = servo::monotonicNow_ns() + time_ms * kMillisecond_ns;
-  for (Bytes bytes; servo::monotonicNow_ns() < end_ns && wire.state() == LineState::Connected; wire.wait(-1, 1)) {
+  const std::int64_t end_ns = system::monotonicNow_ns() + time_ms * kMillisecond_ns;
+  for (Bytes bytes; system::monotonicNow_ns() < end_ns && wire.state() == LineState::Connected; wire.wait(-1, 1)) {
     while (wire.receive(bytes)) {
       std::optional<Message> message = readMessage(bytes);
       if (message) return message;
@@ -65,8 +65,9 @@ Sentence ofArmAt(const Address& address, const Sentence& words) {
 Result<std::unique_ptr<Wire>> reached(const Reach& reach, int time_ms) {
   Result<std::unique_ptr<Wire>> wire = Wire::open(reach.address, reach.server_key, reach.own);
   if (!wire) return wire.problems();
-  const std::int64_t end_ns = servo::monotonicNow_ns() + time_ms * kMillisecond_ns;
-  while (wire.value()->state() == LineState::Connecting && servo::monotonicNow_ns() < end_ns) wire.value()->wait(-1, 1);
+  const std::int64_t end_ns = system::monotonicNow_ns() + time_ms * kMillisecond_ns;
+  while (wire.value()->state() == LineState::Connecting && system::monotonicNow_ns() < end_ns)
+    wire.value()->wait(-1, 1);
   const LineState state = wire.value()->state();
   if (state != LineState::Connected) return whyNot(state, reach.address);
   return wire;
@@ -74,9 +75,9 @@ Result<std::unique_ptr<Wire>> reached(const Reach& reach, int time_ms) {
 
 Result<Welcome> welcomed(Wire& wire, const Hello& hello, const Address& address, int time_ms, bool& is_busy) {
   wire.send(bytesOf(hello));
-  const std::int64_t end_ns = servo::monotonicNow_ns() + time_ms * kMillisecond_ns;
-  while (servo::monotonicNow_ns() < end_ns) {
-    const auto left_ms = static_cast<int>((end_ns - servo::monotonicNow_ns()) / kMillisecond_ns);
+  const std::int64_t end_ns = system::monotonicNow_ns() + time_ms * kMillisecond_ns;
+  while (system::monotonicNow_ns() < end_ns) {
+    const auto left_ms = static_cast<int>((end_ns - system::monotonicNow_ns()) / kMillisecond_ns);
     const std::optional<Message> message = nextOf(wire, std::max(left_ms, 1));
     if (!message) break;
     if (const Welcome* const welcome = std::get_if<Welcome>(&*message)) return *welcome;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::device::remote {
 namespace {
@@ -52,7 +52,7 @@ Problems RemoteArm::connect() {
   }
   ++line_;
   sequence_ = 0;
-  came_ns_ = wrote_ns_ = said_ns_ = servo::monotonicNow_ns();
+  came_ns_ = wrote_ns_ = said_ns_ = system::monotonicNow_ns();
   ends_ = false;
   is_lost_ = false;
   missed_ = 0;
@@ -68,7 +68,7 @@ Result<Welcome> RemoteArm::ask(Wire& wire) {
     welcome = welcomed(wire, hello, reach_.address, kConnect_ms, is_busy);
     if (!is_busy) break;
     wire.wait(-1, 0);
-    servo::platform::sleepUntil(servo::monotonicNow_ns() + kBusyPause_ms * kMillisecond_ns);
+    system::sleepUntil(system::monotonicNow_ns() + kBusyPause_ms * kMillisecond_ns);
   }
   return welcome;
 }
@@ -103,14 +103,14 @@ void RemoteArm::lose(Sentence sentence) {
 }
 
 void RemoteArm::run() {
-  servo::platform::nameThread("underact-net");
-  servo::platform::askForRealTime({}, rate_hz_);
+  system::nameThread("underact-net");
+  system::askForRealTime({}, rate_hz_);
   const auto wait_ms = static_cast<int>(std::max<std::int64_t>(kQuietTicks * period_ns_ / kMillisecond_ns, 1));
   while (!ends_ && !is_lost_) {
-    wire_->wait(wrote_.fd(), wait_ms);
+    wire_->wait(wrote_.descriptor(), wait_ms);
     wrote_.clear();
     hear();
-    const std::int64_t now_ns = servo::monotonicNow_ns();
+    const std::int64_t now_ns = system::monotonicNow_ns();
     speak(now_ns);
     const bool is_broken = wire_->state() != LineState::Connected;
     if (is_broken) hear();  // why, if it was said
@@ -145,7 +145,7 @@ void RemoteArm::hear() {
   if (sequence_ == before) return;
   Taken& taken = taken_.back();
   taken.number = ++samples_;
-  taken.came_ns = servo::monotonicNow_ns();
+  taken.came_ns = system::monotonicNow_ns();
   taken.line = line_;
   came_ns_ = taken.came_ns;
   taken_.publish();
@@ -189,7 +189,7 @@ bool RemoteArm::read(arm::Sample& sample) noexcept {
   }
   const bool is_new = taken->number != number_;
   number_ = taken->number;
-  const std::int64_t age_ns = servo::monotonicNow_ns() - taken->came_ns;
+  const std::int64_t age_ns = system::monotonicNow_ns() - taken->came_ns;
   if (number_ == 0 || taken->line != line_ || age_ns > staleAfter_ns() || is_lost_.load(std::memory_order_relaxed) ||
       !taken->message.has_sample) {
     missed_.fetch_add(1, std::memory_order_relaxed);

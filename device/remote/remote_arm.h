@@ -8,10 +8,9 @@
 #include "core/arm/preset.h"
 #include "core/servo/device_port.h"
 #include "core/servo/slot.h"
-#include "device/remote/doorbell.h"
+#include "core/system/doorbell.h"
 #include "device/remote/message.h"
 #include "device/remote/reach.h"
-#include "device/wooden/bell.h"
 
 namespace underact::device::remote {
 
@@ -72,8 +71,8 @@ class RemoteArm final : public servo::DevicePort {
   // Between threads.
   servo::Slot<Taken> taken_;
   servo::Slot<ForceMessage> wanted_;
-  Bell came_;
-  Doorbell wrote_;
+  system::Doorbell came_;
+  system::Doorbell wrote_;
   std::atomic<bool> ends_{false}, is_cut_{false}, is_lost_{false};
   std::atomic<std::int64_t> came_ns_{0};  // the newest sample
   std::atomic<int> missed_{0};            // reads in a row that had none

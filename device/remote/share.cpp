@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 namespace underact::device::remote {
 namespace {
@@ -62,7 +62,7 @@ Share::~Share() {
   // A socket that is closed with something unread tears the line, and what was said last with it.
   std::string from;
   Bytes bytes;
-  for (const std::int64_t end_ns = servo::monotonicNow_ns() + kFarewell_ns; servo::monotonicNow_ns() < end_ns;) {
+  for (const std::int64_t end_ns = system::monotonicNow_ns() + kFarewell_ns; system::monotonicNow_ns() < end_ns;) {
     hub_->wait(-1, 1);
     while (hub_->receive(from, bytes)) continue;
   }
@@ -84,7 +84,7 @@ Problems Share::tickAt(int rate_hz) {
   shown_ = 0;
   pauses_ = 0;
   beats_ = 0;
-  beat_ns_ = servo::monotonicNow_ns();
+  beat_ns_ = system::monotonicNow_ns();
   clock_ = std::make_unique<ArmClock>(*port_, *side_, rate_hz);
   return {};
 }
@@ -107,14 +107,14 @@ void Share::tellOfGuard() {
 }
 
 void Share::run() {
-  servo::platform::nameThread("underact-share");
-  servo::platform::askForRealTime({}, rate_hz_);
+  system::nameThread("underact-share");
+  system::askForRealTime({}, rate_hz_);
   while (!ends_.load(std::memory_order_relaxed)) {
-    hub_->wait(bell_.fd(), kWait_ms);
+    hub_->wait(bell_.descriptor(), kWait_ms);
     bell_.clear();
     hear();
     show();
-    const std::int64_t now_ns = servo::monotonicNow_ns();
+    const std::int64_t now_ns = system::monotonicNow_ns();
     if (!seat_.empty() && now_ns - heard_ns_ > kSilent_ns) leave("The program that had the arm fell silent.");
     if (now_ns - looked_ns_ > kLookEvery_ns) {
       looked_ns_ = now_ns;
@@ -153,7 +153,7 @@ void Share::answer(const std::string& from, const Message& message) {
     return;
   }
   if (const ForceMessage* const force = std::get_if<ForceMessage>(&message)) {
-    heard_ns_ = servo::monotonicNow_ns();
+    heard_ns_ = system::monotonicNow_ns();
     side_->take(*force);
   } else if (std::get_if<Bye>(&message) != nullptr) {
     leave("The program that had the arm has let go of it.");
@@ -201,7 +201,7 @@ void Share::welcome(const std::string& from, const Hello& hello) {
     tell_("A program has the arm" + std::string(options_.allows_force ? "." : ", without force."));
   seat_ = from;
   token_ = hello.token;
-  heard_ns_ = servo::monotonicNow_ns();
+  heard_ns_ = system::monotonicNow_ns();
   pushed_ = false;
   side_->seat(true);
   hub_->send(from, bytesOf(words()));
@@ -262,7 +262,7 @@ std::string Share::troubleNow() {
 
 /// What is wrong at the arm; and a watchdog's look at its ticks.
 void Share::look() {
-  const std::int64_t now_ns = servo::monotonicNow_ns();
+  const std::int64_t now_ns = system::monotonicNow_ns();
   const std::int64_t beats = side_->beats();
   if (std::exchange(beats_, beats) != beats) beat_ns_ = now_ns;
   if (now_ns - beat_ns_ > kStandsStill_ns) port_->cut();
@@ -279,10 +279,10 @@ void Share::lookAfterStrangers(std::int64_t now_ns) {
   const bool is_storm = knocks_.areTooMany();
   if (std::exchange(is_storm_, is_storm) != is_storm) {
     if (is_storm) {
-      before_storm_ = ownUrgency();
-      setOwnUrgency({});
-    } else if (!setOwnUrgency(before_storm_)) {
-      servo::platform::askForRealTime({}, rate_hz_);  // it was another program's to grant
+      before_storm_ = system::ownUrgency();
+      system::setOwnUrgency({});
+    } else if (!system::setOwnUrgency(before_storm_)) {
+      system::askForRealTime({}, rate_hz_);  // it was another program's to grant
     }
   }
   turned_away_ += hub_->turnedAway();

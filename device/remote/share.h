@@ -9,13 +9,13 @@
 #include "core/arm/preset.h"
 #include "core/servo/device_port.h"
 #include "core/servo/guard.h"
+#include "core/system/urgency.h"
 #include "device/remote/address.h"
 #include "device/remote/arm_clock.h"
 #include "device/remote/arm_side.h"
 #include "device/remote/keys.h"
 #include "device/remote/knocks.h"
 #include "device/remote/message.h"
-#include "device/remote/urgency.h"
 #include "device/remote/wire.h"
 
 namespace underact::device::remote {
@@ -70,7 +70,7 @@ class Share {
   const ShareOptions options_;
   const std::function<void(const std::string&)> tell_;
   std::unique_ptr<Hub> hub_;
-  Doorbell bell_;
+  system::Doorbell bell_;
   int rate_hz_;
   std::unique_ptr<servo::Guard> guard_;
   Sentence no_guard_;  // why none was started
@@ -90,8 +90,8 @@ class Share {
   bool is_guarded_ = true;  // as it was told
   int replaced_ = 0;        // of the guards that are told of
   Knocks knocks_;
-  bool is_storm_ = false;  // too many connect
-  Urgency before_storm_;   // of this thread
+  bool is_storm_ = false;         // too many connect
+  system::Urgency before_storm_;  // of this thread
   bool is_hurried_ = false;
   int turned_away_ = 0;  // and not yet told
   std::int64_t told_away_ns_ = 0;

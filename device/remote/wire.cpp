@@ -7,8 +7,8 @@
 #include <zmq.hpp>
 
 #include "core/base/translate.h"
+#include "core/system/urgency.h"
 #include "device/remote/message.h"
-#include "device/remote/urgency.h"
 
 namespace underact::device::remote {
 namespace {
@@ -21,7 +21,7 @@ constexpr int kHandshake_ms = 2000, kHeartbeat_ms = 1000, kSilence_ms = 3000;
 /// ZeroMQ carries messages in threads of its own: on a busy machine they must be as urgent as who waits for them.
 /// Asked for only where it is granted: the library ends the program where it is not.
 void hurry(zmq::context_t& context) {
-  const std::optional<Urgency> granted = urgencyGranted();
+  const std::optional<system::Urgency> granted = system::urgencyGranted();
   if (!granted) return;
   zmq_ctx_set(context.handle(), ZMQ_THREAD_SCHED_POLICY, granted->policy);
   zmq_ctx_set(context.handle(), ZMQ_THREAD_PRIORITY, granted->priority);
@@ -288,7 +288,7 @@ int Hub::connections() {
 }
 
 void Hub::hurry(bool on) {
-  setUrgency(std::to_string(impl_->prefix) + "/ZMQbg/IO/0", on);
+  system::setUrgency(std::to_string(impl_->prefix) + "/ZMQbg/IO/0", on);
 }
 
 }  // namespace underact::device::remote

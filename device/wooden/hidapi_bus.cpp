@@ -5,13 +5,8 @@
 #include <mutex>
 
 #include "core/base/translate.h"
+#include "core/system/file.h"
 #include "device/wooden/hid_bus.h"
-
-#ifdef __linux__
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-#endif
 
 namespace underact::device {
 namespace {
@@ -33,27 +28,18 @@ class HidapiPipe final : public HidPipe {
   // Opened twice: a device keeps the text of its last error, which read and write both free, so that one handle shared
   // by two threads would be freed twice when the cable is pulled.
   explicit HidapiPipe(const std::string& path)
-      : reads_(::hid_open_path(path.c_str())), writes_(::hid_open_path(path.c_str())) {
-#ifdef __linux__
-    guard_fd_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    // Two that push one arm push twice as hard as either allows: one program at a time, and one arm of it.
-    is_taken_ = guard_fd_ >= 0 && ::flock(guard_fd_, LOCK_EX | LOCK_NB) != 0;
-#endif
-  }
+      : reads_(::hid_open_path(path.c_str())),
+        writes_(::hid_open_path(path.c_str())),
+        for_guard_(system::openToWrite(path)),
+        // Two that push one arm push twice as hard as either allows: one program at a time, and one arm of it.
+        is_taken_(for_guard_.isOpen() && !system::lock(for_guard_.number(), system::Lock::Alone)) {}
   ~HidapiPipe() override {
     const std::scoped_lock lock(hidapiMutex());
     if (reads_ != nullptr) ::hid_close(reads_);
     if (writes_ != nullptr) ::hid_close(writes_);
-#ifdef __linux__
-    if (guard_fd_ >= 0) ::close(guard_fd_);
-#endif
   }
-  bool isOpen() const {
-    return reads_ != nullptr && writes_ != nullptr;
-  }
-  bool isTaken() const {
-    return is_taken_;
-  }
+  bool isOpen() const { return reads_ != nullptr && writes_ != nullptr; }
+  bool isTaken() const { return is_taken_; }
 
   int read(std::span<std::uint8_t> report, int time_ms) override {
     return ::hid_read_timeout(reads_, report.data(), report.size(), time_ms);
@@ -61,15 +47,13 @@ class HidapiPipe final : public HidPipe {
   bool write(std::span<const std::uint8_t> report) override {
     return ::hid_write(writes_, report.data(), report.size()) >= 0;
   }
-  int guardFd() const override {
-    return guard_fd_;
-  }
+  int guardFd() const override { return for_guard_.number(); }
 
  private:
   hid_device* reads_;
   hid_device* writes_;
-  int guard_fd_ = -1;
-  bool is_taken_ = false;
+  system::Descriptor for_guard_;
+  bool is_taken_;
 };
 
 class HidapiBus final : public HidBus {
@@ -106,13 +90,7 @@ class HidapiBus final : public HidBus {
         {said(TRANSLATE_NOOP("problem", "%1 cannot be opened. Unplug it and plug it in anew."), {node.path}), {}}};
   }
 
-  bool mayOpen([[maybe_unused]] const HidNode& node) const override {
-#ifdef __linux__
-    return ::access(node.path.c_str(), R_OK | W_OK) == 0;
-#else
-    return true;
-#endif
-  }
+  bool mayOpen(const HidNode& node) const override { return system::mayReadAndWrite(node.path); }
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "core/arm/inverse.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 #include "device/wooden/handshake.h"
 
 namespace underact::device {
@@ -46,7 +46,7 @@ Result<std::unique_ptr<WoodenArm>> WoodenArm::open(HidBus& bus, const WoodenChoi
 
 WoodenArm::WoodenArm(HidBus& bus, WoodenChoice choice, const arm::Geometry& arm, int rate_hz)
     : bus_(bus), choice_(std::move(choice)), arm_(arm), period_ns_(periodOf(rate_hz)) {
-  opened_ns_ = servo::monotonicNow_ns();
+  opened_ns_ = system::monotonicNow_ns();
 }
 
 WoodenArm::~WoodenArm() {
@@ -92,8 +92,8 @@ void WoodenArm::start(std::thread& thread, const char* name, void (WoodenArm::*w
   std::future<void> answer = answered.get_future();
   const int rate_hz = static_cast<int>(1'000'000'000 / period_ns_);
   const auto run = [this, name, work, rate_hz](std::promise<void> asked) {
-    servo::platform::nameThread(name);
-    servo::platform::askForRealTime({}, rate_hz);
+    system::nameThread(name);
+    system::askForRealTime({}, rate_hz);
     asked.set_value();
     (this->*work)();
   };
@@ -141,7 +141,7 @@ void WoodenArm::take(const WoodenReport& report) {
     is_lost_ = !isWoodenPosture(woodenJoints(*model_, *wiring_, report.counts));
   }
   calibrates_ = report.wants_calibration;
-  const std::int64_t now_ns = servo::monotonicNow_ns();
+  const std::int64_t now_ns = system::monotonicNow_ns();
   taken_.back() = {++reports_, now_ns, report.counts, report.button, epoch_};
   taken_.publish();
   came_ns_ = now_ns;
@@ -155,7 +155,7 @@ void WoodenArm::writeAll() {
   while (!ends_ && loss_ == Loss::None) {
     const std::int64_t quiet_ns = kQuietPeriods * period_ns_;
     wrote_.waitFor(quiet_ns);
-    const std::int64_t now_ns = servo::monotonicNow_ns();
+    const std::int64_t now_ns = system::monotonicNow_ns();
     const Wanted& wanted = wanted_.latest();
     const bool is_new = wanted.number != said, is_quiet = now_ns - said_ns >= quiet_ns;
     if (!is_new && !is_quiet && !is_cut_ && !calibrates_) continue;  // rung once more for what is said already
@@ -178,14 +178,14 @@ std::int64_t WoodenArm::staleAfter_ns() const noexcept {
 }
 
 bool WoodenArm::isSilent() const {
-  return servo::monotonicNow_ns() - came_ns_ > kSilent_ns || missed_ >= kSilentReads;
+  return system::monotonicNow_ns() - came_ns_ > kSilent_ns || missed_ >= kSilentReads;
 }
 
 bool WoodenArm::read(arm::Sample& sample) noexcept {
   const std::int64_t half_ns = period_ns_.load(std::memory_order_relaxed) / 2;
   came_.waitFor(half_ns);
   const Taken& taken = taken_.latest();
-  const std::int64_t now_ns = servo::monotonicNow_ns();
+  const std::int64_t now_ns = system::monotonicNow_ns();
   if (loss_.load(std::memory_order_acquire) != Loss::None || now_ns - taken.time_ns > staleAfter_ns()) {
     missed_.fetch_add(1, std::memory_order_relaxed);
     return false;

@@ -7,7 +7,7 @@
 
 #include "core/servo/device_port.h"
 #include "core/servo/slot.h"
-#include "device/wooden/bell.h"
+#include "core/system/doorbell.h"
 #include "device/wooden/handshake.h"
 #include "device/wooden/kinematics.h"
 
@@ -82,7 +82,7 @@ class WoodenArm final : public servo::DevicePort {
   // Between threads.
   servo::Slot<Taken> taken_;
   servo::Slot<Wanted> wanted_;
-  Bell came_, wrote_;
+  system::Doorbell came_, wrote_;
   std::atomic<bool> ends_{false}, is_cut_{false};
   std::atomic<bool> is_lost_{false};     // its counts mean nothing until it is calibrated
   std::atomic<bool> calibrates_{false};  // it has asked for that

@@ -1,4 +1,4 @@
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "device/wooden/wooden_arm.h"
 #include "tests/contract/drivers.h"
 #include "tests/support/hid_double.h"
@@ -16,7 +16,7 @@ class WoodenFarSide final : public FarSide {
     if (!arm) return arm.problems();
     return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
   }
-  Vec3 force_N() const override { return firmware_.force_N(servo::monotonicNow_ns()); }
+  Vec3 force_N() const override { return firmware_.force_N(system::monotonicNow_ns()); }
   std::int64_t forces() const override { return firmware_.currentsTaken(); }
   void placeTip(const Vec3& p_WT) override { firmware_.placeTip(p_WT); }
   bool hasButton() const override { return firmware_.onlyAnswers(); }  // protocol 1 has none

@@ -1,4 +1,4 @@
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "device/catalogue.h"
 #include "tests/contract/drivers.h"
 #include "tests/support/uhid_board.h"
@@ -17,7 +17,7 @@ class WoodenUhidFarSide final : public FarSide {
     request.arm = *arm::findPreset(arm::kDefaultArm);
     return device::openDevice("wooden:0042", request);
   }
-  Vec3 force_N() const override { return firmware_.force_N(servo::monotonicNow_ns()); }
+  Vec3 force_N() const override { return firmware_.force_N(system::monotonicNow_ns()); }
   std::int64_t forces() const override { return firmware_.currentsTaken(); }
   void placeTip(const Vec3& p_WT) override { firmware_.placeTip(p_WT); }
   bool hasButton() const override { return firmware_.onlyAnswers(); }

@@ -47,7 +47,7 @@ const std::vector<Library>& libraries() {
       {"RapidJSON", std::regex("rapidjson"), {"core/json"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
       {"Boost.Multiprecision", std::regex("boost/multiprecision"), {"core/extremes"}, true},
-      {"systemd", std::regex("systemd/"), {"core/servo"}, false},
+      {"systemd", std::regex("systemd/"), {"core/system"}, false},
       {"CLI11", std::regex("CLI/"), {"app/options"}, false},
       {"MPI", std::regex("mpi\\.h"), {"app/sweeper"}, false},
       {"sockets", std::regex("sys/socket|netinet|arpa/"), {"core/helper"}, false},

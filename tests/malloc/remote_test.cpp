@@ -57,7 +57,7 @@ class Still final : public servo::DevicePort {
 
 TEST(RemoteArmSide, AllocatesFreesAndLocksNothingInTheTick) {
   Still arm;
-  Doorbell bell;
+  system::Doorbell bell;
   ArmSide::Options options = optionsOf(*arm::findPreset(arm::kDefaultArm), {}, 1000).value();
   options.allows_force = true;
   ArmSide side(arm, options, bell);

@@ -6,8 +6,8 @@
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
 #include "core/arm/preset.h"
-#include "core/servo/clock.h"
 #include "core/servo/device_port.h"
+#include "core/system/clock.h"
 
 namespace underact::test {
 
@@ -21,7 +21,7 @@ class ArmDouble {
   void placeTip(const Vec3& p_WT) {
     const std::scoped_lock lock(mutex_);
     q_rad_ = arm::reach(preset_.geometry, p_WT).q_rad;
-    moved_ns_ = servo::monotonicNow_ns();
+    moved_ns_ = system::monotonicNow_ns();
     answered_ns_ = 0;
   }
   void holdButton(bool held) { button_ = held; }
@@ -50,7 +50,7 @@ class ArmDouble {
 
   class Port final : public servo::DevicePort {
    public:
-    explicit Port(ArmDouble& arm) : arm_(arm), opened_ns_(servo::monotonicNow_ns()) { arm_.time_ns_ = 0; }
+    explicit Port(ArmDouble& arm) : arm_(arm), opened_ns_(system::monotonicNow_ns()) { arm_.time_ns_ = 0; }
     ~Port() override { arm_.take(Vec3::Zero()); }
     bool read(arm::Sample& sample) noexcept override {
       while (arm_.hangs_) std::this_thread::yield();
@@ -83,10 +83,10 @@ class ArmDouble {
     sample.q_rad = q_rad_;
     sample.q_rad[3] += tremble_ ? 1e-6 : 0.0;  // of the gimbal: the tip stands still, and the sample does not
     sample.buttons = button_ ? 1U : 0U;
-    time_ns_ = period_ns_ > 0 ? time_ns_ + period_ns_ : std::max(servo::monotonicNow_ns() - opened_ns, time_ns_ + 1);
+    time_ns_ = period_ns_ > 0 ? time_ns_ + period_ns_ : std::max(system::monotonicNow_ns() - opened_ns, time_ns_ + 1);
     sample.time_ns = time_ns_;
     if (given_ns_ < moved_ns_) {
-      given_ns_ = servo::monotonicNow_ns();
+      given_ns_ = system::monotonicNow_ns();
       f_before_N_ = f_N_;
     }
     return true;
@@ -96,7 +96,7 @@ class ArmDouble {
     f_N_ = force_N;
     if (force_N != Vec3::Zero()) ++pushes_;
     if (answered_ns_ == 0 && given_ns_ >= moved_ns_ && force_N.dot(f_before_N_) < f_before_N_.squaredNorm() - 1e-6)
-      answered_ns_ = servo::monotonicNow_ns() - given_ns_;
+      answered_ns_ = system::monotonicNow_ns() - given_ns_;
   }
 
   const arm::Preset preset_;

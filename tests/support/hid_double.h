@@ -7,7 +7,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "device/wooden/hid_bus.h"
 #include "tests/support/wooden_firmware.h"
 
@@ -119,7 +119,7 @@ class HidDouble final : public device::HidBus {
       bytes = std::move(said_.front());
       said_.pop_front();
     } else {
-      bytes = firmware_.report(servo::monotonicNow_ns());
+      bytes = firmware_.report(system::monotonicNow_ns());
       is_asked_ = false;
       next_ = Clock::now() + kFrame;
     }
@@ -139,7 +139,7 @@ class HidDouble final : public device::HidBus {
       if (isGone(plugged)) return false;
     }
     ++written_;
-    firmware_.receive(report.subspan(1), servo::monotonicNow_ns());
+    firmware_.receive(report.subspan(1), system::monotonicNow_ns());
     if (firmware_.onlyAnswers() && !is_asked_) next_ = Clock::now() + kFrame;
     is_asked_ = true;
     changed_.notify_all();

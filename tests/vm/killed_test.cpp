@@ -9,7 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "device/catalogue.h"
 #include "tests/support/comes.h"
 #include "tests/support/uhid_board.h"
@@ -57,8 +57,8 @@ class InTheMachine : public testing::Test {
     }
     pid_ = -1;
   }
-  double force_N() const { return firmware_.force_N(servo::monotonicNow_ns()).norm(); }
-  bool hasCurrent() const { return firmware_.currents_mA(servo::monotonicNow_ns()) != std::array<int, 3>{}; }
+  double force_N() const { return firmware_.force_N(system::monotonicNow_ns()).norm(); }
+  bool hasCurrent() const { return firmware_.currents_mA(system::monotonicNow_ns()) != std::array<int, 3>{}; }
 
   WoodenFirmware firmware_{{}};
   UhidBoard board_{firmware_};

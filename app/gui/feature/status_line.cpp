@@ -123,7 +123,7 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
 
 /// It changes when the servo is begun anew.
 void StatusLine::presentScheduling() {
-  const servo::Scheduling scheduling = servo_.scheduling();
+  const system::Scheduling scheduling = servo_.scheduling();
   putText(scheduling_, schedulingText(scheduling));
   QStringList lines{sentenceText(scheduling.hint), phrasesOf(scheduling.also)};
   lines.removeAll(QString());

@@ -21,8 +21,8 @@ class ServoFacts {
   double forceShare() const { return host_->forceShare(); }
   int rateHz() const { return host_->rateHz(); }
   int maxLate() const { return host_->maxLate(); }
-  servo::Scheduling scheduling() const { return host_->scheduling(); }
-  const servo::SchedulingWanted& schedulingWanted() const { return host_->schedulingWanted(); }
+  system::Scheduling scheduling() const { return host_->scheduling(); }
+  const system::SchedulingWanted& schedulingWanted() const { return host_->schedulingWanted(); }
   Sentence unguarded() const { return host_->unguarded(); }
   servo::DeviceInfo device() const { return host_->device(); }
   Sentence trouble() const { return host_->trouble(); }

@@ -6,7 +6,7 @@
 
 namespace underact::gui {
 
-QString schedulingText(const servo::Scheduling& scheduling) {
+QString schedulingText(const system::Scheduling& scheduling) {
   const QString granted = sentenceText(scheduling.name);
   return scheduling.name == "normal" ? QObject::tr("real time: not granted")
                                      : QObject::tr("real time: %1").arg(granted);

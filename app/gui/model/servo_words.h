@@ -6,6 +6,6 @@
 namespace underact::gui {
 
 /// "real time: FIFO 80"
-QString schedulingText(const servo::Scheduling& scheduling);
+QString schedulingText(const system::Scheduling& scheduling);
 
 }  // namespace underact::gui

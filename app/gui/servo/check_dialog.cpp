@@ -44,7 +44,7 @@ QString verdictOf(const servo::CheckResult& result) {
          times;
 }
 
-CheckDialog::CheckDialog(int rate_hz, const servo::SchedulingWanted& wanted, QWidget* parent)
+CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QWidget* parent)
     : QDialog(parent),
       rate_hz_(rate_hz),
       wanted_(wanted),

@@ -19,7 +19,7 @@ namespace underact::gui {
 class CheckDialog : public QDialog {
   Q_OBJECT
  public:
-  CheckDialog(int rate_hz, const servo::SchedulingWanted& wanted, QWidget* parent);
+  CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QWidget* parent);
   ~CheckDialog() override;
   bool isRunning() const { return run_ != nullptr; }
   /// The verdict, or how far it is: what a screen reader says.
@@ -32,7 +32,7 @@ class CheckDialog : public QDialog {
   void present(const servo::CheckResult& result);
 
   int rate_hz_;
-  servo::SchedulingWanted wanted_;
+  system::SchedulingWanted wanted_;
   std::unique_ptr<CheckRun> run_;
   QLabel* message_;
   QSpinBox* seconds_;

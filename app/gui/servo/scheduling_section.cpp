@@ -22,7 +22,7 @@ SchedulingSection::SchedulingSection(QWidget* parent)
   }
 }
 
-void SchedulingSection::present(const servo::Scheduling& scheduling) {
+void SchedulingSection::present(const system::Scheduling& scheduling) {
   const QString name = schedulingText(scheduling);
   if (name_->text() != name) name_->setText(name);
   const QString also = phrasesOf(scheduling.also);

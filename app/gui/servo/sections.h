@@ -36,7 +36,7 @@ class SchedulingSection : public Section {
   Q_OBJECT
  public:
   explicit SchedulingSection(QWidget* parent = nullptr);
-  void present(const servo::Scheduling& scheduling);
+  void present(const system::Scheduling& scheduling);
 
  private:
   QLabel *name_, *also_, *hint_;

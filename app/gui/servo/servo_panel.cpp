@@ -158,7 +158,7 @@ void ServoPanel::present(const servo::Snapshot& snapshot) {
   const std::int64_t since = snapshot.ticks - shown_ticks_;
   if (shown_ticks_ >= 0 && since >= 0 && since < rate_hz / kTimesASecond) return;
   shown_ticks_ = snapshot.ticks;
-  const servo::Scheduling scheduling = parts_.servo.scheduling();
+  const system::Scheduling scheduling = parts_.servo.scheduling();
   time_->present(snapshot, parts_.servo.timing(), rate_hz, scheduling.name == "manual" ? 0.0 : measured_hz_);
   scheduling_->present(scheduling);
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/servo/clock.h"
+#include "core/system/clock.h"
 #include "tests/support/property.h"
 
 namespace underact::servo {
@@ -32,14 +32,14 @@ std::int64_t firstFault(std::int64_t ticks, std::int64_t period_ns, Clock&& samp
 TEST(ArmClockWatch, ARateOffByMoreThanATenthIsFoundWithinASecondAndASmallerOneNever) {
   for (const std::int64_t period_ns : {100'000, 1'000'000, 10'000'000}) {
     for (const double rate : {0.01, 0.5, 0.85, 1.15, 2.0, 100.0, 1000.0, 1e6}) {
-      const std::int64_t tick = firstFault(3 * kSecond_ns / period_ns, period_ns, [&](auto, std::int64_t now_ns) {
-        return static_cast<std::int64_t>(rate * static_cast<double>(now_ns));
-      });
+      const std::int64_t tick = firstFault(
+          3 * system::kSecond_ns / period_ns, period_ns,
+          [&](auto, std::int64_t now_ns) { return static_cast<std::int64_t>(rate * static_cast<double>(now_ns)); });
       EXPECT_GT(tick, 0) << rate;
-      EXPECT_LE(tick * period_ns, kSecond_ns) << rate;
+      EXPECT_LE(tick * period_ns, system::kSecond_ns) << rate;
     }
     for (const double rate : {0.95, 0.9999, 1.0, 1.0001, 1.05}) {
-      EXPECT_EQ(firstFault(600 * kSecond_ns / period_ns / 60, period_ns,
+      EXPECT_EQ(firstFault(600 * system::kSecond_ns / period_ns / 60, period_ns,
                            [&](auto, std::int64_t now_ns) {
                              return static_cast<std::int64_t>(rate * static_cast<double>(now_ns));
                            }),
@@ -51,7 +51,8 @@ TEST(ArmClockWatch, ARateOffByMoreThanATenthIsFoundWithinASecondAndASmallerOneNe
 
 TEST(ArmClockWatch, ALeapIsFoundInTheTickInWhichItCame) {
   constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
-  for (const std::int64_t leap_ns : {200 * kMillisecond_ns, 3'600 * kSecond_ns, kLast - 3 * kSecond_ns}) {
+  for (const std::int64_t leap_ns :
+       {200 * kMillisecond_ns, 3'600 * system::kSecond_ns, kLast - 3 * system::kSecond_ns}) {
     EXPECT_EQ(firstFault(3000, kMillisecond_ns,
                          [&](std::int64_t tick, std::int64_t now_ns) { return now_ns + (tick >= 700 ? leap_ns : 0); }),
               700)
@@ -62,7 +63,7 @@ TEST(ArmClockWatch, ALeapIsFoundInTheTickInWhichItCame) {
 TEST(ArmClockWatch, SaysHowFarEachOfTheTwoWent) {
   ArmClockWatch watch;
   EXPECT_EQ(watch.look(0, 0, 0, kMillisecond_ns).kind, FaultKind::None);
-  const Fault ahead = watch.look(3600 * kSecond_ns, kMillisecond_ns, kMillisecond_ns, kMillisecond_ns);
+  const Fault ahead = watch.look(3600 * system::kSecond_ns, kMillisecond_ns, kMillisecond_ns, kMillisecond_ns);
   EXPECT_EQ(ahead.kind, FaultKind::OddClock);
   EXPECT_NEAR(ahead.seen, 3600.0, 1e-9);
   EXPECT_NEAR(ahead.allowed, 0.001, 1e-12);
@@ -72,8 +73,8 @@ TEST(ArmClockWatch, SaysHowFarEachOfTheTwoWent) {
       "arm again, then press Start.");
   Fault behind;
   for (int tick = 0; behind.kind == FaultKind::None && tick < 1000; ++tick)
-    behind =
-        watch.look(3600 * kSecond_ns + tick * 10'000, tick * kMillisecond_ns, tick * kMillisecond_ns, kMillisecond_ns);
+    behind = watch.look(3600 * system::kSecond_ns + tick * 10'000, tick * kMillisecond_ns, tick * kMillisecond_ns,
+                        kMillisecond_ns);
   EXPECT_EQ(behind.kind, FaultKind::OddClock);
   EXPECT_LT(behind.seen, 0.002);
   EXPECT_NEAR(behind.allowed, 0.102, 0.001);
@@ -81,10 +82,11 @@ TEST(ArmClockWatch, SaysHowFarEachOfTheTwoWent) {
 
 TEST(ArmClockWatch, ASampleThatIsNotNewerIsForTheTickToJudge) {
   EXPECT_EQ(firstFault(5000, kMillisecond_ns, [](auto, auto) { return std::int64_t{5}; }), -1);
-  EXPECT_EQ(
-      firstFault(5000, kMillisecond_ns,
-                 [](std::int64_t tick, std::int64_t now_ns) { return now_ns - (tick > 50 ? 3600 * kSecond_ns : 0); }),
-      -1);
+  EXPECT_EQ(firstFault(5000, kMillisecond_ns,
+                       [](std::int64_t tick, std::int64_t now_ns) {
+                         return now_ns - (tick > 50 ? 3600 * system::kSecond_ns : 0);
+                       }),
+            -1);
 }
 
 // A simulated arm counts its reads, and ticks that are late leave some out; any share of the two is well.

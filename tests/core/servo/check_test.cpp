@@ -15,7 +15,7 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr SchedulingWanted kPlainScheduling{.way = Way::Normal, .lock_memory = false};
+constexpr system::SchedulingWanted kPlainScheduling{.way = system::Way::Normal, .lock_memory = false};
 
 tick::TickProgram sphere() {
   scene::Description scene;

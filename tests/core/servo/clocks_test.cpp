@@ -59,9 +59,9 @@ std::function<std::int64_t(std::int64_t)> atRate(double rate) {
 /// A clock with sleep that the test sets; the other one is the machine's.
 std::atomic<std::int64_t> slept_ns{0};
 std::int64_t asleepNow_ns() noexcept {
-  return monotonicNow_ns() + slept_ns;
+  return system::monotonicNow_ns() + slept_ns;
 }
-const Clocks kSleepy{monotonicNow_ns, asleepNow_ns};
+const system::Clocks kSleepy{system::monotonicNow_ns, asleepNow_ns};
 
 /// A loop with a clock, ticked by hand.
 struct SleepRig {
@@ -87,7 +87,7 @@ struct SleepRig {
   Fault fault() { return loop.snapshot().report.fault; }
   ScriptedPort::Seen seen;
   ScriptedPort port{seen, 20'000};
-  std::int64_t at_ns = monotonicNow_ns();
+  std::int64_t at_ns = system::monotonicNow_ns();
   Loop loop{port, kTick_ns, 100 * kTick_ns, kSleepy};
 };
 
@@ -245,7 +245,7 @@ TEST(Asleep, AServosOwnThreadFindsIt) {
 
 TEST(Asleep, TheMachinesOwnClocksAgreeWhileItIsAwake) {
   SleepWatch watch;
-  const Clocks clocks;
+  const system::Clocks clocks;
   for (int look = 0; look < 100'000; ++look) ASSERT_EQ(watch.look(clocks), 0);
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/servo/cores.h"
+#include "core/system/cores.h"
 #include "tests/support/random.h"
 
 namespace underact::servo {
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kPeriod_ns = 1'000'000;
 
-using platform::Interruptions;
+using system::Interruptions;
 
 TEST(Deadlines, ATickOnTimeIsFollowedByTheNextDeadline) {
   Deadlines deadlines(kPeriod_ns, 5'000'000, {});
@@ -96,14 +96,15 @@ TEST(LateCause, HasANameOfItsOwnForEach) {
 }
 
 TEST(FirstCore, IsTheFirstOfAListAsLinuxWritesIt) {
-  EXPECT_EQ(firstCore("3\n"), 3);
-  EXPECT_EQ(firstCore("2-3,7\n"), 2);
-  EXPECT_EQ(firstCore("5,7"), 5);
-  EXPECT_EQ(firstCore("0"), 0);
+  EXPECT_EQ(system::firstCore("3\n"), 3);
+  EXPECT_EQ(system::firstCore("2-3,7\n"), 2);
+  EXPECT_EQ(system::firstCore("5,7"), 5);
+  EXPECT_EQ(system::firstCore("0"), 0);
 }
 
 TEST(FirstCore, IsNoneOfAnythingElse) {
-  for (const char* list : {"", "\n", "-1", "x", "3x", " 3", "(null)"}) EXPECT_EQ(firstCore(list), std::nullopt) << list;
+  for (const char* list : {"", "\n", "-1", "x", "3x", " 3", "(null)"})
+    EXPECT_EQ(system::firstCore(list), std::nullopt) << list;
 }
 
 }  // namespace

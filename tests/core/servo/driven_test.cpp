@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "core/servo/clock.h"
 #include "core/servo/host.h"
+#include "core/system/clock.h"
 #include "tests/core/servo/scripted_port.h"
 #include "tests/support/comes.h"
 

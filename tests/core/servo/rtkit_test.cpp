@@ -1,4 +1,4 @@
-#include "core/servo/rtkit.h"
+#include "core/system/rtkit.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 #include "tests/core/servo/fake_rtkit.h"
 
 namespace underact::servo {
@@ -20,8 +20,8 @@ using test::SystemBusAt;
 
 /// What a thread got, and what it is afterwards.
 struct Got {
-  RtkitAnswer answer;
-  Scheduling scheduling;
+  system::RtkitAnswer answer;
+  system::Scheduling scheduling;
   std::uint64_t thread = 0;
   int policy = 0;
   int priority = 0;
@@ -43,7 +43,7 @@ Got inThread(const Ask& ask) {
 }
 
 Got askInThread() {
-  return inThread([](Got& got) { got.answer = askRtkit(); });
+  return inThread([](Got& got) { got.answer = system::askRtkit(); });
 }
 
 class RtkitAtItsBorder : public testing::Test {
@@ -118,16 +118,18 @@ TEST_F(RtkitAtItsBorder, ABusWithoutTheServiceSaysSo) {
 
 TEST_F(RtkitAtItsBorder, IsTheWayThatIsNamedWhereItIsWanted) {
   const FakeRtkit rtkit(bus_->address(), Rtkit{});
-  const Got got = inThread(
-      [](Got& into) { into.scheduling = platform::askForRealTime({.way = Way::Rtkit, .lock_memory = false}, 1000); });
+  const Got got = inThread([](Got& into) {
+    into.scheduling = system::askForRealTime({.way = system::Way::Rtkit, .lock_memory = false}, 1000);
+  });
   EXPECT_EQ(got.scheduling.name, rtkit.asked().is_held ? "normal" : "rtkit 20");
   EXPECT_NE(got.scheduling.hint.find("rtprio"), std::string::npos) << got.scheduling.hint;
 }
 
 TEST_F(RtkitAtItsBorder, ItsRefusalLeavesTheThreadNormalWithAHintAndTheReason) {
   const FakeRtkit rtkit(bus_->address(), {.refuses = true});
-  const Got got = inThread(
-      [](Got& into) { into.scheduling = platform::askForRealTime({.way = Way::Rtkit, .lock_memory = false}, 1000); });
+  const Got got = inThread([](Got& into) {
+    into.scheduling = system::askForRealTime({.way = system::Way::Rtkit, .lock_memory = false}, 1000);
+  });
   EXPECT_EQ(got.scheduling.name, "normal");
   EXPECT_NE(got.scheduling.hint.find("real_time.md"), std::string::npos) << got.scheduling.hint;
   const std::vector<Sentence>& also = got.scheduling.also;

@@ -18,7 +18,7 @@
 
 #include "core/base/denormals.h"
 #include "core/servo/host.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 #include "tests/core/servo/fake_rtkit.h"
 #include "tests/core/servo/scripted_port.h"
 
@@ -33,20 +33,20 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr SchedulingWanted kPlain{.way = Way::Normal, .lock_memory = false};
+constexpr system::SchedulingWanted kPlain{.way = system::Way::Normal, .lock_memory = false};
 
 /// What a thread of its own is granted.
 template <class Before>
-Scheduling granted(const SchedulingWanted& wanted, const Before& before) {
-  Scheduling scheduling;
+system::Scheduling granted(const system::SchedulingWanted& wanted, const Before& before) {
+  system::Scheduling scheduling;
   std::thread([&] {
     before();
-    scheduling = platform::askForRealTime(wanted, 1000);
+    scheduling = system::askForRealTime(wanted, 1000);
   }).join();
   return scheduling;
 }
 
-bool tells(const Scheduling& scheduling, const std::string& phrase) {
+bool tells(const system::Scheduling& scheduling, const std::string& phrase) {
   return std::find(scheduling.also.begin(), scheduling.also.end(), phrase) != scheduling.also.end();
 }
 
@@ -86,11 +86,11 @@ double halfOf(double value) {
 
 TEST(AskForRealTime, NormalIsNormalEvenWhereTheMakerIsNot) {
   int policy = -1;
-  Scheduling scheduling;
+  system::Scheduling scheduling;
   std::thread([&] {
     const sched_param high{50};
     sched_setscheduler(0, SCHED_FIFO, &high);  // where it is allowed
-    scheduling = platform::askForRealTime(kPlain, 1000);
+    scheduling = system::askForRealTime(kPlain, 1000);
     policy = sched_getscheduler(0);
   }).join();
   EXPECT_EQ(policy, SCHED_OTHER);
@@ -101,7 +101,7 @@ TEST(AskForRealTime, NormalIsNormalEvenWhereTheMakerIsNot) {
 TEST(AskForRealTime, ReducesTheTimerSlackTo1ns) {
   int slack_ns = 0;
   std::thread([&] {
-    platform::askForRealTime(kPlain, 1000);
+    system::askForRealTime(kPlain, 1000);
     slack_ns = prctl(PR_GET_TIMERSLACK);
   }).join();
   EXPECT_EQ(slack_ns, 1);
@@ -112,7 +112,7 @@ TEST(AskForRealTime, FifoIs80OrWhatTheLimitOfTheLoginAllows) {
   rlimit limit{};
   getrlimit(RLIMIT_RTPRIO, &limit);
   const auto allowed = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 80));
-  const Scheduling scheduling = granted({.way = Way::Fifo, .lock_memory = false}, dropPrivileges);
+  const system::Scheduling scheduling = granted({.way = system::Way::Fifo, .lock_memory = false}, dropPrivileges);
   EXPECT_EQ(scheduling.name, allowed > 0 ? "FIFO " + std::to_string(allowed) : "normal");
   EXPECT_EQ(scheduling.hint.find("rtprio") != std::string::npos, allowed < 80) << scheduling.hint;
   EXPECT_NE(scheduling.hint.find("real_time.md"), std::string::npos);
@@ -124,7 +124,7 @@ TEST(AskForRealTime, AutoTriesFifoThenRtkitThenNothing) {
   getrlimit(RLIMIT_RTPRIO, &before);
   const rlimit none{0, before.rlim_max};  // so that FIFO is refused, whatever this login is allowed
   setrlimit(RLIMIT_RTPRIO, &none);
-  const Scheduling scheduling = granted({.way = Way::Auto, .lock_memory = false}, dropPrivileges);
+  const system::Scheduling scheduling = granted({.way = system::Way::Auto, .lock_memory = false}, dropPrivileges);
   setrlimit(RLIMIT_RTPRIO, &before);
   EXPECT_EQ(scheduling.name, "normal");
   EXPECT_TRUE(std::any_of(scheduling.also.begin(), scheduling.also.end(),
@@ -135,11 +135,11 @@ TEST(AskForRealTime, RunsOnTheCoreThatIsAskedForAndNoOther) {
   const int core = firstAllowedCore();
   cpu_set_t cores;
   CPU_ZERO(&cores);
-  SchedulingWanted wanted = kPlain;
+  system::SchedulingWanted wanted = kPlain;
   wanted.core = core;
-  Scheduling scheduling;
+  system::Scheduling scheduling;
   std::thread([&] {
-    scheduling = platform::askForRealTime(wanted, 1000);
+    scheduling = system::askForRealTime(wanted, 1000);
     sched_getaffinity(0, sizeof cores, &cores);
   }).join();
   EXPECT_EQ(CPU_COUNT(&cores), 1);
@@ -148,9 +148,9 @@ TEST(AskForRealTime, RunsOnTheCoreThatIsAskedForAndNoOther) {
 }
 
 TEST(AskForRealTime, ACoreThatIsNotThereIsRefusedAndSaidSo) {
-  SchedulingWanted wanted = kPlain;
+  system::SchedulingWanted wanted = kPlain;
   wanted.core = 1023;
-  const Scheduling scheduling = granted(wanted, [] {});
+  const system::Scheduling scheduling = granted(wanted, [] {});
   EXPECT_TRUE(tells(scheduling, "core 1023 refused"));
   EXPECT_NE(scheduling.hint.find("core"), std::string::npos);
 }
@@ -164,10 +164,10 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
   const std::size_t beyond_bytes = 2 * limit.rlim_cur + (std::size_t{64} << 20U);
   void* memory = MAP_FAILED;
   munlockall();  // what a test before this one may have locked, as root
-  Scheduling scheduling;
+  system::Scheduling scheduling;
   std::thread([&] {
     dropPrivileges();
-    scheduling = platform::askForRealTime({.way = Way::Normal}, 1000);
+    scheduling = system::askForRealTime({.way = system::Way::Normal}, 1000);
     memory = mmap(nullptr, beyond_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   }).join();
   setrlimit(RLIMIT_MEMLOCK, &before);
@@ -178,7 +178,7 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
 
 TEST(AskForRealTime, LocksMemoryWhereThatIsAllowedAndLeavesItWhereItIsNotWanted) {
   EXPECT_TRUE(tells(granted(kPlain, [] {}), "memory not locked"));
-  const Scheduling scheduling = granted({.way = Way::Normal}, [] {});
+  const system::Scheduling scheduling = granted({.way = system::Way::Normal}, [] {});
   if (!tells(scheduling, "memory locked") || !kLocksMemory) {
     GTEST_SKIP() << "SKIPPED: memory may not be locked here (or a sanitizer keeps it from being).";
   }
@@ -233,7 +233,7 @@ TEST(ServoThread, AnArmThatHoldsTheTickUpIsTheCauseAndNoBurstMakesUpForIt) {
     auto port = std::make_unique<ScriptedPort>(seen);
     port->spoil = [&](std::int64_t read, arm::Sample&) {
       if (read == kHeldUp) std::this_thread::sleep_for(kPause);
-      if (reads_ns.size() < reads_ns.capacity()) reads_ns.push_back(monotonicNow_ns());
+      if (reads_ns.size() < reads_ns.capacity()) reads_ns.push_back(system::monotonicNow_ns());
       return true;
     };
     Host host(std::move(port), {.rate_hz = 1000, .clock = Clock::Thread});

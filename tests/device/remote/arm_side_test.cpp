@@ -93,7 +93,7 @@ ArmSide::Options optionsFor(bool is_passive, const char* preset = kPreset) {
 /// 10 s of a hand at a ball of 40 mm that is felt from afar: the most that the arm has given away, J.
 double mostGiven_J(const Trial& trial) {
   Watched arm(trial.hand);
-  Doorbell bell;
+  system::Doorbell bell;
   ArmSide side(arm, optionsFor(trial.is_passive), bell);
   side.seat(true);
   Line<SampleMessage> out(trial.delay_ms, trial.jitter_ms, 1);
@@ -138,14 +138,14 @@ struct Rig {
   void advance() { side.tick(); }
   test::ArmDouble arm;
   test::ArmDouble::Port port{arm};
-  Doorbell bell;
+  system::Doorbell bell;
   ArmSide side;
   std::uint64_t number = 0;
 };
 
 std::atomic<std::int64_t> side_slept_ns{0};
 std::int64_t sideWithSleep_ns() noexcept {
-  return servo::monotonicNow_ns() + side_slept_ns;
+  return system::monotonicNow_ns() + side_slept_ns;
 }
 
 }  // namespace

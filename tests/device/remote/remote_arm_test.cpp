@@ -133,12 +133,12 @@ TEST(RemoteArm, TimeGoesOnAsTheArmsDoesWhenThatBeganAnew) {
   far.cable().plug();
   ASSERT_TRUE(client.arm->reopen().empty());
   ASSERT_TRUE(comes([&] { return client.tick(Vec3::Zero()); }));
-  const std::int64_t from_ns = client.sample.time_ns, began_ns = servo::monotonicNow_ns();
+  const std::int64_t from_ns = client.sample.time_ns, began_ns = system::monotonicNow_ns();
   for (int tick = 0; tick < 50; ++tick) {
     std::this_thread::sleep_for(4ms);
     client.tick(Vec3::Zero());
   }
-  EXPECT_GT(client.sample.time_ns - from_ns, (servo::monotonicNow_ns() - began_ns) / 2);
+  EXPECT_GT(client.sample.time_ns - from_ns, (system::monotonicNow_ns() - began_ns) / 2);
 }
 
 TEST(RemoteArm, ALineThatIsHeldUpHasNoSampleAndTheArmNoForce) {

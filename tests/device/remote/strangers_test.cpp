@@ -9,9 +9,9 @@
 #include <fstream>
 #include <regex>
 
+#include "core/system/urgency.h"
 #include "device/remote/knocks.h"
 #include "device/remote/remote_arm.h"
-#include "device/remote/urgency.h"
 #include "tests/support/comes.h"
 #include "tests/support/shared_arm.h"
 
@@ -89,7 +89,7 @@ TEST(RemoteKnocks, AClassMayLookAndAStormIsTooMuchUntilItHasRested) {
 TEST(RemoteStrangers, GetRealTimeNeitherWithoutASeatNorByAStorm) {
   SharedArm far;
   const int port = far.reach(true).address.port;
-  const int urgent = urgencyGranted() ? SCHED_FIFO : SCHED_OTHER;  // where nothing is granted, nobody gets it
+  const int urgent = system::urgencyGranted() ? SCHED_FIFO : SCHED_OTHER;  // where nothing is granted, nobody gets it
   EXPECT_TRUE(comes([] { return policyOfHub() == SCHED_OTHER; }))
       << policyOfHub();  // its thread has its name in a while
   knock(port, 200);

@@ -55,8 +55,8 @@ struct WoodenRig {
     arm->write(gatedForWooden(f_T_W));
     return has;
   }
-  Vec3 force_N() const { return firmware.force_N(servo::monotonicNow_ns()); }
-  bool rests() const { return firmware.currents_mA(servo::monotonicNow_ns()) == std::array<int, 3>{}; }
+  Vec3 force_N() const { return firmware.force_N(system::monotonicNow_ns()); }
+  bool rests() const { return firmware.currents_mA(system::monotonicNow_ns()) == std::array<int, 3>{}; }
   /// Ticks until it is pushed so, to half a mA of each motor.
   bool push(const Vec3& f_T_W) {
     return comes([&] {

@@ -6,9 +6,9 @@
 #include <ctime>
 
 #include "core/base/excepted.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
-namespace underact::servo {
+namespace underact::system {
 
 namespace {
 
@@ -27,8 +27,6 @@ std::int64_t monotonicNow_ns() noexcept {
 std::int64_t withSleepNow_ns() noexcept {
   return read_ns(CLOCK_BOOTTIME);
 }
-
-namespace platform {
 
 void sleepUntil(std::int64_t deadline_ns) noexcept {
   const timespec at{static_cast<time_t>(deadline_ns / 1'000'000'000), static_cast<long>(deadline_ns % 1'000'000'000)};
@@ -54,6 +52,5 @@ Interruptions interruptions() noexcept {
   return {usage.ru_minflt + usage.ru_majflt, usage.ru_nivcsw};
 }
 
-}  // namespace platform
-}  // namespace underact::servo
+}  // namespace underact::system
 #endif

@@ -12,10 +12,10 @@
 #include <string>
 
 #include "core/base/translate.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 // Never run: written after Microsoft's reference, compiled by a test where MinGW is installed. Link with avrt.
-namespace underact::servo {
+namespace underact::system {
 namespace {
 
 constexpr DWORD kHighResolution = 0x2;  // CREATE_WAITABLE_TIMER_HIGH_RESOLUTION, which older headers do not have
@@ -62,8 +62,6 @@ std::int64_t withSleepNow_ns() noexcept {
       static_cast<std::int64_t>(GetTickCount64()) * 1'000'000 - static_cast<std::int64_t>(awake) * 100;
   return monotonicNow_ns() + slept_ns;
 }
-
-namespace platform {
 
 void sleepUntil(std::int64_t deadline_ns) noexcept {
   thread_local const Timer timer;
@@ -120,6 +118,5 @@ Interruptions interruptions() noexcept {
   return {};  // Windows counts page faults by process only
 }
 
-}  // namespace platform
-}  // namespace underact::servo
+}  // namespace underact::system
 #endif

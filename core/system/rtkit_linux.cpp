@@ -11,12 +11,12 @@
 #include <memory>
 
 #include "core/base/translate.h"
-#include "core/servo/rtkit.h"
+#include "core/system/rtkit.h"
 
-namespace underact::servo {
+namespace underact::system {
 namespace {
 
-constexpr int kPriority = 20;                   // what rtkit grants at most, as it is shipped
+constexpr int kMostByRtkit = 20;                // what rtkit grants at most, as it is shipped
 constexpr std::uint64_t kLongest_us = 200'000;  // without a rest, as it is shipped
 constexpr std::uint64_t kPatience_us = 1000'000;
 
@@ -76,7 +76,7 @@ RtkitAnswer askRtkit() {
       longest_us <= 0) {
     longest_us = static_cast<std::int64_t>(kLongest_us);
   }
-  const int priority = std::min(kPriority, static_cast<int>(most_priority));
+  const int priority = std::min(kMostByRtkit, static_cast<int>(most_priority));
   if (priority < 1) return {0, said(TRANSLATE_NOOP("problem", "it grants no priority"))};
   if (!limitTimeWithoutRest(std::min(kLongest_us, static_cast<std::uint64_t>(longest_us)))) {
     return {0, said(TRANSLATE_NOOP("problem", "RLIMIT_RTTIME cannot be set"))};
@@ -92,5 +92,5 @@ RtkitAnswer askRtkit() {
   return {priority, {}};
 }
 
-}  // namespace underact::servo
+}  // namespace underact::system
 #endif

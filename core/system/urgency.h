@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-namespace underact::device::remote {
+namespace underact::system {
 
 /// A scheduling of the system's; by itself that of any program.
 struct Urgency {
@@ -21,4 +21,4 @@ bool setOwnUrgency(const Urgency& wanted);
 /// of any program. Where nothing is granted, or there is no such thread, nothing happens.
 void setUrgency(const std::string& thread_name, bool on);
 
-}  // namespace underact::device::remote
+}  // namespace underact::system

@@ -1,5 +1,3 @@
-#include "device/remote/urgency.h"
-
 #ifdef __linux__
 #include <pthread.h>
 #include <sched.h>
@@ -7,26 +5,21 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
-#endif
 
-namespace underact::device::remote {
+#include "core/system/urgency.h"
 
-#ifdef __linux__
+namespace underact::system {
 namespace {
 
-constexpr int kPriority = 79;
+constexpr int kBelowServo = 79;
 
 }  // namespace
 
 std::optional<Urgency> urgencyGranted() {
   bool is_granted = false;
-  std::thread([&is_granted] {
-    sched_param wanted{};
-    wanted.sched_priority = kPriority;
-    is_granted = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0;
-  }).join();
+  std::thread([&is_granted] { is_granted = setOwnUrgency({SCHED_FIFO, kBelowServo}); }).join();
   if (!is_granted) return {};
-  return Urgency{SCHED_FIFO, kPriority};
+  return Urgency{SCHED_FIFO, kBelowServo};
 }
 
 Urgency ownUrgency() {
@@ -49,24 +42,10 @@ void setUrgency(const std::string& thread_name, bool on) {
     std::string name;
     if (!std::getline(file, name) || name != thread_name) continue;
     sched_param wanted{};
-    wanted.sched_priority = on ? kPriority : 0;
+    wanted.sched_priority = on ? kBelowServo : 0;
     sched_setscheduler(std::stoi(task.path().filename()), on ? SCHED_FIFO : SCHED_OTHER, &wanted);
   }
 }
 
-#else
-
-std::optional<Urgency> urgencyGranted() {
-  return {};
-}
-Urgency ownUrgency() {
-  return {};
-}
-bool setOwnUrgency(const Urgency& /*wanted*/) {
-  return true;
-}
-void setUrgency(const std::string& /*thread_name*/, bool /*on*/) {}
-
+}  // namespace underact::system
 #endif
-
-}  // namespace underact::device::remote

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string_view>
 
-namespace underact::servo {
+namespace underact::system {
 
 /// The first core of a list as Linux writes them ("2-3,7"); none where the list is empty or no such list.
 std::optional<int> firstCore(std::string_view list);
 
-}  // namespace underact::servo
+}  // namespace underact::system

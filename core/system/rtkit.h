@@ -1,7 +1,7 @@
 #pragma once
 #include "core/base/sentence.h"
 
-namespace underact::servo {
+namespace underact::system {
 
 /// What rtkit answered.
 struct RtkitAnswer {
@@ -15,4 +15,4 @@ struct RtkitAnswer {
 /// through all of it. Waits up to 1 s for each of three answers.
 RtkitAnswer askRtkit();
 
-}  // namespace underact::servo
+}  // namespace underact::system

@@ -1,5 +1,4 @@
 #ifdef __linux__
-#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -13,11 +12,12 @@
 #include <optional>
 
 #include "core/base/translate.h"
-#include "core/servo/cores.h"
-#include "core/servo/platform.h"
-#include "core/servo/rtkit.h"
+#include "core/system/cores.h"
+#include "core/system/rtkit.h"
+#include "core/system/thread.h"
+#include "core/system/urgency.h"
 
-namespace underact::servo::platform {
+namespace underact::system {
 namespace {
 
 constexpr int kPriority = 80;                    // above what a desktop runs, below the kernel's own threads (99)
@@ -29,15 +29,9 @@ int askForFifo() {
   getrlimit(RLIMIT_RTPRIO, &limit);
   const int allowed = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, kPriority));
   for (const int priority : {kPriority, allowed}) {
-    const sched_param wanted{priority};
-    if (priority > 0 && pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0) return priority;
+    if (priority > 0 && setOwnUrgency({SCHED_FIFO, priority})) return priority;
   }
   return 0;
-}
-
-void beNormal() {
-  const sched_param none{};
-  pthread_setschedparam(pthread_self(), SCHED_OTHER, &none);  // a new thread inherits what its maker has
 }
 
 /// Whether this process may lock more than its limit says: unlimited, or privileged. Tried on pages nobody may touch,
@@ -69,30 +63,30 @@ std::optional<int> isolatedCore() {
   return firstCore(list);
 }
 
-enum class Place : std::uint8_t { AllCores, OneCore, IsolatedCore, Refused };
+enum class CoreChoice : std::uint8_t { AllCores, OneCore, IsolatedCore, Refused };
 
-Place takeCore(int wanted, std::vector<Sentence>& also) {
+CoreChoice takeCore(int wanted, std::vector<Sentence>& also) {
   const std::optional<int> isolated = isolatedCore();
   const int core = wanted >= 0 ? wanted : isolated.value_or(-1);
   if (core < 0) {
     also.push_back(said(TRANSLATE_NOOP("problem", "all cores")));
-    return Place::AllCores;
+    return CoreChoice::AllCores;
   }
   if (!runOnCore(core)) {
     also.push_back(said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
-    return wanted >= 0 ? Place::Refused : Place::AllCores;  // an isolated one that is not for us
+    return wanted >= 0 ? CoreChoice::Refused : CoreChoice::AllCores;  // an isolated one that is not for us
   }
   if (wanted >= 0) {
     also.push_back(said(TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
-    return Place::OneCore;
+    return CoreChoice::OneCore;
   }
   also.push_back(said(TRANSLATE_NOOP("problem", "isolated core %1"), {std::to_string(core)}));
-  return Place::IsolatedCore;
+  return CoreChoice::IsolatedCore;
 }
 
 /// The name of what was granted. priority: that of FIFO, else 0.
 Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
-  beNormal();
+  setOwnUrgency({});  // a new thread inherits what its maker has
   priority = way == Way::Auto || way == Way::Fifo ? askForFifo() : 0;
   if (priority > 0) return "FIFO " + std::to_string(priority);
   if (way == Way::Auto || way == Way::Rtkit) {
@@ -103,8 +97,9 @@ Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
   return said(TRANSLATE_NOOP("problem", "normal"));
 }
 
-Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked, Place place) {
-  if (place == Place::Refused)
+Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked,
+                 CoreChoice place) {
+  if (place == CoreChoice::Refused)
     return said(TRANSLATE_NOOP("problem", "The core that was asked for is not there, or not for this program."));
   if (granted.name == "normal" && wanted.way == Way::Normal)
     return said(
@@ -129,7 +124,7 @@ Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int 
         "Parts of the program may leave the memory, and a tick then waits for them. Put \"@users - memlock unlimited\" "
         "into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
   }
-  if (place == Place::IsolatedCore) return {};
+  if (place == CoreChoice::IsolatedCore) return {};
   return said(TRANSLATE_NOOP("problem",
                              "On a machine that is always busy, a core for the servo alone (isolcpus) is better "
                              "still; the guide's page real_time.md tells how."));
@@ -140,7 +135,7 @@ Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int 
 Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   Scheduling granted;
   int priority = 0;
-  const Place place = takeCore(wanted.core, granted.also);
+  const CoreChoice place = takeCore(wanted.core, granted.also);
   const bool locked = wanted.lock_memory && lockMemory();
   granted.also.push_back(
       said(locked ? TRANSLATE_NOOP("problem", "memory locked") : TRANSLATE_NOOP("problem", "memory not locked")));
@@ -154,5 +149,5 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   return granted;
 }
 
-}  // namespace underact::servo::platform
+}  // namespace underact::system
 #endif

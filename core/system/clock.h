@@ -3,7 +3,7 @@
 
 #include "core/base/real_time.h"
 
-namespace underact::servo {
+namespace underact::system {
 
 inline constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
@@ -22,4 +22,4 @@ struct Clocks {
   Read* with_sleep_ns = withSleepNow_ns;
 };
 
-}  // namespace underact::servo
+}  // namespace underact::system

@@ -4,7 +4,7 @@
 
 #include "core/base/sentence.h"
 
-namespace underact::servo {
+namespace underact::system {
 
 /// Which way to real time is tried. Auto: FIFO, then rtkit, then none.
 enum class Way : std::uint8_t { Auto, Fifo, Rtkit, Normal };
@@ -23,4 +23,4 @@ struct Scheduling {
   std::vector<Sentence> also;  // "memory locked", "all cores", "denormals flushed", ...: a phrase each
 };
 
-}  // namespace underact::servo
+}  // namespace underact::system

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "core/base/translate.h"
-#include "core/servo/platform.h"
+#include "core/system/thread.h"
 
 // Never compiled and never run: written after Apple's reference (Technical Note TN2169).
-namespace underact::servo {
+namespace underact::system {
 namespace {
 
 mach_timebase_info_data_t timebase() noexcept {
@@ -42,8 +42,6 @@ std::int64_t monotonicNow_ns() noexcept {
 std::int64_t withSleepNow_ns() noexcept {
   return fromMach_ns(mach_continuous_time());
 }
-
-namespace platform {
 
 void sleepUntil(std::int64_t deadline_ns) noexcept {
   while (monotonicNow_ns() < deadline_ns) mach_wait_until(toMach(deadline_ns));
@@ -87,6 +85,5 @@ Interruptions interruptions() noexcept {
   return {};  // macOS counts them by process only
 }
 
-}  // namespace platform
-}  // namespace underact::servo
+}  // namespace underact::system
 #endif

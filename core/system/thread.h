@@ -1,12 +1,12 @@
 #pragma once
 #include <cstdint>
 
-#include "core/servo/clock.h"
-#include "core/servo/scheduling.h"
+#include "core/system/clock.h"
+#include "core/system/scheduling.h"
 
-// What the servo asks of the operating system, and nothing else: platform_linux.cpp, platform_windows.cpp and
-// platform_macos.cpp each answer all of it (monotonicNow_ns() of clock.h, too). Only Linux is tested.
-namespace underact::servo::platform {
+// What the servo asks of the operating system: thread_linux.cpp, thread_windows.cpp and thread_macos.cpp each answer
+// all of it (monotonicNow_ns() of clock.h, too). Only Linux is tested.
+namespace underact::system {
 
 /// Returns once monotonicNow_ns() has reached deadline_ns; at once where it has passed.
 void sleepUntil(std::int64_t deadline_ns) noexcept;
@@ -28,4 +28,4 @@ struct Interruptions {
 };
 Interruptions interruptions() noexcept;
 
-}  // namespace underact::servo::platform
+}  // namespace underact::system

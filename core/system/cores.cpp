@@ -1,8 +1,8 @@
-#include "core/servo/cores.h"
+#include "core/system/cores.h"
 
 #include <charconv>
 
-namespace underact::servo {
+namespace underact::system {
 
 std::optional<int> firstCore(std::string_view list) {
   int core = 0;
@@ -13,4 +13,4 @@ std::optional<int> firstCore(std::string_view list) {
   return core;
 }
 
-}  // namespace underact::servo
+}  // namespace underact::system
