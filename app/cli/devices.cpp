@@ -2,9 +2,9 @@
 #include <ostream>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
+#include "core/system/signals.h"
 #include "device/catalogue.h"
 #include "device/trial.h"
 
@@ -56,7 +56,7 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
     print(arm.problems(), streams.err);
     return Exit::Fault;
   }
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   streams.err << "Move the stylus about and press its buttons. No force is sent.\n";
   const device::Trial trial = device::tryOut(std::move(arm).value(), preset, kRate_hz, options.seconds,
                                              [&interrupt] { return !interrupt.came(); });

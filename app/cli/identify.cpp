@@ -6,7 +6,6 @@
 
 #include "app/cli/arm_models.h"
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
@@ -16,6 +15,7 @@
 #include "core/base/units.h"
 #include "core/identify/report.h"
 #include "core/json/json.h"
+#include "core/system/signals.h"
 #include "device/measure_simulated.h"
 #include "underact/version.h"
 
@@ -116,7 +116,7 @@ Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
   wanted.places_W.clear();
   for (std::size_t at = 0; at + 2 < options.at_mm.size(); at += 3)
     wanted.places_W.push_back(kMetrePerMillimetre * Eigen::Map<const Vec3>(options.at_mm.data() + at));
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   const auto measured = device::measureSimulated(arm, wanted, options.seed, [&](double share) {
     progress.show(share);

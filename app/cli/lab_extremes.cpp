@@ -7,7 +7,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/lab.h"
 #include "app/cli/progress.h"
@@ -16,6 +15,7 @@
 #include "core/extremes/catalogue.h"
 #include "core/extremes/kept.h"
 #include "core/json/text.h"
+#include "core/system/signals.h"
 
 namespace underact::cli {
 namespace {
@@ -117,7 +117,7 @@ void printHead(const ExtremesOptions& options, std::ostream& out) {
 Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
   const std::vector<const Row*> rows = rowsOf(options, streams);
   if (rows.empty()) return Exit::Usage;
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   std::vector<extremes::Kept> kept;
   int broken = 0;

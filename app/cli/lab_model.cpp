@@ -1,12 +1,12 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
 #include "app/cli/lab.h"
 #include "app/cli/lab_inputs.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/table.h"
+#include "core/system/signals.h"
 #include "core/trade/model.h"
 
 namespace underact::cli {
@@ -41,7 +41,7 @@ Exit models(const ModelOptions& options, const Streams& streams) {
   if (!hands) return exit;
   const auto scenes = labScenes(options.scenes, streams, exit);
   if (!scenes) return exit;
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   Table table{{"scene", "quantity", "what", "required", "ns"}};
   for (std::size_t index = 0; index < scenes->size() && !interrupt.came(); ++index) {

@@ -4,7 +4,6 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/lab.h"
 #include "app/cli/lab_folder.h"
@@ -15,6 +14,7 @@
 #include "core/base/units.h"
 #include "core/stability/exact.h"
 #include "core/stability/maps.h"
+#include "core/system/signals.h"
 
 namespace underact::cli {
 namespace {
@@ -210,7 +210,7 @@ void printUnlessEmpty(const Table& table, bool json, std::ostream& out) {
 Exit maps(const StabilityOptions& options, const Streams& streams) {
   const Result<std::vector<Step>> steps = stepsOf(options, streams);
   if (!steps) return fail(steps.problems(), streams);
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   StabilityTables tables;
   for (std::size_t done = 0; done < steps.value().size(); ++done) {

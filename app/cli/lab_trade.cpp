@@ -3,12 +3,12 @@
 #include <optional>
 #include <ostream>
 
-#include "app/cli/interrupt.h"
 #include "app/cli/lab.h"
 #include "app/cli/lab_folder.h"
 #include "app/cli/lab_inputs.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
+#include "core/system/signals.h"
 #include "core/trade/front.h"
 
 namespace underact::cli {
@@ -82,7 +82,7 @@ std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& st
 /// What is left of the work, told as it is done; each part has its share.
 class Work {
  public:
-  Work(double parts, const Interrupt& interrupt, const Streams& streams)
+  Work(double parts, const system::Interrupt& interrupt, const Streams& streams)
       : parts_(parts), interrupt_(interrupt), progress_(streams) {}
   trade::Progress part(double share) {
     const double begun = done_;
@@ -95,7 +95,7 @@ class Work {
 
  private:
   double parts_, done_ = 0.0;
-  const Interrupt& interrupt_;
+  const system::Interrupt& interrupt_;
   Progress progress_;
 };
 
@@ -107,7 +107,8 @@ struct Asked {
         fronts(!options.out.empty() || options.table == "fronts") {}
 };
 
-TradeTables measure(const trade::Plan& plan, const Asked& asked, const Interrupt& interrupt, const Streams& streams) {
+TradeTables measure(const trade::Plan& plan, const Asked& asked, const system::Interrupt& interrupt,
+                    const Streams& streams) {
   TradeTables tables;
   const auto scenes = static_cast<double>(plan.scenes.size());
   Work work((asked.rows ? scenes : 0.0) + (asked.fronts ? scenes : 0.0), interrupt, streams);
@@ -137,7 +138,7 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
   Exit exit = Exit::Well;
   const std::optional<trade::Plan> plan = planOf(options, streams, exit);
   if (!plan) return exit;
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   const Asked asked(options);
   const TradeTables tables = measure(*plan, asked, interrupt, streams);
   const std::string sentence =

@@ -1,8 +1,5 @@
 #include "app/cli/lines.h"
 
-#include <poll.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -11,6 +8,8 @@
 #include <mutex>
 #include <ostream>
 #include <utility>
+
+#include "core/system/channel.h"
 
 namespace underact::cli {
 namespace {
@@ -50,13 +49,12 @@ bool Lines::State::write(std::string_view text) {
     return true;
   }
   while (!text.empty()) {
-    pollfd room{fd, POLLOUT, 0};
-    if (::poll(&room, 1, kLook_ms) <= 0) {
+    if (!system::waitToWrite(fd, kLook_ms)) {
       if (isOver()) return false;
       continue;
     }
-    const ssize_t written = ::write(fd, text.data(), std::min(text.size(), kAtOnce));
-    if (written < 0 && errno != EINTR && errno != EAGAIN) return false;
+    const std::ptrdiff_t written = system::writeSome(fd, text.substr(0, kAtOnce));
+    if (written < 0 && errno != EAGAIN) return false;
     if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/python.h"
@@ -12,6 +11,7 @@
 #include "core/record/csv_export.h"
 #include "core/record/recorder.h"
 #include "core/record/session.h"
+#include "core/system/signals.h"
 
 namespace underact::cli {
 namespace {
@@ -42,7 +42,7 @@ Exit exportCsv(const ExportOptions& options, const Streams& streams) {
     print(csv.problems(), streams.err);
     return Exit::File;
   }
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   const record::CsvExport done = record::exportCsv(session.value(), csv.value(), [&](double share) {
     progress.show(share);

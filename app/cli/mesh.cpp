@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
@@ -15,6 +14,7 @@
 #include "core/mesh_file/load.h"
 #include "core/mesh_file/report.h"
 #include "core/system/named_file.h"
+#include "core/system/signals.h"
 
 namespace underact::cli {
 namespace {
@@ -130,7 +130,7 @@ Exit exitOfMesh(const std::string& path) {
 
 Exit showMeshes(const MeshOptions& options, const Streams& streams) {
   Exit exit = Exit::Well;
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   std::atomic<bool> cancelled = false;
   for (const std::string& path : options.files) {
     Progress progress(streams);

@@ -1,14 +1,13 @@
 #include "app/cli/python.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <ostream>
 
+#include "core/system/file.h"
 #include "core/system/places.h"
+#include "core/system/process.h"
 
 namespace underact::cli {
 namespace {
@@ -38,23 +37,7 @@ runpy.run_module('underact', run_name='__main__', alter_sys=True))";
 std::string interpreter() {
   const char* const chosen = std::getenv("UNDERACT_PYTHON");
   if (chosen != nullptr && *chosen != '\0') return chosen;
-  return access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
-}
-
-/// This program's environment, but for what would bring modules of other programs.
-std::vector<std::string> environmentOfPython() {
-  std::vector<std::string> all;
-  for (char** one = environ; *one != nullptr; ++one) {
-    if (std::strncmp(*one, "PYTHONPATH=", 11) != 0) all.emplace_back(*one);
-  }
-  return all;
-}
-
-std::vector<char*> pointersTo(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
+  return system::mayExecute("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
 }
 
 }  // namespace
@@ -68,18 +51,11 @@ Exit runPython(const std::vector<std::string>& arguments, const Streams& streams
   streams.out.flush();
   std::vector<std::string> words{interpreter(), "-c", kLauncher, package.value()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> environment = environmentOfPython();
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, words.front().c_str(), nullptr, nullptr, pointersTo(words).data(),
-                                  pointersTo(environment).data());
-  if (failed != 0) {
-    streams.err << "Python could not be started (" << words.front() << "): " << std::strerror(failed)
-                << ". Install python3, python3-h5py and python3-matplotlib, or set UNDERACT_PYTHON.\n";
-    return Exit::File;
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? static_cast<Exit>(WEXITSTATUS(status)) : Exit::File;
+  const std::optional<system::End> ended = system::runHere(words, "PYTHONPATH");  // modules of other programs
+  if (ended) return ended->by_signal ? Exit::File : static_cast<Exit>(ended->code);
+  streams.err << "Python could not be started (" << words.front() << "): " << std::strerror(errno)
+              << ". Install python3, python3-h5py and python3-matplotlib, or set UNDERACT_PYTHON.\n";
+  return Exit::File;
 }
 
 }  // namespace underact::cli

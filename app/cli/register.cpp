@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/register_report.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/step_report.h"
@@ -14,6 +13,7 @@
 #include "core/registration/check.h"
 #include "core/registration/sheet.h"
 #include "core/registration/store.h"
+#include "core/system/signals.h"
 #include "device/arm_key.h"
 #include "device/catalogue.h"
 #include "device/touch_marks.h"
@@ -81,7 +81,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   if (!arm) return arm.problems();
   Registration registration;
   registration.arm = device::armKey(options.device, arm.value()->info());
-  const Interrupt interrupt(Reader::MayGo);
+  const system::Interrupt interrupt(system::Reader::MayGo);
   streams.err << "No force is sent. Marks are touched in the order of their numbers.\n";
   Result<std::vector<Touch>> touches =
       device::touchMarks(std::move(arm).value(), preset, kRate_hz, marks_D.value(),

@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
@@ -19,6 +18,7 @@
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/system/places.h"
+#include "core/system/signals.h"
 
 namespace underact::cli {
 namespace {
@@ -87,7 +87,7 @@ std::vector<std::string> foldersOf(const ReplayOptions& options) {
 }
 
 Exit verifyTicks(record::Session& session, const ReplayOptions& options, const Streams& streams) {
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   const auto goes_on = [&](double share) {
     progress.show(share);
@@ -156,7 +156,7 @@ Exit compare(record::Session& session, const ReplayOptions& options, const Strea
     }
     csv = std::move(opened).value();
   }
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   Progress progress(streams);
   Comparison comparison;
   const Problems problems = record::replayWith(

@@ -11,7 +11,6 @@
 #include "app/cli/arm_models.h"
 #include "app/cli/command.h"
 #include "app/cli/hands.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
@@ -25,6 +24,7 @@
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand_script.h"
+#include "core/system/signals.h"
 #include "device/catalogue.h"
 #include "device/simulated_arm.h"
 
@@ -103,14 +103,14 @@ class Run {
   bool told_ = false;  // that the recording stopped
 };
 
-void runFast(servo::Host& host, Run& run, const Interrupt& interrupt) {
+void runFast(servo::Host& host, Run& run, const system::Interrupt& interrupt) {
   while (!run.isDone() && !interrupt.came()) {
     host.run(std::min(kTicksAtOnce, run.left()));
     run.take(host);
   }
 }
 
-void runInRealTime(servo::Host& host, Run& run, const Interrupt& interrupt, const Streams& streams) {
+void runInRealTime(servo::Host& host, Run& run, const system::Interrupt& interrupt, const Streams& streams) {
   for (bool is_guarded = true; !run.isDone() && !interrupt.came();) {
     std::this_thread::sleep_for(kBetweenDrains);
     run.take(host);
@@ -256,7 +256,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
-  const Interrupt interrupt(Reader::MayGo);
+  const system::Interrupt interrupt(system::Reader::MayGo);
   Result<std::unique_ptr<servo::DevicePort>> arm = makeArm(options, *prepared);
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
   servo::Host host(std::move(arm).value(), {.rate_hz = options.rate_hz,

@@ -7,7 +7,6 @@
 
 #include "app/cli/arm_models.h"
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/percentiles_json.h"
 #include "app/cli/scene_file.h"
 #include "app/options/scheduling_options.h"
@@ -15,6 +14,7 @@
 #include "core/scene/compile.h"
 #include "core/servo/check.h"
 #include "core/sim/hand_script.h"
+#include "core/system/signals.h"
 #include "device/simulated_arm.h"
 
 namespace underact::cli {
@@ -121,7 +121,7 @@ void printCheck(std::ostream& out, const servo::CheckResult& result, const Servo
 }
 
 /// progress for checkServo(): tells how far it is, and ends it on Ctrl+C.
-std::function<bool(double)> reporter(const Streams& streams, const Interrupt& interrupt) {
+std::function<bool(double)> reporter(const Streams& streams, const system::Interrupt& interrupt) {
   return [&streams, &interrupt, shown_percent = -1](double share) mutable {
     const int percent = static_cast<int>(100.0 * share);
     if (streams.progress && percent != shown_percent) {
@@ -146,7 +146,7 @@ Exit checkIt(const ServoCheckOptions& options, const Streams& streams) {
   sim::HandScript hand = sim::builtInHand("sweep", 1).value();
   device::SimulatedArm arm(armOf(options, model.value(), scene.value().description, hand));
   arm.follow(std::move(hand));
-  const Interrupt interrupt;
+  const system::Interrupt interrupt;
   const servo::CheckResult result =
       servo::checkServo(arm, std::move(scene.value().program), options.check, reporter(streams, interrupt));
   if (options.json) {

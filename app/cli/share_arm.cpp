@@ -1,15 +1,13 @@
-#include <unistd.h>
-
-#include <array>
 #include <chrono>
 #include <ostream>
 #include <thread>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/lines.h"
 #include "app/cli/scene_file.h"
 #include "core/sim/arm_model.h"
+#include "core/system/signals.h"
+#include "core/system/this_process.h"
 #include "device/catalogue.h"
 #include "device/remote/share.h"
 
@@ -34,14 +32,9 @@ struct ShareArmOptions {
   bool force = false, no_passivity = false, new_key = false, show_key = false;
 };
 
-std::string nameOfThisComputer() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this-computer";
-}
-
 /// What the other computer has to be told to reach an arm that is shared at address here.
 std::string trustLine(Address address, const std::string& key) {
-  if (address.host == "0.0.0.0" || address.host == "::") address.host = nameOfThisComputer();
+  if (address.host == "0.0.0.0" || address.host == "::") address.host = system::computerName();
   return "underact-cli share-arm --trust='" + address.text() + " " + key + "'";
 }
 
@@ -94,7 +87,7 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
   if (!clients) return fail(clients.problems(), Exit::File, streams);
   device::remote::ShareOptions options{listen.value(), keys,        clients.value(),    *preset,
                                        asked.rate_hz,  asked.force, !asked.no_passivity};
-  const Interrupt interrupt(Reader::MayGo);
+  const system::Interrupt interrupt(system::Reader::MayGo);
   Result<std::unique_ptr<servo::DevicePort>> arm =
       device::openDevice(asked.device, {*preset, *sim::findArmModel(sim::kDefaultArmModel), asked.rate_hz, {}});
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
@@ -120,7 +113,7 @@ Exit perform(const ShareArmOptions& asked, const Streams& streams) {
   if (!keys) return fail(keys.problems(), Exit::File, streams);
   if (!asked.new_key && !asked.show_key) return share(asked, folder, keys.value(), streams);
   streams.out << "Your key is " << keys.value().public_key << "\nAt the computer of the arm, once:\n"
-              << "  underact-cli share-arm --allow='" << keys.value().public_key << " " << nameOfThisComputer()
+              << "  underact-cli share-arm --allow='" << keys.value().public_key << " " << system::computerName()
               << "'\n";
   return Exit::Well;
 }

@@ -1,8 +1,8 @@
 // underact-guard: started by the program for an arm behind a file descriptor; of no use on its own.
-#include <csignal>
 #include <cstdio>
 
 #include "app/guard/watch.h"
+#include "core/system/signals.h"
 
 int main(int argc, char** argv) {
   const auto duty = underact::guard::readDuty(argc, argv);
@@ -10,7 +10,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "underact-guard is started by underact; by hand it does nothing.\n");
     return 2;
   }
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
-    std::signal(signal, SIG_IGN);  // it outlives the program
+  underact::system::outliveStarter();
   return underact::guard::watch(*duty);
 }

@@ -1,15 +1,15 @@
 #include "app/guard/watch.h"
 
-#include <poll.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
-#include <ctime>
+#include <chrono>
 #include <string_view>
+#include <thread>
 
 #include "core/servo/guard_line.h"
+#include "core/system/channel.h"
+#include "core/system/clock.h"
+#include "core/system/shared_memory.h"
 
 namespace underact::guard {
 namespace {
@@ -18,23 +18,17 @@ constexpr int kLooksInLimit = 5;
 // The last word is said more than once: a report can be lost on its way, and a tick that was at work when the program
 // died may still come after the first.
 constexpr int kTimes = 5;
-constexpr int kBetween_ms = 2;
-
-std::int64_t now_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
-}
+constexpr std::chrono::milliseconds kBetween{2};
 
 void say(int device_fd, const std::string& word) {
-  [[maybe_unused]] const ssize_t written = ::write(device_fd, word.data(), word.size());
+  system::writeSome(device_fd, word);
 }
 
 /// The program is gone.
 int sayLast(int device_fd, const std::string& word) {
   for (int time = 0; time < kTimes; ++time) {
     say(device_fd, word);
-    ::poll(nullptr, 0, kBetween_ms);
+    std::this_thread::sleep_for(kBetween);
   }
   return 1;
 }
@@ -58,19 +52,19 @@ std::optional<Duty> readDuty(int argc, const char* const* argv) {
 }
 
 int watch(const Duty& duty) {
-  void* memory = ::mmap(nullptr, sizeof(servo::GuardLine), PROT_READ | PROT_WRITE, MAP_SHARED, servo::kGuardLineFd, 0);
-  if (memory == MAP_FAILED) return 2;
-  return watch(duty, *static_cast<servo::GuardLine*>(memory), servo::kGuardLifeFd, servo::kGuardDeviceFd);
+  const system::SharedMemory memory =
+      system::SharedMemory::of(system::Descriptor(servo::kGuardLineFd), sizeof(servo::GuardLine));
+  if (memory.begin() == nullptr) return 2;
+  return watch(duty, *static_cast<servo::GuardLine*>(memory.begin()), servo::kGuardLifeFd, servo::kGuardDeviceFd);
 }
 
 int watch(const Duty& duty, servo::GuardLine& line, int life_fd, int device_fd) {
   const int look_ms = static_cast<int>(std::clamp<std::int64_t>(duty.limit_ns / kLooksInLimit / 1'000'000, 1, 1000));
-  std::int64_t seen = line.beats.load(std::memory_order_relaxed), seen_ns = now_ns();
-  pollfd life{life_fd, POLLIN, 0};
+  std::int64_t seen = line.beats.load(std::memory_order_relaxed), seen_ns = system::monotonicNow_ns();
   for (;;) {
-    if (::poll(&life, 1, look_ms) > 0) return line.farewell == 0 ? sayLast(device_fd, duty.word) : 0;
+    if (system::waitToRead(life_fd, look_ms)) return line.farewell == 0 ? sayLast(device_fd, duty.word) : 0;
     line.looks.fetch_add(1, std::memory_order_relaxed);
-    const std::int64_t count = line.beats.load(std::memory_order_relaxed), time_ns = now_ns();
+    const std::int64_t count = line.beats.load(std::memory_order_relaxed), time_ns = system::monotonicNow_ns();
     if (count != seen) {
       seen = count;
       seen_ns = time_ns;

@@ -21,14 +21,11 @@
 #include "app/gui/window/main_window.h"
 #include "app/options/window_options.h"
 #include "core/system/current_folder.h"
+#include "core/system/this_process.h"
 #include "device/hands/controllers.h"
 #include "device/hands/space_mice.h"
 #include "device/wooden/hid_bus.h"
 #include "underact/version.h"
-
-#ifdef __GLIBC__  // known from the headers above
-#include <malloc.h>
-#endif
 
 namespace underact::gui {
 namespace {
@@ -50,14 +47,6 @@ QString sceneToOpen(const options::WindowOptions& options, const std::vector<Fea
   if (!asked.isEmpty() && openerOf(asked, rows).isEmpty()) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
-}
-
-// Blocks as large as a picture's go back to the system when they are freed. The C library would keep them once it has
-// seen one, and where memory is locked it cannot give them back later: 13 MB after the start on Debian 13.
-void giveLargeBlocksBack() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
 }
 
 /// When main() began, and what the processor had done by then.
@@ -113,7 +102,7 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
 int run(int argc, char** argv) {
   Began began;
   began.clock.start();
-  giveLargeBlocksBack();
+  system::giveLargeBlocksBack();
   const options::WindowOptions options = options::parseWindowOptions({argv + 1, argv + argc});
   if (!options.said.empty()) {
     std::fputs(options.said.c_str(), options.exit == 0 ? stdout : stderr);

@@ -1,22 +1,19 @@
 #include "app/mesh_reader/serve.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <new>
 #include <optional>
 #include <span>
 
 #include "app/mesh_reader/open_mesh.h"
-#include "app/seal/seal.h"
 #include "core/base/translate.h"
 #include "core/helper/run.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
 #include "core/mesh_file/scan.h"
+#include "core/system/file.h"
+#include "core/system/seal.h"
+#include "core/system/this_process.h"
 
 namespace underact::mesh_reader {
 namespace {
@@ -28,13 +25,7 @@ using mesh_file::Message;
 constexpr int kNice = 5;
 
 bool write(std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), std::min(bytes.size(), helper::kBlock));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return true;
+  return system::writeAll(system::kOutput, bytes) == 0;
 }
 
 std::optional<Format> formatOfWord(const std::string& word) {
@@ -48,22 +39,14 @@ std::optional<Format> formatOfWord(const std::string& word) {
 /// All of the standard input, which may be shorter than it was; never longer than asked.
 std::string readAll(std::uint64_t bytes) {
   std::string all(bytes, '\0');
-  std::size_t at = 0;
-  while (at < all.size()) {
-    const ssize_t count = ::read(STDIN_FILENO, all.data() + at, std::min(all.size() - at, helper::kBlock));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    at += static_cast<std::size_t>(count);
-  }
-  all.resize(at);
+  all.resize(system::readAll(system::kInput, std::as_writable_bytes(std::span(all))).value_or(0));
   return all;
 }
 
 /// The most memory that this process has had, from what the kernel tells of it; 0: unknown.
-std::int64_t peakBytes(int status_fd) {
+std::int64_t peakBytes(const system::Descriptor& status) {
   std::string text(4096, '\0');
-  const ssize_t count = status_fd < 0 ? 0 : ::read(status_fd, text.data(), text.size());
-  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  text.resize(system::readAll(status.number(), std::as_writable_bytes(std::span(text))).value_or(0));
   const std::size_t at = text.find("VmHWM:");
   if (at == std::string::npos) return 0;
   std::int64_t kB = 0;
@@ -107,15 +90,15 @@ Message read(Format format, std::uint64_t file_bytes) {
 
 int serve(const std::string& word) {
   const std::optional<Format> format = formatOfWord(word);
-  struct stat file {};
-  if (!format || ::fstat(STDIN_FILENO, &file) != 0 || file.st_size <= 0) return 2;
-  const auto bytes = static_cast<std::uint64_t>(file.st_size);
-  [[maybe_unused]] const int nice_now = ::nice(kNice);
-  const int status_fd = ::open("/proc/self/status", O_RDONLY | O_CLOEXEC);
-  seal::endWithStarter();  // who asked is gone: nobody waits
-  if (!seal::seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
+  const std::optional<system::Status> file = system::statusOf(system::kInput);
+  if (!format || !file || file->bytes == 0) return 2;
+  const std::uint64_t bytes = file->bytes;
+  system::stepBack(kNice);
+  const system::Descriptor status = system::openToRead("/proc/self/status");
+  system::endWithStarter();  // who asked is gone: nobody waits
+  if (!system::seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
   Message message = read(*format, bytes);
-  message.raw.peak_bytes = peakBytes(status_fd);
+  message.raw.peak_bytes = peakBytes(status);
   return mesh_file::writeMessage(message, write) ? 0 : 1;
 }
 

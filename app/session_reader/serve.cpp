@@ -1,7 +1,5 @@
 #include "app/session_reader/serve.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -10,13 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "app/seal/seal.h"
 #include "core/base/translate.h"
 #include "core/helper/talk.h"
 #include "core/helper/words.h"
 #include "core/record/foreign_protocol.h"
 #include "core/record/hdf5_file.h"
 #include "core/record/session_tables.h"
+#include "core/system/seal.h"
+#include "core/system/this_process.h"
 
 namespace underact::session_reader {
 namespace {
@@ -120,8 +119,8 @@ class Service {
 }  // namespace
 
 int serve() {
-  [[maybe_unused]] const int nice_now = ::nice(kNice);
-  if (!record::startHdf5() || !seal::seal(kMostMemory, kMostCpu_s)) return helper::kNotSealed;
+  system::stepBack(kNice);
+  if (!record::startHdf5() || !system::seal(kMostMemory, kMostCpu_s)) return helper::kNotSealed;
   Service service;
   Question question;
   while (helper::nextQuestion(std::as_writable_bytes(std::span(&question, 1)))) {

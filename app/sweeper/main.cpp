@@ -1,6 +1,3 @@
-#include <unistd.h>
-
-#include <csignal>
 #include <iostream>
 #include <memory>
 #include <streambuf>
@@ -9,6 +6,9 @@
 #include "app/sweeper/command.h"
 #include "app/sweeper/mpi_team.h"
 #include "core/system/current_folder.h"
+#include "core/system/descriptor.h"
+#include "core/system/signals.h"
+#include "core/system/this_process.h"
 
 namespace {
 
@@ -22,7 +22,7 @@ class Nothing : public std::streambuf {
 int main(int argc, char** argv) {
   using underact::sweep::Team;
   underact::system::keepOutCurrentFolder();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told of as a disk that is full
+  underact::system::tellOfFullFiles();
   std::unique_ptr<Team> team;
   if (underact::sweep::isOneOfTeam()) {
     underact::Result<std::unique_ptr<Team>> joined = underact::sweep::joinTeam();
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   std::ostream nowhere(&nothing);
   const bool speaks = team == nullptr || team->rank() == 0;
   const underact::cli::Streams streams{std::cin, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere,
-                                       isatty(STDERR_FILENO) != 0};
+                                       underact::system::isTerminal(underact::system::kErrors)};
   const underact::cli::Exit exit =
       underact::sweep::execute({argv + (argc > 0 ? 1 : 0), argv + argc}, streams, team.get());
   return speaks ? static_cast<int>(exit) : 0;

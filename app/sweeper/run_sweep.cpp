@@ -8,13 +8,13 @@
 #include <ostream>
 #include <thread>
 
-#include "app/cli/interrupt.h"
 #include "app/cli/scene_file.h"
 #include "app/sweeper/progress.h"
 #include "app/sweeper/request.h"
 #include "core/sweep/journal.h"
 #include "core/sweep/lead.h"
 #include "core/sweep/result_file.h"
+#include "core/system/signals.h"
 
 namespace underact::sweep {
 namespace {
@@ -54,7 +54,7 @@ class Patience {
   }
 
  private:
-  std::optional<cli::Interrupt> interrupt_{std::in_place};
+  std::optional<system::Interrupt> interrupt_{std::in_place};
   bool came_ = false;
 };
 

@@ -1,14 +1,11 @@
 #include "core/helper/run.h"
 
-#if defined(__linux__)
-#include <fcntl.h>
-#include <poll.h>
-#include <unistd.h>
-
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <span>
+
+#include "core/system/channel.h"
+#include "core/system/file.h"
 
 namespace underact::helper {
 namespace {
@@ -21,21 +18,20 @@ constexpr int kLook_ms = 10;  // how often cancel and the times are looked at
 class Listening {
  public:
   Listening(const Errand& errand, const Watch& watch, Answer& answer)
-      : errand_(errand), watch_(watch), answer_(answer), block_(kBlock) {}
+      : errand_(errand), watch_(watch), answer_(answer), block_(system::kAtOnce) {}
 
   Ending until(int fd, const Child& child) {
     const Clock::time_point start = Clock::now();
-    pollfd output{fd, POLLIN, 0};
     for (;;) {
       if (watch_.isCancelled()) return Ending::Cancelled;
       const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
       if (child.cpuSoFar_s() > errand_.most_cpu_s) return Ending::TookTooLong;
       if (time_s > errand_.most_time_s) return Ending::Waited;
-      if (::poll(&output, 1, kLook_ms) <= 0) continue;
-      const ssize_t count = ::read(fd, block_.data(), block_.size());
+      if (!system::waitToRead(fd, kLook_ms)) continue;
+      const std::ptrdiff_t count = system::readSome(fd, block_);
       if (count == 0) return Ending::Exited;
-      if (count < 0 && errno != EINTR) return Ending::Crashed;
-      if (count > 0) take({block_.data(), static_cast<std::size_t>(count)});
+      if (count < 0) return Ending::Crashed;
+      take(std::span(block_).first(static_cast<std::size_t>(count)));
       if (answer_.output.size() > errand_.most_output) return Ending::WroteTooMuch;
     }
   }
@@ -60,22 +56,20 @@ class Listening {
 
 Answer run(const Errand& errand, const Watch& watch) {
   Answer answer;
-  std::array<int, 2> pipe{-1, -1};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
-    answer.code = errno;
-    return answer;
-  }
-  ::fcntl(pipe[0], F_SETPIPE_SZ, static_cast<int>(4 * kBlock));
-  Child child(
-      {.program = errand.program, .argument = errand.argument, .input_fd = errand.input_fd, .output_fd = pipe[1]});
-  ::close(pipe[1]);
+  system::Pipe pipe = system::makePipe(4 * system::kAtOnce);
+  Child child;
+  if (pipe.reads.isOpen())
+    child = Child({.program = errand.program,
+                   .argument = errand.argument,
+                   .input_fd = errand.input_fd,
+                   .output_fd = pipe.writes.number()});
   if (!child.runs()) {
-    ::close(pipe[0]);
-    answer.code = child.error();
+    answer.code = pipe.reads.isOpen() ? child.error() : errno;
     return answer;
   }
-  const Ending ending = Listening(errand, watch, answer).until(pipe[0], child);
-  ::close(pipe[0]);
+  pipe.writes.close();
+  const Ending ending = Listening(errand, watch, answer).until(pipe.reads.number(), child);
+  pipe.reads.close();
   answer.ending = child.end(ending);
   answer.code = child.code();
   answer.cpu_s = child.cpu_s();
@@ -83,15 +77,3 @@ Answer run(const Errand& errand, const Watch& watch) {
 }
 
 }  // namespace underact::helper
-
-#else
-
-namespace underact::helper {
-
-Answer run(const Errand&, const Watch&) {
-  return {};
-}
-
-}  // namespace underact::helper
-
-#endif

@@ -23,19 +23,6 @@ class Talk {
   Talk() = default;
   /// file_fd: becomes the helper's descriptor kFile; stays the caller's.
   Talk(const std::string& program, int file_fd);
-  Talk(Talk&& other) noexcept
-      : child_(std::move(other.child_)),
-        fd_(std::exchange(other.fd_, -1)),
-        ending_(other.ending_),
-        code_(other.code_) {}
-  Talk& operator=(Talk&& other) noexcept {
-    std::swap(child_, other.child_);
-    std::swap(fd_, other.fd_);
-    std::swap(ending_, other.ending_);
-    std::swap(code_, other.code_);
-    return *this;
-  }
-  ~Talk();
 
   /// Sends the question as it stands and gives the answer, before which the helper writes its length: eight bytes.
   /// None: why, ending() says.
@@ -49,7 +36,7 @@ class Talk {
   bool fail(Ending ending);
 
   Child child_;
-  int fd_ = -1;
+  system::Descriptor here_;
   Ending ending_ = Ending::NotStarted;
   int code_ = 0;
 };

@@ -1,25 +1,17 @@
 #include "core/servo/guard.h"
 
-#include <utility>
-
-#include "core/base/translate.h"
-
-#ifdef __linux__
-#include <poll.h>
-#include <pthread.h>
-#include <sched.h>
-#include <sys/eventfd.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
+#include "core/base/translate.h"
 #include "core/servo/guard_process.h"
+#include "core/system/channel.h"
 #include "core/system/places.h"
 #include "core/system/thread.h"
-#endif
+#include "core/system/urgency.h"
 
 namespace underact::servo {
 
@@ -39,7 +31,6 @@ Sentence nothingGuards(const Sentence& gap) {
               {gap});
 }
 
-#ifdef __linux__
 namespace {
 
 constexpr int kLookAfterGuard_ms = 250;
@@ -61,26 +52,23 @@ std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns,
     return nullptr;
   }
   auto process = std::make_unique<GuardProcess>(word, limit_ns, path.value());
-  const int wake_fd = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-  if (process->line() == nullptr || wake_fd < 0 || !process->start()) {
+  system::Doorbell wake;
+  if (process->line() == nullptr || wake.descriptor() < 0 || !process->start()) {
     why = std::strerror(process->failure() != 0 ? process->failure() : errno);
-    if (wake_fd >= 0) ::close(wake_fd);
     return nullptr;
   }
-  return std::unique_ptr<Guard>(new Guard(std::move(process), limit_ns, wake_fd));
+  return std::unique_ptr<Guard>(new Guard(std::move(process), limit_ns, std::move(wake)));
 }
 
-Guard::Guard(std::unique_ptr<GuardProcess> process, std::int64_t limit_ns, int wake_fd)
+Guard::Guard(std::unique_ptr<GuardProcess> process, std::int64_t limit_ns, system::Doorbell wake)
     : process_(std::move(process)),
       patience_ns_(std::max(kGuardStands_ns, kLimitsInPatience * limit_ns)),
-      wake_fd_(wake_fd),
+      wake_(std::move(wake)),
       thread_(&Guard::watch, this) {}
 
 Guard::~Guard() {
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const auto written = ::write(wake_fd_, &one, sizeof one);
+  wake_.ring();
   thread_.join();
-  ::close(wake_fd_);
 }
 
 std::atomic<std::int64_t>& Guard::beats() {
@@ -99,8 +87,7 @@ void Guard::setGap(Sentence gap) {
 
 void Guard::watch() {
   system::nameThread("underact-warden");
-  const sched_param normal{};
-  pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);  // whoever made it may be real-time
+  system::setOwnUrgency({});  // whoever made it may be real-time
   while (waitUntilItEnds()) {
     setGap(said(TRANSLATE_NOOP("problem", "the guard has ended, and is started again")));
     if (!startAnother()) return;
@@ -114,9 +101,8 @@ bool Guard::waitUntilItEnds() {
   const std::atomic<std::int64_t>& looks = process_->line()->looks;
   std::int64_t seen = looks.load(std::memory_order_relaxed), seen_ns = system::monotonicNow_ns();
   for (;;) {
-    std::array ends{pollfd{wake_fd_, POLLIN, 0}, pollfd{process_->endFd(), POLLIN, 0}};
-    ::poll(ends.data(), ends.size(), kLookAfterGuard_ms);
-    if ((ends[0].revents & POLLIN) != 0) return false;
+    const std::array ends{wake_.descriptor(), process_->endFd()};
+    if (system::waitForAny(ends, kLookAfterGuard_ms) == 0) return false;
     if (process_->hasEnded()) return true;
     const std::int64_t count = looks.load(std::memory_order_relaxed), now_ns = system::monotonicNow_ns();
     if (std::exchange(seen, count) != count) seen_ns = now_ns;
@@ -137,27 +123,9 @@ bool Guard::startAnother() {
 /// Waits until then, or until it is told to end.
 bool Guard::isToldToEnd(std::int64_t until_ns) const {
   for (std::int64_t left_ns = 0; (left_ns = until_ns - system::monotonicNow_ns()) > 0;) {
-    pollfd end{wake_fd_, POLLIN, 0};
-    if (::poll(&end, 1, static_cast<int>(left_ns / 1'000'000 + 1)) > 0) return true;
+    if (system::waitToRead(wake_.descriptor(), static_cast<int>(left_ns / 1'000'000 + 1))) return true;
   }
   return false;
 }
-
-#else
-
-class GuardProcess {};
-
-std::unique_ptr<Guard> Guard::start(const LastWord&, std::int64_t, const std::string&, Sentence& why) {
-  why = said(TRANSLATE_NOOP("problem", "there is no guard on this system"));
-  return nullptr;
-}
-
-Guard::~Guard() = default;
-
-Sentence Guard::gap() const {
-  return {};
-}
-
-#endif
 
 }  // namespace underact::servo

@@ -8,6 +8,7 @@
 
 #include "core/servo/device_port.h"
 #include "core/servo/restart_pace.h"
+#include "core/system/doorbell.h"
 
 namespace underact::servo {
 
@@ -17,7 +18,7 @@ class GuardProcess;
 /// writes the arm's last word. It holds a copy of the arm's file descriptor, sees the ticks in shared memory and the
 /// program's life at the other end of a pipe. It is watched in turn, by a thread of its own: one that ends, or stands
 /// still, is replaced (see RestartPace). The force goes on meanwhile: gate and watchdog work without a guard, and an
-/// arm that lets go of a hand without need is no safer. Linux.
+/// arm that lets go of a hand without need is no safer.
 class Guard {
  public:
   /// Starts it. program: where underact-guard is; empty: beside this program, or in libexec/underact. Null where there
@@ -36,7 +37,7 @@ class Guard {
   int replaced() const { return replaced_.load(std::memory_order_relaxed); }
 
  private:
-  Guard(std::unique_ptr<GuardProcess> process, std::int64_t limit_ns, int wake_fd);
+  Guard(std::unique_ptr<GuardProcess> process, std::int64_t limit_ns, system::Doorbell wake);
   void watch();
   bool waitUntilItEnds();
   bool startAnother();
@@ -45,7 +46,7 @@ class Guard {
 
   const std::unique_ptr<GuardProcess> process_;
   const std::int64_t patience_ns_;  // with a guard that does not look
-  const int wake_fd_;               // readable: the watching ends
+  system::Doorbell wake_;           // rung: the watching ends
   RestartPace pace_;
   mutable std::mutex gap_mutex_;
   Sentence gap_;

@@ -4,10 +4,13 @@
 
 #include "core/servo/device_port.h"
 #include "core/servo/guard_line.h"
+#include "core/system/channel.h"
+#include "core/system/process.h"
+#include "core/system/shared_memory.h"
 
 namespace underact::servo {
 
-/// What one guard after the other is given, and the one that is at work. One thread at a time. Linux.
+/// What one guard after the other is given, and the one that is at work. One thread at a time.
 class GuardProcess {
  public:
   /// program: where underact-guard is.
@@ -24,22 +27,22 @@ class GuardProcess {
   int failure() const { return failure_; }
   /// Readable once it has ended; below 0: this system has no such descriptor, and hasEnded() is to be asked now and
   /// then.
-  int endFd() const { return end_fd_; }
+  int endFd() const { return process_.endDescriptor(); }
   /// It is gone, or there was none.
-  bool hasEnded();
+  bool hasEnded() { return process_.hasEnded(); }
   /// At once, wherever it hangs.
-  void kill();
+  void kill() { process_.kill(); }
 
  private:
-  bool waitForEnd(int time_ms);
-
   const std::int64_t limit_ns_;
   const std::string program_, word_;
+  const system::SharedMemory memory_;
+  const system::Descriptor
+      device_;         // a guard that comes later gets this arm, too, and never what has its number by then
+  system::Pipe life_;  // nobody writes to it: it ends when the program does
   GuardLine* line_ = nullptr;
-  int memory_fd_ = -1, device_fd_ = -1;
-  int life_fd_ = -1, watched_fd_ = -1;  // a pipe: the program's end, and the one that guards look at
-  int pid_ = -1, end_fd_ = -1;
   int failure_ = 0;
+  system::Process process_;  // the first to go
 };
 
 }  // namespace underact::servo

@@ -5028,10 +5028,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>der Wächter ist beendet und startet nicht wieder (%1)</translation>
     </message>
     <message>
-        <source>there is no guard on this system</source>
-        <translation>Auf diesem System gibt es keinen Wächter</translation>
-    </message>
-    <message>
         <source>the watchdog is switched off</source>
         <translation>die Überwachung der Takte ist abgeschaltet</translation>
     </message>

@@ -1,16 +1,15 @@
-#include "app/cli/interrupt.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "core/system/signals.h"
 #include "tests/cli/process.h"
 #include "tests/cli/session.h"
 
 namespace underact::test {
 namespace {
 
-using cli::Interrupt;
+using system::Interrupt;
 
 /// What a signal does, left as it was.
 class Disposition {
@@ -46,7 +45,7 @@ TEST(Interrupt, LeavesTheEndOfATerminalToWhoIgnoredIt) {  // nohup
 }
 
 TEST(Interrupt, AReaderWhoMayGoEndsNothing) {
-  const Interrupt interrupt(cli::Reader::MayGo);
+  const Interrupt interrupt(system::Reader::MayGo);
   std::raise(SIGPIPE);
   EXPECT_FALSE(interrupt.came());
 }
@@ -54,7 +53,7 @@ TEST(Interrupt, AReaderWhoMayGoEndsNothing) {
 TEST(Interrupt, LeavesAllAsItWas) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
     const Disposition own(signal, nothing);
-    { const Interrupt interrupt(cli::Reader::MayGo); }
+    { const Interrupt interrupt(system::Reader::MayGo); }
     EXPECT_EQ(std::signal(signal, nothing), nothing) << signal;
   }
 }

@@ -26,6 +26,7 @@ class PlantedHouse : public testing::Test {
     root_ = fs::temp_directory_path() / ("underact_house_" + std::to_string(getpid()));
     write("CMakeLists.txt",
           "underact_room(core/base SHOWS Eigen3::Eigen)  # underact_room(core/ghost)\n"
+          "underact_room(core/system LINKS base)\n"
           "underact_room(core/safety LINKS base)\n"
           "underact_room(core/json LINKS base USES rapidjson)\n"
           "underact_room(core/scene LINKS json)\n"
@@ -138,6 +139,20 @@ TEST_F(PlantedHouse, VtkInCoreIsFound) {
 TEST_F(PlantedHouse, MpiInCoreIsFound) {
   write("core/tick/team.cpp", "#include <mpi.h>\n");
   expectFound("core/tick/team.cpp:1: MPI does not belong in core/tick");
+}
+
+TEST_F(PlantedHouse, AHeaderOfTheOperatingSystemIsFoundAndInItsRoomsSourceIsNot) {
+  write("core/system/file_linux.cpp", "#include <sys/stat.h>\n#include <csignal>\n");
+  write("device/arm.h", "#include <cerrno>\n#include <xmmintrin.h>\n#include <hidapi/hidapi.h>\n");
+  write("device/arm.cpp", "#include <cstdio>\n#include <hidapi/hidapi.h>\n#include <fcntl.h>\n");
+  write("app/gui/main.cpp", "#include <vtkActor.h>\n#include <csignal>\n");
+  write("core/system/file.h", "#include <windows.h>\n");
+  EXPECT_EQ(found(), (std::vector<std::string>{
+                         "app/gui/main.cpp:2: the operating system does not belong in app/gui",
+                         "core/system/file.h:1: the operating system may not show in a header",
+                         "device/arm.cpp:3: the operating system does not belong in device",
+                         "device/arm.h:3: hidapi may not show in a header",
+                     }));
 }
 
 TEST_F(PlantedHouse, RapidJsonInAHeaderIsFoundAndInItsRoomsSourceIsNot) {

@@ -1,4 +1,4 @@
-#include "app/seal/seal.h"
+#include "core/system/seal.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <functional>
 #include <new>
 
-namespace underact::seal {
+namespace underact::system {
 namespace {
 
 /// What waitpid() says of a sealed process that did this; what it gives is its exit status.
@@ -83,4 +83,4 @@ TEST(Seal, NoMoreTimeThanGiven) {
 }
 
 }  // namespace
-}  // namespace underact::seal
+}  // namespace underact::system

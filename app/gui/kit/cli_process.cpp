@@ -2,13 +2,7 @@
 
 #include "app/gui/kit/words.h"
 #include "core/system/places.h"
-
-#ifdef Q_OS_UNIX
-#include <sys/resource.h>
-#include <unistd.h>
-
-#include <csignal>
-#endif
+#include "core/system/process.h"
 
 namespace underact::gui {
 namespace {
@@ -22,10 +16,7 @@ CliProcess::CliProcess() {
   process_.setStandardOutputFile(QProcess::nullDevice());
 #ifdef Q_OS_UNIX
   // A group of its own: the program starts others, which end with it.
-  process_.setChildProcessModifier([] {
-    ::setpgid(0, 0);
-    ::setpriority(PRIO_PROCESS, 0, kBehindTheWindow);
-  });
+  process_.setChildProcessModifier([] { system::leadGroup(kBehindTheWindow); });
 #endif
   connect(&process_, &QProcess::readyReadStandardError, this, &CliProcess::read);
   connect(&process_, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
@@ -61,7 +52,7 @@ void CliProcess::kill() {
   if (process_.state() == QProcess::NotRunning) return;
 #ifdef Q_OS_UNIX
   process_.waitForStarted(kWaitForEnd_ms);  // before that it has no group yet
-  if (process_.processId() > 0) ::kill(-static_cast<pid_t>(process_.processId()), SIGKILL);
+  if (process_.processId() > 0) system::killGroup(process_.processId());
 #endif
   process_.kill();
   process_.waitForFinished(kWaitForEnd_ms);

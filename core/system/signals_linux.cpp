@@ -1,6 +1,9 @@
-#include "app/cli/interrupt.h"
+#ifdef __linux__
+#include <csignal>
 
-namespace underact::cli {
+#include "core/system/signals.h"
+
+namespace underact::system {
 namespace {
 
 volatile std::sig_atomic_t signal_came = 0;
@@ -14,20 +17,15 @@ void takeOver(int signal, void (*handler)(int), std::vector<std::pair<int, void 
   void (*const old)(int) = std::signal(signal, handler);
   if (old == SIG_ERR) return;
   before.emplace_back(signal, old);
-#ifdef SIGHUP
   if (signal == SIGHUP && old == SIG_IGN) std::signal(signal, SIG_IGN);
-#endif
 }
 
 }  // namespace
 
 Interrupt::Interrupt(Reader reader) {
   signal_came = 0;
-  for (const int signal : {SIGINT, SIGTERM}) takeOver(signal, onSignal, before_);
-#ifdef SIGHUP
-  for (const int signal : {SIGHUP, SIGQUIT}) takeOver(signal, onSignal, before_);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) takeOver(signal, onSignal, before_);
   if (reader == Reader::MayGo) takeOver(SIGPIPE, SIG_IGN, before_);
-#endif
 }
 
 Interrupt::~Interrupt() {
@@ -38,4 +36,13 @@ bool Interrupt::came() const {
   return signal_came != 0;
 }
 
-}  // namespace underact::cli
+void outliveStarter() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);
+}
+
+void tellOfFullFiles() {
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+}  // namespace underact::system
+#endif

@@ -1,10 +1,9 @@
 #pragma once
-#include <csignal>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace underact::cli {
+namespace underact::system {
 
 /// What happens when nobody reads the results any more (a pipe into head, a terminal that is gone). Needed: the program
 /// ends there and then. MayGo: it goes on, for it holds an arm, and what it says is lost.
@@ -24,4 +23,10 @@ class Interrupt {
   std::vector<std::pair<int, void (*)(int)>> before_;
 };
 
-}  // namespace underact::cli
+/// What asks a program to end is not heard from here on: it ends when its starter does.
+void outliveStarter();
+
+/// A file that may not grow is told of as a disk that is full.
+void tellOfFullFiles();
+
+}  // namespace underact::system

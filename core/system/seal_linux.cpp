@@ -1,33 +1,28 @@
-#include "app/seal/seal.h"
-
-#include <algorithm>
-#include <cmath>
-#include <initializer_list>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#endif
 #ifdef __linux__
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
-#endif
+
+#include "core/system/seal.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define UNDERACT_SANITIZED 1  // their shadow takes terabytes of addresses, and they ask more of the system
 #endif
 
-namespace underact::seal {
+namespace underact::system {
 namespace {
 
-#if defined(__unix__) || defined(__APPLE__)
 bool limit(int resource, rlim_t most) {
   // Where somebody has set less already, that is well, too: more may not be asked for.
   rlimit both{};
@@ -49,9 +44,6 @@ bool setLimits(std::uint64_t most_bytes, double most_cpu_s) {
 #endif
   return is_well;
 }
-#endif
-
-#ifdef __linux__
 
 #if defined(__x86_64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64;
@@ -127,31 +119,19 @@ bool setFilter() {
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-#endif
-
 }  // namespace
 
 bool seal(std::uint64_t most_bytes, double most_cpu_s) {
-  bool is_well = true;
-#if defined(__unix__) || defined(__APPLE__)
-  is_well = setLimits(most_bytes, most_cpu_s);
-#else
-  static_cast<void>(most_bytes);
-  static_cast<void>(most_cpu_s);
-#endif
-#ifdef __linux__
+  bool is_well = setLimits(most_bytes, most_cpu_s);
   is_well = ::prctl(PR_SET_DUMPABLE, 0) == 0 && is_well;
-  is_well = setFilter() && is_well;
-#endif
-  return is_well;
+  return setFilter() && is_well;
 }
 
 void endWithStarter() {
-#ifdef __linux__
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
 }
 
-}  // namespace underact::seal
+}  // namespace underact::system
 
 #undef UNDERACT_SANITIZED
+#endif
