@@ -1,19 +1,16 @@
 #include "app/cli/today.h"
 
-#include <ctime>
+#include <chrono>
+#include <cstdio>
 
 namespace underact::cli {
 
 std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-#ifdef _WIN32
-  gmtime_s(&utc, &now);
-#else
-  gmtime_r(&now, &utc);
-#endif
+  using namespace std::chrono;
+  const year_month_day day{floor<days>(system_clock::now())};
   char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
+  std::snprintf(text, sizeof text, "%04d-%02u-%02u", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                static_cast<unsigned>(day.day()));
   return text;
 }
 

@@ -9,7 +9,6 @@
 #include "core/helper/talk.h"
 #include "core/helper/words.h"
 #include "core/record/foreign_protocol.h"
-#include "core/record/hdf5_file.h"
 #include "core/system/places.h"
 
 namespace underact::record {
@@ -55,7 +54,6 @@ struct ForeignFile::Impl {
   std::int64_t at_least = 0;
   helper::Talk talk;
   Shape shape;
-  std::optional<Hdf5File> here;  // where there are no sealed processes
 
   Problems problem(Sentence sentence) const { return {{std::move(sentence), {input->path()}}}; }
   Problems unreadable() const {
@@ -120,35 +118,28 @@ Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input,
   impl->input = std::move(input);
   impl->tables.assign(tables.begin(), tables.end());
   impl->at_least = at_least;
-  if constexpr (kIsSealed) {
-    const Result<std::string> program = system::findProgram(kSessionReader, "UNDERACT_SESSION_READER");
-    if (!program)
-      return impl->problem(
-          oneAfterAnother({program.problems().front().sentence,
-                           said(TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
-    impl->talk = helper::Talk(program.value(), impl->input->fd());
-    const Problems problems = impl->look(Asks::Open);
-    if (!problems.empty()) return problems;
-  } else {
-    Result<Hdf5File> file = Hdf5File::openAt(impl->input->fd(), tables, at_least);
-    if (!file) return impl->problem(file.problems().front().sentence);
-    impl->here = std::move(file).value();
-  }
+  const Result<std::string> program = system::findProgram(kSessionReader, "UNDERACT_SESSION_READER");
+  if (!program)
+    return impl->problem(
+        oneAfterAnother({program.problems().front().sentence,
+                         said(TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
+  impl->talk = helper::Talk(program.value(), impl->input->fd());
+  const Problems problems = impl->look(Asks::Open);
+  if (!problems.empty()) return problems;
   ForeignFile file(std::move(impl));
   if (file.isOpenElsewhere()) file.impl_->input->unlock();  // its writer may go on
   return file;
 }
 
 std::int64_t ForeignFile::rows(std::size_t table) const {
-  return impl_->here ? impl_->here->rows(table) : impl_->shape.rows[table];
+  return impl_->shape.rows[table];
 }
 
 std::int64_t ForeignFile::blockRows(std::size_t table) const {
-  return impl_->here ? impl_->here->blockRows(table) : impl_->shape.block_rows[table];
+  return impl_->shape.block_rows[table];
 }
 
 Result<std::vector<Block>> ForeignFile::read(std::size_t table, std::int64_t first, std::int64_t count) {
-  if (impl_->here) return impl_->here->read(table, first, count);
   const std::int64_t block_rows = blockRows(table);
   const RowRange wanted = rangeOf(first, count, block_rows, rows(table));
   const auto blocks = static_cast<std::size_t>(wanted.blocks(block_rows));
@@ -181,19 +172,16 @@ Result<std::vector<Block>> ForeignFile::read(std::size_t table, std::int64_t fir
 }
 
 void ForeignFile::refresh() {
-  if (impl_->here) return impl_->here->refresh();
   (void)impl_->look(Asks::Refresh);  // where that fails, what was there stays, and reading it says why
 }
 
 std::string ForeignFile::text(std::string_view attribute) {
-  if (impl_->here) return impl_->here->text(attribute);
   const Result<std::vector<std::byte>> answer = impl_->ask(questionOf(Asks::Text, attribute), kLongestAttribute);
   if (!answer) return {};
   return {reinterpret_cast<const char*>(answer.value().data()), answer.value().size()};
 }
 
 std::int64_t ForeignFile::integer(std::string_view attribute, std::int64_t fallback) {
-  if (impl_->here) return impl_->here->integer(attribute, fallback);
   Question question = questionOf(Asks::Integer, attribute);
   question.fallback = fallback;
   const Result<std::vector<std::byte>> answer = impl_->ask(question, sizeof fallback);
@@ -201,7 +189,6 @@ std::int64_t ForeignFile::integer(std::string_view attribute, std::int64_t fallb
 }
 
 double ForeignFile::real(std::string_view attribute, double fallback) {
-  if (impl_->here) return impl_->here->real(attribute, fallback);
   Question question = questionOf(Asks::Real, attribute);
   question.real_fallback = fallback;
   const Result<std::vector<std::byte>> answer = impl_->ask(question, sizeof fallback);
@@ -209,7 +196,7 @@ double ForeignFile::real(std::string_view attribute, double fallback) {
 }
 
 bool ForeignFile::isOpenElsewhere() const {
-  return impl_->here ? impl_->here->isOpenElsewhere() : impl_->shape.is_open_elsewhere == 1;
+  return impl_->shape.is_open_elsewhere == 1;
 }
 
 }  // namespace underact::record

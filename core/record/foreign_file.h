@@ -30,17 +30,10 @@ class ForeignInput {
   system::Descriptor file_;
 };
 
-/// Each file that is open has a process of its own, so that several threads may each read one.
-#if defined(__linux__)
-inline constexpr bool kIsSealed = true;
-#else
-inline constexpr bool kIsSealed = false;
-#endif
-
 /// The reading side of Hdf5File for files that may come from anybody. The HDF5 library does not look at them in this
 /// process but in underact-session-reader, which is shut off from all else: whatever a file does to it, it ends there,
-/// and is a sentence here. Of each answer every count and length is checked. Where there are no sealed processes (not
-/// on Linux), Hdf5File itself, with the same checks of what the file says. Any one thread at a time.
+/// and is a sentence here. Of each answer every count and length is checked. Each file that is open has a process of
+/// its own, so that several threads may each read one; any one thread at a time.
 class ForeignFile {
  public:
   /// at_least: see accessThrough(). Problems: as Hdf5File::open(); the reader is missing (UNDERACT_SESSION_READER says

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "core/system/this_process.h"
+
 namespace underact::device::openhaptics {
 
 std::optional<std::string> settingsFolder(const std::filesystem::path& home, const std::filesystem::path& shared) {
@@ -24,7 +26,7 @@ std::filesystem::path sharedFolder() {
 void pointToSettings() {
   if (std::getenv(kSettingsVariable) != nullptr) return;
   if (const std::optional<std::string> folder = settingsFolder(homeFolder(), sharedFolder()))
-    setenv(kSettingsVariable, folder->c_str(), 0);
+    system::setVariable(kSettingsVariable, *folder);
 }
 
 }  // namespace underact::device::openhaptics

@@ -19,7 +19,7 @@ constexpr int kWait_ms = 300;
 constexpr qint64 kTellEvery_ms = 250;  // of a folder with many files
 constexpr qint64 kMillisecond_ns = 1'000'000;
 // Each file is read by a process of its own, which is waited for: several of them together take a third of the time.
-constexpr std::size_t kFilesAtOnce = record::kIsSealed ? 4 : 1;
+constexpr std::size_t kFilesAtOnce = 4;
 
 QString textOf(const std::string& text) {
   return QString::fromStdString(text);
