@@ -22,7 +22,7 @@ std::string contentOf(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(NewFile, IsItsOwnersAloneWhateverTheUmaskIs) {
+TEST(MakeNew, IsItsOwnersAloneWhateverTheUmaskIs) {
   const test::ScratchFolder folder;
   for (const mode_t mask : {0, 022, 077, 0577}) {
     const test::Umask umask(mask);
@@ -32,7 +32,7 @@ TEST(NewFile, IsItsOwnersAloneWhateverTheUmaskIs) {
   }
 }
 
-TEST(NewFile, NothingOfThatNameIsTouchedUnlessItIsToBeReplaced) {
+TEST(MakeNew, NothingOfThatNameIsTouchedUnlessItIsToBeReplaced) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("file", "mine"), link = folder.file("link"), dangling = folder.file("dangling");
   fs::create_symlink(file, link);
@@ -47,7 +47,7 @@ TEST(NewFile, NothingOfThatNameIsTouchedUnlessItIsToBeReplaced) {
   EXPECT_FALSE(fs::exists(folder.file("nowhere")));
 }
 
-TEST(NewFile, ReplacingTakesALinkAwayAndNotWhatItLeadsTo) {
+TEST(MakeNew, ReplacingTakesALinkAwayAndNotWhatItLeadsTo) {
   const test::ScratchFolder folder;
   const std::string target = folder.write("target", "mine"), link = folder.file("link");
   fs::create_symlink(target, link);
@@ -62,7 +62,7 @@ TEST(NewFile, ReplacingTakesALinkAwayAndNotWhatItLeadsTo) {
   EXPECT_EQ(contentOf(target), "mine");
 }
 
-TEST(NewFile, FoldersPipesAndDevicesAreNeverReplaced) {
+TEST(MakeNew, FoldersPipesAndDevicesAreNeverReplaced) {
   const test::ScratchFolder folder;
   for (const test::OddFile& odd : test::oddFiles(folder, "")) {
     if (odd.what == "no file" || odd.what == "1 TiB of nothing" || fs::is_symlink(odd.path)) continue;
@@ -72,7 +72,7 @@ TEST(NewFile, FoldersPipesAndDevicesAreNeverReplaced) {
   }
 }
 
-TEST(NewFile, SameFileOpensTheOneThatWasMadeAlsoWhereAnotherStandsAtItsName) {
+TEST(NameOf, OpensTheOneThatWasMadeAlsoWhereAnotherStandsAtItsName) {
   const test::ScratchFolder folder;
   const Descriptor made = makeNew(folder.file("new"), Existing::Refuse);
   const std::string same = nameOf(made.number(), folder.file("new"));
