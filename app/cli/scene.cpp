@@ -9,6 +9,7 @@
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
 #include "core/tick/cost.h"
+#include "core/tick/state.h"
 
 namespace underact::cli {
 namespace {
@@ -55,9 +56,10 @@ const char* lawName(const scene::Control& control) {
 
 /// How a virtual manipulator's joints are found; null for others.
 const char* solverOf(const tick::Entry& entry) {
-  if (!entry.constraint.manipulator) return nullptr;
-  if (entry.constraint.manipulator->law == manipulator::ForceLaw::Thesis52) return "thesis-5.2";
-  return entry.constraint.manipulator->closed ? "closed_form" : "iterative";
+  const auto* robot = std::get_if<manipulator::Manipulator>(&entry.constraint.goal);
+  if (robot == nullptr) return nullptr;
+  if (robot->law == manipulator::ForceLaw::Thesis52) return "thesis-5.2";
+  return robot->closed ? "closed_form" : "iterative";
 }
 
 JsonObject describedAsJson(const LoadedScene& loaded) {

@@ -60,14 +60,14 @@ JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
     one.addText("name", loaded.description.constraints[index].name);
     addAnswer(one, held.status, &held.p_WP, held.f_T_W, max_force_N);
     one.addBool("acts", held.acts && held.status == Status::Unique);
-    const auto& manipulator = loaded.program.entries[index].constraint.manipulator;
-    if (manipulator) addRobot(one, held.robot, manipulator->chain);
+    const auto* robot = std::get_if<manipulator::Manipulator>(&loaded.program.entries[index].constraint.goal);
+    if (robot != nullptr) addRobot(one, held.robot, robot->chain);
   }
   JsonObject all;
   const Vec3* p_WP = report.held.size() == 1 ? &report.held[0].p_WP : nullptr;
   addAnswer(all, statusOf(report.held), p_WP, report.f_T_W, max_force_N);
-  const auto& only = loaded.program.entries[0].constraint.manipulator;
-  if (report.held.size() == 1 && only) addRobot(all, report.held[0].robot, only->chain);
+  const auto* only = std::get_if<manipulator::Manipulator>(&loaded.program.entries[0].constraint.goal);
+  if (report.held.size() == 1 && only != nullptr) addRobot(all, report.held[0].robot, only->chain);
   all.addList("constraints", constraints);
   return all;
 }

@@ -98,6 +98,31 @@ bool isFinite(const std::array<double, manipulator::kMaxJoints>& values) {
   return true;
 }
 
+bool isFinite(const target::State& state) {
+  bool all = state.grip.p_WG.allFinite();
+  if (const auto* one = std::get_if<target::InfluenceState>(&state.memory))
+    all = all && std::isfinite(one->delta_rad) && areFinite({one->about_W, one->n_W});
+  if (const auto* robot = std::get_if<manipulator::State>(&state.memory))
+    all = all && isFinite(robot->theta) && isFinite(robot->pace) && robot->p_WP.allFinite() &&
+          isFinite(robot->watch.theta);
+  if (const auto* mesh = std::get_if<target::MeshState>(&state.memory)) all = all && mesh->touch.q_M.allFinite();
+  return all;
+}
+
+bool isFinite(const tick::EntryState& entry) {
+  const control::EnergyState& energy = entry.energy;
+  bool all = isFinite(entry.target) && isFinite(entry.law.velocity) &&
+             areFinite({entry.law.integral_T_W,
+                        energy.e_last_W,
+                        energy.f_T_W,
+                        energy.impulse_N_s,
+                        energy.way_T_W,
+                        energy.change_W,
+                        {energy.energy_J, energy.balance_J, energy.stored_J}});
+  for (const double angle_rad : entry.follower.q_rad) all = all && std::isfinite(angle_rad);
+  return all;
+}
+
 /// The same force, target and fault, to the bit.
 bool isSame(const tick::TickReport& a, const tick::TickReport& b) {
   if (a.force.f_T_W() != b.force.f_T_W() || a.f_T_W != b.f_T_W || a.p_WT != b.p_WT) return false;
@@ -115,23 +140,7 @@ bool isFinite(const tick::TickState& state) {
       areFinite({state.p_WT, state.asked_T_W, state.bump_T_W, state.gate.v_WT, state.gate.f_T_W, state.gate.heat});
   for (const double angle_rad : state.q_rad) all = all && std::isfinite(angle_rad);
   all = all && std::isfinite(state.gate.level) && std::isfinite(state.gate.still_s);
-  for (const control::LawState& law : state.laws) all = all && isFinite(law.velocity) && law.integral_T_W.allFinite();
-  for (const target::InfluenceState& one : state.influences)
-    all = all && std::isfinite(one.delta_rad) && areFinite({one.about_W, one.n_W});
-  for (const manipulator::State& robot : state.robots)
-    all = all && isFinite(robot.theta) && isFinite(robot.pace) && robot.p_WP.allFinite() && isFinite(robot.watch.theta);
-  for (const target::Grip& grip : state.grips) all = all && grip.p_WG.allFinite();
-  for (const target::MeshState& mesh : state.meshes) all = all && mesh.touch.q_M.allFinite();
-  for (const control::EnergyState& one : state.energies)
-    all = all && areFinite({one.e_last_W,
-                            one.f_T_W,
-                            one.impulse_N_s,
-                            one.way_T_W,
-                            one.change_W,
-                            {one.energy_J, one.balance_J, one.stored_J}});
-  for (const arm::FollowerState& follower : state.followers) {
-    for (const double angle_rad : follower.q_rad) all = all && std::isfinite(angle_rad);
-  }
+  for (const tick::EntryState& entry : state.entries) all = all && isFinite(entry);
   return all;
 }
 

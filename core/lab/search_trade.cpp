@@ -86,9 +86,11 @@ std::vector<SearchTrade> searchTrade(const tick::TickProgram& program, const sim
   std::vector<SearchTrade> trades;
   if (way.empty()) return trades;
   for (std::size_t index = 0; index < program.entries.size(); ++index) {
-    const target::Constraint& constraint = program.entries[index].constraint;
-    if (!constraint.mesh && !constraint.curve) continue;
-    trades.push_back(constraint.mesh ? tradeOf(*constraint.mesh, way) : tradeOf(*constraint.curve, way));
+    const target::Goal& goal = program.entries[index].constraint.goal;
+    const auto* place = std::get_if<target::MeshPlace>(&goal);
+    const auto* path = std::get_if<target::CurvePath>(&goal);
+    if (place == nullptr && path == nullptr) continue;
+    trades.push_back(place != nullptr ? tradeOf(*place, way) : tradeOf(*path, way));
     trades.back().constraint = index;
   }
   return trades;

@@ -8,6 +8,16 @@
 namespace underact::record {
 namespace {
 
+/// The memory of each target of a kind. An entry of another kind has none; the bytes are of one that has not begun.
+template <class Memory, class Entries, class Part>
+void eachMemory(Entries& entries, Part&& part) {
+  for (auto& entry : entries) {
+    Memory none = Memory();
+    auto* const memory = std::get_if<Memory>(&entry.target.memory);
+    memory != nullptr ? part(*memory) : part(none);
+  }
+}
+
 /// Every part of a state, in one place for both ways. What carryOver() hands on between two ticks is all in here.
 template <class State, class Part>
 void eachPart(State& state, Part&& part) {
@@ -20,14 +30,17 @@ void eachPart(State& state, Part&& part) {
   part(state.bump_T_W);
   part(state.retuned);
   part(state.gate);
-  for (auto& law : state.laws) part(law);
-  for (auto& influence : state.influences) part(influence);
-  for (auto& robot : state.robots) part(robot);
-  for (auto& mesh : state.meshes) part(mesh);
-  for (auto& curve : state.curves) part(curve);
-  for (auto& grip : state.grips) part(grip);
-  for (auto& energy : state.energies) part(energy);
-  for (auto& follower : state.followers) part(follower);
+  const auto each = [&state](bool is_needed, auto&& of_entry) {
+    for (std::size_t index = 0; is_needed && index < state.entries.size(); ++index) of_entry(state.entries[index]);
+  };
+  each(state.needs.rate, [&](auto& entry) { part(entry.law); });
+  if (state.needs.orientation) eachMemory<target::InfluenceState>(state.entries, part);
+  if (state.needs.robots) eachMemory<manipulator::State>(state.entries, part);
+  if (state.needs.meshes) eachMemory<target::MeshState>(state.entries, part);
+  if (state.needs.curves) eachMemory<target::CurveState>(state.entries, part);
+  each(state.needs.friction, [&](auto& entry) { part(entry.target.grip); });
+  each(state.needs.energy, [&](auto& entry) { part(entry.energy); });
+  each(state.needs.joints, [&](auto& entry) { part(entry.follower); });
 }
 
 /// Eigen's fixed sizes have no pointers in them, though the standard does not call them trivial.
@@ -47,9 +60,13 @@ std::vector<std::byte> bytesOfState(const tick::TickState& state) {
 }
 
 std::string stateLayout() {
+  // Files say 488 for a state without entries, which was its size in memory when the first ones were written.
+  std::size_t bytes = 488 - 275;
+  const tick::TickState none;
+  eachPart(none, [&bytes](const auto& part) { bytes += sizeof part; });
   std::string layout = "1";
   for (const std::size_t size :
-       {sizeof(tick::TickState), sizeof(safety::GateState), sizeof(control::LawState), sizeof(target::InfluenceState),
+       {bytes, sizeof(safety::GateState), sizeof(control::LawState), sizeof(target::InfluenceState),
         sizeof(manipulator::State), sizeof(target::MeshState), sizeof(target::CurveState), sizeof(target::Grip),
         sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
     layout += ":" + std::to_string(size);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/tick/program.h"
+#include "core/tick/state.h"
 
 namespace underact::record {
 

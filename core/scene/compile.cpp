@@ -88,34 +88,33 @@ Vec3 metricOf(const Control& control) {
   return weighted ? control.gains.kp_N_per_mm : Vec3::Ones();
 }
 
-/// What a shape becomes in the tick; a virtual manipulator has no shape.
+target::Influence influenceOf(const Influence& influence) {
+  const double sign = influence.stylus_axis == StylusAxis::PlusZ ? 1.0 : -1.0;
+  return {influence.t, sign, kRadPerDegree * influence.blend_deg};
+}
+
+/// What the stylus is held to in the tick, without friction.
 Result<target::Constraint> heldTo(const Constraint& constraint, const Control& control) {
+  const target::Side side = constraint.side;
+  const auto held = [](auto made, target::Side on) -> Result<target::Constraint> {
+    if (!made) return made.problems();
+    return target::Constraint{std::move(made).value(), on};
+  };
   return std::visit(
       [&](const auto& chosen) -> Result<target::Constraint> {
         using Chosen = std::decay_t<decltype(chosen)>;
         if constexpr (std::is_same_v<Chosen, Mesh>) {
-          auto placed = makeMeshPlace(chosen, constraint.side, constraint.place);
-          if (!placed) return placed.problems();
-          target::Constraint held;
-          held.mesh = std::move(placed).value();
-          held.side = constraint.side;
-          return held;
+          return held(makeMeshPlace(chosen, side, constraint.place), side);
         } else if constexpr (std::is_same_v<Chosen, Curve>) {
-          auto path = makeCurvePath(chosen, constraint.place);
-          if (!path) return path.problems();
-          target::Constraint held;
-          held.curve = std::move(path).value();
-          return held;
+          return held(makeCurvePath(chosen, constraint.place), target::Side::Both);
         } else if constexpr (std::is_same_v<Chosen, VirtualManipulator>) {
-          auto made = makeManipulator(chosen, control, constraint.place);
-          if (!made) return made.problems();
-          target::Constraint held;
-          held.manipulator = std::move(made).value();
-          return held;
+          return held(makeManipulator(chosen, control, constraint.place), target::Side::Both);
         } else {
           const auto made = make(chosen, constraint.place);
           if (!made) return made.problems();
-          return target::makeConstraint(made.value(), constraint.side, metricOf(control));
+          if (constraint.influence)
+            return target::Constraint{target::InfluencedShape{made.value(), influenceOf(*constraint.influence)}, side};
+          return target::makeConstraint(made.value(), side, metricOf(control));
         }
       },
       constraint.shape);
@@ -138,11 +137,6 @@ Result<tick::TickProgram> compile(const Description& scene) {
     }
     const Vec3 lever_m = control.space == tick::Space::Joint ? leversOf(preset.geometry) : Vec3::Ones();
     target::Constraint held = std::move(made).value();
-    if (constraint.influence) {
-      const double sign = constraint.influence->stylus_axis == StylusAxis::PlusZ ? 1.0 : -1.0;
-      held.influence = {constraint.influence->t, sign, kRadPerDegree * constraint.influence->blend_deg};
-      held.influenced = true;
-    }
     if (constraint.friction) {
       held.friction = {constraint.friction->static_share, constraint.friction->dynamic_share};
     }

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/servo/snapshot.h"
-#include "core/tick/program.h"
+#include "core/tick/state.h"
 
 namespace underact::servo {
 

@@ -12,12 +12,6 @@ constexpr std::int64_t kRoom_ns = 4'000'000'000;
 constexpr std::int64_t kRoomAtLeast = 16384;
 constexpr std::size_t kEvents = 1024;  // edits or faults between two visits of the recorder
 
-template <class State>
-void makeRoom(std::vector<State>& states) {
-  states.resize(tick::kMaxConstraints);  // touches the pages, too
-  states.clear();
-}
-
 }  // namespace
 
 Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
@@ -28,18 +22,12 @@ Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
   touchPages(records_);
   touchPages(changes_);
   touchPages(faults_);
-  makeRoom(start_.laws);
-  makeRoom(start_.influences);
-  makeRoom(start_.robots);
-  makeRoom(start_.meshes);
-  makeRoom(start_.curves);
-  makeRoom(start_.grips);
-  makeRoom(start_.energies);
-  makeRoom(start_.followers);
+  start_.entries.resize(tick::kMaxConstraints);  // touches the pages, too
+  start_.entries.clear();
 }
 
 void Tap::begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state) noexcept {
-  UNDERACT_EXCEPTED("vectors with their room from the start: tests/malloc counts", start_ = state);
+  UNDERACT_EXCEPTED("a vector with its room from the start: tests/malloc counts", start_ = state);
   first_tick_ = tick;
   first_revision_ = revision;
   begun_.store(true, std::memory_order_release);

@@ -9,6 +9,7 @@
 #include "core/base/real_time.h"
 #include "core/scene/description.h"
 #include "core/servo/snapshot.h"
+#include "core/tick/state.h"
 
 namespace underact::servo {
 

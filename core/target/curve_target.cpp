@@ -1,14 +1,12 @@
 #include "core/target/curve_target.h"
 
 #include "core/base/sound.h"
-#include "core/target/target.h"
 
 namespace underact::target {
 
-bool isSound(const CurveState& state, const curve::Curve* curve) noexcept {
-  const std::int32_t pieces = curve != nullptr ? pieceCount(*curve) : INT32_MAX;
+bool isSound(const CurveState& state, const curve::Curve& curve) noexcept {
   const std::int32_t piece = state.search.piece;
-  return piece >= -1 && piece < pieces && isFlag(state.guide.begun);
+  return piece >= -1 && piece < pieceCount(curve) && isFlag(state.guide.begun);
 }
 
 Target curveTarget(const CurvePath& path, const Vec3& p_WT, double dt_s, CurveState& state) noexcept {

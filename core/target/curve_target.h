@@ -4,10 +4,9 @@
 #include "core/base/real_time.h"
 #include "core/curve/guide.h"
 #include "core/curve/nearest.h"
+#include "core/target/target.h"
 
 namespace underact::target {
-
-struct Target;
 
 /// A curve that the stylus is held to, and led along where there is a guide.
 struct CurvePath {
@@ -22,8 +21,8 @@ struct CurveState {
   curve::GuideState guide;
 };
 
-/// Of bytes from a file. curve: that the state is for; null: there is none, and the state serves nobody.
-bool isSound(const CurveState& state, const curve::Curve* curve) noexcept;
+/// Of bytes from a file. curve: that the state is for.
+bool isSound(const CurveState& state, const curve::Curve& curve) noexcept;
 
 /// The point of the curve that the guide leads to; without a guide the nearest one. dt_s: since the last tick, 0:
 /// unknown. Where two far-apart points are as near it is the one of the last tick, so it is never degenerate.

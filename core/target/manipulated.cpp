@@ -4,9 +4,11 @@
 
 namespace underact::target {
 
-Target manipulatedTarget(const Constraint& constraint, const Pose& X_WT, double dt_s, manipulator::State& state,
-                         Robot& robot) noexcept {
-  const manipulator::Manipulator& manipulator = *constraint.manipulator;
+Target manipulatedTarget(const manipulator::Manipulator& manipulator, const Vec3& p_WT, const Mat3& R_WT, double dt_s,
+                         manipulator::State& state, Robot& robot) noexcept {
+  Pose X_WT = Pose::Identity();
+  X_WT.linear() = R_WT;
+  X_WT.translation() = p_WT;
   const manipulator::Followed followed = follow(manipulator, X_WT, dt_s, state);
   robot.joints = std::min(manipulator.chain.joints.size(), manipulator::kMaxJoints);
   robot.theta = followed.at.theta;
@@ -18,7 +20,7 @@ Target manipulatedTarget(const Constraint& constraint, const Pose& X_WT, double 
   robot.steps = followed.steps;
   robot.slewing = followed.slewing;
   robot.better_J = followed.better_J;
-  const double distance_m = (followed.p_WP - X_WT.translation()).norm();
+  const double distance_m = (followed.p_WP - p_WT).norm();
   return {followed.p_WP, followed.is_unique ? Status::Unique : Status::Degenerate, distance_m};
 }
 

@@ -18,9 +18,8 @@ struct Robot {
   double better_J = 0.0;  // what another minimum is known to save
 };
 
-/// The target that a virtual manipulator's tip is, and the robot. X_WT: the stylus; dt_s: since the last tick, 0:
-/// unknown. constraint.manipulator must be there.
-Target manipulatedTarget(const Constraint& constraint, const Pose& X_WT, double dt_s, manipulator::State& state,
-                         Robot& robot) noexcept UNDERACT_REAL_TIME;
+/// The target that a virtual manipulator's tip is, and the robot. dt_s: since the last tick, 0: unknown.
+Target manipulatedTarget(const manipulator::Manipulator& manipulator, const Vec3& p_WT, const Mat3& R_WT, double dt_s,
+                         manipulator::State& state, Robot& robot) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::target

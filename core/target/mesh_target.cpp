@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/base/sound.h"
-#include "core/target/target.h"
 
 namespace underact::target {
 namespace {
@@ -16,8 +15,8 @@ mesh::Hit alongSurface(const MeshPlace& place, const MeshState& state, const Vec
 
 }  // namespace
 
-bool isSound(const MeshState& state, const mesh::Surface* surface) noexcept {
-  const std::size_t faces = surface != nullptr ? surface->triangles.faces.size() : INT32_MAX;
+bool isSound(const MeshState& state, const mesh::Surface& surface) noexcept {
+  const std::size_t faces = surface.triangles.faces.size();
   const auto isFace = [faces](std::int32_t face) { return face >= -1 && face < static_cast<std::int64_t>(faces); };
   return isFace(state.search.face) && isFace(state.touch.face) && isFlag(state.touch.knows_last) &&
          state.search.cut.size <= mesh::Cut::kMost;  // whose nodes each search looks at before it goes by them

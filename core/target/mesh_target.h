@@ -4,12 +4,9 @@
 #include "core/base/real_time.h"
 #include "core/mesh/lean.h"
 #include "core/mesh/touch.h"
-#include "core/target/friction.h"
+#include "core/target/target.h"
 
 namespace underact::target {
-
-enum class Side : std::uint8_t;
-struct Target;
 
 /// A mesh that stands in the workspace: p_W = p_WM + scale_m R_WM p_M.
 struct MeshPlace {
@@ -27,8 +24,8 @@ struct MeshState {
   mesh::TouchState touch;    // of a wall's proxy
 };
 
-/// Of bytes from a file. surface: that the state is for; null: there is none, and the state serves nobody.
-bool isSound(const MeshState& state, const mesh::Surface* surface) noexcept;
+/// Of bytes from a file. surface: that the state is for.
+bool isSound(const MeshState& state, const mesh::Surface& surface) noexcept;
 
 inline Vec3 toMesh(const MeshPlace& place, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
   return place.R_WM.transpose() * (p_W - place.p_WM) / place.scale_m;

@@ -69,37 +69,39 @@ double costOf(control::Passivity passivity) {
   return passivity == control::Passivity::Control ? kPassive_ns : kObserve_ns;
 }
 
-double costOf(const target::Constraint& constraint) {
-  if (constraint.curve) {
-    const double pieces = curve::pieceCount(*constraint.curve->curve);
+struct GoalCost {
+  target::Side side;
+  double operator()(const target::NearestOnShape& held) const { return std::visit(ShapeCost{}, held.shape); }
+  double operator()(const target::InfluencedShape& held) const {
+    return std::visit(ShapeCost{}, held.shape) + kInfluence_ns;
+  }
+  double operator()(const target::MeshPlace& place) const {
+    const double lean_ns = place.lean.isThere() ? kLean_ns : 0.0;
+    if (side != target::Side::Both || place.search == mesh::Search::Local) return kWalk_ns + lean_ns;
+    const auto faces = static_cast<double>(place.surface->triangles.faces.size());
+    const double of_doubling_ns = place.search == mesh::Search::Global ? kGlobalOfDoubling_ns : kHybridOfDoubling_ns;
+    return kSearch_ns + of_doubling_ns * std::max(0.0, std::log2(faces / 1000.0)) + lean_ns;
+  }
+  double operator()(const target::CurvePath& path) const {
+    const double pieces = curve::pieceCount(*path.curve);
     return kCurve_ns + kCurveOfDoubling_ns * std::max(0.0, std::log2(pieces / 100.0));
   }
-  if (!constraint.mesh) return std::visit(ShapeCost{}, constraint.shape);
-  const double lean_ns = constraint.mesh->lean.isThere() ? kLean_ns : 0.0;
-  const mesh::Search search = constraint.mesh->search;
-  if (constraint.side != target::Side::Both || search == mesh::Search::Local) return kWalk_ns + lean_ns;
-  const auto faces = static_cast<double>(constraint.mesh->surface->triangles.faces.size());
-  const double of_doubling_ns = search == mesh::Search::Global ? kGlobalOfDoubling_ns : kHybridOfDoubling_ns;
-  return kSearch_ns + of_doubling_ns * std::max(0.0, std::log2(faces / 1000.0)) + lean_ns;
-}
-
-double costOf(const manipulator::Manipulator& robot) {
-  const double turn_ns = robot.orientation == manipulator::Orientation::None ? 0.0 : kWrist_ns;
-  if (robot.closed) return turn_ns + kClosedForm_ns;
-  return turn_ns + kStepsOf_ns + kStepsOfJoint_ns * static_cast<double>(robot.chain.joints.size());
-}
+  double operator()(const manipulator::Manipulator& robot) const {
+    const double turn_ns = robot.orientation == manipulator::Orientation::None ? 0.0 : kWrist_ns;
+    if (robot.closed) return turn_ns + kClosedForm_ns;
+    return turn_ns + kStepsOf_ns + kStepsOfJoint_ns * static_cast<double>(robot.chain.joints.size());
+  }
+};
 
 }  // namespace
 
 double predictedCost_ns(const TickProgram& program) {
   double cost_ns = kKinematics_ns + kGateAndReport_ns;
   for (const Entry& entry : program.entries) {
-    const std::optional<manipulator::Manipulator>& robot = entry.constraint.manipulator;
-    cost_ns += robot ? costOf(*robot) : costOf(entry.constraint);
+    cost_ns += std::visit(GoalCost{entry.constraint.side}, entry.constraint.goal);
     if (entry.constraint.friction.isThere()) cost_ns += kFriction_ns;
     cost_ns += std::visit(LawCost{}, entry.law);
     cost_ns += costOf(entry.passivity);
-    if (entry.constraint.influenced) cost_ns += kInfluence_ns;
     if (entry.space == Space::Joint) cost_ns += kJoints_ns;
   }
   return cost_ns;

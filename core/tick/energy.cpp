@@ -21,7 +21,7 @@ double storedIn(const TickProgram& program, const TickReport& report, const Tick
     return control::clampedEnergy(0.5 * f_T_W.dot(e_W), f_T_W.norm(), most_N);
   }
   const arm::JointAngles& q_rad = report.sample.q_rad;
-  const arm::JointAngles wanted_rad = arm::withinLimits(program.joint_limits, state.followers[index].q_rad);
+  const arm::JointAngles wanted_rad = arm::withinLimits(program.joint_limits, state.entries[index].follower.q_rad);
   const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
   return control::clampedEnergy(0.5 * kp.cwiseProduct(e_rad).dot(e_rad), held.f_T_W.norm(), most_N);
 }
@@ -29,7 +29,7 @@ double storedIn(const TickProgram& program, const TickReport& report, const Tick
 /// The part of the force sent last that belongs to a constraint which asked for f_T_W of it. A lone one has it all;
 /// several share it as they asked for it, and what the gate's slew limit adds beside that belongs to none.
 Vec3 partOf(const TickState& state, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
-  if (state.energies.size() == 1) return state.gate.f_T_W;
+  if (state.entries.size() == 1) return state.gate.f_T_W;
   const double asked2_N2 = state.asked_T_W.squaredNorm();
   if (!(asked2_N2 > 0.0) || !std::isfinite(asked2_N2)) return Vec3::Zero();
   return (state.gate.f_T_W.dot(state.asked_T_W) / asked2_N2) * f_T_W;
@@ -41,7 +41,7 @@ void watchEnergy(const TickProgram& program, const control::Moment& moment, cons
                  TickState& state, TickReport& report) noexcept {
   const Entry& entry = program.entries[index];
   Held& held = report.held[index];
-  control::EnergyState& energy = state.energies[index];
+  control::EnergyState& energy = state.entries[index].energy;
   if (moment.idle || entry.passivity == control::Passivity::Off) {
     energy = control::EnergyState{};
     return;

@@ -2,8 +2,8 @@
 #include <cstddef>
 
 #include "core/base/real_time.h"
-#include "core/tick/program.h"
 #include "core/tick/report.h"
+#include "core/tick/state.h"
 
 namespace underact::tick {
 

@@ -4,21 +4,18 @@
 
 #include "core/arm/sample.h"
 #include "core/safety/gate.h"
-#include "core/target/manipulated.h"
+#include "core/target/constraint.h"
 #include "core/tick/program.h"
 
 namespace underact::tick {
 
 /// What one constraint did in a tick.
-struct Held {
+struct Held : target::Details {
   Vec3 p_WP = Vec3::Zero();   // the target; the tip itself unless status is Unique
   Vec3 f_T_W = Vec3::Zero();  // its own force, before the gate
   target::Status status = target::Status::Free;
   double distance_m = 0.0;
   bool acts = false;                  // it has a part in the force (not where it is free or another is nearer)
-  target::Angles angles = {};         // of an influenced target
-  target::Arc arc = {};               // of an influenced target
-  target::Robot robot = {};           // of a virtual manipulator
   double energy_J = 0.0;              // that the stylus has put into it and not got back; below 0: it is active
   Vec3 f_passive_T_W = Vec3::Zero();  // what the passivity controller adds; part of f_T_W
 };

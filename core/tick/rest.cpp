@@ -20,10 +20,10 @@ TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3
   Pose X_WT = Pose::Identity();
   X_WT.linear() = R_WT;
   X_WT.translation() = p_WT;
-  std::vector<int> steps(state.robots.size(), 0);
-  for (std::size_t index = 0; index < state.robots.size(); ++index) {
-    const std::optional<manipulator::Manipulator>& robot = program.entries[index].constraint.manipulator;
-    if (robot) state.robots[index] = standing(*robot, X_WT, steps[index]);
+  std::vector<int> steps(state.entries.size(), 0);
+  for (std::size_t index = 0; index < state.entries.size(); ++index) {
+    const auto* robot = std::get_if<manipulator::Manipulator>(&program.entries[index].constraint.goal);
+    if (robot != nullptr) state.entries[index].target.memory = standing(*robot, X_WT, steps[index]);
   }
   TickReport report;
   step(there, input, state, report);

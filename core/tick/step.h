@@ -1,7 +1,7 @@
 #pragma once
 #include "core/base/real_time.h"
-#include "core/tick/program.h"
 #include "core/tick/report.h"
+#include "core/tick/state.h"
 
 namespace underact::tick {
 

@@ -86,8 +86,9 @@ const std::array<Need, 7> kNeeds{{
      [](const tick::TickProgram& program) { return program.needs.friction; }},
     {"influence", "the target between the stylus's place and its turn", giveInfluence, nullptr,
      [](const tick::TickProgram& program) {
-       return std::any_of(program.entries.begin(), program.entries.end(),
-                          [](const tick::Entry& entry) { return entry.constraint.influenced; });
+       return std::any_of(program.entries.begin(), program.entries.end(), [](const tick::Entry& entry) {
+         return std::holds_alternative<target::InfluencedShape>(entry.constraint.goal);
+       });
      }},
 }};
 

@@ -37,7 +37,7 @@ void add(const tick::TickReport& report, const tick::TickState& state, Walk& wal
     walk.e_W[index].push_back(held.p_WP - report.p_WT);
     walk.distance_m[index].push_back(held.distance_m);
     walk.acts[index].push_back(held.status == target::Status::Unique && held.acts);
-    if (index < state.laws.size()) walk.rate_W[index].push_back(state.laws[index].velocity.rate_W);
+    if (state.needs.rate) walk.rate_W[index].push_back(state.entries[index].law.velocity.rate_W);
   }
 }
 
@@ -105,7 +105,7 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const Way& way) 
   result.e_W.resize(constraints);
   result.distance_m.resize(constraints);
   result.acts.resize(constraints);
-  result.rate_W.resize(state.laws.size());
+  if (state.needs.rate) result.rate_W.resize(constraints);
   lab::Stopwatch of_tick(way.size());
   for (const arm::Sample& sample : way) {
     input.sample = sample;

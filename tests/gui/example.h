@@ -36,7 +36,7 @@ inline servo::Snapshot snapshotAt(const Vec3& p_WT, const Vec3& p_WP, const Vec3
   report.sample.q_rad[4] = 1.6;  // the stylus points at the user
   report.p_WT = p_WT;
   report.held.resize(1);
-  report.held[0] = {p_WP, f_T_W, target::Status::Unique, (p_WP - p_WT).norm(), true};
+  report.held[0] = {{}, p_WP, f_T_W, target::Status::Unique, (p_WP - p_WT).norm(), true};
   safety::Limits limits;
   limits.max_force_N = preset().continuous_force_N;
   safety::GateState gate;

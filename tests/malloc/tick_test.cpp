@@ -123,8 +123,7 @@ TEST(Tick, UnderEveryVelocityFilterAndThePassivityControllerToo) {
 TEST(Tick, WithInfluenceToo) {
   for (const shape::Shape& shape : test::middleShapes()) {
     Entry entry = hold(shape, test::everyLaw()[2]);
-    entry.constraint.influenced = true;
-    entry.constraint.influence = {0.5, 1.0, 0.1};
+    entry.constraint.goal = target::InfluencedShape{shape, {0.5, 1.0, 0.1}};
     expectQuiet(makeProgram(test::thesisGeometry(), {entry}, Combine::Sum, test::kTestLimits));
   }
 }

@@ -116,8 +116,8 @@ BREAKAGES = [
     ),
     Breakage(
         says="a weighted target is left in the scaled frame",
-        file="core/target/target.cpp",
-        old="nearest.p_WP = nearest.p_WP.cwiseQuotient(constraint.scale);",
+        file="core/target/shape_target.cpp",
+        old="nearest.p_WP = nearest.p_WP.cwiseQuotient(held.scale);",
         new="",
         program="target_test",
         test="target_test",
@@ -181,9 +181,9 @@ BREAKAGES = [
     ),
     Breakage(
         says="after a restart friction holds on to the old place",
-        file="core/tick/step.cpp",
-        old="for (target::Grip& grip : state.grips) grip.holds = false;",
-        new="",
+        file="core/target/constraint.cpp",
+        old="makeAnew(state.memory);\n  state.grip.holds = false;",
+        new="makeAnew(state.memory);",
         program="tick_test",
         test="tick_test",
     ),

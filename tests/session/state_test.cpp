@@ -42,6 +42,13 @@ bool isTaken(const TickProgram& program, const TickState& state) {
   return static_cast<bool>(read);
 }
 
+target::MeshState& meshOf(TickState& state) {
+  return std::get<target::MeshState>(state.entries[0].target.memory);
+}
+target::CurveState& curveOf(TickState& state) {
+  return std::get<target::CurveState>(state.entries[0].target.memory);
+}
+
 /// What a file may hold where a bool, or one byte, stands.
 template <class Flag>
 void setByte(Flag& flag, unsigned char value) {
@@ -66,42 +73,43 @@ TEST(StartState, OfAServoInTheMidstOfAnySceneIsTaken) {
 TEST(StartState, WhoseIndexesLeadOutOfMemoryIsRefused) {
   const TickProgram knot = programAt("25_torus_knot"), path = programAt("28_trefoil_path");
   const TickState of_knot = ticked(knot, tick::makeState(knot), 50), of_path = ticked(path, tick::makeState(path), 50);
-  const auto faces = static_cast<std::int32_t>(knot.entries[0].constraint.mesh->surface->triangles.faces.size());
-  const std::int32_t pieces = pieceCount(*path.entries[0].constraint.curve->curve);
+  const auto faces = static_cast<std::int32_t>(
+      std::get<target::MeshPlace>(knot.entries[0].constraint.goal).surface->triangles.faces.size());
+  const std::int32_t pieces = pieceCount(*std::get<target::CurvePath>(path.entries[0].constraint.goal).curve);
   for (const std::int32_t wrong : {-2, INT32_MIN, INT32_MAX}) {
     TickState state = of_knot;
-    state.meshes[0].search.face = wrong;
+    meshOf(state).search.face = wrong;
     EXPECT_FALSE(isTaken(knot, state));
     state = of_knot;
-    state.meshes[0].touch.face = wrong;
+    meshOf(state).touch.face = wrong;
     EXPECT_FALSE(isTaken(knot, state));
     state = of_path;
-    state.curves[0].search.piece = wrong;
+    curveOf(state).search.piece = wrong;
     EXPECT_FALSE(isTaken(path, state));
   }
   TickState state = of_knot;
-  state.meshes[0].touch.face = faces;
+  meshOf(state).touch.face = faces;
   EXPECT_FALSE(isTaken(knot, state));
-  state.meshes[0].touch.face = faces - 1;
+  meshOf(state).touch.face = faces - 1;
   EXPECT_TRUE(isTaken(knot, state));
   state = of_path;
-  state.curves[0].search.piece = pieces;
+  curveOf(state).search.piece = pieces;
   EXPECT_FALSE(isTaken(path, state));
-  state.curves[0].search.piece = pieces - 1;
+  curveOf(state).search.piece = pieces - 1;
   EXPECT_TRUE(isTaken(path, state));
 }
 
 TEST(StartState, WhoseCountsFlagsAndWordsAreNoneIsRefused) {
   const TickProgram pid = programAt("12_line_pid");
   const TickState well = ticked(pid, tick::makeState(pid), 50);
-  ASSERT_FALSE(well.laws.empty());
+  ASSERT_TRUE(well.needs.rate);
   const std::vector<std::function<void(TickState&)>> wrongs{
-      [](TickState& state) { state.laws[0].velocity.window.newest = control::kLongestWindow + 1; },
-      [](TickState& state) { state.laws[0].velocity.window.newest = -1; },
-      [](TickState& state) { state.laws[0].velocity.window.count = control::kLongestWindow + 2; },
-      [](TickState& state) { state.laws[0].velocity.window.count = INT32_MIN; },
-      [](TickState& state) { state.laws[0].velocity.filter = 4; },
-      [](TickState& state) { setByte(state.laws[0].velocity.has_last, 2); },
+      [](TickState& state) { state.entries[0].law.velocity.window.newest = control::kLongestWindow + 1; },
+      [](TickState& state) { state.entries[0].law.velocity.window.newest = -1; },
+      [](TickState& state) { state.entries[0].law.velocity.window.count = control::kLongestWindow + 2; },
+      [](TickState& state) { state.entries[0].law.velocity.window.count = INT32_MIN; },
+      [](TickState& state) { state.entries[0].law.velocity.filter = 4; },
+      [](TickState& state) { setByte(state.entries[0].law.velocity.has_last, 2); },
       [](TickState& state) { setByte(state.has_time, 255); },
       [](TickState& state) { setByte(state.limited, 2); },
       [](TickState& state) { setByte(state.retuned, 64); },

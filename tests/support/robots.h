@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/target/target.h"
+#include "core/target/constraint.h"
 #include "tests/support/tick_hand.h"
 
 namespace underact::test {
@@ -65,7 +65,7 @@ inline std::vector<manipulator::Manipulator> everyRobot() {
 /// The stylus held to a robot's tip.
 inline tick::Entry holdTo(const manipulator::Manipulator& robot, const control::Law& law) {
   tick::Entry entry;
-  entry.constraint.manipulator = robot;
+  entry.constraint.goal = robot;
   entry.law = law;
   return entry;
 }

@@ -79,7 +79,7 @@ void RobotPanel::refresh() {
   home_->present(shown->X_WV_home);
   solver_->present(shown->solver);
   const Result<tick::TickProgram> program = scene::compile(parts_.document.scene());
-  if (program) now_->setRobot(*program.value().entries[index_].constraint.manipulator);
+  if (program) now_->setRobot(std::get<manipulator::Manipulator>(program.value().entries[index_].constraint.goal));
   shown_ns_ = -1;
 }
 

@@ -63,8 +63,8 @@ void RobotPicture::setScene(const scene::Description& scene) {
   const Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return;
   for (std::size_t index = 0; index < program.value().entries.size(); ++index) {
-    const auto& made = program.value().entries[index].constraint.manipulator;
-    if (!made) continue;
+    const auto* made = std::get_if<manipulator::Manipulator>(&program.value().entries[index].constraint.goal);
+    if (made == nullptr) continue;
     Robot robot{index, *made, manipulator::allowed(*made, {}), Vec3::Zero()};
     for (const Robot& old : before) {  // edited: it goes on from where it is until the servo says more
       const bool alike = old.manipulator.chain.joints.size() == made->chain.joints.size();

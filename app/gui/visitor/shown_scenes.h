@@ -6,7 +6,7 @@
 #include "core/base/watch.h"
 #include "core/scene/description.h"
 #include "core/scene/teaching.h"
-#include "core/target/target.h"
+#include "core/target/curve_target.h"
 
 namespace underact::gui {
 

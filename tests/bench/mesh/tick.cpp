@@ -72,9 +72,9 @@ void timeTicks(int faces, int points) {
   const control::P law{Vec3::Constant(500.0)};
   for (const Way& way : kWays) {
     tick::Entry entry{{}, law};
-    entry.constraint.mesh = place;
-    entry.constraint.mesh->search = way.search;
-    entry.constraint.mesh->lean = mesh::leanOf(kRadPerDegree * way.smooth_deg);
+    place.search = way.search;
+    place.lean = mesh::leanOf(kRadPerDegree * way.smooth_deg);
+    entry.constraint.goal = place;
     entry.constraint.side = way.side;
     entry.constraint.friction = way.friction;
     tell(way.name, entry);

@@ -100,11 +100,11 @@ TEST(StrangeTick, NoSceneThatShipsIsMovedByWhatNoArmSends) {
 TEST(StrangeTick, SeesAStateThatIsNoNumber) {
   tick::TickState state;
   EXPECT_TRUE(isFinite(state));
-  state.laws.emplace_back();
+  state.entries.emplace_back();
   EXPECT_TRUE(isFinite(state));
-  state.laws[0].velocity.place_W.y() = kNotANumber;
+  state.entries[0].law.velocity.place_W.y() = kNotANumber;
   EXPECT_FALSE(isFinite(state));
-  state.laws.clear();
+  state.entries.clear();
   state.gate.heat.x() = kInfinity;
   EXPECT_FALSE(isFinite(state));
 }

@@ -100,7 +100,8 @@ TEST(SceneRules, OnlyAShapeWithSidesTakesASide) {
   for (const Shape& shape : kOneOfEach) {
     Description scene = sceneWithShape(shape);
     scene.constraints[0].side = target::Side::Outside;
-    const bool sides = shape::hasSides(compile(sceneWithShape(shape)).value().entries[0].constraint.shape);
+    const bool sides = shape::hasSides(
+        std::get<target::NearestOnShape>(compile(sceneWithShape(shape)).value().entries[0].constraint.goal).shape);
     EXPECT_EQ(check(scene).empty(), sides) << typeName(shape);
     EXPECT_EQ(hasSides(shape), sides) << typeName(shape);
   }

@@ -1,6 +1,7 @@
 #include "core/scene/compile.h"
 
 #include "core/base/units.h"
+#include "core/tick/state.h"
 #include "tests/core/scene/random_scene.h"
 
 namespace underact::scene {
@@ -16,12 +17,16 @@ tick::TickProgram programOf(const std::string& keys, const std::string& constrai
   return programOf("{\"underact_scene\": 1, \"title\": \"t\", " + keys + "\"constraints\": [" + constraints + "]}");
 }
 
+const target::NearestOnShape& nearestOf(const tick::Entry& entry) {
+  return std::get<target::NearestOnShape>(entry.constraint.goal);
+}
+
 const std::string kPointAside = R"({"type": "point", "position_mm": [10, -20, 30]})";
 const std::string kSphere = R"({"type": "sphere", "center_mm": [10, 20, 30], "radius_mm": 40})";
 
 TEST(CompileScene, MillimetresBecomeMetresByOneMultiplication) {
   const tick::TickProgram program = programOf("", kSphere);
-  const shape::Sphere& sphere = std::get<shape::Sphere>(program.entries[0].constraint.shape);
+  const shape::Sphere& sphere = std::get<shape::Sphere>(nearestOf(program.entries[0]).shape);
   EXPECT_EQ(sphere.p_WC, Vec3(10 * 1e-3, 20 * 1e-3, 30 * 1e-3));
   EXPECT_EQ(sphere.radius_m, 40 * 1e-3);
 }
@@ -36,7 +41,7 @@ TEST(CompileScene, EveryTypeBecomesItsOwnShape) {
                    {"type": "box", "center_mm": [1, 2, 3], "size_mm": [4, 5, 6], "R_WB": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]})");
   const Vec3 p_WC(1 * 1e-3, 2 * 1e-3, 3 * 1e-3);
   const auto shapeAt = [&](std::size_t index) -> const shape::Shape& {
-    return program.entries[index].constraint.shape;
+    return nearestOf(program.entries[index]).shape;
   };
   EXPECT_EQ(std::get<shape::Point>(shapeAt(0)).p_WC, Vec3(10 * 1e-3, -20 * 1e-3, 30 * 1e-3));
   EXPECT_EQ(std::get<shape::Line>(shapeAt(2)).p_WC, p_WC);
@@ -145,11 +150,11 @@ TEST(CompileScene, EnergyIsWatchedUnlessTheSceneSaysOff) {
 
 TEST(CompileScene, UnequalGainsMakeTheirOwnMetricUnlessTheSceneSaysEuclidean) {
   const tick::TickProgram weighted = programOf(R"("control": {"kp_N_per_mm": [1, 4, 0.25]}, )", kSphere);
-  EXPECT_TRUE(weighted.entries[0].constraint.weighted);
-  EXPECT_EQ(weighted.entries[0].constraint.scale, Vec3(0.5, 1.0, 0.25));
+  EXPECT_TRUE(nearestOf(weighted.entries[0]).weighted);
+  EXPECT_EQ(nearestOf(weighted.entries[0]).scale, Vec3(0.5, 1.0, 0.25));
   const tick::TickProgram euclidean =
       programOf(R"("control": {"kp_N_per_mm": [1, 4, 0.25], "anisotropy": "euclidean"}, )", kSphere);
-  EXPECT_FALSE(euclidean.entries[0].constraint.weighted);
+  EXPECT_FALSE(nearestOf(euclidean.entries[0]).weighted);
   EXPECT_EQ(control::stiffness(euclidean.entries[0].law), Vec3(1000, 4000, 250));
 }
 

@@ -121,8 +121,9 @@ TEST(MeshScene, CompilesOnlyWithItsSurfaceAndAWallOnlyWithAClosedOne) {
   const Result<tick::TickProgram> program = compile(scene);
   ASSERT_TRUE(program);
   EXPECT_TRUE(program.value().needs.meshes);
-  EXPECT_EQ(program.value().entries.at(0).constraint.mesh->scale_m, 0.002);
-  EXPECT_NEAR(program.value().entries.at(0).constraint.mesh->lean.sin, 0.5, 1e-15);
+  const auto& place = std::get<target::MeshPlace>(program.value().entries.at(0).constraint.goal);
+  EXPECT_EQ(place.scale_m, 0.002);
+  EXPECT_NEAR(place.lean.sin, 0.5, 1e-15);
 }
 
 TEST(MeshScene, AnotherFileIsAnotherSceneAnotherPlaceIsNot) {
@@ -176,7 +177,7 @@ TEST(CurveScene, CompilesWhereItsPointsAre) {
   const Result<tick::TickProgram> program = compile(scene);
   ASSERT_TRUE(program);
   EXPECT_TRUE(program.value().needs.curves);
-  const curve::Curve& made = *program.value().entries.at(0).constraint.curve->curve;
+  const curve::Curve& made = *std::get<target::CurvePath>(program.value().entries.at(0).constraint.goal).curve;
   EXPECT_NEAR((pointAt(made, 0.004) - Vec3(0.001, 0.006, 0.003)).norm(), 0.0, 1e-15);  // 4 mm along y
 }
 
@@ -184,7 +185,9 @@ TEST(CurveScene, AnEditThatMovesNothingKeepsTheCurve) {
   Description scene = sceneOf(R"({"type": "curve", "file": "a.txt", "guide": {"speed_mm_per_s": 30}})");
   Curve& curve = std::get<Curve>(scene.constraints.at(0).shape);
   curve.points = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}});
-  const auto made = [&scene] { return compile(scene).value().entries.at(0).constraint.curve->curve; };
+  const auto made = [&scene] {
+    return std::get<target::CurvePath>(compile(scene).value().entries.at(0).constraint.goal).curve;
+  };
   const std::shared_ptr<const curve::Curve> first = made();
   scene.control.gains.kp_N_per_mm = Vec3::Constant(0.125);
   curve.guide->speed_mm_per_s = -50.0;

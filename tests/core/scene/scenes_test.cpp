@@ -5,6 +5,7 @@
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
+#include "core/tick/state.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {
@@ -69,7 +70,7 @@ TEST(ShippedScenes, TheRobotsAreWhatTheirTextsSay) {
   }
   EXPECT_EQ(robot("17_thesis_force_law").force_law, manipulator::ForceLaw::Thesis52);
   const auto compiled = [](const std::string& name, std::size_t index = 0) {
-    return *compile(shipped(name)).value().entries.at(index).constraint.manipulator;
+    return std::get<manipulator::Manipulator>(compile(shipped(name)).value().entries.at(index).constraint.goal);
   };
   EXPECT_EQ(compiled("18_sphere_of_two_joints").closed->kind, manipulator::Kind::Sphere);
   EXPECT_EQ(compiled("19_four_bar", 1).closed->kind, manipulator::Kind::Circle);

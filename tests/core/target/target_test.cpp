@@ -1,10 +1,9 @@
-#include "core/target/target.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/control/law.h"
+#include "core/target/constraint.h"
 #include "tests/support/constraint_vectors.h"
 #include "tests/support/shape_oracle.h"
 
@@ -19,32 +18,31 @@ const Vec3 kEqualGains = Vec3::Constant(500.0);
 
 TEST(Target, AWallIsFreeOnItsSideAndHoldsOnTheOther) {
   const Vec3 outside = {0.01, 0.02, 0.09}, inside = {0.01, 0.02, 0.07}, on = {0.01, 0.02, 0.08};
+  const NearestOnShape ball = nearestOn(kSphere, kEqualGains);
   for (const auto& [side, free, held] : {std::tuple{Side::Outside, outside, inside}, {Side::Inside, inside, outside}}) {
-    const Constraint wall = makeConstraint(kSphere, side, kEqualGains);
-    EXPECT_EQ(nearestTarget(wall, free).status, Status::Free);
-    EXPECT_EQ(nearestTarget(wall, free).p_WP, free);
-    EXPECT_EQ(nearestTarget(wall, free).distance_m, 0.0);
-    EXPECT_EQ(nearestTarget(wall, held).status, Status::Unique);
-    EXPECT_NEAR(nearestTarget(wall, held).distance_m, 0.01, 1e-16);
-    EXPECT_LE((nearestTarget(wall, held).p_WP - on).norm(), 1e-16);
+    EXPECT_EQ(nearestTarget(ball, side, free).status, Status::Free);
+    EXPECT_EQ(nearestTarget(ball, side, free).p_WP, free);
+    EXPECT_EQ(nearestTarget(ball, side, free).distance_m, 0.0);
+    EXPECT_EQ(nearestTarget(ball, side, held).status, Status::Unique);
+    EXPECT_NEAR(nearestTarget(ball, side, held).distance_m, 0.01, 1e-16);
+    EXPECT_LE((nearestTarget(ball, side, held).p_WP - on).norm(), 1e-16);
   }
-  const Constraint both = makeConstraint(kSphere, Side::Both, kEqualGains);
-  EXPECT_EQ(nearestTarget(both, outside).status, Status::Unique);
-  EXPECT_EQ(nearestTarget(both, inside).status, Status::Unique);
+  EXPECT_EQ(nearestTarget(ball, Side::Both, outside).status, Status::Unique);
+  EXPECT_EQ(nearestTarget(ball, Side::Both, inside).status, Status::Unique);
 }
 
 TEST(Target, ExactlyOnAWallIsFree) {
   const shape::Shape floor = shape::makePlane({0, 0, 0}, {0, 1, 0}, {}).value();
-  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Outside, kEqualGains), {0.1, 0, 0.2}).status, Status::Free);
-  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Inside, kEqualGains), {0.1, 0, 0.2}).status, Status::Free);
-  EXPECT_EQ(nearestTarget(makeConstraint(floor, Side::Both, kEqualGains), {0.1, 0, 0.2}).status, Status::Unique);
+  EXPECT_EQ(nearestTarget(nearestOn(floor, kEqualGains), Side::Outside, {0.1, 0, 0.2}).status, Status::Free);
+  EXPECT_EQ(nearestTarget(nearestOn(floor, kEqualGains), Side::Inside, {0.1, 0, 0.2}).status, Status::Free);
+  EXPECT_EQ(nearestTarget(nearestOn(floor, kEqualGains), Side::Both, {0.1, 0, 0.2}).status, Status::Unique);
 }
 
 TEST(Target, TheMiddleOfAWallIsFreeFromInsideAndDegenerateFromOutside) {
   const Vec3 middle(0.01, 0.02, 0.03);
-  EXPECT_EQ(nearestTarget(makeConstraint(kSphere, Side::Inside, kEqualGains), middle).status, Status::Free);
+  EXPECT_EQ(nearestTarget(nearestOn(kSphere, kEqualGains), Side::Inside, middle).status, Status::Free);
   for (const Side side : {Side::Both, Side::Outside}) {
-    const Target target = nearestTarget(makeConstraint(kSphere, side, kEqualGains), middle);
+    const Target target = nearestTarget(nearestOn(kSphere, kEqualGains), side, middle);
     EXPECT_EQ(target.status, Status::Degenerate);
     EXPECT_EQ(target.p_WP, middle);
     EXPECT_NEAR(target.distance_m, 0.05, 1e-17);
@@ -56,9 +54,9 @@ TEST(Target, EqualGainsAreTheEuclideanMetricToTheLastBit) {
   for (int draw = 0; draw < test::sweep(2000, 100000) / 4; ++draw) {
     for (const ShapeOracle& one : test::everyShape(random)) {
       const Vec3 p_WT = random.inBox(0.2);
-      const Constraint constraint = makeConstraint(one.plain, Side::Both, Vec3::Constant(random.between(0.0, 1e4)));
-      ASSERT_FALSE(constraint.weighted);
-      const Target target = nearestTarget(constraint, p_WT);
+      const NearestOnShape held = nearestOn(one.plain, Vec3::Constant(random.between(0.0, 1e4)));
+      ASSERT_FALSE(held.weighted);
+      const Target target = nearestTarget(held, Side::Both, p_WT);
       const shape::Nearest nearest = closestPoint(one.plain, p_WT);
       ASSERT_EQ(target.p_WP, nearest.p_WP);
       ASSERT_EQ(target.distance_m, std::abs(nearest.height_m));
@@ -68,15 +66,15 @@ TEST(Target, EqualGainsAreTheEuclideanMetricToTheLastBit) {
 
 TEST(Target, OneGainThatDiffersIsEnoughForTheMetric) {
   for (const Vec3& stiffness : {Vec3(1, 1, 2), Vec3(1, 2, 2), Vec3(2, 1, 2)}) {
-    EXPECT_TRUE(makeConstraint(kSphere, Side::Both, stiffness).weighted) << stiffness.transpose();
+    EXPECT_TRUE(nearestOn(kSphere, stiffness).weighted) << stiffness.transpose();
   }
 }
 
 TEST(Target, APointIsTheSameInEveryMetric) {
   const shape::Shape point = shape::makePoint({0.1, 0.2, 0.3}, {}).value();
-  const Constraint constraint = makeConstraint(point, Side::Both, {1.0, 0.0, 5.0});
-  EXPECT_FALSE(constraint.weighted);
-  EXPECT_EQ(nearestTarget(constraint, {0, 0, 0}).p_WP, Vec3(0.1, 0.2, 0.3));
+  const NearestOnShape held = nearestOn(point, {1.0, 0.0, 5.0});
+  EXPECT_FALSE(held.weighted);
+  EXPECT_EQ(nearestTarget(held, Side::Both, {0, 0, 0}).p_WP, Vec3(0.1, 0.2, 0.3));
 }
 
 /// ½ e^T K e, what the weighted nearest point makes least.
@@ -89,9 +87,9 @@ TEST(Target, WithUnequalGainsNoPointOfTheShapeHasLessEnergy) {
   for (int draw = 0; draw < test::sweep(2000, 100000) / 4; ++draw) {
     const Vec3 stiffness(random.between(100, 2000), random.between(100, 2000), random.between(100, 2000));
     for (const ShapeOracle& one : test::everyShape(random)) {
-      if (one.scale != Vec3::Ones()) continue;  // makeConstraint scales the plain ones itself
+      if (one.scale != Vec3::Ones()) continue;  // nearestOn() scales the plain ones itself
       const Vec3 p_WT = random.inBox(0.2);
-      const Target target = nearestTarget(makeConstraint(one.plain, Side::Both, stiffness), p_WT);
+      const Target target = nearestTarget(nearestOn(one.plain, stiffness), Side::Both, p_WT);
       if (target.status != Status::Unique) continue;
       ASSERT_NEAR(one.off(target.p_WP), 0.0, 1e-12) << one.name;  // as in nearest_test
       ASSERT_NEAR(target.distance_m, (target.p_WP - p_WT).norm(), 1e-15);
@@ -113,7 +111,7 @@ TEST(Target, WithUnequalGainsTheForceHasNoPartAlongTheConstraint) {  // errata: 
     const Vec3 c = random.inBox(0.1), n = random.direction(), p_WT = random.inBox(0.2);
     const double r = random.between(0.01, 0.1);
     const auto along = [&](const shape::Shape& shape, const auto& tangents) {
-      const Target target = nearestTarget(makeConstraint(shape, Side::Both, stiffness), p_WT);
+      const Target target = nearestTarget(nearestOn(shape, stiffness), Side::Both, p_WT);
       control::LawState state;
       const Vec3 f_T_W = control::force(control::P{stiffness}, state, target.p_WP - p_WT, {});
       double most_N = 0.0;
@@ -144,7 +142,7 @@ TEST(Target, WithUnequalGainsAWallHasTheSameSides) {
       const Vec3 p_WT = random.inBox(0.2);
       if (!one.has_sides || std::abs(one.off(p_WT)) < 1e-12 || one.scale != Vec3::Ones()) continue;
       const bool free =
-          nearestTarget(makeConstraint(one.plain, Side::Outside, {900, 300, 100}), p_WT).status == Status::Free;
+          nearestTarget(nearestOn(one.plain, {900, 300, 100}), Side::Outside, p_WT).status == Status::Free;
       ASSERT_EQ(free, one.off(p_WT) > 0.0) << one.name;
     }
   }
@@ -156,7 +154,7 @@ TEST(Target, TheThesissOwnForceCreepsAndOursDoesNot) {  // the golden `anisotrop
     const Vec3 along = set.shape.direction.normalized();
     EXPECT_GT(std::abs(set.cases[0].force.dot(along)), 1.0);
     const shape::Shape line = test::makeShape(set.shape, 1.0).value();
-    const Target target = nearestTarget(makeConstraint(line, Side::Both, set.cases[0].kp), set.cases[0].P);
+    const Target target = nearestTarget(nearestOn(line, set.cases[0].kp), Side::Both, set.cases[0].P);
     const Vec3 f = set.cases[0].kp.cwiseProduct(target.p_WP - set.cases[0].P);
     EXPECT_NEAR(f.dot(along), 0.0, set.cases[0].tol_F);
   }
@@ -164,8 +162,8 @@ TEST(Target, TheThesissOwnForceCreepsAndOursDoesNot) {  // the golden `anisotrop
 
 TEST(Target, OnlyTheRatioOfTheGainsCounts) {
   const Vec3 p_WT(0.1, -0.05, 0.02);
-  const Target one = nearestTarget(makeConstraint(kSphere, Side::Both, {1, 0.25, 0.5}), p_WT);
-  const Target other = nearestTarget(makeConstraint(kSphere, Side::Both, {1e6, 0.25e6, 0.5e6}), p_WT);
+  const Target one = nearestTarget(nearestOn(kSphere, {1, 0.25, 0.5}), Side::Both, p_WT);
+  const Target other = nearestTarget(nearestOn(kSphere, {1e6, 0.25e6, 0.5e6}), Side::Both, p_WT);
   EXPECT_EQ(one.p_WP, other.p_WP);
 }
 

@@ -28,9 +28,9 @@ double energyOf(const Hand& hand, std::size_t index = 0) {
 
 TEST(Energy, IsLookedAtWhereTheSceneAsksAndCostsNothingElsewhere) {
   EXPECT_FALSE(Hand({test::hold(kEnergyPoint, P{})}, Combine::Sum).program().needs.energy);
-  EXPECT_TRUE(Hand({test::hold(kEnergyPoint, P{})}, Combine::Sum).state().energies.empty());
+  EXPECT_EQ(bytesOf(Hand({test::hold(kEnergyPoint, P{})}, Combine::Sum).state()), sizeof(TickState));
   Hand hand({watched(kEnergyPoint), watched(kEnergyFloor, 100.0, Passivity::Off)}, Combine::Sum);
-  EXPECT_EQ(hand.state().energies.size(), 2U);
+  EXPECT_EQ(bytesOf(hand.state()), sizeof(TickState) + 2 * sizeof(control::EnergyState));
   hand.settle(kThere + Vec3(0.004, 0, 0));
   EXPECT_GT(energyOf(hand), 0.0);
   EXPECT_EQ(energyOf(hand, 1), 0.0) << "of another one nobody asked";
@@ -107,7 +107,7 @@ TEST(Energy, WhileTheServoIsIdleTheAccountIsEmpty) {
   hand.input.engage = false;
   hand.settle(kThere);
   EXPECT_EQ(energyOf(hand), 0.0);
-  EXPECT_EQ(hand.state().energies[0].balance_J, 0.0);
+  EXPECT_EQ(hand.state().entries[0].energy.balance_J, 0.0);
 }
 
 TEST(Energy, TheControllersForceIsAPartOfTheConstraintsAndNeverTurnsItRound) {

@@ -17,9 +17,12 @@ const shape::Shape kRing = shape::makeCircle(Vec3::Zero(), Vec3::UnitZ(), 0.05, 
 
 Entry influenced(const target::Influence& influence) {
   Entry entry = test::hold(kRing, P{Vec3::Constant(500.0)});
-  entry.constraint.influenced = true;
-  entry.constraint.influence = influence;
+  entry.constraint.goal = target::InfluencedShape{kRing, influence};
   return entry;
+}
+
+const target::InfluenceState& influenceIn(const TickState& state) {
+  return std::get<target::InfluenceState>(state.entries[0].target.memory);
 }
 
 TickProgram programOfAll(const std::vector<Entry>& entries) {
@@ -48,7 +51,7 @@ TEST(InfluencedTick, FollowsTheStylusOfTheArm) {
 TEST(InfluencedTick, OnlyAProgramThatNeedsItPaysForTheWrist) {
   const TickProgram plain = programOfAll({test::hold(kRing, P{Vec3::Constant(500.0)})});
   EXPECT_FALSE(plain.needs.orientation);
-  EXPECT_TRUE(makeState(plain).influences.empty());
+  EXPECT_EQ(bytesOf(makeState(plain)), sizeof(TickState));
   const TickProgram turned = programOfAll({influenced({})});
   EXPECT_TRUE(turned.needs.orientation);
   EXPECT_GT(bytesOf(makeState(turned)), bytesOf(makeState(plain)));
@@ -65,12 +68,12 @@ TEST(InfluencedTick, AtRestTheTurnIsThatOfTheLine) {
 TEST(InfluencedTick, AGainChangeKeepsTheSideAndANewSceneDoesNot) {
   Hand hand({influenced({0.5})}, Combine::Sum);
   hand.feed(test::scriptedAngles(100));
-  ASSERT_TRUE(hand.state().influences[0].begun);
+  ASSERT_TRUE(influenceIn(hand.state()).begun);
   TickState next = makeState(hand.program()), fresh = makeState(hand.program());
   carryOver(hand.state(), next);
   carryOver(hand.state(), fresh, Carry::Arm);
-  EXPECT_EQ(next.influences[0].delta_rad, hand.state().influences[0].delta_rad);
-  EXPECT_FALSE(fresh.influences[0].begun);
+  EXPECT_EQ(influenceIn(next).delta_rad, influenceIn(hand.state()).delta_rad);
+  EXPECT_FALSE(influenceIn(fresh).begun);
 }
 
 }  // namespace underact::tick

@@ -135,7 +135,7 @@ TEST(JointSpace, OnlyAProgramThatWorksOnJointsPaysForThem) {
   const TickProgram cartesian =
       makeProgram(test::thesisGeometry(), {test::hold(kJointPoint, P{kK})}, Combine::Sum, test::kTestLimits);
   EXPECT_FALSE(cartesian.needs.joints);
-  EXPECT_TRUE(makeState(cartesian).followers.empty());
+  EXPECT_EQ(bytesOf(makeState(cartesian)), sizeof(TickState));
   const TickProgram joints = jointProgram(joint(kJointPoint, P{kK}));
   EXPECT_TRUE(joints.needs.joints);
   EXPECT_GT(bytesOf(makeState(joints)), bytesOf(makeState(cartesian)));
@@ -146,11 +146,11 @@ TEST(JointSpace, AGainChangeKeepsTheBranch) {
   hand.at({0.0, 0.0, 0.0});
   TickState next = makeState(hand.program());
   carryOver(hand.state(), next);
-  EXPECT_TRUE(next.followers[0].begun);
-  EXPECT_EQ(next.followers[0].q_rad, hand.state().followers[0].q_rad);
+  EXPECT_TRUE(next.entries[0].follower.begun);
+  EXPECT_EQ(next.entries[0].follower.q_rad, hand.state().entries[0].follower.q_rad);
   TickState fresh = makeState(hand.program());
   carryOver(hand.state(), fresh, Carry::Arm);
-  EXPECT_FALSE(fresh.followers[0].begun);
+  EXPECT_FALSE(fresh.entries[0].follower.begun);
 }
 
 }  // namespace underact::tick

@@ -18,7 +18,7 @@ target::MeshPlace placed(mesh::Triangles triangles, const Vec3& p_WM = Vec3::Zer
 
 Entry entryOf(target::MeshPlace place, target::Side side, const target::Friction& friction = {}) {
   Entry entry{{}, control::P{Vec3::Constant(500.0)}};
-  entry.constraint.mesh = std::move(place);
+  entry.constraint.goal = std::move(place);
   entry.constraint.side = side;
   entry.constraint.friction = friction;
   return entry;
@@ -184,8 +184,8 @@ TEST(MeshTick, ATargetThatWasMovedHoldsOnNoMoreOneOfOtherGainsDoes) {
   TickState kept = makeState(moved), anew = kept;
   carryOver(hand.state(), kept, Carry::ArmAndLaws);
   carryOver(hand.state(), anew, Carry::ArmAndMovedLaws);
-  EXPECT_TRUE(kept.grips[0].holds);
-  EXPECT_FALSE(anew.grips[0].holds);  // else the target would stay 2 mm above its floor
+  EXPECT_TRUE(kept.entries[0].target.grip.holds);
+  EXPECT_FALSE(anew.entries[0].target.grip.holds);  // else the target would stay 2 mm above its floor
 }
 
 TEST(MeshTick, AfterARestartFrictionHoldsOnNoMore) {
@@ -212,8 +212,9 @@ TEST(MeshTick, MovingTheMeshKeepsTheProxyAndForgetsTheWay) {
   const TickProgram moved = programOf(lower);
   TickState state = makeState(moved);
   carryOver(hand.state(), state, Carry::ArmAndMovedLaws);
-  EXPECT_FALSE(state.meshes[0].touch.knows_last);
-  EXPECT_EQ(state.meshes[0].touch.face, -1);
+  const auto& memory = std::get<target::MeshState>(state.entries[0].target.memory);
+  EXPECT_FALSE(memory.touch.knows_last);
+  EXPECT_EQ(memory.touch.face, -1);
 }
 
 }  // namespace

@@ -47,8 +47,9 @@ TEST(Needs, AreThoseOfTheSceneAndNoOthers) {
 }
 
 TEST(Needs, ALawWithoutMemoryHasNone) {
-  EXPECT_TRUE(Hand({hold(kPoint, kWeak)}, Combine::Sum).state().laws.empty());
-  EXPECT_EQ(Hand({hold(kPoint, kWeak), hold(kFloor, PD{})}, Combine::Sum).state().laws.size(), 2U);
+  EXPECT_EQ(bytesOf(Hand({hold(kPoint, kWeak)}, Combine::Sum).state()), sizeof(TickState));
+  EXPECT_EQ(bytesOf(Hand({hold(kPoint, kWeak), hold(kFloor, PD{})}, Combine::Sum).state()),
+            sizeof(TickState) + 2 * sizeof(control::LawState));
   EXPECT_LT(bytesOf(Hand({hold(kPoint, kWeak)}, Combine::Sum).state()),
             bytesOf(Hand({hold(kPoint, PD{})}, Combine::Sum).state()));
 }
@@ -258,11 +259,11 @@ TEST(Step, AfterALongPauseRateAndIntegralStartAsOnAFirstTick) {
   Hand hand({hold(kPoint, law)}, Combine::Sum);
   hand.settle(kAway);
   for (int tick = 0; tick < 100; ++tick) hand.at(kAway + Vec3(1e-4 * tick, 0, 0));
-  ASSERT_GT(hand.state().laws[0].velocity.rate_W.norm(), 0.05);
-  ASSERT_GT(hand.state().laws[0].integral_T_W.norm(), 0.01);
+  ASSERT_GT(hand.state().entries[0].law.velocity.rate_W.norm(), 0.05);
+  ASSERT_GT(hand.state().entries[0].law.integral_T_W.norm(), 0.01);
   hand.at(kAway, 0.2);
-  EXPECT_EQ(hand.state().laws[0].velocity.rate_W, kZero);
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.velocity.rate_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);
   Hand fresh({hold(kPoint, law)}, Combine::Sum);
   EXPECT_EQ(hand.report().f_T_W, fresh.at(kAway).f_T_W);
 }
@@ -272,20 +273,20 @@ TEST(Step, AfterAFaultTheIntegralIsEmpty) {
   Hand hand({hold(kPoint, law)}, Combine::Sum);
   hand.settle(kAway);
   for (int tick = 0; tick < 100; ++tick) hand.at(kAway);
-  ASSERT_GT(hand.state().laws[0].integral_T_W.norm(), 0.01);
+  ASSERT_GT(hand.state().entries[0].law.integral_T_W.norm(), 0.01);
   arm::JointAngles bad = hand.input.sample.q_rad;
   bad[0] = kNotANumber;
   hand.feed(bad);
   hand.input.restart = true;
   hand.at(kAway);
-  EXPECT_LE(hand.state().laws[0].integral_T_W.norm(), 1e-3 * 50.0 * 0.1);  // one tick's worth at most
+  EXPECT_LE(hand.state().entries[0].law.integral_T_W.norm(), 1e-3 * 50.0 * 0.1);  // one tick's worth at most
 }
 
 TEST(Step, WithoutEngageNothingIsSentAndTheIntegralStaysEmpty) {
   Hand hand({hold(kPoint, PID{Vec3::Constant(10.0), kZero, Vec3::Constant(50.0), 0.4})}, Combine::Sum);
   hand.input.engage = false;
   EXPECT_EQ(hand.settle(kAway).force.f_T_W(), kZero);
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);
   EXPECT_GT(hand.report().f_T_W.norm(), 0.1) << "what would be asked is shown all the same";
 }
 
@@ -294,26 +295,26 @@ TEST(Step, IdleEmptiesTheIntegralOfTheOnesThatDoNotActToo) {
   Hand hand({hold(kPoint, law), hold(kFloor, law)}, Combine::Nearest);
   hand.settle({0.012, 0.02, 0.03});
   for (int tick = 0; tick < 100; ++tick) hand.at({0.012, 0.02, 0.03});
-  ASSERT_GT(hand.state().laws[0].integral_T_W.norm(), 1e-3);
+  ASSERT_GT(hand.state().entries[0].law.integral_T_W.norm(), 1e-3);
   hand.input.engage = false;
   for (int tick = 0; tick < 200; ++tick) hand.at({0.1, 0.002, 0.03});  // the floor is nearer now
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);
 }
 
 TEST(Step, AConstraintThatLosesTheChoiceForgetsItsIntegral) {  // else it would come back as a jump, any time later
   const PID law{Vec3::Constant(10.0), kZero, Vec3::Constant(50.0), 0.4};
   Hand hand({hold(kPoint, law), hold(kFloor, law)}, Combine::Nearest);
   for (int tick = 0; tick < 800; ++tick) hand.at({0.018, 0.02, 0.03});
-  ASSERT_GT(hand.state().laws[0].integral_T_W.norm(), 1e-3);
+  ASSERT_GT(hand.state().entries[0].law.integral_T_W.norm(), 1e-3);
   hand.at({0.1, 0.002, 0.03});
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);
 }
 
 TEST(Step, WhileTheClampCutsTheIntegralDoesNotGrow) {
   Hand hand({hold(kPoint, PID{Vec3::Constant(500.0), kZero, Vec3::Constant(500.0), 0.4})}, Combine::Sum);
   hand.settle(kAway);
   for (int tick = 0; tick < 1000; ++tick) hand.at(kAway);
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);  // ramped, then cut, from the first tick on
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);  // ramped, then cut, from the first tick on
 }
 
 TEST(Step, ADampedHandFeelsItsRate) {
@@ -326,9 +327,10 @@ TEST(Step, ThroughTheSoftStartTheIntegralDoesNotGrow) {
   Hand hand({hold(kPoint, PID{Vec3::Constant(5.0), kZero, Vec3::Constant(50.0), 0.4})}, Combine::Sum);
   for (int tick = 0; tick < 295; ++tick) hand.at(kAway);
   EXPECT_EQ(hand.report().cut_N, 0.0);
-  EXPECT_LE(hand.state().laws[0].integral_T_W.norm(), 1e-3 * 50.0 * 0.1);  // the first tick does not know of the ramp
+  EXPECT_LE(hand.state().entries[0].law.integral_T_W.norm(),
+            1e-3 * 50.0 * 0.1);  // the first tick does not know of the ramp
   hand.settle(kAway);
-  EXPECT_GT(hand.state().laws[0].integral_T_W.norm(), 0.01);
+  EXPECT_GT(hand.state().entries[0].law.integral_T_W.norm(), 0.01);
 }
 
 TEST(Step, AReleaseIsSoftWithAnIntegralToo) {
@@ -347,17 +349,17 @@ TEST(Step, WhileAFaultLastsTheIntegralIsEmpty) {
   bad[0] = kNotANumber;
   hand.feed(bad);
   hand.at(kAway);
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);
 }
 
 TEST(Step, IdleEmptiesTheIntegralOfALostTargetToo) {
   Hand probe({hold(kPoint, kWeak)}, Combine::Sum);
   const shape::Shape sphere = shape::makeSphere(probe.at(kAway).p_WT, 0.04, {}).value();
   Hand hand({hold(sphere, PID{Vec3::Constant(5.0), kZero, Vec3::Constant(50.0), 0.4})}, Combine::Sum);
-  hand.state().laws[0].integral_T_W = {0.1, 0, 0};
+  hand.state().entries[0].law.integral_T_W = {0.1, 0, 0};
   hand.input.engage = false;
   EXPECT_EQ(hand.at(kAway).held[0].status, target::Status::Degenerate);
-  EXPECT_EQ(hand.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(hand.state().entries[0].law.integral_T_W, kZero);
 }
 
 TEST(Step, AtContactTheDampingIsThatOfTheHand) {  // 0.1 m/s into the floor, which was free a tick ago
@@ -387,14 +389,14 @@ TEST(CarryOver, KeepsRampAndIntegralOverAChangeOfGains) {
   EXPECT_EQ(next.gate.level, 1.0);
   EXPECT_EQ(next.time_ns, hand.state().time_ns);
   EXPECT_EQ(next.p_WT, hand.state().p_WT);
-  EXPECT_EQ(next.laws[0].integral_T_W, hand.state().laws[0].integral_T_W);
+  EXPECT_EQ(next.entries[0].law.integral_T_W, hand.state().entries[0].law.integral_T_W);
   TickReport report;
   hand.input.sample.time_ns += 1000000;
   step(program(100.0), hand.input, next, report);
   EXPECT_LE((report.force.f_T_W() - before_N).norm(), 1e-3 * 100.0 * 0.05);  // one tick's growth
   TickState arm_only = makeState(program(100.0));
   carryOver(hand.state(), arm_only, Carry::Arm);
-  EXPECT_EQ(arm_only.laws[0].integral_T_W, kZero);
+  EXPECT_EQ(arm_only.entries[0].law.integral_T_W, kZero);
   EXPECT_EQ(arm_only.gate.level, 1.0);
 }
 
@@ -404,7 +406,7 @@ TEST(CarryOver, OtherConstraintsGetNoForeignMemory) {
   for (int tick = 0; tick < 800; ++tick) one.at(kAway);
   Hand two({hold(kFloor, law), hold(kPoint, law)}, Combine::Sum);
   carryOver(one.state(), two.state());
-  EXPECT_EQ(two.state().laws[0].integral_T_W, kZero);
+  EXPECT_EQ(two.state().entries[0].law.integral_T_W, kZero);
   EXPECT_EQ(two.state().gate.level, one.state().gate.level);
 }
 

@@ -40,7 +40,7 @@ scene::Description sceneOf(const scene::VirtualManipulator& robot) {
 manipulator::Manipulator made(const scene::VirtualManipulator& robot) {
   const Result<tick::TickProgram> program = scene::compile(sceneOf(robot));
   EXPECT_TRUE(program) << (program ? "" : program.problems().front().sentence);
-  return *program.value().entries.front().constraint.manipulator;
+  return std::get<manipulator::Manipulator>(program.value().entries.front().constraint.goal);
 }
 
 const scene::VirtualManipulator kOneJoint = robotOf({turning(Vec3::UnitZ(), Vec3::Zero())}, {40, 0, 0});

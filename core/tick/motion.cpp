@@ -1,0 +1,52 @@
+#include "core/tick/motion.h"
+
+#include "core/arm/forward.h"
+#include "core/arm/jacobian.h"
+#include "core/base/units.h"
+
+namespace underact::tick {
+
+double secondsSince(const TickState& state, std::int64_t time_ns) noexcept {
+  if (!state.has_time) return 0.0;
+  const std::uint64_t passed_ns = static_cast<std::uint64_t>(time_ns) - static_cast<std::uint64_t>(state.time_ns);
+  return kSecondPerNanosecond * static_cast<double>(static_cast<std::int64_t>(passed_ns));
+}
+
+GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_arm_s, double law_dt_s) noexcept {
+  if (!(input.period_s > 0.0)) return {law_dt_s, 0.0, law_dt_s};  // as in version 0.1.0: by the sample's clock
+  if (!before.has_time) return {};
+  const double since_s = (before.gate.missed + 1) * input.period_s + input.waited_s;
+  return {input.period_s, input.waited_s, safety::wayTime_s(by_arm_s, since_s)};
+}
+
+void lookAtArm(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
+               safety::Motion& motion) noexcept {
+  if (!program.needs.orientation) {
+    if (!program.needs.motors) {
+      report.p_WT = arm::tipPosition(program.geometry, q_rad);
+      return;
+    }
+    const arm::Tip tip = arm::tip(program.geometry, q_rad);
+    report.p_WT = tip.p_WT;
+    motion.J_p = tip.J_p;
+    return;
+  }
+  const Pose X_WT = arm::tipPose(program.geometry, q_rad);
+  report.p_WT = X_WT.translation();
+  report.R_WT = X_WT.linear();
+  report.stylus_W = X_WT.linear().col(2);
+  if (program.needs.motors) motion.J_p = arm::positionJacobian(program.geometry, q_rad);
+}
+
+void lookAtMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
+                  const Vec3& p_WT, safety::Motion& motion) noexcept {
+  if (dt_s > 0.0) motion.v_WT = (p_WT - before.p_WT) / dt_s;
+  motion.moved = !(dt_s > 0.0) || q_rad != before.q_rad;
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const auto axis = static_cast<Eigen::Index>(joint);
+    motion.room_below_rad[axis] = q_rad[joint] - program.joint_limits.min_rad[joint];
+    motion.room_above_rad[axis] = program.joint_limits.max_rad[joint] - q_rad[joint];
+  }
+}
+
+}  // namespace underact::tick

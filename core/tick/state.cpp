@@ -1,0 +1,87 @@
+#include "core/tick/state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/sound.h"
+
+namespace underact::tick {
+namespace {
+
+/// What both programs need: what one of them left as it was made says nothing to the other.
+void carryEntry(const Needs& of_last, const EntryState& last, const Needs& of_next,
+                EntryState& next) noexcept UNDERACT_REAL_TIME {
+  target::carryOver(last.target.memory, next.target.memory);
+  if (of_last.friction && of_next.friction) next.target.grip = last.target.grip;
+  if (of_last.energy && of_next.energy) next.energy = last.energy;
+  if (of_last.joints && of_next.joints) next.follower = last.follower;
+  if (of_last.rate && of_next.rate) next.law = last.law;
+}
+
+}  // namespace
+
+TickState makeState(const TickProgram& program) {
+  TickState state;
+  state.needs = program.needs;
+  state.entries.resize(program.entries.size());
+  for (std::size_t index = 0; index < state.entries.size(); ++index)
+    state.entries[index].target = target::makeState(program.entries[index].constraint.goal);
+  return state;
+}
+
+void forget(TickState& state) noexcept {
+  for (EntryState& entry : state.entries) {
+    target::forget(entry.target);
+    entry.energy = control::EnergyState{};
+    entry.follower.begun = false;
+    control::forget(entry.law);
+  }
+  state.bump_T_W.setZero();
+  state.retuned = false;
+}
+
+bool isSound(const TickState& state, const TickProgram& program) {
+  for (std::size_t index = 0; index < program.entries.size(); ++index) {
+    const EntryState& entry = state.entries[index];
+    if (!isSound(entry.target, program.entries[index].constraint.goal)) return false;
+    if (!isSound(entry.energy) || !isSound(entry.follower) || !isSound(entry.law)) return false;
+  }
+  const auto isNumber = [](double angle_rad) { return std::isfinite(angle_rad); };
+  return isFlag(state.has_time) && isFlag(state.limited) && isFlag(state.retuned) && state.p_WT.allFinite() &&
+         std::all_of(state.q_rad.begin(), state.q_rad.end(), isNumber) && isSound(state.gate);
+}
+
+std::size_t bytesOf(const TickState& state) {
+  const Needs& needs = state.needs;
+  std::size_t bytes = sizeof(TickState);
+  for (const EntryState& entry : state.entries) {
+    bytes += target::bytesOf(entry.target.memory) + (needs.friction ? sizeof entry.target.grip : 0) +
+             (needs.energy ? sizeof entry.energy : 0) + (needs.joints ? sizeof entry.follower : 0) +
+             (needs.rate ? sizeof entry.law : 0);
+  }
+  return bytes;
+}
+
+void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
+  next.time_ns = last.time_ns;
+  next.has_time = last.has_time;
+  next.p_WT = last.p_WT;
+  next.limited = last.limited;
+  next.q_rad = last.q_rad;
+  next.gate = last.gate;
+  if (what == Carry::Arm) return;
+  next.asked_T_W = last.asked_T_W;
+  next.bump_T_W = last.bump_T_W;
+  next.retuned = true;
+  if (last.entries.size() == next.entries.size()) {
+    for (std::size_t index = 0; index < next.entries.size(); ++index)
+      carryEntry(last.needs, last.entries[index], next.needs, next.entries[index]);
+  }
+  if (what != Carry::ArmAndMovedLaws) return;
+  for (EntryState& entry : next.entries) {
+    entry.law.velocity.has_last = false;
+    target::forgetWay(entry.target);
+  }
+}
+
+}  // namespace underact::tick
