@@ -6,10 +6,8 @@
 #include <utility>
 
 #include "core/arm/preset.h"
-#include "core/json/json.h"
-#include "core/json/object_reader.h"
-#include "core/scene/fields.h"
 #include "core/scene/read.h"
+#include "core/scene/settings.h"
 #include "core/servo/host.h"
 #include "device/simulated_arm.h"
 
@@ -19,49 +17,6 @@ namespace {
 constexpr int kRate_hz = 1000;
 constexpr std::int64_t kTicksAtOnce = 16;  // a frame of the window: between two of them a robot's joints hardly move
 constexpr double kAfterwards_s = 1.0;
-
-template <class Enum, std::size_t kCount>
-bool setWord(const json::Word<Enum> (&words)[kCount], const std::string& value, Enum& into) {
-  for (const json::Word<Enum>& word : words) {
-    if (value != word.word) continue;
-    into = word.value;
-    return true;
-  }
-  return false;
-}
-
-bool setGain(const LessonSetting& setting, scene::Gains& gains) {
-  const Result<json::Value> number = json::parse(setting.value, "");
-  if (!number || number.value().kind != json::Kind::Number) return false;
-  for (const scene::GainField& field : scene::kGainFields) {
-    if (setting.key == field.key) (gains.*field.member).setConstant(number.value().number);
-  }
-  return true;
-}
-
-bool setControl(const LessonSetting& setting, scene::Control& control) {
-  if (setting.key == "law") return setWord(scene::kLawWords, setting.value, control.law);
-  if (setting.key == "passivity") return setWord(scene::kPassivityWords, setting.value, control.passivity);
-  return setGain(setting, control.gains);
-}
-
-/// The influence, or a virtual manipulator's turning stiffness.
-bool setNumber(const LessonSetting& setting, scene::Description& scene) {
-  const Result<json::Value> number = json::parse(setting.value, "");
-  if (!number || number.value().kind != json::Kind::Number) return false;
-  bool any = false;
-  for (scene::Constraint& constraint : scene.constraints) {
-    auto* const robot = std::get_if<scene::VirtualManipulator>(&constraint.shape);
-    if (setting.key == "t" && constraint.influence) {
-      constraint.influence->t = number.value().number;
-      any = true;
-    } else if (setting.key != "t" && robot != nullptr) {
-      robot->ko_N_mm_per_rad = number.value().number;
-      any = true;
-    }
-  }
-  return any;
-}
 
 Problems refused(const LessonSetting& setting, const std::string& why) {
   return {{"The setting " + setting.key + "=" + setting.value + " " + why, {"the settings", 1, 0, setting.key}}};
@@ -112,31 +67,19 @@ class Watching {
 
 }  // namespace
 
-Result<scene::Description> withSetting(scene::Description scene, const LessonSetting& setting) {
-  const bool is_gain = std::any_of(std::begin(scene::kGainFields), std::end(scene::kGainFields),
-                                   [&](const scene::GainField& field) { return setting.key == field.key; });
-  bool done = false;
-  if (is_gain || setting.key == "law" || setting.key == "passivity") {
-    done = setControl(setting, scene.control);
-    for (scene::Constraint& constraint : scene.constraints) {
-      if (constraint.control) done = setControl(setting, *constraint.control) && done;
-    }
-  } else if (setting.key == "t" || setting.key == "ko_N_mm_per_rad") {
-    done = setNumber(setting, scene);
-  } else {
-    return refused(setting,
-                   "is none: there are law, kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, passivity, t and "
-                   "ko_N_mm_per_rad.");
-  }
-  if (!done) return refused(setting, "says nothing to this scene.");
-  if (const Problems problems = scene::check(scene); !problems.empty())
+Result<scene::Description> withSetting(const scene::Description& scene, const LessonSetting& setting) {
+  if (scene::everywhere(setting.key).empty() && scene::findSetting(setting.key) == nullptr)
+    return refused(setting, "is none; the guide's page of scene files has all there are, law and kp_N_per_mm, say.");
+  Result<scene::Description> set = scene::withText(scene, setting.key, setting.value);
+  if (!set) return refused(setting, "is not possible: " + set.problems().front().sentence);
+  if (const Problems problems = scene::check(set.value()); !problems.empty())
     return refused(setting, "is not possible: " + problems.front().sentence);
-  return scene;
+  return set;
 }
 
 Result<LessonOutcome> tryLessonStep(const lesson::Step& step, scene::Description scene, const LessonAttempt& attempt) {
   for (const LessonSetting& setting : attempt.settings) {
-    Result<scene::Description> set = withSetting(std::move(scene), setting);
+    Result<scene::Description> set = withSetting(scene, setting);
     if (!set) return set.problems();
     scene = std::move(set).value();
   }

@@ -30,10 +30,9 @@ struct LessonOutcome {
   bool isSolved() const { return fault.kind == FaultKind::None && lesson::isSolved(states); }
 };
 
-/// The scene with a setting of the student's. Keys: law, kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, passivity, t (the
-/// influence), ko_N_mm_per_rad. Of each constraint that it says something to. Problems: none such, or what it may not
-/// be.
-Result<scene::Description> withSetting(scene::Description scene, const LessonSetting& setting);
+/// The scene with a setting of the student's: its path, or its key, of each constraint that has it. Problems: none
+/// such, or what it may not be.
+Result<scene::Description> withSetting(const scene::Description& scene, const LessonSetting& setting);
 
 /// Runs it on a simulated arm of its own, as fast as the machine allows; the same numbers every time. scene: the
 /// step's, with its meshes loaded. Problems: those of the settings and the scene; more answers than questions.

@@ -1,5 +1,3 @@
-#include <cmath>
-#include <cstring>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -15,11 +13,11 @@
 #include "core/scene/meshes.h"
 #include "core/scene/read.h"
 #include "core/scene/rules.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 namespace {
 
-constexpr double kWidestBlend_deg = 30.0;
 // Half axes of the shape in the gains' own metric go with the root of the ratio.
 constexpr double kSmallestGainRatio = 1e-12;
 
@@ -43,13 +41,15 @@ class Checker {
   void checkField(const std::string& key, Meaning meaning, const Vec3& numbers);
   void checkField(const std::string& key, Meaning meaning, const Mat3& numbers);
   void checkControl(const std::string& key, const Control& control);
-  void checkVelocity(const std::string& key, const Velocity& velocity);
+  /// The numbers of all its settings.
+  template <class Object>
+  void checkAll(const std::string& key, const Object& object) {
+    checkSettings(object, [&](const std::string& its, Sentence wrong) { add(key + "." + its, std::move(wrong)); });
+  }
   void checkConstraint(std::size_t index);
   void checkMetric(const std::string& key, const Control& control, const Shape& shape);
   void checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control);
   void checkInfluence(const Constraint& constraint, const Control& control);
-  void checkFriction(const Friction& friction);
-  void checkSimulation(const Simulation& simulation);
   void checkName(const std::string& key, const std::string& name);
 
   const Description& scene_;
@@ -82,39 +82,18 @@ void Checker::checkField(const std::string& key, Meaning meaning, const Mat3& nu
 }
 
 void Checker::checkControl(const std::string& key, const Control& control) {
-  for (const GainField& field : kGainFields) {
-    const Vec3& gains = control.gains.*field.member;
-    const std::string gain_key = key + "." + field.key;
-    const bool one = std::memcmp(&gains.x(), &gains.y(), sizeof(double)) == 0 &&
-                     std::memcmp(&gains.x(), &gains.z(), sizeof(double)) == 0;  // equal even where they are no numbers
-    for (Eigen::Index axis = 0; axis < (one ? 1 : 3); ++axis) {
-      add(one ? gain_key : gain_key + "[" + std::to_string(axis) + "]", judgeGain(gains[axis]));
-    }
-    if (field.from > control.law && gains != Vec3::Zero()) {
-      add(gain_key,
-          said(TRANSLATE_NOOP("problem",
-                              "The law %1 does not use this gain; the law %2 does. Change the law or take it away."),
-               {wordOf(kLawWords, control.law),
-                field.from == LawType::PD ? said(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
-    }
+  checkAll(key, control);
+  Control pd;
+  pd.law = LawType::PD;
+  for (const SettingOf<Control>& row : rowsOf<Control>()) {
+    if (row.is_used == nullptr || row.is_used(control) || std::get<Vec3>(row.get(control)) == Vec3::Zero()) continue;
+    add(key + "." + row.is.key,
+        said(TRANSLATE_NOOP("problem",
+                            "The law %1 does not use this gain; the law %2 does. Change the law or take it away."),
+             {wordOf(kLawWords, control.law),
+              row.is_used(pd) ? said(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
   }
-  checkVelocity(key + ".velocity", control.velocity);
-}
-
-void Checker::checkVelocity(const std::string& key, const Velocity& velocity) {
-  std::visit(
-      [&](const auto& filter) {
-        eachSetting(filter, [&](const auto& setting, double number) {
-          if (number >= setting.least && number <= setting.most && (!setting.whole || number == std::floor(number)))
-            return;
-          add(key + "." + setting.key,
-              said(setting.whole
-                       ? TRANSLATE_NOOP("problem", "This must be a whole number from %1 to %2; here it is %3.")
-                       : TRANSLATE_NOOP("problem", "This must be from %1 to %2; here it is %3."),
-                   {numberText(setting.least), numberText(setting.most), numberText(number)}));
-        });
-      },
-      velocity);
+  checkAll(key + ".velocity", control.velocity);
 }
 
 /// The metric that unequal gains make: zero gains flatten the shape to nothing. Source: target/target.h,
@@ -152,19 +131,10 @@ void Checker::checkName(const std::string& key, const std::string& name) {
 
 void Checker::checkInfluence(const Constraint& constraint, const Control& control) {
   const std::string key = path_ + ".influence";
-  const Influence& influence = *constraint.influence;
   if (!takesInfluence(constraint.shape)) {
     add(key, said(TRANSLATE_NOOP("problem", "A %1 has no influence."), {typeName(constraint.shape)}));
   }
-  if (!(influence.t >= 0.0 && influence.t <= 1.0)) {
-    add(key + ".t",
-        said(TRANSLATE_NOOP("problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1."),
-             {numberText(influence.t)}));
-  }
-  if (!(influence.blend_deg >= 0.0 && influence.blend_deg <= kWidestBlend_deg)) {
-    add(key + ".blend_deg", said(TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1."),
-                                 {numberText(influence.blend_deg)}));
-  }
+  checkAll(key, *constraint.influence);
   if (constraint.side != target::Side::Both) {
     add(key, said(TRANSLATE_NOOP("problem",
                                  "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" "
@@ -187,18 +157,6 @@ void Checker::checkRobot(const VirtualManipulator& robot, const Constraint& cons
   const auto made = makeManipulator(robot, control, constraint.place);
   if (made) return;
   for (const Problem& problem : made.problems()) add(path_, problem.sentence);
-}
-
-void Checker::checkFriction(const Friction& friction) {
-  const std::string key = path_ + ".friction";
-  const double most = kMostFriction;
-  if (!(friction.static_share >= 0.0 && friction.static_share <= most)) {
-    add(key + ".static", said(TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2."),
-                              {numberText(most), numberText(friction.static_share)}));
-  } else if (!(friction.dynamic_share >= 0.0 && friction.dynamic_share <= friction.static_share)) {
-    add(key + ".dynamic", said(TRANSLATE_NOOP("problem", "This must be from 0 to the static share, %1; here it is %2."),
-                               {numberText(friction.static_share), numberText(friction.dynamic_share)}));
-  }
 }
 
 void Checker::checkConstraint(std::size_t index) {
@@ -233,17 +191,10 @@ void Checker::checkConstraint(std::size_t index) {
   if (constraint.friction) {
     if (!takesFriction(constraint.shape))
       add(path_ + ".friction", said(TRANSLATE_NOOP("problem", "There is nothing to slide along.")));
-    checkFriction(*constraint.friction);
+    checkAll(path_ + ".friction", *constraint.friction);
   }
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);
   checkMetric(path_, controlOf(scene_, index), constraint.shape);
-}
-
-void Checker::checkSimulation(const Simulation& simulation) {
-  const double us = simulation.substep_us;
-  if (us >= kShortestSubstep_us && us <= kLongestSubstep_us) return;
-  add("simulation.substep_us", said(TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3."),
-                                    {numberText(kShortestSubstep_us), numberText(kLongestSubstep_us), numberText(us)}));
 }
 
 Problems Checker::run() {
@@ -257,7 +208,7 @@ Problems Checker::run() {
                     {json::shown(scene_.arm), json::listed(known, "and")}));
   }
   checkControl("control", scene_.control);
-  checkSimulation(scene_.simulation);
+  checkAll("simulation", scene_.simulation);
   const std::size_t count = scene_.constraints.size();
   if (count < 1 || count > tick::kMaxConstraints) {
     add("constraints", said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; here are %2."),

@@ -22,7 +22,7 @@ const char* typeName(const Shape& shape) {
 }
 
 const char* filterName(const Velocity& velocity) {
-  return std::visit([](const auto& chosen) { return Settings<std::decay_t<decltype(chosen)>>::kFilter; }, velocity);
+  return wordOf(kFilterWords, velocity.index());
 }
 
 const Control& controlOf(const Description& scene, std::size_t index) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/json/json.h"
+#include "core/scene/setting_rows.h"
 #include "core/scene/write.h"
 
 namespace underact::scene {
@@ -68,27 +69,16 @@ void compare(const Value* one, const Value* other, const std::string& key, std::
   }
 }
 
-struct Usual {
-  const char *key, *text;
-};
-// What a file leaves out of its control and what a reader would like to see all the same; a test holds it against
-// Control{}.
-constexpr Usual kUsual[] = {{"law", "P"},
-                            {"kp_N_per_mm", "0.5"},
-                            {"kd_N_s_per_mm", "0"},
-                            {"ki_N_per_mm_s", "0"},
-                            {"anisotropy", "weighted"},
-                            {"space", "cartesian"},
-                            {"passivity", "observe"}};
-
+/// What a file leaves out of its control and what a reader would like to see all the same.
 void addUsual(Value& control) {
   control.kind = Kind::Object;
-  for (const Usual& usual : kUsual) {
-    if (control.find(usual.key) != nullptr) continue;
+  for (const SettingOf<Control>& row : rowsOf<Control>()) {
+    if (control.find(row.is.key) != nullptr) continue;
+    const SettingValue usual = row.usual({});
     Value value;
     value.kind = Kind::String;
-    value.text = usual.text;
-    control.keys.emplace_back(usual.key);
+    value.text = std::holds_alternative<std::string>(usual) ? std::get<std::string>(usual) : fileTextOf(usual);
+    control.keys.emplace_back(row.is.key);
     control.items.push_back(std::move(value));
   }
 }

@@ -114,71 +114,14 @@ void eachField(Shape& shape, Visit&& visit) {
              Fields<std::remove_const_t<Shape>>::kAll);
 }
 
-struct GainField {
-  const char* key;
-  Vec3 Gains::*member;
-  LawType from;  // the first law that uses it; those after it do, too
-};
-
-inline constexpr GainField kGainFields[] = {{"kp_N_per_mm", &Gains::kp_N_per_mm, LawType::P},
-                                            {"kd_N_s_per_mm", &Gains::kd_N_s_per_mm, LawType::PD},
-                                            {"ki_N_per_mm_s", &Gains::ki_N_per_mm_s, LawType::PID}};
-
-/// A number of a velocity filter, and from where to where it may go.
-template <class Filter>
-struct Setting {
-  const char* key;
-  double Filter::*member;
-  double least, most;
-  bool whole = false;
-};
-
-/// What a scene file says of each velocity filter.
-template <class Filter>
-struct Settings;
-
-template <>
-struct Settings<KalmanFilter> {
-  static constexpr const char* kFilter = "kalman";
-  static constexpr std::tuple kAll{
-      Setting<KalmanFilter>{"noise_mm", &KalmanFilter::noise_mm, 1e-6, 1e3},
-      Setting<KalmanFilter>{"acceleration_mm_per_s2", &KalmanFilter::acceleration_mm_per_s2, 1e-3, 1e9}};
-};
-
-template <>
-struct Settings<LowPassFilter> {
-  static constexpr const char* kFilter = "low_pass";
-  static constexpr std::tuple kAll{
-      Setting<LowPassFilter>{"time_constant_ms", &LowPassFilter::time_constant_ms, 0.0, 1e3}};
-};
-
-template <>
-struct Settings<AdaptiveWindowFilter> {
-  static constexpr const char* kFilter = "adaptive_window";
-  static constexpr std::tuple kAll{
-      Setting<AdaptiveWindowFilter>{"window", &AdaptiveWindowFilter::window, 1.0, control::kLongestWindow, true},
-      Setting<AdaptiveWindowFilter>{"noise_mm", &AdaptiveWindowFilter::noise_mm, 0.0, 1e3}};
-};
-
-template <>
-struct Settings<RawFilter> {
-  static constexpr const char* kFilter = "raw";
-  static constexpr std::tuple<> kAll{};
-};
-
-/// Calls visit(setting, number) for each setting of the filter.
-template <class Filter, class Visit>
-void eachSetting(Filter& filter, Visit&& visit) {
-  std::apply([&](const auto&... setting) { (visit(setting, filter.*setting.member), ...); },
-             Settings<std::remove_const_t<Filter>>::kAll);
-}
-
 /// The word of a scene file for the filter: "kalman", ...
 const char* filterName(const Velocity& velocity);
 
 using json::Word;
 
 inline constexpr Word<LawType> kLawWords[] = {{"P", LawType::P}, {"PD", LawType::PD}, {"PID", LawType::PID}};
+inline constexpr Word<std::size_t> kFilterWords[] = {
+    {"kalman", 0}, {"low_pass", 1}, {"adaptive_window", 2}, {"raw", 3}};  // in the order of Velocity
 inline constexpr Word<Anisotropy> kAnisotropyWords[] = {{"weighted", Anisotropy::Weighted},
                                                         {"euclidean", Anisotropy::Euclidean}};
 inline constexpr Word<tick::Space> kSpaceWords[] = {{"cartesian", tick::Space::Cartesian},

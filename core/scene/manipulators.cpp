@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/scene/rules.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 namespace {
@@ -14,18 +15,8 @@ namespace {
 using chain::JointType;
 using json::numberText;
 
-constexpr double kFarthestTurn_rad = 1e3;
-
 bool isTurning(const Joint& joint) {
   return joint.type == JointType::Revolute;
-}
-
-Sentence judgeValue(const Joint& joint, double value) {
-  const double farthest = isTurning(joint) ? kFarthestTurn_rad : kFarthest_mm;
-  if (!std::isfinite(value)) return notFinite();
-  if (std::abs(value) <= farthest) return {};
-  return said(TRANSLATE_NOOP("problem", "This must lie within %1; here it is %2."),
-              {isTurning(joint) ? "1000 rad" : "1e6 mm", numberText(value)});
 }
 
 class JointChecker {
@@ -44,16 +35,13 @@ class JointChecker {
         say(key + ".point_mm[" + std::to_string(i) + "]", judge(Meaning::Position, joint.point_mm[i]));
       }
     }
-    if (joint.min) say(key + ".min", judgeValue(joint, *joint.min));
-    if (joint.max) say(key + ".max", judgeValue(joint, *joint.max));
+    checkSettings(joint, [&](const std::string& its, Sentence wrong) { say(key + "." + its, std::move(wrong)); });
     if (joint.min && joint.max && *joint.min > *joint.max) {
       say(key + ".min",
           said(TRANSLATE_NOOP("problem",
                               "The lower limit %1 is above the upper one, %2; no value of the joint is left."),
                {numberText(*joint.min), numberText(*joint.max)}));
     }
-    say(key + "." + stiffnessKey(joint.type), judgeGain(joint.stiffness));
-    say(key + ".rest", judgeValue(joint, joint.rest));
     if (joint.stiffness == 0.0 && joint.rest != 0.0) {
       say(key + ".rest",
           said(TRANSLATE_NOOP("problem", "Without a spring the joint has no rest; give it \"%1\", or take this away."),
@@ -86,7 +74,8 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
     checker.check("joints[" + std::to_string(i) + "]", robot.joints[i]);
   }
   checker.say("X_WV_home", judgePose(robot.X_WV_home));
-  checker.say("ko_N_mm_per_rad", judgeGain(robot.ko_N_mm_per_rad));
+  const auto say = [&](const std::string& key, Sentence wrong) { checker.say(key, std::move(wrong)); };
+  checkSettings(robot, say);
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
     checker.say("ko_N_mm_per_rad",
                 said(TRANSLATE_NOOP(
@@ -94,15 +83,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
                     "With the orientation \"none\" nothing uses this; set \"orientation\" to \"axis\", \"angle\" or "
                     "\"full\", or take it away.")));
   }
-  if (robot.solver.max_steps < 1 || robot.solver.max_steps > 100) {
-    checker.say("solver.max_steps", said(TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100.")));
-  }
-  if (!(robot.solver.tolerance > 0.0 && robot.solver.tolerance <= 1e-2)) {
-    checker.say(
-        "solver.tolerance",
-        said(TRANSLATE_NOOP("problem", "This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1."),
-             {numberText(robot.solver.tolerance)}));
-  }
+  checkSettings(robot.solver, [&](const std::string& key, Sentence wrong) { say("solver." + key, std::move(wrong)); });
   if (control.space == tick::Space::Joint) {
     checker.say("", said(TRANSLATE_NOOP(
                         "problem",

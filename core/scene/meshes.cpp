@@ -18,9 +18,6 @@ constexpr double kSmallestScale = 1e-9, kLargestScale = 1e9;  // mm a unit
 
 void readMesh(ObjectReader& object, Mesh& into) {
   readPlacement(object, into);
-  if (const json::Value* smooth = object.find("smooth_deg")) {
-    readNumber(*smooth, object.pathOf("smooth_deg"), into.smooth_deg, object.findings());
-  }
   if (const json::Value* checksum = object.find("checksum")) {
     readText(*checksum, object.pathOf("checksum"), into.checksum, object.findings());
   }
@@ -53,12 +50,7 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
 
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say) {
   checkPlacement("mesh", mesh.file, mesh.scale_mm_per_unit, mesh.X_WM, control, say);
-  if (!(mesh.smooth_deg >= 0.0 && mesh.smooth_deg <= kMostSmooth_deg)) {
-    say("smooth_deg", said(TRANSLATE_NOOP("problem",
-                                          "This must be from 0 (faces as they are) to %1 degrees that the force may "
-                                          "lean, so that bends feel round; here it is %2."),
-                           {numberText(kMostSmooth_deg), numberText(mesh.smooth_deg)}));
-  }
+  checkSettings(mesh, say);
   if (side == target::Side::Both || mesh.search == Search::Hybrid) return;
   say("search",
       said(TRANSLATE_NOOP("problem", "A wall's proxy follows the surface; it is not sought. Take \"search\" away.")));

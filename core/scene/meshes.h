@@ -3,18 +3,16 @@
 #include <string>
 
 #include "core/scene/manipulators.h"
-#include "core/scene/read_parts.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 
 // Inside the room: what is particular to meshes and curves.
 
-inline constexpr double kMostFriction = 5.0;  // rubber on rubber is about 1.2
-
 /// file, checksum, scale_mm_per_unit, X_WM, search and smooth_deg of an object of the file.
 void readMesh(ObjectReader& object, Mesh& into);
 
-/// file, scale_mm_per_unit and X_WM: where what a file holds is in the workspace.
+/// file, scale_mm_per_unit and X_WM: where what a file holds is in the workspace; and the settings.
 template <class FromFile>
 void readPlacement(ObjectReader& object, FromFile& into) {
   Findings& findings = object.findings();
@@ -27,9 +25,7 @@ void readPlacement(ObjectReader& object, FromFile& into) {
     readNumber(*scale, object.pathOf("scale_mm_per_unit"), into.scale_mm_per_unit, findings);
   }
   if (const json::Value* pose = object.find("X_WM")) readPose(*pose, object.pathOf("X_WM"), into.X_WM, findings);
-  if (const json::Value* search = object.find("search")) {
-    readWord(*search, object.pathOf("search"), kSearchWords, into.search, findings);
-  }
+  readSettings(object, into);
 }
 
 using Say = std::function<void(const std::string& key, Sentence sentence)>;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
-#include "core/scene/read_parts.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 namespace {
@@ -66,20 +66,6 @@ void readTexts(ObjectReader& object, Description& into) {
   if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
 }
 
-Simulation readSimulation(const json::Value& value, Findings& findings) {
-  Simulation simulation;
-  if (!isKind(value, json::Kind::Object, "simulation",
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"substep_us\": 50}"}), findings))
-    return simulation;
-  ObjectReader object(value, "simulation", said(TRANSLATE_NOOP("problem", "a simulation")), findings);
-  if (const json::Value* integrator = object.find("integrator"))
-    readWord(*integrator, object.pathOf("integrator"), kIntegratorWords, simulation.integrator, findings);
-  if (const json::Value* substep = object.find("substep_us"))
-    readNumber(*substep, object.pathOf("substep_us"), simulation.substep_us, findings);
-  object.finish();
-  return simulation;
-}
-
 Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
   Description scene;
   scene.file = file_name;
@@ -87,12 +73,10 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   readVersion(object);
   readTexts(object, scene);
   if (const json::Value* control = object.find("control")) scene.control = readControl(*control, "control", findings);
-  if (const json::Value* combine = object.find("combine")) {
-    readWord(*combine, "combine", kCombineWords, scene.combine, findings);
-  }
-  if (const json::Value* simulation = object.find("simulation")) {
-    scene.simulation = readSimulation(*simulation, findings);
-  }
+  readSettings(object, scene);
+  if (const json::Value* simulation = object.find("simulation"))
+    readObject(*simulation, "simulation", said(TRANSLATE_NOOP("problem", "a simulation")), "{\"substep_us\": 50}",
+               scene.simulation, findings);
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene

@@ -5,7 +5,7 @@
 #include "core/base/translate.h"
 #include "core/scene/manipulators.h"
 #include "core/scene/meshes.h"
-#include "core/scene/read_parts.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 namespace {
@@ -79,8 +79,8 @@ void readSide(ObjectReader& object, Constraint& into) {
   if (!hasSides(into.shape)) {
     object.refuse("side", said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; take \"side\" away."),
                                {typeName(into.shape)}));
-  } else if (const json::Value* value = object.find("side")) {
-    readWord(*value, object.pathOf("side"), kSideWords, into.side, object.findings());
+  } else {
+    readSettings(object, into);
   }
 }
 
@@ -92,24 +92,9 @@ void readInfluence(ObjectReader& object, Constraint& into) {
              {typeName(into.shape)}));
     return;
   }
-  const json::Value* const value = object.find("influence");
-  if (value == nullptr) return;
-  const std::string path = object.pathOf("influence");
-  into.influence.emplace();
-  if (!isKind(*value, json::Kind::Object, path,
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t\": 0.5}"}), object.findings()))
-    return;
-  ObjectReader reader(*value, path, said(TRANSLATE_NOOP("problem", "an influence")), object.findings());
-  if (const json::Value* t = reader.find("t", true)) {
-    readNumber(*t, reader.pathOf("t"), into.influence->t, object.findings());
-  }
-  if (const json::Value* axis = reader.find("stylus_axis")) {
-    readWord(*axis, reader.pathOf("stylus_axis"), kStylusAxisWords, into.influence->stylus_axis, object.findings());
-  }
-  if (const json::Value* blend = reader.find("blend_deg")) {
-    readNumber(*blend, reader.pathOf("blend_deg"), into.influence->blend_deg, object.findings());
-  }
-  reader.finish();
+  if (const json::Value* const value = object.find("influence"))
+    readObject(*value, object.pathOf("influence"), said(TRANSLATE_NOOP("problem", "an influence")), "{\"t\": 0.5}",
+               into.influence.emplace(), object.findings());
 }
 
 void readFriction(ObjectReader& object, Constraint& into) {
@@ -120,24 +105,9 @@ void readFriction(ObjectReader& object, Constraint& into) {
              {typeName(into.shape)}));
     return;
   }
-  const json::Value* const value = object.find("friction");
-  if (value == nullptr) return;
-  const std::string path = object.pathOf("friction");
-  into.friction.emplace();
-  if (!isKind(*value, json::Kind::Object, path,
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"static\": 0.4, \"dynamic\": 0.3}"}),
-              object.findings())) {
-    return;
-  }
-  ObjectReader reader(*value, path, said(TRANSLATE_NOOP("problem", "a friction")), object.findings());
-  if (const json::Value* share = reader.find("static", true)) {
-    readNumber(*share, reader.pathOf("static"), into.friction->static_share, object.findings());
-  }
-  into.friction->dynamic_share = into.friction->static_share;
-  if (const json::Value* share = reader.find("dynamic")) {
-    readNumber(*share, reader.pathOf("dynamic"), into.friction->dynamic_share, object.findings());
-  }
-  reader.finish();
+  if (const json::Value* const value = object.find("friction"))
+    readObject(*value, object.pathOf("friction"), said(TRANSLATE_NOOP("problem", "a friction")),
+               "{\"static\": 0.4, \"dynamic\": 0.3}", into.friction.emplace(), object.findings());
 }
 
 }  // namespace

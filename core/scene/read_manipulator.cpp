@@ -1,19 +1,9 @@
-#include <cmath>
-
 #include "core/base/translate.h"
 #include "core/scene/manipulators.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 namespace {
-
-void readLimit(ObjectReader& object, const char* key, std::optional<double>& into) {
-  const json::Value* value = object.find(key);
-  if (value != nullptr) readNumber(*value, object.pathOf(key), into.emplace(0.0), object.findings());
-}
-
-void readOptional(ObjectReader& object, const char* key, double& into) {
-  if (const json::Value* value = object.find(key)) readNumber(*value, object.pathOf(key), into, object.findings());
-}
 
 void readJoint(const json::Value& value, const std::string& path, Joint& into, Findings& findings) {
   if (!isKind(value, json::Kind::Object, path,
@@ -43,34 +33,8 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
   joint.refuse(stiffnessKey(turns ? chain::JointType::Prismatic : chain::JointType::Revolute),
                said(TRANSLATE_NOOP("problem", "The spring of a %1 joint is \"%2\"."),
                     {wordOf(kJointWords, into.type), stiffnessKey(into.type)}));
-  readLimit(joint, "min", into.min);
-  readLimit(joint, "max", into.max);
-  readOptional(joint, stiffnessKey(into.type), into.stiffness);
-  readOptional(joint, "rest", into.rest);
+  readSettings(joint, into);
   joint.finish(known);
-}
-
-void readSolver(const json::Value& value, const std::string& path, Solver& into, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, path,
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"method\": \"auto\"}"}), findings))
-    return;
-  ObjectReader solver(value, path, said(TRANSLATE_NOOP("problem", "a solver")), findings);
-  if (const json::Value* method = solver.find("method")) {
-    readWord(*method, solver.pathOf("method"), kSolverWords, into.method, findings);
-  }
-  if (const json::Value* steps = solver.find("max_steps")) {
-    double count = into.max_steps;
-    readNumber(*steps, solver.pathOf("max_steps"), count, findings);
-    if (count >= 1.0 && count <= 100.0 && std::floor(count) == count) {
-      into.max_steps = static_cast<int>(count);
-    } else if (steps->kind == json::Kind::Number) {
-      findings.add(*steps, solver.pathOf("max_steps"),
-                   said(TRANSLATE_NOOP("problem", "This must be a whole number from 1 to 100; here it is %1."),
-                        {json::numberText(count)}));
-    }
-  }
-  readOptional(solver, "tolerance", into.tolerance);
-  solver.finish();
 }
 
 }  // namespace
@@ -120,16 +84,10 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   if (const json::Value* home = object.find("X_WV_home", true)) {
     readPose(*home, object.pathOf("X_WV_home"), into.X_WV_home, findings);
   }
-  if (const json::Value* orientation = object.find("orientation")) {
-    readWord(*orientation, object.pathOf("orientation"), kOrientationWords, into.orientation, findings);
-  }
-  readOptional(object, "ko_N_mm_per_rad", into.ko_N_mm_per_rad);
-  if (const json::Value* solver = object.find("solver")) {
-    readSolver(*solver, object.pathOf("solver"), into.solver, findings);
-  }
-  if (const json::Value* law = object.find("force_law")) {
-    readWord(*law, object.pathOf("force_law"), kForceLawWords, into.force_law, findings);
-  }
+  readSettings(object, into);
+  if (const json::Value* solver = object.find("solver"))
+    readObject(*solver, object.pathOf("solver"), said(TRANSLATE_NOOP("problem", "a solver")), "{\"method\": \"auto\"}",
+               into.solver, findings);
 }
 
 }  // namespace underact::scene

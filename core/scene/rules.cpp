@@ -10,7 +10,7 @@ namespace underact::scene {
 using json::numberText;
 
 constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above where a square is lost
-constexpr double kHighestGain = 1e12;    // far beyond any arm; keeps newtons finite wherever the tip is
+constexpr double kFarthestTurn_rad = 1e3;
 constexpr double kRotationError = 1e-6;
 
 Sentence notFinite() {
@@ -42,6 +42,14 @@ Sentence judgeGain(double gain) {
   if (gain > kHighestGain)
     return said(TRANSLATE_NOOP("problem", "A gain must be at most 1e12; here it is %1."), {numberText(gain)});
   return {};
+}
+
+Sentence judgeJoint(const Joint& joint, double value) {
+  const bool turns = joint.type == chain::JointType::Revolute;
+  if (!std::isfinite(value)) return notFinite();
+  if (std::abs(value) <= (turns ? kFarthestTurn_rad : kFarthest_mm)) return {};
+  return said(TRANSLATE_NOOP("problem", "This must lie within %1; here it is %2."),
+              {turns ? "1000 rad" : "1e6 mm", numberText(value)});
 }
 
 bool isRotation(const Mat3& R) {

@@ -8,9 +8,12 @@ namespace underact::scene {
 // Inside the room: which numbers a scene may have. A sentence for one that it may not; empty: it may.
 
 inline constexpr double kFarthest_mm = 1e6;
+inline constexpr double kHighestGain = 1e12;  // far beyond any arm; keeps newtons finite wherever the tip is
 
 Sentence judge(Meaning meaning, double number);
 Sentence judgeGain(double gain);
+/// A value of the joint: a limit, its rest.
+Sentence judgeJoint(const Joint& joint, double value);
 
 /// Of a number or a direction that is none.
 Sentence notFinite();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/json/json.h"
-#include "core/scene/fields.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::scene {
 namespace {
@@ -48,84 +48,44 @@ std::string objectText(const Members& members, std::size_t indent) {
   return "{" + lines + "\n" + margin + "}";
 }
 
-std::string gainText(const Vec3& gain) {
-  return sameBits(gain, Vec3(Vec3::Constant(gain.x()))) ? text(gain.x()) : text(gain);
+/// What a file says of the object's settings; before the key of that name what between() adds.
+template <class Object, class Between>
+void addSettings(Members& members, const Object& object, std::string_view before, const Between& between) {
+  for (const SettingOf<Object>& row : rowsOf<Object>()) {
+    if (row.is.key == before) between();
+    if (!isThere(row, object)) continue;
+    const SettingValue value = row.get(object);
+    if (row.is.said == Said::IfUnusual && isSameValue(value, row.usual(object))) continue;
+    members.emplace_back(row.is.key, fileTextOf(value));
+  }
 }
 
-std::string velocityText(const Velocity& velocity) {
-  Members members{{"filter", json::quotedText(filterName(velocity))}};
-  std::visit(
-      [&](const auto& filter) {
-        const std::decay_t<decltype(filter)> usual;
-        eachSetting(filter, [&](const auto& setting, double number) {
-          if (number != usual.*setting.member) members.emplace_back(setting.key, text(number));
-        });
-      },
-      velocity);
-  return objectText(members, 6);
+template <class Object>
+void addSettings(Members& members, const Object& object) {
+  addSettings(members, object, {}, [] {});
 }
 
-std::string controlText(const Control& control, std::size_t indent) {
-  const Control usual;
-  Members members{{"law", json::quotedText(wordOf(kLawWords, control.law))}};
-  for (const GainField& field : kGainFields) {
-    const Vec3& gain = control.gains.*field.member;
-    if (!sameBits(gain, usual.gains.*field.member)) members.emplace_back(field.key, gainText(gain));
-  }
-  if (control.anisotropy != usual.anisotropy) {
-    members.emplace_back("anisotropy", json::quotedText(wordOf(kAnisotropyWords, control.anisotropy)));
-  }
-  if (!(control.velocity == usual.velocity)) members.emplace_back("velocity", velocityText(control.velocity));
-  if (control.passivity != usual.passivity) {
-    members.emplace_back("passivity", json::quotedText(wordOf(kPassivityWords, control.passivity)));
-  }
-  if (control.space != usual.space) members.emplace_back("space", json::quotedText(wordOf(kSpaceWords, control.space)));
+/// Of an object that holds nothing else.
+template <class Object>
+std::string settingsText(const Object& object, std::size_t indent) {
+  Members members;
+  addSettings(members, object);
   return objectText(members, indent);
 }
 
-bool isUsual(const Control& control) {
-  const Control usual;
-  bool same = control.law == usual.law && control.anisotropy == usual.anisotropy && control.space == usual.space &&
-              control.velocity == usual.velocity && control.passivity == usual.passivity;
-  for (const GainField& field : kGainFields) {
-    same = same && sameBits(control.gains.*field.member, usual.gains.*field.member);
-  }
-  return same;
-}
-
-std::string influenceText(const Influence& influence) {
-  const Influence usual;
-  Members members{{"t", text(influence.t)}};
-  if (influence.stylus_axis != usual.stylus_axis) {
-    members.emplace_back("stylus_axis", json::quotedText(wordOf(kStylusAxisWords, influence.stylus_axis)));
-  }
-  if (influence.blend_deg != usual.blend_deg) members.emplace_back("blend_deg", text(influence.blend_deg));
-  return objectText(members, 6);
-}
-
-void addNumber(Members& members, const char* key, double number) {
-  if (!sameBits(Vec3(Vec3::Constant(number)), Vec3(Vec3::Zero()))) members.emplace_back(key, text(number));
+std::string controlText(const Control& control, std::size_t indent) {
+  Members members;
+  addSettings(members, control, "passivity", [&] {
+    if (!(control.velocity == Velocity{})) members.emplace_back("velocity", settingsText(control.velocity, 6));
+  });
+  return objectText(members, indent);
 }
 
 std::string jointText(const Joint& joint) {
   Members members{{"type", json::quotedText(wordOf(kJointWords, joint.type))}, {"axis", text(joint.axis)}};
   if (joint.type == chain::JointType::Revolute) members.emplace_back("point_mm", text(joint.point_mm));
-  if (joint.min) members.emplace_back("min", text(*joint.min));
-  if (joint.max) members.emplace_back("max", text(*joint.max));
-  addNumber(members, stiffnessKey(joint.type), joint.stiffness);
-  addNumber(members, "rest", joint.rest);
+  addSettings(members, joint);
   return objectText(members, 8);
-}
-
-std::string solverText(const Solver& solver) {
-  const Solver usual;
-  Members members;
-  if (solver.method != usual.method) {
-    members.emplace_back("method", json::quotedText(wordOf(kSolverWords, solver.method)));
-  }
-  if (solver.max_steps != usual.max_steps) members.emplace_back("max_steps", std::to_string(solver.max_steps));
-  if (solver.tolerance != usual.tolerance) members.emplace_back("tolerance", text(solver.tolerance));
-  return objectText(members, 6);
 }
 
 /// A row on each line.
@@ -145,14 +105,9 @@ void addManipulator(Members& members, const VirtualManipulator& robot) {
   for (const Joint& joint : robot.joints) joints += (joints.empty() ? "\n        " : ",\n        ") + jointText(joint);
   members.emplace_back("joints", "[" + joints + "\n      ]");
   members.emplace_back("X_WV_home", poseText(robot.X_WV_home));
-  if (robot.orientation != manipulator::Orientation::None) {
-    members.emplace_back("orientation", json::quotedText(wordOf(kOrientationWords, robot.orientation)));
-  }
-  addNumber(members, "ko_N_mm_per_rad", robot.ko_N_mm_per_rad);
-  if (!(robot.solver == Solver{})) members.emplace_back("solver", solverText(robot.solver));
-  if (robot.force_law != manipulator::ForceLaw::Energy) {
-    members.emplace_back("force_law", json::quotedText(wordOf(kForceLawWords, robot.force_law)));
-  }
+  addSettings(members, robot, "force_law", [&] {
+    if (!(robot.solver == Solver{})) members.emplace_back("solver", settingsText(robot.solver, 6));
+  });
 }
 
 template <class FromFile>
@@ -163,32 +118,17 @@ void addPlacement(Members& members, const FromFile& shape) {
     members.emplace_back("scale_mm_per_unit", text(shape.scale_mm_per_unit));
   }
   if (!sameBits(shape.X_WM, usual.X_WM)) members.emplace_back("X_WM", poseText(shape.X_WM));
-  if (shape.search != usual.search)
-    members.emplace_back("search", json::quotedText(wordOf(kSearchWords, shape.search)));
+  addSettings(members, shape);
 }
 
 void addMesh(Members& members, const Mesh& mesh) {
   addPlacement(members, mesh);
-  if (mesh.smooth_deg != Mesh{}.smooth_deg) members.emplace_back("smooth_deg", text(mesh.smooth_deg));
   if (!mesh.checksum.empty()) members.emplace_back("checksum", json::quotedText(mesh.checksum));
 }
 
 void addCurve(Members& members, const Curve& curve) {
   addPlacement(members, curve);
-  if (curve.kind != Curve{}.kind) members.emplace_back("kind", json::quotedText(wordOf(kCurveWords, curve.kind)));
-  if (curve.closed) members.emplace_back("closed", "true");
-  if (!curve.guide) return;
-  const CurveGuide usual;
-  Members guide{{"speed_mm_per_s", text(curve.guide->speed_mm_per_s)}};
-  if (curve.guide->t != usual.t) guide.emplace_back("t", text(curve.guide->t));
-  if (curve.guide->lead_mm != usual.lead_mm) guide.emplace_back("lead_mm", text(curve.guide->lead_mm));
-  members.emplace_back("guide", objectText(guide, 6));
-}
-
-std::string frictionText(const Friction& friction) {
-  Members members{{"static", text(friction.static_share)}};
-  if (friction.dynamic_share != friction.static_share) members.emplace_back("dynamic", text(friction.dynamic_share));
-  return objectText(members, 6);
+  if (curve.guide) members.emplace_back("guide", settingsText(*curve.guide, 6));
 }
 
 std::string constraintText(const Constraint& constraint, std::size_t index) {
@@ -209,11 +149,9 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
         });
       },
       constraint.shape);
-  if (constraint.side != target::Side::Both) {
-    members.emplace_back("side", json::quotedText(wordOf(kSideWords, constraint.side)));
-  }
-  if (constraint.influence) members.emplace_back("influence", influenceText(*constraint.influence));
-  if (constraint.friction) members.emplace_back("friction", frictionText(*constraint.friction));
+  addSettings(members, constraint);
+  if (constraint.influence) members.emplace_back("influence", settingsText(*constraint.influence, 6));
+  if (constraint.friction) members.emplace_back("friction", settingsText(*constraint.friction, 6));
   if (constraint.control) members.emplace_back("control", controlText(*constraint.control, 6));
   return objectText(members, 4);
 }
@@ -226,15 +164,6 @@ std::string teachingText(const Teaching& teaching) {
   return objectText(members, 2);
 }
 
-std::string simulationText(const Simulation& simulation) {
-  const Simulation usual;
-  Members members;
-  if (simulation.integrator != usual.integrator)
-    members.emplace_back("integrator", json::quotedText(wordOf(kIntegratorWords, simulation.integrator)));
-  if (simulation.substep_us != usual.substep_us) members.emplace_back("substep_us", text(simulation.substep_us));
-  return objectText(members, 2);
-}
-
 }  // namespace
 
 std::string writeScene(const Description& scene, const std::optional<Teaching>& teaching) {
@@ -243,10 +172,12 @@ std::string writeScene(const Description& scene, const std::optional<Teaching>& 
   if (scene.about != usual.about) result += ",\n  \"about\": " + json::quotedText(scene.about);
   if (teaching) result += ",\n  \"teach\": " + teachingText(*teaching);
   if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quotedText(scene.arm);
-  if (!isUsual(scene.control)) result += ",\n  \"control\": " + controlText(scene.control, 2);
-  if (scene.combine != usual.combine)
-    result += ",\n  \"combine\": " + json::quotedText(wordOf(kCombineWords, scene.combine));
-  if (!(scene.simulation == usual.simulation)) result += ",\n  \"simulation\": " + simulationText(scene.simulation);
+  if (!isUsual(scene.control) || !(scene.control.velocity == Velocity{}))
+    result += ",\n  \"control\": " + controlText(scene.control, 2);
+  Members settings;
+  addSettings(settings, scene);
+  for (const auto& [key, value] : settings) result += ",\n  " + json::quotedText(key) + ": " + value;
+  if (!isUsual(scene.simulation)) result += ",\n  \"simulation\": " + settingsText(scene.simulation, 2);
   result += ",\n  \"constraints\": [";
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     result += (index == 0 ? "\n    " : ",\n    ") + constraintText(scene.constraints[index], index);

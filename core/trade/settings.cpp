@@ -4,6 +4,7 @@
 
 #include "core/json/json.h"
 #include "core/scene/fields.h"
+#include "core/scene/setting_rows.h"
 
 namespace underact::trade {
 namespace {
@@ -47,13 +48,9 @@ std::string textOf(const scene::Solver& solver) {
 
 std::string textOf(const scene::Velocity& velocity) {
   std::string text = filterName(velocity);
-  std::visit(
-      [&](const auto& filter) {
-        eachSetting(filter, [&](const auto& setting, double number) {
-          text += std::string(", ") + setting.key + " " + numberText(number);
-        });
-      },
-      velocity);
+  for (const auto& row : scene::rowsOf<scene::Velocity>().subspan(1)) {
+    if (isThere(row, velocity)) text += std::string(", ") + row.is.key + " " + scene::fileTextOf(row.get(velocity));
+  }
   return text;
 }
 

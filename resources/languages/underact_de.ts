@@ -4628,14 +4628,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>PD (oder PID)</translation>
     </message>
     <message>
-        <source>This must be a whole number from %1 to %2; here it is %3.</source>
-        <translation>Dies muss eine ganze Zahl von %1 bis %2 sein; hier steht %3.</translation>
-    </message>
-    <message>
-        <source>This must be from %1 to %2; here it is %3.</source>
-        <translation>Dies muss zwischen %1 und %2 liegen; hier steht %3.</translation>
-    </message>
-    <message>
         <source>The gain along %1 is %2 beside gains above it, so no point of the %3 is nearest in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis a gain.</source>
         <translation>Die Verstärkung entlang %1 ist %2 neben größeren, also ist bei dieser Bindung (Typ „%3“) kein Punkt der nächste in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse eine Verstärkung.</translation>
     </message>
@@ -4656,14 +4648,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Bindung vom Typ „%1“ hat keinen Einfluss.</translation>
     </message>
     <message>
-        <source>This must be from 0 (orientation only) to 1 (position only); here it is %1.</source>
-        <translation>Dies muss zwischen 0 (nur die Orientierung) und 1 (nur die Position) liegen; hier steht %1.</translation>
-    </message>
-    <message>
-        <source>This must be from 0 to 30 degrees; here it is %1.</source>
-        <translation>Dies muss zwischen 0 und 30 Grad liegen; hier steht %1.</translation>
-    </message>
-    <message>
         <source>A wall has no influence: where the stylus is free nothing draws it. Take "side" or "influence" away.</source>
         <translation>Eine Wand hat keinen Einfluss: Wo der Stift frei ist, zieht ihn nichts. Entfernen Sie „side“ oder „influence“.</translation>
     </message>
@@ -4672,24 +4656,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Mit Einfluss ist das Ziel nicht der nächste Punkt in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
-        <source>This must be from 0 (smooth) to %1; here it is %2.</source>
-        <translation>Dies muss zwischen 0 (glatt) und %1 liegen; hier steht %2.</translation>
-    </message>
-    <message>
-        <source>This must be from 0 to the static share, %1; here it is %2.</source>
-        <translation>Dies muss zwischen 0 und dem Anteil der Haftreibung, %1, liegen; hier steht %2.</translation>
-    </message>
-    <message>
         <source>A %1 has no inside and no outside.</source>
         <translation>Eine Bindung vom Typ „%1“ hat kein Innen und kein Außen.</translation>
     </message>
     <message>
         <source>There is nothing to slide along.</source>
         <translation>Hier gibt es nichts, woran man entlanggleiten kann.</translation>
-    </message>
-    <message>
-        <source>This must be from %1 to %2 us; here it is %3.</source>
-        <translation>Dies muss zwischen %1 und %2 us liegen; hier steht %3.</translation>
     </message>
     <message>
         <source>The title is empty; a few words tell people what they will feel.</source>
@@ -4708,18 +4680,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Führung</translation>
     </message>
     <message>
-        <source>This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1.</source>
-        <translation>Dies muss zwischen 0 (nur zur Führung) und 1 (nur zum nächsten Punkt) liegen; hier steht %1.</translation>
-    </message>
-    <message>
-        <source>This must be from -2000 to 2000 mm/s; here it is %1.</source>
-        <translation>Dies muss zwischen -2000 und 2000 mm/s liegen; hier steht %1.</translation>
-    </message>
-    <message>
-        <source>This must be above 0 and at most 1000 mm; here it is %1.</source>
-        <translation>Dies muss über 0 liegen und höchstens 1000 mm sein; hier steht %1.</translation>
-    </message>
-    <message>
         <source>The curve %1 is not loaded.</source>
         <translation>Die Kurve %1 ist nicht geladen.</translation>
     </message>
@@ -4734,10 +4694,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The file %1 was not found. A recording keeps the names of its meshes and curves and not their folders; it was looked for in %2. Put it beside the session, or name its folder: in the window with Replay, Folder of its files; on the command line with --files FOLDER.</source>
         <translation>Die Datei %1 wurde nicht gefunden. Eine Aufnahme behält die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner; gesucht wurde in %2. Legen Sie die Datei neben die Sitzung oder nennen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner ihrer Dateien; auf der Befehlszeile mit --files ORDNER.</translation>
-    </message>
-    <message>
-        <source>This must lie within %1; here it is %2.</source>
-        <translation>Dies darf höchstens %1 betragen; hier steht %2.</translation>
     </message>
     <message>
         <source>This is no finite direction; a double holds at most about 1.8e308.</source>
@@ -4760,14 +4716,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Bei der Orientierung „none“ benutzt dies niemand; setzen Sie „orientation“ auf „axis“, „angle“ oder „full“, oder entfernen Sie dies.</translation>
     </message>
     <message>
-        <source>This must be a whole number from 1 to 100.</source>
-        <translation>Dies muss eine ganze Zahl von 1 bis 100 sein.</translation>
-    </message>
-    <message>
-        <source>This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.</source>
-        <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
-    </message>
-    <message>
         <source>A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. Set "space" to "cartesian".</source>
         <translation>Ein virtueller Manipulator zieht die Spitze; eine Regelung, die auf die Gelenke des Arms wirkt, kann sie nicht halten. Setzen Sie „space“ auf „cartesian“.</translation>
     </message>
@@ -4786,10 +4734,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The nearest point of a %1 is not sought in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
         <translation>Bei einer Bindung vom Typ „%1“ wird der nächste Punkt nicht in der eigenen Metrik der Verstärkungen gesucht. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse dasselbe kp.</translation>
-    </message>
-    <message>
-        <source>This must be from 0 (faces as they are) to %1 degrees that the force may lean, so that bends feel round; here it is %2.</source>
-        <translation>Dies muss zwischen 0 (Flächen, wie sie sind) und %1 Grad liegen, um die sich die Kraft neigen darf, damit sich Knicke rund anfühlen; hier steht %2.</translation>
     </message>
     <message>
         <source>A wall's proxy follows the surface; it is not sought. Take "search" away.</source>
@@ -4820,12 +4764,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Liste von Bindungen</translation>
     </message>
     <message>
-        <source>a simulation</source>
-        <translation>eine Simulation</translation>
-    </message>
-    <message>
         <source>a scene</source>
         <translation>eine Szene</translation>
+    </message>
+    <message>
+        <source>a simulation</source>
+        <translation>eine Simulation</translation>
     </message>
     <message>
         <source>The type %1 is not known. There are %2.</source>
@@ -4876,10 +4820,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Bei einer Bindung vom Typ „%1“ wird der nächste Punkt durch eine Formel gefunden, nicht durch eine Suche; Dreiecksnetz und Kurve haben eine. Entfernen Sie sie.</translation>
     </message>
     <message>
-        <source>a number, or a list of 3 numbers for x, y and z</source>
-        <translation>eine Zahl oder eine Liste von 3 Zahlen für x, y und z</translation>
-    </message>
-    <message>
         <source>This is a part of the control, as in %1.</source>
         <translation>Dies gehört zur Regelung, wie in %1.</translation>
     </message>
@@ -4900,14 +4840,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Feder eines Gelenks vom Typ „%1“ heißt „%2“.</translation>
     </message>
     <message>
-        <source>a solver</source>
-        <translation>ein Löser</translation>
-    </message>
-    <message>
-        <source>This must be a whole number from 1 to 100; here it is %1.</source>
-        <translation>Dies muss eine ganze Zahl von 1 bis 100 sein; hier steht %1.</translation>
-    </message>
-    <message>
         <source>4 rows of 4 numbers</source>
         <translation>eine Liste von 4 Zeilen mit je 4 Zahlen</translation>
     </message>
@@ -4926,6 +4858,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>a list of joints</source>
         <translation>eine Liste von Gelenken</translation>
+    </message>
+    <message>
+        <source>a solver</source>
+        <translation>ein Löser</translation>
     </message>
     <message>
         <source>The filter "%1" does not use this; %2 would. Change the filter or take it away.</source>
@@ -4964,6 +4900,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Verstärkung darf höchstens 1e12 betragen; hier steht %1.</translation>
     </message>
     <message>
+        <source>This must lie within %1; here it is %2.</source>
+        <translation>Dies darf höchstens %1 betragen; hier steht %2.</translation>
+    </message>
+    <message>
         <source>This is no finite pose; a double holds at most about 1.8e308.</source>
         <translation>Dies ist keine endliche Lage; ein double fasst höchstens etwa 1.8e308.</translation>
     </message>
@@ -4990,6 +4930,74 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The scene cannot be saved, what was there is untouched: %1.</source>
         <translation>Die Szene lässt sich nicht speichern, was dort stand, ist unberührt: %1.</translation>
+    </message>
+    <message>
+        <source>There is no setting %1.</source>
+        <translation>Eine Einstellung %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no setting %1. Did you mean "%2"?</source>
+        <translation>Eine Einstellung %1 gibt es nicht. War „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The scene has %1 constraints, counted from 0.</source>
+        <translation>Die Szene hat %1 Bindungen, gezählt ab 0.</translation>
+    </message>
+    <message>
+        <source>The scene has nothing there that "%1" is a setting of.</source>
+        <translation>Die Szene hat dort nichts, dessen Einstellung „%1“ wäre.</translation>
+    </message>
+    <message>
+        <source>This must be from %1 to %2; here it is %3.</source>
+        <translation>Dies muss zwischen %1 und %2 liegen; hier steht %3.</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from %1 to %2; here it is %3.</source>
+        <translation>Dies muss eine ganze Zahl von %1 bis %2 sein; hier steht %3.</translation>
+    </message>
+    <message>
+        <source>a number, or a list of 3 numbers for x, y and z</source>
+        <translation>eine Zahl oder eine Liste von 3 Zahlen für x, y und z</translation>
+    </message>
+    <message>
+        <source>This must be from 0 to the static share, %1; here it is %2.</source>
+        <translation>Dies muss zwischen 0 und dem Anteil der Haftreibung, %1, liegen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>This must be from %1 to %2 us; here it is %3.</source>
+        <translation>Dies muss zwischen %1 und %2 us liegen; hier steht %3.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (orientation only) to 1 (position only); here it is %1.</source>
+        <translation>Dies muss zwischen 0 (nur die Orientierung) und 1 (nur die Position) liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 to 30 degrees; here it is %1.</source>
+        <translation>Dies muss zwischen 0 und 30 Grad liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (smooth) to %1; here it is %2.</source>
+        <translation>Dies muss zwischen 0 (glatt) und %1 liegen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (faces as they are) to %1 degrees that the force may lean, so that bends feel round; here it is %2.</source>
+        <translation>Dies muss zwischen 0 (Flächen, wie sie sind) und %1 Grad liegen, um die sich die Kraft neigen darf, damit sich Knicke rund anfühlen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>This must be from -2000 to 2000 mm/s; here it is %1.</source>
+        <translation>Dies muss zwischen -2000 und 2000 mm/s liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1.</source>
+        <translation>Dies muss zwischen 0 (nur zur Führung) und 1 (nur zum nächsten Punkt) liegen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be above 0 and at most 1000 mm; here it is %1.</source>
+        <translation>Dies muss über 0 liegen und höchstens 1000 mm sein; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.</source>
+        <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
     </message>
     <message>
         <source>what a scene teaches</source>
@@ -6568,6 +6576,317 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Stability</source>
         <translation>Stabilität</translation>
+    </message>
+</context>
+<context>
+    <name>setting</name>
+    <message>
+        <source>how forces are combined</source>
+        <translation>wie Kräfte zusammenwirken</translation>
+    </message>
+    <message>
+        <source>Every constraint's own force is added, or the nearest to the stylus holds alone.</source>
+        <translation>Die Kräfte aller Bindungen werden addiert, oder die dem Stift nächste wirkt allein.</translation>
+    </message>
+    <message>
+        <source>integrator</source>
+        <translation>Integrator</translation>
+    </message>
+    <message>
+        <source>How a substep of the simulated arm goes from one state to the next.</source>
+        <translation>Wie ein Teilschritt des simulierten Arms von einem Zustand zum nächsten führt.</translation>
+    </message>
+    <message>
+        <source>substep</source>
+        <translation>Teilschritt</translation>
+    </message>
+    <message>
+        <source>The longest substep of the simulated arm, microseconds.</source>
+        <translation>Der längste Teilschritt des simulierten Arms, Mikrosekunden.</translation>
+    </message>
+    <message>
+        <source>law</source>
+        <translation>Regelgesetz</translation>
+    </message>
+    <message>
+        <source>P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e.</source>
+        <translation>P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + Integral von ki e.</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain).</source>
+        <translation>Wie stark der Stift je Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>How hard a change of the error is resisted: f = kd de/dt (derivative gain).</source>
+        <translation>Wie stark einer Änderung des Fehlers widerstanden wird: f = kd de/dt (Differentialverstärkung).</translation>
+    </message>
+    <message>
+        <source>integral</source>
+        <translation>Integral</translation>
+    </message>
+    <message>
+        <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
+        <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
+    </message>
+    <message>
+        <source>nearest point</source>
+        <translation>nächster Punkt</translation>
+    </message>
+    <message>
+        <source>With unequal gains the point of least effort is not the point of least distance. By effort the stylus stays where it is put; by distance, as in the thesis, it may creep.</source>
+        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Nach Aufwand bleibt der Stift, wo er hingesetzt wird; nach Abstand, wie in der Thesis, kann er kriechen.</translation>
+    </message>
+    <message>
+        <source>passivity</source>
+        <translation>Passivität</translation>
+    </message>
+    <message>
+        <source>Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below 0 the wall is active. Control adds the damping that is missing.</source>
+        <translation>„Beobachten“ zählt die Energie, die der Stift in die Bindung steckt und zurückbekommt, E = Summe von f dx; unter 0 ist die Wand aktiv. „Regeln“ fügt die fehlende Dämpfung hinzu.</translation>
+    </message>
+    <message>
+        <source>where the control works</source>
+        <translation>wo die Regelung wirkt</translation>
+    </message>
+    <message>
+        <source>On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.</source>
+        <translation>An der Spitze: f = kp e, Achse für Achse. An den Gelenken: Drehmomente ziehen die Gelenke 1 bis 3 zu denen des Ziels, tau = K (q* - q), f = J^-T tau; die Verstärkungen gelten, wie sie in der Mitte des Arbeitsraums zu fühlen sind.</translation>
+    </message>
+    <message>
+        <source>velocity filter</source>
+        <translation>Geschwindigkeitsfilter</translation>
+    </message>
+    <message>
+        <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
+        <translation>Wie die Rate de/dt aus Orten bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>How far a sample is off, standard deviation.</source>
+        <translation>Wie weit ein Messwert danebenliegt, Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>How hard the hand may speed up: more, and the filter follows sooner and is noisier.</source>
+        <translation>Wie stark die Hand beschleunigen darf: Bei mehr folgt der Filter eher und rauscht stärker.</translation>
+    </message>
+    <message>
+        <source>time constant</source>
+        <translation>Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay.</source>
+        <translation>Zeitkonstante tau des Tiefpasses, r' = (de/dt - r) / tau: seine Verzögerung.</translation>
+    </message>
+    <message>
+        <source>longest window</source>
+        <translation>längstes Fenster</translation>
+    </message>
+    <message>
+        <source>The longest window, in ticks: longer is calmer and later.</source>
+        <translation>Das längste Fenster, in Takten: Ein längeres ist ruhiger und später.</translation>
+    </message>
+    <message>
+        <source>As far as a sample may lie off the line through the ends of the window.</source>
+        <translation>So weit darf ein Messwert neben der Geraden durch die Enden des Fensters liegen.</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Both: the stylus is held to the surface. Outside, inside: where it is free to be; a wall that pushes it back there.</source>
+        <translation>Beide: Der Stift wird an der Oberfläche gehalten. Außen, innen: wo er frei ist; eine Wand, die ihn dorthin zurückdrückt.</translation>
+    </message>
+    <message>
+        <source>influence t</source>
+        <translation>Einfluss t</translation>
+    </message>
+    <message>
+        <source>0: the point that the stylus points at; 1: the point nearest to the tip; between them along the shorter arc: theta = alpha + t wrap(beta - alpha).</source>
+        <translation>0: der Punkt, auf den der Stift zeigt; 1: der Punkt, der der Spitze am nächsten ist; dazwischen entlang des kürzeren Bogens: theta = alpha + t wrap(beta - alpha).</translation>
+    </message>
+    <message>
+        <source>stylus axis</source>
+        <translation>Stiftachse</translation>
+    </message>
+    <message>
+        <source>Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.</source>
+        <translation>Mit welcher Richtung der Stift auf die Form zeigt: z von Koordinatensystem 6 läuft von der Spitze in die Hand.</translation>
+    </message>
+    <message>
+        <source>blend width</source>
+        <translation>Übergangsbreite</translation>
+    </message>
+    <message>
+        <source>Within this angle of the shape's axis the stylus's direction says less and less, and the target goes over to position smoothly.</source>
+        <translation>Innerhalb dieses Winkels zur Achse der Form sagt die Richtung des Stifts immer weniger, und das Ziel geht glatt zur Position über.</translation>
+    </message>
+    <message>
+        <source>static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>How hard it sticks: the share of the force across the surface that does not move it.</source>
+        <translation>Wie stark er haftet: der Anteil der Kraft quer zur Oberfläche, der ihn noch nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>dynamic friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+    <message>
+        <source>How hard it drags while it slides; at most the static share.</source>
+        <translation>Wie stark er beim Gleiten gebremst wird; höchstens der Haftanteil.</translation>
+    </message>
+    <message>
+        <source>Nearest of all: the target may change over to another part of the mesh. Along the surface: it stays on the sheet it is on.</source>
+        <translation>Allernächster Punkt: Das Ziel kann auf einen anderen Teil des Dreiecksnetzes wechseln. Entlang der Oberfläche: Es bleibt auf dem Flächenstück, auf dem es ist.</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Bends between faces feel round: the force leans by up to this angle from the face's own normal. Edges that turn by more stay sharp. 0: faces as they are.</source>
+        <translation>Knicke zwischen Flächen fühlen sich rund an: Die Kraft neigt sich um bis zu diesen Winkel gegen die eigene Normale der Fläche. Kanten, die stärker knicken, bleiben scharf. 0: Flächen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>kind of the curve</source>
+        <translation>Art der Kurve</translation>
+    </message>
+    <message>
+        <source>How the points are joined: smoothly, or by straight lines.</source>
+        <translation>Wie die Punkte verbunden sind: glatt oder durch gerade Strecken.</translation>
+    </message>
+    <message>
+        <source>closed curve</source>
+        <translation>geschlossene Kurve</translation>
+    </message>
+    <message>
+        <source>It goes back to its first point.</source>
+        <translation>Sie kehrt zu ihrem ersten Punkt zurück.</translation>
+    </message>
+    <message>
+        <source>speed of the guide</source>
+        <translation>Tempo der Führung</translation>
+    </message>
+    <message>
+        <source>How fast the guide runs.</source>
+        <translation>Wie schnell die Führung läuft.</translation>
+    </message>
+    <message>
+        <source>guide t</source>
+        <translation>Führung t</translation>
+    </message>
+    <message>
+        <source>0: to the guide; 1: to the point nearest to the tip; between them along the curve: s = s_guide + t (s_hand - s_guide).</source>
+        <translation>0: zur Führung; 1: zum Punkt, der der Spitze am nächsten ist; dazwischen entlang der Kurve: s = s_guide + t (s_hand - s_guide).</translation>
+    </message>
+    <message>
+        <source>lead of the guide</source>
+        <translation>Vorlauf der Führung</translation>
+    </message>
+    <message>
+        <source>How far ahead of the hand the guide goes at most. There it waits.</source>
+        <translation>Wie weit die Führung der Hand höchstens vorausgeht. Dort wartet sie.</translation>
+    </message>
+    <message>
+        <source>what the tip follows</source>
+        <translation>wem die Spitze folgt</translation>
+    </message>
+    <message>
+        <source>Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one joint that turns, as in the thesis. The whole turn: e_o is its rotation vector.</source>
+        <translation>Nichts: e = (p, 0). Die Richtung von z: e_o = z_V − z_T. Der Winkel um das eine Gelenk, das sich dreht, wie in der Thesis. Die ganze Drehung: e_o ist ihr Rotationsvektor.</translation>
+    </message>
+    <message>
+        <source>turning stiffness</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the tip, go where the stylus points.</source>
+        <translation>Wie stark die Drehung der Spitze der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen die Spitze dorthin gehen, wohin der Stift zeigt.</translation>
+    </message>
+    <message>
+        <source>force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis 5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.</source>
+        <translation>Energie: F = K e bei den Gelenken kleinster Energie; auf einer geschlossenen Schleife wird keine Arbeit verrichtet. Thesis 5.2, für ein Gelenk: F = kp e − (ko e_θ / L) t; auf einer Schleife verrichtet es Arbeit.</translation>
+    </message>
+    <message>
+        <source>solver's method</source>
+        <translation>Methode des Lösers</translation>
+    </message>
+    <message>
+        <source>By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the iteration (Levenberg and Marquardt, from the last tick's joints).</source>
+        <translation>Von selbst: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
+    </message>
+    <message>
+        <source>solver's steps</source>
+        <translation>Schritte des Lösers</translation>
+    </message>
+    <message>
+        <source>The iteration's steps in one tick, 1 to 100; what is left goes on in the next.</source>
+        <translation>Die Schritte der Iteration in einem Takt, 1 bis 100; was übrig bleibt, geht im nächsten weiter.</translation>
+    </message>
+    <message>
+        <source>solver's tolerance</source>
+        <translation>Toleranz des Lösers</translation>
+    </message>
+    <message>
+        <source>The iteration ends where no joint would move by more: rad, and shares of the reach.</source>
+        <translation>Die Iteration endet, wo sich kein Gelenk um mehr bewegen würde: rad und Anteile der Reichweite.</translation>
+    </message>
+    <message>
+        <source>spring of the joint</source>
+        <translation>Feder des Gelenks</translation>
+    </message>
+    <message>
+        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.</source>
+        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Es bewegt sich frei.</translation>
+    </message>
+    <message>
+        <source>lower limit of the joint</source>
+        <translation>untere Grenze des Gelenks</translation>
+    </message>
+    <message>
+        <source>The least value; none: no limit.</source>
+        <translation>Der kleinste Wert; keiner: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>upper limit of the joint</source>
+        <translation>obere Grenze des Gelenks</translation>
+    </message>
+    <message>
+        <source>The largest value; none: no limit.</source>
+        <translation>Der größte Wert; keiner: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>rest of the joint</source>
+        <translation>Ruhelage des Gelenks</translation>
+    </message>
+    <message>
+        <source>Where the joint's spring pulls nowhere.</source>
+        <translation>Wo die Feder des Gelenks nirgendwohin zieht.</translation>
     </message>
 </context>
 <context>

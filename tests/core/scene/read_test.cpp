@@ -132,7 +132,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 4:10: arm: The arm "omnni" is not known. There are "omni-thesis", "touch-measured" and "woodenhaptics".
 5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
 5:43: control.kp_N_per_mm: A gain must be 0 or above, or the arm pushes away; here it is -1.
-5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "space", "velocity" and "passivity".
+5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "passivity", "space" and "velocity".
 6:14: combine: This must be "sum" or "nearest"; here it is "add".
 6:50: simulation.substep_us: This must be from 5 to 10000 us; here it is 1.
 6:53: simulation.step: The key "step" is not known in a simulation. Known are "integrator" and "substep_us".

@@ -1,0 +1,191 @@
+#pragma once
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/scene/rules.h"
+#include "core/scene/setting_rows.h"
+
+namespace underact::scene::row {
+
+// Inside the room: how a row of the table is made from a member of an object of the description.
+
+template <class Member>
+struct MemberOf;
+template <class Its, class Type>
+struct MemberOf<Type Its::*> {
+  using Object = Its;
+};
+template <auto kMember>
+using ObjectOf = typename MemberOf<decltype(kMember)>::Object;
+
+template <class Object>
+constexpr const char* kObject = "/constraints/*";  // a shape's own keys stand among the constraint's
+template <>
+constexpr const char* kObject<Description> = "";
+template <>
+constexpr const char* kObject<Simulation> = "/simulation";
+template <>
+constexpr const char* kObject<Control> = "/control";
+template <>
+constexpr const char* kObject<Velocity> = "/control/velocity";
+template <>
+constexpr const char* kObject<Influence> = "/constraints/*/influence";
+template <>
+constexpr const char* kObject<Friction> = "/constraints/*/friction";
+template <>
+constexpr const char* kObject<CurveGuide> = "/constraints/*/guide";
+template <>
+constexpr const char* kObject<Solver> = "/constraints/*/solver";
+template <>
+constexpr const char* kObject<Joint> = "/constraints/*/joints/*";
+
+inline SettingValue valueOf(double number) {
+  return number;
+}
+inline SettingValue valueOf(int number) {
+  return static_cast<double>(number);
+}
+inline SettingValue valueOf(bool flag) {
+  return flag;
+}
+inline SettingValue valueOf(const Vec3& axes) {
+  return axes;
+}
+inline SettingValue valueOf(const std::optional<double>& number) {
+  return number ? SettingValue(*number) : SettingValue();
+}
+
+inline void put(const SettingValue& value, double& into) {
+  into = std::get<double>(value);
+}
+inline void put(const SettingValue& value, int& into) {
+  into = static_cast<int>(std::get<double>(value));
+}
+inline void put(const SettingValue& value, bool& into) {
+  into = std::get<bool>(value);
+}
+inline void put(const SettingValue& value, Vec3& into) {
+  into = std::get<Vec3>(value);
+}
+inline void put(const SettingValue& value, std::optional<double>& into) {
+  into = isNone(value) ? std::nullopt : std::optional(std::get<double>(value));
+}
+
+constexpr SettingKind kindOf(double) {
+  return SettingKind::Number;
+}
+constexpr SettingKind kindOf(const std::optional<double>&) {
+  return SettingKind::Number;
+}
+constexpr SettingKind kindOf(int) {
+  return SettingKind::Whole;
+}
+constexpr SettingKind kindOf(bool) {
+  return SettingKind::Flag;
+}
+
+/// A member of the object.
+template <auto kMember>
+constexpr SettingOf<ObjectOf<kMember>> member(Setting setting) {
+  using Object = ObjectOf<kMember>;
+  using Type = std::remove_cvref_t<decltype(std::declval<Object>().*kMember)>;
+  if constexpr (std::is_same_v<Type, Vec3>)
+    setting.kind = SettingKind::Gain;
+  else
+    setting.kind = kindOf(Type{});
+  setting.object = kObject<Object>;
+  return {setting, [](const Object& object) { return valueOf(object.*kMember); },
+          [](Object& object, const SettingValue& value) { put(value, object.*kMember); },
+          [](const Object&) { return valueOf(Object{}.*kMember); }};
+}
+
+template <const auto& kWords>
+std::vector<std::string> wordsOf() {
+  std::vector<std::string> all;
+  for (const auto& word : kWords) all.emplace_back(word.word);
+  return all;
+}
+
+template <const auto& kWords, class Enum>
+void putWord(const SettingValue& value, Enum& into) {
+  for (const auto& word : kWords) {
+    if (std::get<std::string>(value) == word.word) into = word.value;
+  }
+}
+
+/// A member that is one of the words.
+template <auto kMember, const auto& kWords>
+constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
+  using Object = ObjectOf<kMember>;
+  setting.kind = SettingKind::Choice;
+  setting.words = &wordsOf<kWords>;
+  setting.object = kObject<Object>;
+  return {setting, [](const Object& object) -> SettingValue { return std::string(wordOf(kWords, object.*kMember)); },
+          [](Object& object, const SettingValue& value) { putWord<kWords>(value, object.*kMember); },
+          [](const Object&) -> SettingValue { return std::string(wordOf(kWords, Object{}.*kMember)); }};
+}
+
+/// A number of one of the filters.
+template <auto kMember>
+constexpr SettingOf<Velocity> ofFilter(Setting setting, SettingKind kind = SettingKind::Number) {
+  using Filter = ObjectOf<kMember>;
+  setting.kind = kind;
+  setting.object = kObject<Velocity>;
+  return {setting,
+          [](const Velocity& velocity) { return valueOf(std::get<Filter>(velocity).*kMember); },
+          [](Velocity& velocity, const SettingValue& value) { put(value, std::get<Filter>(velocity).*kMember); },
+          [](const Velocity&) { return valueOf(Filter{}.*kMember); },
+          nullptr,
+          [](const Velocity& velocity) { return std::holds_alternative<Filter>(velocity); }};
+}
+
+constexpr SettingOf<Velocity> filter(Setting setting) {
+  setting.kind = SettingKind::Choice;
+  setting.words = &wordsOf<kFilterWords>;
+  setting.object = kObject<Velocity>;
+  return {setting, [](const Velocity& velocity) -> SettingValue { return std::string(filterName(velocity)); },
+          [](Velocity& velocity, const SettingValue& value) {
+            static const Velocity kUsual[] = {KalmanFilter{}, LowPassFilter{}, AdaptiveWindowFilter{}, RawFilter{}};
+            std::size_t wanted = velocity.index();
+            putWord<kFilterWords>(value, wanted);
+            if (wanted != velocity.index()) velocity = kUsual[wanted];
+          },
+          [](const Velocity&) -> SettingValue { return std::string(filterName({})); }};
+}
+
+template <class Object>
+constexpr SettingOf<Object> judgedBy(Sentence (*judge)(const Object&, double), SettingOf<Object> row) {
+  row.judge = judge;
+  return row;
+}
+template <class Object>
+constexpr SettingOf<Object> thereWhere(bool (*is_there)(const Object&), SettingOf<Object> row) {
+  row.is_there = is_there;
+  return row;
+}
+
+/// A gain. from: the first law that uses it; those after it do, too.
+template <auto kMember, LawType kFrom>
+constexpr SettingOf<Control> gain(Setting setting) {
+  setting.least = 0.0;
+  setting.most = kHighestGain;
+  SettingOf<Control> row{setting,
+                         [](const Control& control) { return valueOf(control.gains.*kMember); },
+                         [](Control& control, const SettingValue& value) { put(value, control.gains.*kMember); },
+                         [](const Control&) { return valueOf(Gains{}.*kMember); },
+                         [](const Control&, double number) { return judgeGain(number); },
+                         nullptr,
+                         [](const Control& control) { return control.law >= kFrom; }};
+  row.is.kind = SettingKind::Gain;
+  row.is.object = kObject<Control>;
+  return row;
+}
+
+template <class Object>
+Sentence judgeAsGain(const Object&, double number) {
+  return judgeGain(number);
+}
+
+}  // namespace underact::scene::row

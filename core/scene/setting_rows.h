@@ -1,0 +1,137 @@
+#pragma once
+#include <span>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "core/base/translate.h"
+#include "core/scene/read_parts.h"
+#include "core/scene/settings.h"
+
+namespace underact::scene {
+
+// The rows of each object of a file, for those who have the object in hand.
+
+template <class Object>
+struct SettingOf {
+  Setting is;
+  SettingValue (*get)(const Object& object);
+  void (*set)(Object& object, const SettingValue& value);
+  SettingValue (*usual)(const Object& object);
+  Sentence (*judge)(const Object& object, double number) = nullptr;  // null: by the range
+  bool (*is_there)(const Object& object) = nullptr;                  // whether the object may have it; null: always
+  bool (*is_used)(const Object& object) = nullptr;                   // whether it does anything; null: always
+};
+
+template <class... Object>
+struct RowsFor {
+  std::tuple<std::span<const SettingOf<Object>>...> rows;
+  constexpr explicit RowsFor(std::span<const SettingOf<Object>>... its_rows) : rows(its_rows...) {}
+  template <class One>
+  static constexpr bool kHas = (std::is_same_v<One, Object> || ...);
+};
+using AllRows = RowsFor<Description, Simulation, Control, Velocity, Constraint, Influence, Friction, Mesh, Curve,
+                        CurveGuide, VirtualManipulator, Solver, Joint>;
+const AllRows& allRows();
+
+/// The rows of an object, in the order of a file; of others than these there are none.
+template <class Object>
+std::span<const SettingOf<Object>> rowsOf() {
+  if constexpr (AllRows::kHas<Object>)
+    return std::get<std::span<const SettingOf<Object>>>(allRows().rows);
+  else
+    return {};
+}
+
+template <class Object>
+bool isThere(const SettingOf<Object>& row, const Object& object) {
+  return row.is_there == nullptr || row.is_there(object);
+}
+
+/// To the bit, so that -0 is not 0: what is left out of a file reads back as it was.
+bool isSameValue(const SettingValue& a, const SettingValue& b);
+
+/// Takes in what stands in a file; false, and a problem, where that is no value of the kind.
+bool readValue(const Setting& is, const json::Value& value, const std::string& path, SettingValue& into,
+               Findings& findings);
+
+/// What is wrong with a number outside the range; empty: nothing.
+Sentence judgeRange(const Setting& is, double number);
+
+/// Calls say(part, sentence) for each number of the value that the object may not have; part: "", or "[1]" of a list.
+template <class Object, class Say>
+void judge(const SettingOf<Object>& row, const Object& object, const SettingValue& value, const Say& say) {
+  const auto look = [&](const std::string& part, double number) {
+    Sentence wrong = row.judge != nullptr ? row.judge(object, number) : judgeRange(row.is, number);
+    if (!wrong.empty()) say(part, std::move(wrong));
+  };
+  if (const double* number = std::get_if<double>(&value)) look("", *number);
+  const auto* const axes = std::get_if<Vec3>(&value);
+  if (axes == nullptr) return;
+  const bool is_one = isSameValue(*axes, Vec3(Vec3::Constant(axes->x())));  // even where they are no numbers
+  for (Eigen::Index axis = 0; axis < (is_one ? 1 : 3); ++axis)
+    look(is_one ? "" : "[" + std::to_string(axis) + "]", (*axes)[axis]);
+}
+
+/// Calls say(key, sentence) for each number of the object's settings that it may not have.
+template <class Object, class Say>
+void checkSettings(const Object& object, const Say& say) {
+  for (const SettingOf<Object>& row : rowsOf<Object>()) {
+    if (!isThere(row, object)) continue;
+    judge(row, object, row.get(object),
+          [&](const std::string& part, Sentence wrong) { say(row.is.key + part, std::move(wrong)); });
+  }
+}
+
+/// False: the key is not there, or what stands there cannot be read.
+template <class Object>
+bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& into) {
+  const json::Value* const found = reader.find(row.is.key, row.is.said == Said::Required);
+  if (found == nullptr) {
+    if (row.is.said != Said::Required) row.set(into, row.usual(into));
+    return false;
+  }
+  const std::string path = reader.pathOf(row.is.key);
+  SettingValue value = row.get(into);
+  bool is_good = readValue(row.is, *found, path, value, reader.findings());
+  if (is_good && row.is.kind == SettingKind::Whole) {  // what is no whole number has no place in the scene
+    judge(row, into, value, [&](const std::string&, Sentence wrong) {
+      reader.findings().add(*found, path, std::move(wrong));
+      is_good = false;
+    });
+  }
+  if (is_good) row.set(into, value);
+  return is_good;
+}
+
+/// All of an object; those whose type makes them be there are read first.
+template <class Object>
+void readSettings(ObjectReader& reader, Object& into) {
+  for (const SettingOf<Object>& row : rowsOf<Object>()) {
+    if (isThere(row, into)) readSetting(reader, row, into);
+  }
+}
+
+/// An object of a file that holds settings and nothing else. what: "an influence"; example: of such an object.
+template <class Object>
+void readObject(const json::Value& value, const std::string& path, const Sentence& what, const char* example,
+                Object& into, Findings& findings) {
+  if (!isKind(value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "an object, as in %1"), {example}),
+              findings))
+    return;
+  ObjectReader reader(value, path, what, findings);
+  readSettings(reader, into);
+  reader.finish();
+}
+
+/// Whether a file says nothing of the object where it need not.
+template <class Object>
+bool isUsual(const Object& object) {
+  for (const SettingOf<Object>& row : rowsOf<Object>()) {
+    if (isThere(row, object) && !isSameValue(row.get(object), row.usual(object))) return false;
+  }
+  return true;
+}
+
+}  // namespace underact::scene

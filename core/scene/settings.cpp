@@ -1,0 +1,368 @@
+// The table: one entry for each setting. See CONTRIBUTING, "Adding a setting".
+#include "core/scene/settings.h"
+
+#include "core/base/translate.h"
+#include "core/base/units.h"
+#include "core/scene/setting_builders.h"
+
+namespace underact::scene {
+namespace {
+
+using enum Said;
+
+constexpr double kMostFriction = 5.0;  // rubber on rubber is about 1.2
+constexpr double kFastest_mm_per_s = kMillimetrePerMetre * curve::kFastestGuide_m_per_s;
+
+/// A side that it must not have is there, too, so that nobody overlooks it.
+bool partsSpace(const Constraint& constraint) {
+  return hasSides(constraint.shape) || constraint.side != target::Side::Both;
+}
+bool turns(const Joint& joint) {
+  return joint.type == chain::JointType::Revolute;
+}
+bool slides(const Joint& joint) {
+  return !turns(joint);
+}
+
+/// At most the static one, where that may be.
+Sentence judgeDynamic(const Friction& friction, double number) {
+  const double most = friction.static_share;
+  if (!(most >= 0.0 && most <= kMostFriction) || (number >= 0.0 && number <= most)) return {};
+  return said(TRANSLATE_NOOP("problem", "This must be from 0 to the static share, %1; here it is %2."),
+              {json::numberText(most), json::numberText(number)});
+}
+
+/// By itself as much as the static one.
+constexpr SettingOf<Friction> dynamicShare(Setting setting) {
+  SettingOf<Friction> made = row::member<&Friction::dynamic_share>(setting);
+  made.usual = [](const Friction& friction) { return row::valueOf(friction.static_share); };
+  return made;
+}
+
+constexpr SettingOf<Description> kOfScene[] = {row::oneOf<&Description::combine, kCombineWords>(
+    {.key = "combine",
+     .label = TRANSLATE_NOOP("setting", "how forces are combined"),
+     .tip = TRANSLATE_NOOP("setting",
+                           "Every constraint's own force is added, or the nearest to the stylus holds alone.")})};
+
+constexpr SettingOf<Simulation> kOfSimulation[] = {
+    row::oneOf<&Simulation::integrator, kIntegratorWords>(
+        {.key = "integrator",
+         .label = TRANSLATE_NOOP("setting", "integrator"),
+         .tip = TRANSLATE_NOOP("setting", "How a substep of the simulated arm goes from one state to the next.")}),
+    row::member<&Simulation::substep_us>(
+        {.key = "substep_us",
+         .label = TRANSLATE_NOOP("setting", "substep"),
+         .tip = TRANSLATE_NOOP("setting", "The longest substep of the simulated arm, microseconds."),
+         .unit = "us",
+         .least = kShortestSubstep_us,
+         .most = kLongestSubstep_us,
+         .wrong = TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3.")})};
+
+constexpr SettingOf<Control> kOfControl[] = {
+    row::oneOf<&Control::law, kLawWords>(
+        {.key = "law",
+         .label = TRANSLATE_NOOP("setting", "law"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e."),
+         .said = Always}),
+    row::gain<&Gains::kp_N_per_mm, LawType::P>(
+        {.key = "kp_N_per_mm",
+         .label = TRANSLATE_NOOP("setting", "stiffness"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain)."),
+         .unit = "N/mm"}),
+    row::gain<&Gains::kd_N_s_per_mm, LawType::PD>(
+        {.key = "kd_N_s_per_mm",
+         .label = TRANSLATE_NOOP("setting", "damping"),
+         .tip =
+             TRANSLATE_NOOP("setting", "How hard a change of the error is resisted: f = kd de/dt (derivative gain)."),
+         .unit = "N s/mm"}),
+    row::gain<&Gains::ki_N_per_mm_s, LawType::PID>(
+        {.key = "ki_N_per_mm_s",
+         .label = TRANSLATE_NOOP("setting", "integral"),
+         .tip = TRANSLATE_NOOP("setting", "How fast an error that stays is worked off: df/dt = ki e (integral gain)."),
+         .unit = "N/(mm s)"}),
+    row::oneOf<&Control::anisotropy, kAnisotropyWords>(
+        {.key = "anisotropy",
+         .label = TRANSLATE_NOOP("setting", "nearest point"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "With unequal gains the point of least effort is not the point of least distance. By effort the stylus "
+             "stays where it is put; by distance, as in the thesis, it may creep.")}),
+    row::oneOf<&Control::passivity, kPassivityWords>(
+        {.key = "passivity",
+         .label = TRANSLATE_NOOP("setting", "passivity"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below "
+             "0 the wall is active. Control adds the damping that is missing.")}),
+    row::oneOf<&Control::space, kSpaceWords>(
+        {.key = "space",
+         .label = TRANSLATE_NOOP("setting", "where the control works"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, "
+             "tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.")})};
+
+constexpr SettingOf<Velocity> kOfVelocity[] = {
+    row::filter(
+        {.key = "filter",
+         .label = TRANSLATE_NOOP("setting", "velocity filter"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "How the rate de/dt is found from places that come in encoder steps: each filter "
+                               "is another trade of delay for noise."),
+         .said = Required}),
+    row::ofFilter<&KalmanFilter::noise_mm>(
+        {.key = "noise_mm",
+         .label = TRANSLATE_NOOP("setting", "noise"),
+         .tip = TRANSLATE_NOOP("setting", "How far a sample is off, standard deviation."),
+         .unit = "mm",
+         .least = 1e-6,
+         .most = 1e3}),
+    row::ofFilter<&KalmanFilter::acceleration_mm_per_s2>(
+        {.key = "acceleration_mm_per_s2",
+         .label = TRANSLATE_NOOP("setting", "acceleration"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "How hard the hand may speed up: more, and the filter follows sooner and is noisier."),
+         .unit = "mm/s²",
+         .least = 1e-3,
+         .most = 1e9}),
+    row::ofFilter<&LowPassFilter::time_constant_ms>(
+        {.key = "time_constant_ms",
+         .label = TRANSLATE_NOOP("setting", "time constant"),
+         .tip = TRANSLATE_NOOP("setting", "Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay."),
+         .unit = "ms",
+         .least = 0.0,
+         .most = 1e3}),
+    row::ofFilter<&AdaptiveWindowFilter::window>(
+        {.key = "window",
+         .label = TRANSLATE_NOOP("setting", "longest window"),
+         .tip = TRANSLATE_NOOP("setting", "The longest window, in ticks: longer is calmer and later."),
+         .unit = "ticks",
+         .least = 1.0,
+         .most = control::kLongestWindow},
+        SettingKind::Whole),
+    row::ofFilter<&AdaptiveWindowFilter::noise_mm>(
+        {.key = "noise_mm",
+         .label = TRANSLATE_NOOP("setting", "noise"),
+         .tip = TRANSLATE_NOOP("setting", "As far as a sample may lie off the line through the ends of the window."),
+         .unit = "mm",
+         .least = 0.0,
+         .most = 1e3})};
+
+constexpr SettingOf<Constraint> kOfConstraint[] = {row::thereWhere<Constraint>(
+    &partsSpace,
+    row::oneOf<&Constraint::side, kSideWords>(
+        {.key = "side",
+         .label = TRANSLATE_NOOP("setting", "side"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "Both: the stylus is held to the surface. Outside, inside: where it is free to be; a wall that "
+             "pushes it back there.")}))};
+
+constexpr SettingOf<Influence> kOfInfluence[] = {
+    row::member<&Influence::t>(
+        {.key = "t",
+         .label = TRANSLATE_NOOP("setting", "influence t"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "0: the point that the stylus points at; 1: the point nearest to the tip; between "
+                               "them along the shorter arc: theta = alpha + t wrap(beta - alpha)."),
+         .least = 0.0,
+         .most = 1.0,
+         .said = Required,
+         .wrong =
+             TRANSLATE_NOOP("problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1.")}),
+    row::oneOf<&Influence::stylus_axis, kStylusAxisWords>(
+        {.key = "stylus_axis",
+         .label = TRANSLATE_NOOP("setting", "stylus axis"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.")}),
+    row::member<&Influence::blend_deg>(
+        {.key = "blend_deg",
+         .label = TRANSLATE_NOOP("setting", "blend width"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Within this angle of the shape's axis the stylus's direction says less and less, and "
+                               "the target goes over to position smoothly."),
+         .unit = "°",
+         .least = 0.0,
+         .most = 30.0,
+         .wrong = TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1.")})};
+
+constexpr SettingOf<Friction> kOfFriction[] = {
+    row::member<&Friction::static_share>(
+        {.key = "static",
+         .label = TRANSLATE_NOOP("setting", "static friction"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "How hard it sticks: the share of the force across the surface that does not move it."),
+         .least = 0.0,
+         .most = kMostFriction,
+         .said = Required,
+         .wrong = TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2.")}),
+    row::judgedBy<Friction>(
+        &judgeDynamic,
+        dynamicShare({.key = "dynamic",
+                      .label = TRANSLATE_NOOP("setting", "dynamic friction"),
+                      .tip = TRANSLATE_NOOP("setting", "How hard it drags while it slides; at most the static share."),
+                      .least = 0.0,
+                      .most = kMostFriction}))};
+
+constexpr const char* kSearchTip = TRANSLATE_NOOP(
+    "setting",
+    "Nearest of all: the target may change over to another part of the mesh. Along the surface: it stays on the sheet "
+    "it is on.");
+
+constexpr SettingOf<Mesh> kOfMesh[] = {
+    row::oneOf<&Mesh::search, kSearchWords>(
+        {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
+    row::member<&Mesh::smooth_deg>(
+        {.key = "smooth_deg",
+         .label = TRANSLATE_NOOP("setting", "smoothing"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Bends between faces feel round: the force leans by up to this angle from the face's "
+                               "own normal. Edges that turn by more stay sharp. 0: faces as they are."),
+         .unit = "°",
+         .least = 0.0,
+         .most = kMostSmooth_deg,
+         .wrong = TRANSLATE_NOOP("problem",
+                                 "This must be from 0 (faces as they are) to %1 degrees that the force may lean, so "
+                                 "that bends feel round; here it is %2.")})};
+
+constexpr SettingOf<Curve> kOfCurve[] = {
+    row::oneOf<&Curve::search, kSearchWords>(
+        {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
+    row::oneOf<&Curve::kind, kCurveWords>(
+        {.key = "kind",
+         .label = TRANSLATE_NOOP("setting", "kind of the curve"),
+         .tip = TRANSLATE_NOOP("setting", "How the points are joined: smoothly, or by straight lines.")}),
+    row::member<&Curve::closed>({.key = "closed",
+                                 .label = TRANSLATE_NOOP("setting", "closed curve"),
+                                 .tip = TRANSLATE_NOOP("setting", "It goes back to its first point.")})};
+
+constexpr SettingOf<CurveGuide> kOfGuide[] = {
+    row::member<&CurveGuide::speed_mm_per_s>(
+        {.key = "speed_mm_per_s",
+         .label = TRANSLATE_NOOP("setting", "speed of the guide"),
+         .tip = TRANSLATE_NOOP("setting", "How fast the guide runs."),
+         .unit = "mm/s",
+         .least = -kFastest_mm_per_s,
+         .most = kFastest_mm_per_s,
+         .said = Required,
+         .wrong = TRANSLATE_NOOP("problem", "This must be from -2000 to 2000 mm/s; here it is %1.")}),
+    row::member<&CurveGuide::t>(
+        {.key = "t",
+         .label = TRANSLATE_NOOP("setting", "guide t"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "0: to the guide; 1: to the point nearest to the tip; between them along the curve: "
+                               "s = s_guide + t (s_hand - s_guide)."),
+         .least = 0.0,
+         .most = 1.0,
+         .wrong = TRANSLATE_NOOP(
+             "problem", "This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1.")}),
+    row::member<&CurveGuide::lead_mm>(
+        {.key = "lead_mm",
+         .label = TRANSLATE_NOOP("setting", "lead of the guide"),
+         .tip = TRANSLATE_NOOP("setting", "How far ahead of the hand the guide goes at most. There it waits."),
+         .unit = "mm",
+         .least = 0.0,
+         .most = 1000.0,
+         .is_above_least = true,
+         .wrong = TRANSLATE_NOOP("problem", "This must be above 0 and at most 1000 mm; here it is %1.")})};
+
+constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
+    row::oneOf<&VirtualManipulator::orientation, kOrientationWords>(
+        {.key = "orientation",
+         .label = TRANSLATE_NOOP("setting", "what the tip follows"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one "
+                               "joint that turns, as in "
+                               "the thesis. The whole turn: e_o is its rotation vector.")}),
+    row::judgedBy<VirtualManipulator>(
+        &row::judgeAsGain,
+        row::member<&VirtualManipulator::ko_N_mm_per_rad>(
+            {.key = "ko_N_mm_per_rad",
+             .label = TRANSLATE_NOOP("setting", "turning stiffness"),
+             .tip =
+                 TRANSLATE_NOOP("setting",
+                                "How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so "
+                                "that the joints, and with them the tip, go where the stylus points."),
+             .unit = "N mm/rad",
+             .least = 0.0,
+             .most = kHighestGain})),
+    row::oneOf<&VirtualManipulator::force_law, kForceLawWords>(
+        {.key = "force_law",
+         .label = TRANSLATE_NOOP("setting", "force law"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis "
+                               "5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.")})};
+
+constexpr SettingOf<Solver> kOfSolver[] = {
+    row::oneOf<&Solver::method, kSolverWords>(
+        {.key = "method",
+         .label = TRANSLATE_NOOP("setting", "solver's method"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the "
+             "iteration (Levenberg and Marquardt, from the last tick's joints).")}),
+    row::member<&Solver::max_steps>(
+        {.key = "max_steps",
+         .label = TRANSLATE_NOOP("setting", "solver's steps"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "The iteration's steps in one tick, 1 to 100; what is left goes on in the next."),
+         .least = 1.0,
+         .most = 100.0}),
+    row::member<&Solver::tolerance>(
+        {.key = "tolerance",
+         .label = TRANSLATE_NOOP("setting", "solver's tolerance"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "The iteration ends where no joint would move by more: rad, and shares of the reach."),
+         .least = 0.0,
+         .most = 0.01,
+         .is_above_least = true,
+         .wrong = TRANSLATE_NOOP("problem",
+                                 "This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.")})};
+
+constexpr Setting kSpring{
+    .key = "stiffness_N_per_mm",
+    .label = TRANSLATE_NOOP("setting", "spring of the joint"),
+    .tip =
+        TRANSLATE_NOOP("setting", "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely."),
+    .unit = "N/mm",
+    .least = 0.0,
+    .most = kHighestGain};
+constexpr Setting turningSpring() {
+  Setting spring = kSpring;
+  spring.key = "stiffness_N_mm_per_rad";
+  spring.unit = "N mm/rad";
+  return spring;
+}
+
+constexpr SettingOf<Joint> kOfJoint[] = {
+    row::judgedBy<Joint>(
+        &judgeJoint, row::member<&Joint::min>({.key = "min",
+                                               .label = TRANSLATE_NOOP("setting", "lower limit of the joint"),
+                                               .tip = TRANSLATE_NOOP("setting", "The least value; none: no limit.")})),
+    row::judgedBy<Joint>(&judgeJoint, row::member<&Joint::max>(
+                                          {.key = "max",
+                                           .label = TRANSLATE_NOOP("setting", "upper limit of the joint"),
+                                           .tip = TRANSLATE_NOOP("setting", "The largest value; none: no limit.")})),
+    row::judgedBy<Joint>(&row::judgeAsGain,
+                         row::thereWhere<Joint>(&turns, row::member<&Joint::stiffness>(turningSpring()))),
+    row::judgedBy<Joint>(&row::judgeAsGain, row::thereWhere<Joint>(&slides, row::member<&Joint::stiffness>(kSpring))),
+    row::judgedBy<Joint>(
+        &judgeJoint,
+        row::member<&Joint::rest>({.key = "rest",
+                                   .label = TRANSLATE_NOOP("setting", "rest of the joint"),
+                                   .tip = TRANSLATE_NOOP("setting", "Where the joint's spring pulls nowhere.")}))};
+
+}  // namespace
+
+const AllRows& allRows() {
+  static constexpr AllRows kAll{kOfScene,     kOfSimulation, kOfControl, kOfVelocity, kOfConstraint,
+                                kOfInfluence, kOfFriction,   kOfMesh,    kOfCurve,    kOfGuide,
+                                kOfRobot,     kOfSolver,     kOfJoint};
+  return kAll;
+}
+
+}  // namespace underact::scene
