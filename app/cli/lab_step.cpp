@@ -6,9 +6,11 @@
 #include "app/cli/arm_models.h"
 #include "app/cli/lab.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/setting_wishes.h"
 #include "app/cli/step_report.h"
 #include "core/base/units.h"
-#include "core/scene/edit.h"
+#include "core/json/json.h"
+#include "core/scene/settings.h"
 
 namespace underact::cli {
 namespace {
@@ -52,19 +54,16 @@ Exit stepFunction(const StepOptions& options, const Streams& streams) {
 }
 
 /// The scene with the law and the gains of the command line in place of its own.
-scene::Description retuned(scene::Description scene, const StepOptions& options) {
-  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
-    scene::Control control = controlOf(scene, index);
-    if (!options.law.empty())
-      control.law = options.law == "P"    ? scene::LawType::P
-                    : options.law == "PD" ? scene::LawType::PD
-                                          : scene::LawType::PID;
-    if (options.kp_N_per_mm >= 0.0) control.gains.kp_N_per_mm.setConstant(options.kp_N_per_mm);
-    if (options.kd_N_s_per_mm >= 0.0) control.gains.kd_N_s_per_mm.setConstant(options.kd_N_s_per_mm);
-    if (options.ki_N_per_mm_s >= 0.0) control.gains.ki_N_per_mm_s.setConstant(options.ki_N_per_mm_s);
-    scene = withControl(std::move(scene), index, control);
-  }
-  return scene;
+Result<scene::Description> retuned(const scene::Description& scene, const StepOptions& options) {
+  std::vector<std::string> wishes;
+  const auto add = [&wishes](const char* key, double number) {
+    if (number >= 0.0) wishes.push_back(std::string(key) + "=" + json::numberText(number));
+  };
+  if (!options.law.empty()) wishes.push_back("law=" + options.law);
+  add("kp_N_per_mm", options.kp_N_per_mm);
+  add("kd_N_s_per_mm", options.kd_N_s_per_mm);
+  add("ki_N_per_mm_s", options.ki_N_per_mm_s);
+  return withWishes(scene, wishes);
 }
 
 lab::StepSetup setupOf(const StepOptions& options, const sim::ArmModel& model) {
@@ -98,8 +97,9 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
     print(model.problems(), streams.err);
     return exitOf(model.problems());
   }
-  const Result<lab::ArmStep> step =
-      lab::measureStep(retuned(loaded.value().description, options), setupOf(options, model.value()));
+  const Result<scene::Description> scene = retuned(loaded.value().description, options);
+  if (!scene) return fail(scene.problems(), streams);
+  const Result<lab::ArmStep> step = lab::measureStep(scene.value(), setupOf(options, model.value()));
   if (!step) {
     print(step.problems(), streams.err);
     return Exit::BadInput;
@@ -136,7 +136,7 @@ Option addArmOptions(Command command, StepOptions& options) {
       .withCommas()
       .expected(3, 3)
       .range(-1e6, 1e6);
-  add("--law", options.law, "In place of the scene's").oneOf({"P", "PD", "PID"});
+  add("--law", options.law, "In place of the scene's").oneOf(scene::findSetting("/control/law")->words());
   add("--kp_N_per_mm", options.kp_N_per_mm, "In place of the scene's").range(0.0, 1e9);
   add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "In place of the scene's").range(0.0, 1e9);
   add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "In place of the scene's").range(0.0, 1e9);

@@ -8,6 +8,7 @@
 #include "app/cli/hands.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/setting_wishes.h"
 #include "app/cli/shipped.h"
 #include "core/lesson/read.h"
 #include "core/lesson/tell.h"
@@ -41,16 +42,6 @@ Result<std::string> lessonFile(const std::string& lesson) {
   return lesson;
 }
 
-/// "kp_N_per_mm=0.8"; false: it has no such form.
-bool readSettings(const std::vector<std::string>& texts, std::vector<device::LessonSetting>& into) {
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) return false;
-    into.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
-  return true;
-}
-
 void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome, bool json, const Streams& streams) {
   std::vector<JsonObject> checks;
   for (std::size_t index = 0; index < step.checks.size(); ++index) {
@@ -81,9 +72,9 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
     return Exit::Usage;
   }
   device::LessonAttempt attempt;
-  if (!readSettings(options.settings, attempt.settings)) {
-    streams.err << "--set: this must be KEY=VALUE, as in kp_N_per_mm=0.8.\n";
-    return Exit::Usage;
+  for (const std::string& wish : options.settings) {
+    const auto [key, value] = sidesOf(wish);
+    attempt.settings.push_back({key, value});
   }
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) {
@@ -122,11 +113,8 @@ void addLessonTry(Command command, const Streams& streams, Exit& exit) {
               "To a question of the step, in their order: a number, or the "
               "number of a choice")
       .oneEachTime();
-  trying
-      .option("--set", options->settings,
-              "KEY=VALUE, what the student changes: law, kp_N_per_mm, "
-              "kd_N_s_per_mm, ki_N_per_mm_s, passivity, t, ko_N_mm_per_rad")
-      .oneEachTime();
+  addSet(trying, options->settings,
+         "What the student changes: a setting of the scene by its key, as kp_N_per_mm=0.8, or by its path in the file");
   trying.option("--seed", options->seed, "Of a built-in hand").showUsual().nonNegative();
   trying.flag("--json", options->json, "One JSON object in place of lines");
   trying.whenChosen([options, &streams, &exit] { exit = tryStep(*options, streams); });

@@ -1,5 +1,6 @@
 #include "core/record/replay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -10,13 +11,15 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/setting_wishes.h"
 #include "core/base/units.h"
+#include "core/json/json.h"
 #include "core/record/csv.h"
 #include "core/record/tick_figures.h"
 #include "core/scene/compile.h"
-#include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
+#include "core/scene/settings.h"
 #include "core/system/places.h"
 #include "core/system/signals.h"
 
@@ -25,13 +28,30 @@ namespace {
 
 struct ReplayOptions {
   std::string file, scene, record;
-  std::vector<std::string> files_in;
+  std::vector<std::string> files_in, settings;
   bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
-  std::optional<std::size_t> law;  // by its place in scene::LawType
+  std::optional<std::size_t> law;  // by its place among the words
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
-  bool isWhatIf() const { return !scene.empty() || kp_N_per_mm || kd_N_s_per_mm || ki_N_per_mm_s || t || law; }
+  bool isWhatIf() const { return !scene.empty() || !wishesFor({}).empty() || t; }
+  /// Each option that stands for a setting, then those of --set. An influence is wished for where the scene has one.
+  std::vector<std::string> wishesFor(const scene::Description& scene) const;
 };
+
+std::vector<std::string> ReplayOptions::wishesFor(const scene::Description& wanted) const {
+  std::vector<std::string> wishes;
+  const auto add = [&wishes](const char* key, const std::optional<double>& number) {
+    if (number) wishes.push_back(std::string(key) + "=" + json::numberText(*number));
+  };
+  if (law) wishes.push_back("law=" + scene::findSetting("/control/law")->words()[*law]);
+  add("kp_N_per_mm", kp_N_per_mm);
+  add("kd_N_s_per_mm", kd_N_s_per_mm);
+  add("ki_N_per_mm_s", ki_N_per_mm_s);
+  const auto has_influence = [](const scene::Constraint& one) { return one.influence.has_value(); };
+  if (std::any_of(wanted.constraints.begin(), wanted.constraints.end(), has_influence)) add("t", t);
+  wishes.insert(wishes.end(), settings.begin(), settings.end());
+  return wishes;
+}
 
 /// One side of the comparison.
 struct Side {
@@ -127,21 +147,11 @@ Result<scene::Description> wantedScene(const ReplayOptions& options, record::Ses
     Problems unfound = scene::loadRecordedMeshes(scene, foldersOf(options));
     if (!unfound.empty()) return unfound;
   }
-  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
-    scene::Control control = scene::controlOf(scene, index);
-    if (options.law) control.law = static_cast<scene::LawType>(*options.law);
-    if (options.kp_N_per_mm) control.gains.kp_N_per_mm = Vec3::Constant(*options.kp_N_per_mm);
-    if (options.kd_N_s_per_mm) control.gains.kd_N_s_per_mm = Vec3::Constant(*options.kd_N_s_per_mm);
-    if (options.ki_N_per_mm_s) control.gains.ki_N_per_mm_s = Vec3::Constant(*options.ki_N_per_mm_s);
-    if (!(control == scene::controlOf(scene, index))) scene = scene::withControl(scene, index, control);
-    if (std::optional<scene::Influence> influence = scene.constraints[index].influence; influence && options.t) {
-      influence->t = *options.t;
-      scene = scene::withInfluence(scene, index, influence);
-    }
-  }
-  const Problems problems = scene::check(scene);
+  Result<scene::Description> edited = withWishes(scene, options.wishesFor(scene));
+  if (!edited) return edited;
+  const Problems problems = scene::check(edited.value());
   if (!problems.empty()) return problems;
-  return scene;
+  return edited;
 }
 
 Exit compare(record::Session& session, const ReplayOptions& options, const Streams& streams) {
@@ -210,7 +220,11 @@ void addReplay(Command program, const Streams& streams, Exit& exit) {
   command.option("--kd", options->kd_N_s_per_mm, "Another damping, N s/mm").nonNegative();
   command.option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)").nonNegative();
   command.option("--t", options->t, "Another influence, 0 to 1").range(0.0, 1.0);
-  command.choice("--law", {"P", "PD", "PID"}, options->law, "Another law");
+  command.choice("--law", scene::findSetting("/control/law")->words(), options->law, "Another law");
+  addSet(
+      command, options->settings,
+      "Another value of a setting, by its path in the scene file, as /constraints/0/friction/static=0.4, or its key, "
+      "as kp_N_per_mm=0.1, of all constraints that have it");
   const Option recording =
       command.option("--record", options->record, "Write the ticks as they are now to this new CSV file");
   command.flag("--overwrite", options->overwrite, "Replace the file of --record where there is one").needs(recording);

@@ -141,4 +141,29 @@ TEST(ReplayCommand, ComparesOtherGainsWithWhatWasRecorded) {
   EXPECT_EQ(runCli({"replay", session.path(), "--kp", "-1"}).exit, Exit::Usage);
 }
 
+TEST(ReplayCommand, SetsAnySettingByItsPathOrItsKey) {
+  const ScratchPath session("s.h5");
+  record(session.path(), "02_sphere.json");
+  const auto replayed = [&](const std::vector<std::string>& how) {
+    std::vector<std::string> words{"replay", session.path()};
+    words.insert(words.end(), how.begin(), how.end());
+    return runCli(words);
+  };
+  const Outcome alias = replayed({"--kp", "0.01"});
+  ASSERT_EQ(alias.exit, Exit::Well) << alias.err;
+  EXPECT_EQ(replayed({"--set", "kp_N_per_mm=0.01"}).out, alias.out);
+  EXPECT_EQ(replayed({"--set", "/constraints/*/control/kp_N_per_mm=0.01"}).out, alias.out);
+  EXPECT_EQ(replayed({"--set", "/constraints/0/control/kp_N_per_mm=0.01", "--set", "passivity=off"}).exit, Exit::Well);
+  const Outcome rough = replayed({"--set", "/constraints/0/friction/static=0.4"});
+  ASSERT_EQ(rough.exit, Exit::Well) << rough.err;
+  EXPECT_GT(numberAt(*lines(rough.out).at(0).find("force_difference"), "max_N"), 0.0);
+  EXPECT_EQ(replayed({"--t", "0.5"}).exit, Exit::Well);  // nobody has an influence there
+  const Outcome wrong = replayed({"--set", "/control/lawn=P"});
+  EXPECT_EQ(wrong.exit, Exit::BadInput);
+  EXPECT_NE(wrong.err.find("Did you mean \"/control/law\"?"), std::string::npos) << wrong.err;
+  EXPECT_EQ(replayed({"--set", "kp_N_per_mm=-1"}).exit, Exit::BadInput);
+  EXPECT_EQ(replayed({"--set", "kp_N_per_mm"}).exit, Exit::Usage);
+  EXPECT_EQ(replayed({"--verify", "--set", "law=PD"}).exit, Exit::Usage);
+}
+
 }  // namespace underact::test
