@@ -38,26 +38,6 @@ Description withControl(Description scene, std::size_t index, const Control& con
   return scene;
 }
 
-Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence) {
-  scene.constraints[index].influence = influence;
-  return scene;
-}
-
-Description withFriction(Description scene, std::size_t index, const std::optional<Friction>& friction) {
-  scene.constraints[index].friction = friction;
-  return scene;
-}
-
-Description withGuide(Description scene, std::size_t index, const std::optional<CurveGuide>& guide) {
-  if (auto* const curve = std::get_if<Curve>(&scene.constraints[index].shape)) curve->guide = guide;
-  return scene;
-}
-
-Description withSmoothing(Description scene, std::size_t index, double smooth_deg) {
-  if (auto* const mesh = std::get_if<Mesh>(&scene.constraints[index].shape)) mesh->smooth_deg = smooth_deg;
-  return scene;
-}
-
 Description withShape(Description scene, std::size_t index, const Shape& shape) {
   scene.constraints[index].shape = shape;
   return scene;

@@ -7,23 +7,12 @@
 
 namespace underact::scene {
 
-// Edits of a scene: each gives a whole scene, so that one way into the servo and one way back serve them all.
+// Edits of a scene: each gives a whole scene, so that one way into the servo and one way back serve them all. Of its
+// settings: settings.h.
 
 /// The scene with control in place of the one that holds at index. Where the scene's control is that of a single
 /// constraint, it is the scene's that is edited. index: of a constraint that is there.
 Description withControl(Description scene, std::size_t index, const Control& control);
-/// The same with the influence of the constraint at index; none: position only.
-Description withInfluence(Description scene, std::size_t index, const std::optional<Influence>& influence);
-
-/// The same with its friction; none: smooth.
-Description withFriction(Description scene, std::size_t index, const std::optional<Friction>& friction);
-
-/// The same with the guide of the curve at index; none: nobody leads. As it is where that is no curve.
-Description withGuide(Description scene, std::size_t index, const std::optional<CurveGuide>& guide);
-
-/// The same with how far the force of the mesh at index may lean, degrees. As it is where that is no mesh.
-Description withSmoothing(Description scene, std::size_t index, double smooth_deg);
-
 /// The scene with another shape in place of the one at index.
 Description withShape(Description scene, std::size_t index, const Shape& shape);
 /// With one more constraint at the end; a number goes behind its name where that is taken.

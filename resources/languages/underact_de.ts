@@ -1072,24 +1072,12 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain).</source>
-        <translation>Wie stark der Stift je Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
-    </message>
-    <message>
         <source>Damping</source>
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>How hard a change of the error is resisted: f = kd de/dt (derivative gain).</source>
-        <translation>Wie stark einer Änderung des Fehlers widerstanden wird: f = kd de/dt (Differentialverstärkung).</translation>
-    </message>
-    <message>
         <source>Integral</source>
         <translation>Integral</translation>
-    </message>
-    <message>
-        <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
-        <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
     </message>
 </context>
 <context>
@@ -9445,8 +9433,12 @@ und %2 weitere</translation>
         <translation>Setzt Verstärkungen, Einfluss und Reibung auf die Werte der Szenendatei zurück.</translation>
     </message>
     <message>
-        <source>influence t</source>
-        <translation>Einfluss t</translation>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>Führung</translation>
     </message>
     <message>
         <source>influence on</source>
@@ -9455,10 +9447,6 @@ und %2 weitere</translation>
     <message>
         <source>influence off</source>
         <translation>Einfluss aus</translation>
-    </message>
-    <message>
-        <source>friction</source>
-        <translation>Reibung</translation>
     </message>
     <message>
         <source>friction on</source>
@@ -9477,32 +9465,8 @@ und %2 weitere</translation>
         <translation>Führung aus</translation>
     </message>
     <message>
-        <source>guide</source>
-        <translation>Führung</translation>
-    </message>
-    <message>
-        <source>law</source>
-        <translation>Regelgesetz</translation>
-    </message>
-    <message>
-        <source>where the control works</source>
-        <translation>wo die Regelung wirkt</translation>
-    </message>
-    <message>
-        <source>passivity</source>
-        <translation>Passivität</translation>
-    </message>
-    <message>
         <source>reset to scene</source>
         <translation>auf Szene zurücksetzen</translation>
-    </message>
-    <message>
-        <source>smoothing</source>
-        <translation>Glättung</translation>
-    </message>
-    <message>
-        <source>search</source>
-        <translation>Suche</translation>
     </message>
     <message>
         <source>L&amp;ink q1, q2 and q3</source>
@@ -9525,10 +9489,6 @@ und %2 weitere</translation>
         <translation>Regelgesetz</translation>
     </message>
     <message>
-        <source>P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e.</source>
-        <translation>P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + Integral von ki e.</translation>
-    </message>
-    <message>
         <source>P, proportional</source>
         <translation>P, proportional</translation>
     </message>
@@ -9545,10 +9505,6 @@ und %2 weitere</translation>
         <translation>Nächster Punkt bei ungleichen Verstärkungen</translation>
     </message>
     <message>
-        <source>With unequal gains the point of least effort is not the point of least distance. By effort the stylus stays where it is put; by distance, as in the thesis, it may creep.</source>
-        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Nach Aufwand bleibt der Stift, wo er hingesetzt wird; nach Abstand, wie in der Thesis, kann er kriechen.</translation>
-    </message>
-    <message>
         <source>by effort (weighted)</source>
         <translation>nach Aufwand (gewichtet)</translation>
     </message>
@@ -9559,10 +9515,6 @@ und %2 weitere</translation>
     <message>
         <source>Where the control works</source>
         <translation>Wo die Regelung wirkt</translation>
-    </message>
-    <message>
-        <source>On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.</source>
-        <translation>An der Spitze: f = kp e, Achse für Achse. An den Gelenken: Drehmomente ziehen die Gelenke 1 bis 3 zu denen des Ziels, tau = K (q* - q), f = J^-T tau; die Verstärkungen gelten, wie sie in der Mitte des Arbeitsraums zu fühlen sind.</translation>
     </message>
     <message>
         <source>the tip (Cartesian)</source>
@@ -9595,10 +9547,6 @@ und %2 weitere</translation>
     <message>
         <source>A change of one axis changes all three.</source>
         <translation>Die Änderung einer Achse ändert alle drei.</translation>
-    </message>
-    <message>
-        <source>nearest point</source>
-        <translation>nächster Punkt</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -10161,10 +10109,6 @@ und %2 weitere</translation>
         <translation>Führung aus</translation>
     </message>
     <message>
-        <source>How fast the guide runs.</source>
-        <translation>Wie schnell die Führung läuft.</translation>
-    </message>
-    <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
     </message>
@@ -10177,10 +10121,6 @@ und %2 weitere</translation>
         <translation>Tempo der Führung</translation>
     </message>
     <message>
-        <source>0: to the guide; 1: to the point nearest to the tip; between them along the curve: s = s_guide + t (s_hand - s_guide).</source>
-        <translation>0: zur Führung; 1: zum Punkt, der der Spitze am nächsten ist; dazwischen entlang der Kurve: s = s_guide + t (s_hand - s_guide).</translation>
-    </message>
-    <message>
         <source>Influence of the hand's own place on the curve</source>
         <translation>Einfluss der Stelle der Hand auf der Kurve</translation>
     </message>
@@ -10191,10 +10131,6 @@ und %2 weitere</translation>
     <message>
         <source>nearest</source>
         <translation>nächster</translation>
-    </message>
-    <message>
-        <source>How far ahead of the hand the guide goes at most. There it waits.</source>
-        <translation>Wie weit die Führung der Hand höchstens vorausgeht. Dort wartet sie.</translation>
     </message>
     <message>
         <source>mm</source>
@@ -10215,18 +10151,6 @@ und %2 weitere</translation>
     <message>
         <source>The guide runs backwards</source>
         <translation>Die Führung läuft rückwärts</translation>
-    </message>
-    <message>
-        <source>guide t</source>
-        <translation>Führung t</translation>
-    </message>
-    <message>
-        <source>lead of the guide</source>
-        <translation>Vorlauf der Führung</translation>
-    </message>
-    <message>
-        <source>speed of the guide</source>
-        <translation>Tempo der Führung</translation>
     </message>
     <message>
         <source>way of the guide</source>
@@ -10571,10 +10495,6 @@ und %2 weitere</translation>
         <translation>Einfluss aus</translation>
     </message>
     <message>
-        <source>0: the point that the stylus points at; 1: the point nearest to the tip; between them along the shorter arc: theta = alpha + t wrap(beta - alpha).</source>
-        <translation>0: der Punkt, auf den der Stift zeigt; 1: der Punkt, der der Spitze am nächsten ist; dazwischen entlang des kürzeren Bogens: theta = alpha + t wrap(beta - alpha).</translation>
-    </message>
-    <message>
         <source>Blend</source>
         <translation>Übergang</translation>
     </message>
@@ -10585,10 +10505,6 @@ und %2 weitere</translation>
     <message>
         <source>position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>Within this angle of the shape's axis the stylus's direction says less and less, and the target goes over to position smoothly.</source>
-        <translation>Innerhalb dieses Winkels zur Achse der Form sagt die Richtung des Stifts immer weniger, und das Ziel geht glatt zur Position über.</translation>
     </message>
     <message>
         <source>°</source>
@@ -10603,10 +10519,6 @@ und %2 weitere</translation>
         <translation>Richtung des Stifts, die zählt</translation>
     </message>
     <message>
-        <source>Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.</source>
-        <translation>Mit welcher Richtung der Stift auf die Form zeigt: z von Koordinatensystem 6 läuft von der Spitze in die Hand.</translation>
-    </message>
-    <message>
         <source>+z, from the tip to the hand</source>
         <translation>+z, von der Spitze zur Hand</translation>
     </message>
@@ -10617,18 +10529,6 @@ und %2 weitere</translation>
     <message>
         <source>&amp;Stylus axis</source>
         <translation>&amp;Stiftachse</translation>
-    </message>
-    <message>
-        <source>influence t</source>
-        <translation>Einfluss t</translation>
-    </message>
-    <message>
-        <source>blend width</source>
-        <translation>Übergangsbreite</translation>
-    </message>
-    <message>
-        <source>stylus axis</source>
-        <translation>Stiftachse</translation>
     </message>
 </context>
 <context>
@@ -12314,10 +12214,6 @@ und %2 weitere</translation>
         <translation>Die Gelenke des Roboters nehmen die kleinste Energie V = e·K e / 2 ein, und der Stift wird zu dessen Spitze gezogen: F = K e.</translation>
     </message>
     <message>
-        <source>How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the tip, go where the stylus points.</source>
-        <translation>Wie stark die Drehung der Spitze der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen die Spitze dorthin gehen, wohin der Stift zeigt.</translation>
-    </message>
-    <message>
         <source>Kθ</source>
         <translation>Kθ</translation>
     </message>
@@ -12328,10 +12224,6 @@ und %2 weitere</translation>
     <message>
         <source>What of the stylus's turn the tip follows</source>
         <translation>Was die Spitze von der Drehung des Stifts mitmacht</translation>
-    </message>
-    <message>
-        <source>Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one joint that turns, as in the thesis. The whole turn: e_o is its rotation vector.</source>
-        <translation>Nichts: e = (p, 0). Die Richtung von z: e_o = z_V − z_T. Der Winkel um das eine Gelenk, das sich dreht, wie in der Thesis. Die ganze Drehung: e_o ist ihr Rotationsvektor.</translation>
     </message>
     <message>
         <source>nothing of the turn</source>
@@ -12352,10 +12244,6 @@ und %2 weitere</translation>
     <message>
         <source>Force law</source>
         <translation>Kraftgesetz</translation>
-    </message>
-    <message>
-        <source>Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis 5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.</source>
-        <translation>Energie: F = K e bei den Gelenken kleinster Energie; auf einer geschlossenen Schleife wird keine Arbeit verrichtet. Thesis 5.2, für ein Gelenk: F = kp e − (ko e_θ / L) t; auf einer Schleife verrichtet es Arbeit.</translation>
     </message>
     <message>
         <source>energy, F = K e</source>
@@ -12404,10 +12292,6 @@ und %2 weitere</translation>
         <translation>Geschwindigkeitsfilter</translation>
     </message>
     <message>
-        <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
-        <translation>Wie die Rate de/dt aus Orten bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
-    </message>
-    <message>
         <source>Kalman</source>
         <translation>Kalman</translation>
     </message>
@@ -12426,10 +12310,6 @@ und %2 weitere</translation>
     <message>
         <source>Passivity</source>
         <translation>Passivität</translation>
-    </message>
-    <message>
-        <source>Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below 0 the wall is active. Control adds the damping that is missing.</source>
-        <translation>„Beobachten“ zählt die Energie, die der Stift in die Bindung steckt und zurückbekommt, E = Summe von f dx; unter 0 ist die Wand aktiv. „Regeln“ fügt die fehlende Dämpfung hinzu.</translation>
     </message>
     <message>
         <source>off</source>
@@ -12452,16 +12332,8 @@ und %2 weitere</translation>
         <translation>&amp;Passivität</translation>
     </message>
     <message>
-        <source>velocity filter</source>
-        <translation>Geschwindigkeitsfilter</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>Einstellung</translation>
-    </message>
-    <message>
-        <source>How hard the hand may speed up: more, and the filter follows sooner and is noisier.</source>
-        <translation>Wie stark die Hand beschleunigen darf: Bei mehr folgt der Filter eher und rauscht stärker.</translation>
     </message>
     <message>
         <source>mm/s²</source>
@@ -12472,20 +12344,12 @@ und %2 weitere</translation>
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay.</source>
-        <translation>Zeitkonstante tau des Tiefpasses, r' = (de/dt - r) / tau: seine Verzögerung.</translation>
-    </message>
-    <message>
         <source>ms</source>
         <translation>ms</translation>
     </message>
     <message>
         <source>Time constant</source>
         <translation>Zeitkonstante</translation>
-    </message>
-    <message>
-        <source>The longest window, in ticks: longer is calmer and later.</source>
-        <translation>Das längste Fenster, in Takten: Ein längeres ist ruhiger und später.</translation>
     </message>
     <message>
         <source>ticks</source>
@@ -13045,30 +12909,6 @@ und %2 weitere</translation>
     <message>
         <source>Remove the robot that is shown from the scene</source>
         <translation>Den gezeigten Roboter aus der Szene entfernen</translation>
-    </message>
-    <message>
-        <source>turning stiffness</source>
-        <translation>Drehsteifigkeit</translation>
-    </message>
-    <message>
-        <source>what the tip follows</source>
-        <translation>wem die Spitze folgt</translation>
-    </message>
-    <message>
-        <source>force law</source>
-        <translation>Kraftgesetz</translation>
-    </message>
-    <message>
-        <source>solver's method</source>
-        <translation>Methode des Lösers</translation>
-    </message>
-    <message>
-        <source>solver's steps</source>
-        <translation>Schritte des Lösers</translation>
-    </message>
-    <message>
-        <source>solver's tolerance</source>
-        <translation>Toleranz des Lösers</translation>
     </message>
     <message>
         <source>joint %1, %2</source>
@@ -14153,10 +13993,6 @@ und %2 weitere</translation>
         <translation>Methode des Lösers</translation>
     </message>
     <message>
-        <source>By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the iteration (Levenberg and Marquardt, from the last tick's joints).</source>
-        <translation>Von selbst: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
-    </message>
-    <message>
         <source>by itself (auto)</source>
         <translation>von selbst (auto)</translation>
     </message>
@@ -14173,16 +14009,8 @@ und %2 weitere</translation>
         <translation>Max. Schritte je Takt</translation>
     </message>
     <message>
-        <source>The iteration's steps in one tick, 1 to 100; what is left goes on in the next.</source>
-        <translation>Die Schritte der Iteration in einem Takt, 1 bis 100; was übrig bleibt, geht im nächsten weiter.</translation>
-    </message>
-    <message>
         <source>Tolerance, rad and shares of the reach</source>
         <translation>Toleranz, rad und Anteile der Reichweite</translation>
-    </message>
-    <message>
-        <source>The iteration ends where no joint would move by more: rad, and shares of the reach.</source>
-        <translation>Die Iteration endet, wo sich kein Gelenk um mehr bewegen würde: rad und Anteile der Reichweite.</translation>
     </message>
     <message>
         <source>Method</source>
@@ -14696,10 +14524,6 @@ und %2 weitere</translation>
         <translation>Die Oberfläche hat R&amp;eibung</translation>
     </message>
     <message>
-        <source>Bends between faces feel round: the force leans by up to this angle from the face's own normal. Edges that turn by more stay sharp. 0: faces as they are.</source>
-        <translation>Knicke zwischen Flächen fühlen sich rund an: Die Kraft neigt sich um bis zu diesen Winkel gegen die eigene Normale der Fläche. Kanten, die stärker knicken, bleiben scharf. 0: Flächen, wie sie sind.</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
@@ -14732,10 +14556,6 @@ und %2 weitere</translation>
         <translation>Wie der nächste Punkt des Dreiecksnetzes gesucht wird</translation>
     </message>
     <message>
-        <source>Nearest of all: the target may change over to another part of the mesh. Along the surface: it stays on the sheet it is on.</source>
-        <translation>Allernächster Punkt: Das Ziel kann auf einen anderen Teil des Dreiecksnetzes wechseln. Entlang der Oberfläche: Es bleibt auf dem Flächenstück, auf dem es ist.</translation>
-    </message>
-    <message>
         <source>nearest of all</source>
         <translation>allernächster Punkt</translation>
     </message>
@@ -14760,10 +14580,6 @@ und %2 weitere</translation>
         <translation>Reibung aus</translation>
     </message>
     <message>
-        <source>How hard it sticks: the share of the force across the surface that does not move it.</source>
-        <translation>Wie stark er haftet: der Anteil der Kraft quer zur Oberfläche, der ihn noch nicht bewegt.</translation>
-    </message>
-    <message>
         <source>Static</source>
         <translation>Haften</translation>
     </message>
@@ -14772,19 +14588,7 @@ und %2 weitere</translation>
         <translation>Haftreibung</translation>
     </message>
     <message>
-        <source>How hard it drags while it slides; at most the static share.</source>
-        <translation>Wie stark er beim Gleiten gebremst wird; höchstens der Haftanteil.</translation>
-    </message>
-    <message>
         <source>Dynamic friction</source>
-        <translation>Gleitreibung</translation>
-    </message>
-    <message>
-        <source>static friction</source>
-        <translation>Haftreibung</translation>
-    </message>
-    <message>
-        <source>dynamic friction</source>
         <translation>Gleitreibung</translation>
     </message>
 </context>

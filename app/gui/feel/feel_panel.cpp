@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -16,9 +15,11 @@
 #include "app/gui/kit/gain_row.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
+#include "app/gui/model/setting_words.h"
 #include "app/gui/model/stability.h"
 #include "core/scene/edit.h"
 #include "core/scene/fields.h"
+#include "core/scene/settings.h"
 
 namespace underact::gui {
 namespace {
@@ -61,69 +62,56 @@ void FeelPanel::addActions() {
     const auto axis = static_cast<int>(QStringList{"x", "y", "z"}.indexOf(values[1].toString()));
     return gain >= 0 && axis >= 0 && setGain(gain, axis, values[2].toDouble(), true);
   });
-  parts_.actions.addCommand("law.set", [this](const QVariantList& values) {
-    const auto law = static_cast<int>(QStringList{"P", "PD", "PID"}.indexOf(values.value(0).toString()));
-    return law >= 0 && setLaw(static_cast<scene::LawType>(law));
-  });
-  parts_.actions.addCommand("space.set", [this](const QVariantList& values) {
-    const auto space = static_cast<int>(QStringList{"cartesian", "joint"}.indexOf(values.value(0).toString()));
-    return space >= 0 && setSpace(static_cast<tick::Space>(space));
-  });
-  parts_.actions.addCommand("passivity.set", [this](const QVariantList& values) {
-    for (const auto& word : scene::kPassivityWords) {
-      if (values.value(0).toString() == word.word) return setPassivity(word.value);
-    }
-    return false;
-  });
-}
-
-void FeelPanel::addInfluenceCommands() {
-  parts_.actions.addCommand("influence.set", [this](const QVariantList& values) {
-    if (values.size() != 1 || !hasScene()) return false;
-    std::optional<scene::Influence> wanted = parts_.document.scene().constraints[index_].influence;
-    if (!wanted) return false;
-    wanted->t = values[0].toDouble();
-    return setInfluence(wanted, tr("influence t"), true);
-  });
-  parts_.actions.addCommand("influence.on", [this](const QVariantList& values) {
-    const bool on = values.value(0).toBool();
-    if (!hasScene() || on == parts_.document.scene().constraints[index_].influence.has_value()) return hasScene();
-    return setInfluence(influence_->switched(on), on ? tr("influence on") : tr("influence off"), true);
-  });
-}
-
-void FeelPanel::addSurfaceCommands() {
+  addCommand("law.set", "/control/law");
+  addCommand("space.set", "/control/space");
+  addCommand("passivity.set", "/control/passivity");
+  addCommand("influence.set", "/influence/t");
+  addCommand("smooth.set", "/smooth_deg");
+  addCommand("search.set", "/search");
   parts_.actions.addCommand("friction.set", [this](const QVariantList& shares) {
     if (shares.size() != 2) return false;
     return setFriction(scene::Friction{shares[0].toDouble(), shares[1].toDouble()}, tr("friction"), true);
-  });
-  parts_.actions.addCommand("friction.on", [this](const QVariantList& values) {
-    const bool on = values.value(0).toBool();
-    if (!hasScene() || on == parts_.document.scene().constraints[index_].friction.has_value()) return hasScene();
-    return setFriction(surface_->switched(on), on ? tr("friction on") : tr("friction off"), true);
-  });
-  parts_.actions.addCommand("smooth.set", [this](const QVariantList& degrees) {
-    return degrees.size() == 1 && setSmoothing(degrees[0].toDouble(), true);
-  });
-  parts_.actions.addCommand("search.set", [this](const QVariantList& values) {
-    for (const auto& word : scene::kSearchWords) {
-      if (values.value(0).toString() == word.word) return setSearch(word.value);
-    }
-    return false;
-  });
-}
-
-void FeelPanel::addGuideCommands() {
-  parts_.actions.addCommand("guide.on", [this](const QVariantList& values) {
-    const bool on = values.value(0).toBool();
-    if (!hasScene() || on == guideOf(parts_.document.scene().constraints[index_]).has_value()) return hasScene();
-    return setGuide(guide_->switched(on), on ? tr("guide on") : tr("guide off"), true);
   });
   parts_.actions.addCommand("guide.set", [this](const QVariantList& numbers) {  // t, mm/s, mm
     if (numbers.size() != 3) return false;
     return setGuide(scene::CurveGuide{numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble()}, tr("guide"),
                     true);
   });
+}
+
+/// Sets what has a value there.
+void FeelPanel::addCommand(const QString& name, const std::string& path) {
+  parts_.actions.addCommand(name, [this, path](const QVariantList& values) {
+    if (values.size() != 1 || !hasScene()) return false;
+    const scene::Description& scene = parts_.document.scene();
+    const Result<scene::SettingValue> now = scene::valueAt(scene, "/constraints/" + std::to_string(index_) + path);
+    if (!now || scene::isNone(now.value())) return false;
+    const bool is_word = std::holds_alternative<std::string>(now.value());
+    return set(path, is_word ? scene::SettingValue(values[0].toString().toStdString()) : values[0].toDouble(), true);
+  });
+}
+
+void FeelPanel::addSwitches() {
+  const auto add = [this](const char* name, const auto& is_on, const auto& turn) {
+    parts_.actions.addCommand(name, [=, this](const QVariantList& values) {
+      const bool on = values.value(0).toBool();
+      if (!hasScene() || on == is_on(parts_.document.scene().constraints[index_])) return hasScene();
+      return turn(on);
+    });
+  };
+  add(
+      "influence.on", [](const scene::Constraint& one) { return one.influence.has_value(); },
+      [this](bool on) {
+        return setInfluence(influence_->switched(on), on ? tr("influence on") : tr("influence off"), true);
+      });
+  add(
+      "friction.on", [](const scene::Constraint& one) { return one.friction.has_value(); },
+      [this](bool on) {
+        return setFriction(surface_->switched(on), on ? tr("friction on") : tr("friction off"), true);
+      });
+  add(
+      "guide.on", [](const scene::Constraint& one) { return guideOf(one).has_value(); },
+      [this](bool on) { return setGuide(guide_->switched(on), on ? tr("guide on") : tr("guide off"), true); });
 }
 
 void FeelPanel::present(const servo::Snapshot&) {
@@ -138,90 +126,83 @@ void FeelPanel::present(const servo::Snapshot&) {
 
 bool FeelPanel::setGain(int gain, int axis, double value, bool fresh) {
   if (!hasScene()) return false;
-  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
-  Vec3& axes = gainOf(control.gains, gain);
+  const scene::Control& control = scene::controlOf(parts_.document.scene(), index_);
+  scene::Gains gains = control.gains;
+  Vec3& axes = gainOf(gains, gain);
   const bool linked = link_->isChecked();
   if (linked)
     axes.setConstant(value);
   else
     axes[axis] = value;
-  const QString name = QCoreApplication::translate("gain", gainKind(gain).name).toLower();
-  return send(control, linked ? name : QString("%1 %2").arg(name, axisName(control, axis)), fresh);
+  const char* const path = gainKind(gain).path;
+  const QString what = linked ? settingLabel(path) : QString("%1 %2").arg(settingLabel(path), axisName(control, axis));
+  return setAs(what, path, axes, fresh);
 }
 
-bool FeelPanel::setLaw(scene::LawType law) {
-  if (!hasScene()) return false;
-  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
-  control.law = law;
-  return send(control, tr("law"), true);
+bool FeelPanel::set(const std::string& path, const scene::SettingValue& value, bool fresh) {
+  return setAs(settingLabel("/constraints/*" + path), path, value, fresh);
 }
 
-bool FeelPanel::setSpace(tick::Space space) {
+bool FeelPanel::setAs(const QString& what, const std::string& path, const scene::SettingValue& value, bool fresh) {
   if (!hasScene()) return false;
-  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
-  control.space = space;
-  return send(control, tr("where the control works"), true);
+  const scene::Description& scene = parts_.document.scene();
+  const std::string control = "/control";
+  const std::string whole = path.starts_with(control) ? scene::controlPath(scene, index_) + path.substr(control.size())
+                                                      : "/constraints/" + std::to_string(index_) + path;
+  const Result<scene::Description> edited = scene::withValue(scene, whole, value);
+  return edited ? sendScene(edited.value(), what, fresh) : refuse(edited.problems());
 }
 
-bool FeelPanel::setVelocity(const scene::Velocity& velocity, const QString& what, bool fresh) {
-  if (!hasScene()) return false;
-  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
-  control.velocity = velocity;
-  return send(control, what, fresh);
-}
-
-bool FeelPanel::setPassivity(control::Passivity passivity) {
-  if (!hasScene()) return false;
-  scene::Control control = scene::controlOf(parts_.document.scene(), index_);
-  control.passivity = passivity;
-  return send(control, tr("passivity"), true);
+/// The scene with what this panel shows as the file has it.
+scene::Description FeelPanel::asWritten() const {
+  scene::Description edited = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
+  const std::string any = "/constraints/*", here = "/constraints/" + std::to_string(index_);
+  for (const scene::Setting& setting : scene::settings()) {
+    const std::string_view object = setting.object;
+    const bool is_here = object == any + "/influence" || object == any + "/friction" || object == any + "/guide" ||
+                         setting.key == std::string_view("smooth_deg");
+    if (!is_here) continue;
+    const std::string path = pathOf(setting).substr(any.size());
+    scene::SettingValue own = parts_.document.own(index_, path);
+    const Result<scene::SettingValue> usual = scene::usualAt(edited, here + path);
+    if (scene::isNone(own) && object == any && usual) own = usual.value();  // of a constraint that the file has not
+    const Result<scene::Description> next = scene::withValue(edited, here + path, own);
+    if (next) edited = next.value();  // else there is no such thing, here and there
+  }
+  return edited;
 }
 
 bool FeelPanel::resetToScene() {
-  if (!hasScene()) return false;
-  const scene::Description gains = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
-  const scene::Description turned = scene::withInfluence(gains, index_, parts_.document.ownInfluence(index_));
-  const scene::Description rubbed = scene::withFriction(turned, index_, parts_.document.ownFriction(index_));
-  const scene::Description led = scene::withGuide(rubbed, index_, parts_.document.ownGuide(index_));
-  const scene::Description edited =
-      scene::withSmoothing(led, index_, parts_.document.ownSmoothing(index_).value_or(0.0));
-  return sendScene(edited, tr("reset to scene"), true);
+  return hasScene() && sendScene(asWritten(), tr("reset to scene"), true);
 }
 
 bool FeelPanel::setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh) {
-  return hasScene() && sendScene(scene::withInfluence(parts_.document.scene(), index_, influence), what, fresh);
+  if (!hasScene()) return false;
+  scene::Description edited = parts_.document.scene();
+  edited.constraints[index_].influence = influence;
+  return sendScene(edited, what, fresh);
 }
 
 bool FeelPanel::setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh) {
-  return hasScene() && sendScene(scene::withFriction(parts_.document.scene(), index_, friction), what, fresh);
+  if (!hasScene()) return false;
+  scene::Description edited = parts_.document.scene();
+  edited.constraints[index_].friction = friction;
+  return sendScene(edited, what, fresh);
 }
 
 bool FeelPanel::setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh) {
-  return hasScene() && sendScene(scene::withGuide(parts_.document.scene(), index_, guide), what, fresh);
-}
-
-bool FeelPanel::setSmoothing(double smooth_deg, bool fresh) {
-  if (!hasScene() || !smoothingOf(parts_.document.scene().constraints[index_])) return false;
-  return sendScene(scene::withSmoothing(parts_.document.scene(), index_, smooth_deg), tr("smoothing"), fresh);
-}
-
-bool FeelPanel::setSearch(Search search) {
   if (!hasScene()) return false;
-  scene::Shape shape = parts_.document.scene().constraints[index_].shape;
-  auto* const mesh = std::get_if<scene::Mesh>(&shape);
-  auto* const curve = std::get_if<scene::Curve>(&shape);
-  if (mesh == nullptr && curve == nullptr) return false;
-  (mesh != nullptr ? mesh->search : curve->search) = search;
-  return sendScene(scene::withShape(parts_.document.scene(), index_, shape), tr("search"), true);
-}
-
-bool FeelPanel::send(const scene::Control& control, const QString& what, bool fresh) {
-  return sendScene(scene::withControl(parts_.document.scene(), index_, control), what, fresh);
+  scene::Description edited = parts_.document.scene();
+  if (auto* const curve = std::get_if<scene::Curve>(&edited.constraints[index_].shape)) curve->guide = guide;
+  return sendScene(edited, what, fresh);
 }
 
 bool FeelPanel::sendScene(const scene::Description& edited, const QString& what, bool fresh) {
   if (fresh) gesture_ = parts_.document.newGesture();
-  const Problems problems = parts_.document.edit(edited, what, gesture_);
+  return refuse(parts_.document.edit(edited, what, gesture_));
+}
+
+bool FeelPanel::refuse(const Problems& problems) {
   stale_ = true;  // refused? the next snapshot puts it back
   refusal_->setText(problems.empty() ? QString() : sentencesOf(problems));
   refusal_->setVisible(!problems.empty());
@@ -287,12 +268,7 @@ void FeelPanel::refresh() {
   link_->setAccessibleName(link_->text().remove('&'));
   sections_[1]->setVisible(control.law != scene::LawType::P);
   sections_[2]->setVisible(control.law == scene::LawType::PID);
-  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
-  const bool same = constraint.influence == parts_.document.ownInfluence(index_) &&
-                    constraint.friction == parts_.document.ownFriction(index_) &&
-                    guideOf(constraint) == parts_.document.ownGuide(index_) &&
-                    smoothingOf(constraint) == parts_.document.ownSmoothing(index_);
-  parts_.actions.find("gains.reset")->setEnabled(!(control == own && same));
+  parts_.actions.find("gains.reset")->setEnabled(!scene::isSame(asWritten(), parts_.document.scene()));
   refreshInfluence();
   refreshSurface();
   rate_->present(control, own);
@@ -302,15 +278,16 @@ void FeelPanel::refresh() {
 void FeelPanel::beginInfluence() {
   if (!hasScene()) return;
   const bool has_axis = !std::holds_alternative<scene::Sphere>(parts_.document.scene().constraints[index_].shape);
-  influence_->begin(parts_.document.ownInfluence(index_), has_axis);
-  surface_->begin(parts_.document.ownFriction(index_));
-  guide_->begin(parts_.document.ownGuide(index_));
+  const scene::Constraint& own = parts_.document.written(index_);
+  influence_->begin(own.influence, has_axis);
+  surface_->begin(own.friction);
+  guide_->begin(guideOf(own));
 }
 
 void FeelPanel::refreshInfluence() {
   const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   influence_->setVisible(scene::takesInfluence(constraint.shape));
-  influence_->present(constraint.influence, parts_.document.ownInfluence(index_));
+  influence_->present(constraint.influence, parts_.document.written(index_).influence);
 }
 
 void FeelPanel::refreshSurface() {
@@ -321,10 +298,10 @@ void FeelPanel::refreshSurface() {
   if (mesh != nullptr && constraint.side == target::Side::Both) search = mesh->search;
   if (curve != nullptr) search = curve->search;
   guide_->setVisible(curve != nullptr);
-  guide_->present(curve != nullptr ? curve->guide : std::nullopt, parts_.document.ownGuide(index_));
+  const scene::Constraint& own = parts_.document.written(index_);
+  guide_->present(guideOf(constraint), guideOf(own));
   surface_->setVisible(scene::takesFriction(constraint.shape));
-  surface_->present({constraint.friction, smoothingOf(constraint), search},
-                    {parts_.document.ownFriction(index_), parts_.document.ownSmoothing(index_), {}});
+  surface_->present({constraint.friction, smoothingOf(constraint), search}, {own.friction, smoothingOf(own), {}});
 }
 
 void FeelPanel::refreshWarnings(const scene::Control& control) {

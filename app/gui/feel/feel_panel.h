@@ -2,7 +2,7 @@
 #include <array>
 
 #include "app/gui/feature/panel.h"
-#include "core/scene/description.h"
+#include "core/scene/settings.h"
 
 class QCheckBox;
 class QComboBox;
@@ -28,17 +28,12 @@ class FeelPanel : public Panel {
   /// One gain, as the sliders do it. gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a step of its own for undo.
   /// false: refused.
   bool setGain(int gain, int axis, double value, bool fresh);
-  bool setLaw(scene::LawType law);
-  bool setSpace(tick::Space space);
-  bool setVelocity(const scene::Velocity& velocity, const QString& what, bool fresh);
-  bool setPassivity(control::Passivity passivity);
+  /// A setting of the constraint shown, by its path from there on: "/control/law".
+  bool set(const std::string& path, const scene::SettingValue& value, bool fresh);
   /// Of the constraint shown; none: position only. what: for the undo menu.
   bool setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh);
   /// Of the constraint shown; none: smooth.
   bool setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh);
-  /// Of the mesh or the curve shown.
-  bool setSmoothing(double smooth_deg, bool fresh);
-  bool setSearch(Search search);
   /// Of the curve shown; none: nobody leads.
   bool setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh);
   /// The whole control, the influence, the friction and the guide of the constraint shown, as the file has them.
@@ -49,7 +44,6 @@ class FeelPanel : public Panel {
   void buildGains(QVBoxLayout* column);
   void buildFoot(QVBoxLayout* outer);
   void addActions();
-  void addInfluenceCommands();
   bool hasScene() const;
   void sceneOpened();
   void sceneEdited();
@@ -57,10 +51,12 @@ class FeelPanel : public Panel {
   void beginInfluence();
   void refreshInfluence();
   void refreshSurface();
-  void addSurfaceCommands();
-  void addGuideCommands();
+  void addSwitches();
   void refreshWarnings(const scene::Control& control);
-  bool send(const scene::Control& control, const QString& what, bool fresh);
+  void addCommand(const QString& name, const std::string& path);
+  scene::Description asWritten() const;
+  bool setAs(const QString& what, const std::string& path, const scene::SettingValue& value, bool fresh);
+  bool refuse(const Problems& problems);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
 
   FeatureParts parts_;

@@ -22,13 +22,12 @@
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/servo_rate.h"
+#include "app/gui/model/setting_words.h"
 
 namespace underact::gui {
 FeelPanel::FeelPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   addActions();
-  addInfluenceCommands();
-  addSurfaceCommands();
-  addGuideCommands();
+  addSwitches();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 8, 12, 8);
@@ -41,15 +40,13 @@ FeelPanel::FeelPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent)
   surface_ = new SurfaceSection(this);
   column->addWidget(surface_);
   connect(surface_, &SurfaceSection::frictionChanged, this, &FeelPanel::setFriction);
-  connect(surface_, &SurfaceSection::smoothingChanged, this, &FeelPanel::setSmoothing);
-  connect(surface_, &SurfaceSection::searchChanged, this, &FeelPanel::setSearch);
+  connect(surface_, &SurfaceSection::asked, this, &FeelPanel::set);
   guide_ = new GuideSection(this);
   column->addWidget(guide_);
   connect(guide_, &GuideSection::changed, this, &FeelPanel::setGuide);
   rate_ = new RateSection(this);
   column->addWidget(rate_);
-  connect(rate_, &RateSection::velocityChanged, this, &FeelPanel::setVelocity);
-  connect(rate_, &RateSection::passivityChanged, this, &FeelPanel::setPassivity);
+  connect(rate_, &RateSection::asked, this, &FeelPanel::set);
   column->addStretch(1);
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
@@ -70,20 +67,12 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   constraint_ = chooser("panel.feel.constraint", tr("Constraint whose gains are shown"),
                         tr("Which constraint of the scene the gains below belong to."), this);
-  law_ = chooser("panel.feel.law", tr("Control law"),
-                 tr("P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e."), this);
+  law_ = chooser("panel.feel.law", tr("Control law"), settingTip("/control/law"), this);
   law_->addItems({tr("P, proportional"), tr("PD, with damping"), tr("PID, with integral")});
   anisotropy_ =
-      chooser("panel.feel.anisotropy", tr("Nearest point with unequal gains"),
-              tr("With unequal gains the point of least effort is not the point of least distance. By effort the "
-                 "stylus stays where it is put; by distance, as in the thesis, it may creep."),
-              this);
+      chooser("panel.feel.anisotropy", tr("Nearest point with unequal gains"), settingTip("/control/anisotropy"), this);
   anisotropy_->addItems({tr("by effort (weighted)"), tr("by distance (euclidean)")});
-  space_ = chooser(
-      "panel.feel.space", tr("Where the control works"),
-      tr("On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, "
-         "tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace."),
-      this);
+  space_ = chooser("panel.feel.space", tr("Where the control works"), settingTip("/control/space"), this);
   space_->addItems({tr("the tip (Cartesian)"), tr("the joints")});
   choices_->addRow(tr("&Constraint"), constraint_);
   choices_->addRow(tr("&Law"), law_);
@@ -103,13 +92,14 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
     beginInfluence();
     refresh();
   });
-  connect(law_, &QComboBox::currentIndexChanged, this, [this](int row) { setLaw(static_cast<scene::LawType>(row)); });
-  connect(space_, &QComboBox::currentIndexChanged, this, [this](int row) { setSpace(static_cast<tick::Space>(row)); });
-  connect(anisotropy_, &QComboBox::currentIndexChanged, this, [this](int row) {
-    scene::Control control = scene::controlOf(parts_.document.scene(), index_);
-    control.anisotropy = static_cast<scene::Anisotropy>(row);
-    send(control, tr("nearest point"), true);
-  });
+  const auto ask = [this](QComboBox* choice, const char* path) {  // its rows are in the order of the table's words
+    connect(choice, &QComboBox::currentIndexChanged, this, [this, path](int row) {
+      set(path, scene::findSetting(path)->words()[static_cast<std::size_t>(row)], true);
+    });
+  };
+  ask(law_, "/control/law");
+  ask(space_, "/control/space");
+  ask(anisotropy_, "/control/anisotropy");
 }
 
 void FeelPanel::buildGains(QVBoxLayout* column) {
@@ -120,7 +110,7 @@ void FeelPanel::buildGains(QVBoxLayout* column) {
     rows->setSpacing(4);
     QLabel* title = sectionTitle(
         QString("%1 %2").arg(QCoreApplication::translate("gain", gainKind(gain).name), gainKind(gain).key), section);
-    title->setToolTip(QCoreApplication::translate("gain", gainKind(gain).tip));
+    title->setToolTip(settingTip(gainKind(gain).path));
     rows->addWidget(title);
     for (int axis = 0; axis < 3; ++axis) {
       auto* row = new GainRow(gain, axis, section);

@@ -8,12 +8,14 @@
 
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
+#include "app/gui/model/setting_words.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr scene::CurveGuide kEasy{0.0, 30.0, 8.0};                  // t, mm/s, mm
-constexpr double kFastest_mm_per_s = 2000.0, kLongest_mm = 1000.0;  // as a scene may have them
+constexpr scene::CurveGuide kEasy{0.0, 30.0, 8.0};  // t, mm/s, mm
+constexpr const char *kGuideSpeed = "/constraints/*/guide/speed_mm_per_s", *kGuideLead = "/constraints/*/guide/lead_mm",
+                     *kGuideT = "/constraints/*/guide/t";
 
 }  // namespace
 
@@ -38,22 +40,14 @@ GuideSection::GuideSection(QWidget* parent)
 }
 
 void GuideSection::buildRows() {
-  speed_ = new ValueRow({tr("How fast the guide runs."), tr("mm/s"), 1, 200, 0, kFastest_mm_per_s}, "panel.guide.speed",
+  speed_ = new ValueRow({settingTip(kGuideSpeed), tr("mm/s"), 1, 200, 0, settingMost(kGuideSpeed)}, "panel.guide.speed",
                         details_);
   speed_->setLabel(tr("Speed"), tr("Speed of the guide"), tr("Speed"));
-  t_ = new ValueRow({tr("0: to the guide; 1: to the point nearest to the tip; between them along the curve: "
-                        "s = s_guide + t (s_hand - s_guide)."),
-                     {},
-                     100,
-                     100,
-                     2,
-                     1.0},
-                    "panel.guide.t", details_);
+  t_ = new ValueRow({settingTip(kGuideT), {}, 100, 100, 2, settingMost(kGuideT)}, "panel.guide.t", details_);
   t_->setLabel("t", tr("Influence of the hand's own place on the curve"), tr("Speed"));
   t_->setEnds(tr("guide"), tr("nearest"));
-  lead_ = new ValueRow(
-      {tr("How far ahead of the hand the guide goes at most. There it waits."), tr("mm"), 1, 50, 1, kLongest_mm},
-      "panel.guide.lead", details_);
+  lead_ =
+      new ValueRow({settingTip(kGuideLead), tr("mm"), 1, 50, 1, settingMost(kGuideLead)}, "panel.guide.lead", details_);
   lead_->setLabel(tr("Lead"), tr("Lead of the guide"), tr("Speed"));
   backwards_ = new QCheckBox(tr("bac&kwards"), details_);
   backwards_->setObjectName("panel.guide.backwards");
@@ -71,12 +65,12 @@ void GuideSection::buildRows() {
       emit changed(wanted, what, fresh);
     };
   };
-  connect(t_, &ValueRow::changed, this, ask(&scene::CurveGuide::t, tr("guide t")));
-  connect(lead_, &ValueRow::changed, this, ask(&scene::CurveGuide::lead_mm, tr("lead of the guide")));
+  connect(t_, &ValueRow::changed, this, ask(&scene::CurveGuide::t, settingLabel(kGuideT)));
+  connect(lead_, &ValueRow::changed, this, ask(&scene::CurveGuide::lead_mm, settingLabel(kGuideLead)));
   connect(speed_, &ValueRow::changed, this, [this](double speed_mm_per_s, bool fresh) {
     scene::CurveGuide wanted = shown_;
     wanted.speed_mm_per_s = backwards_->isChecked() ? -speed_mm_per_s : speed_mm_per_s;
-    emit changed(wanted, tr("speed of the guide"), fresh);
+    emit changed(wanted, settingLabel(kGuideSpeed), fresh);
   });
   connect(backwards_, &QCheckBox::toggled, this, [this](bool) {
     scene::CurveGuide wanted = shown_;

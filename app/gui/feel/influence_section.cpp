@@ -9,8 +9,15 @@
 
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
+#include "app/gui/model/setting_words.h"
 
 namespace underact::gui {
+namespace {
+
+constexpr const char *kInfluenceT = "/constraints/*/influence/t", *kBlend = "/constraints/*/influence/blend_deg",
+                     *kStylusAxis = "/constraints/*/influence/stylus_axis";
+
+}  // namespace
 
 InfluenceSection::InfluenceSection(QWidget* parent)
     : QWidget(parent), on_(new QCheckBox(tr("&Turn of the stylus counts"), this)), details_(new QWidget(this)) {
@@ -34,27 +41,17 @@ InfluenceSection::InfluenceSection(QWidget* parent)
 }
 
 void InfluenceSection::buildRows() {
-  t_ = new ValueRow(
-      {tr("0: the point that the stylus points at; 1: the point nearest to the tip; between them along the shorter "
-          "arc: theta = alpha + t wrap(beta - alpha)."),
-       {},
-       100,
-       100,
-       3,
-       1.0},
-      "panel.influence.t", details_);
+  t_ =
+      new ValueRow({settingTip(kInfluenceT), {}, 100, 100, 3, settingMost(kInfluenceT)}, "panel.influence.t", details_);
   t_->setLabel("t", tr("Influence t"), tr("Blend"));
   t_->setEnds(tr("orientation"), tr("position"));
-  blend_ = new ValueRow({tr("Within this angle of the shape's axis the stylus's direction says less and less, and the "
-                            "target goes over to position smoothly."),
-                         tr("°"), 2, 60, 1, 30.0},
-                        "panel.influence.blend", details_);
+  blend_ =
+      new ValueRow({settingTip(kBlend), tr("°"), 2, 60, 1, settingMost(kBlend)}, "panel.influence.blend", details_);
   blend_->setLabel(tr("Blend"), tr("Blend width"), tr("Blend"));
   axis_ = new QComboBox(details_);
   axis_->setObjectName("panel.influence.axis");
   axis_->setAccessibleName(tr("Direction of the stylus that counts"));
-  axis_->setToolTip(
-      tr("Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand."));
+  axis_->setToolTip(settingTip(kStylusAxis));
   axis_->addItems({tr("+z, from the tip to the hand"), tr("−z, from the hand to the tip")});
   axis_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   axis_->setMinimumContentsLength(8);
@@ -73,17 +70,17 @@ void InfluenceSection::buildRows() {
   connect(t_, &ValueRow::changed, this, [this](double t, bool fresh) {
     scene::Influence wanted = shown_;
     wanted.t = t;
-    emit changed(wanted, tr("influence t"), fresh);
+    emit changed(wanted, settingLabel(kInfluenceT), fresh);
   });
   connect(blend_, &ValueRow::changed, this, [this](double blend_deg, bool fresh) {
     scene::Influence wanted = shown_;
     wanted.blend_deg = blend_deg;
-    emit changed(wanted, tr("blend width"), fresh);
+    emit changed(wanted, settingLabel(kBlend), fresh);
   });
   connect(axis_, &QComboBox::currentIndexChanged, this, [this](int row) {
     scene::Influence wanted = shown_;
     wanted.stylus_axis = static_cast<scene::StylusAxis>(row);
-    emit changed(wanted, tr("stylus axis"), true);
+    emit changed(wanted, settingLabel(kStylusAxis), true);
   });
 }
 

@@ -11,11 +11,13 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/section.h"
 #include "app/gui/kit/value_row.h"
+#include "app/gui/model/setting_words.h"
 #include "core/scene/fields.h"
 
 namespace underact::gui {
 namespace {
 
+constexpr const char* kFilter = "/control/velocity/filter";
 constexpr std::array kPassivities{control::Passivity::Off, control::Passivity::Observe, control::Passivity::Control};
 
 /// The main setting of a filter, or null.
@@ -24,20 +26,6 @@ double* mainSetting(scene::Velocity& velocity) {
   if (auto* low_pass = std::get_if<scene::LowPassFilter>(&velocity)) return &low_pass->time_constant_ms;
   if (auto* adaptive = std::get_if<scene::AdaptiveWindowFilter>(&velocity)) return &adaptive->window;
   return nullptr;
-}
-
-/// Each filter as it usually is, in the order of the chooser.
-scene::Velocity usual(int row) {
-  switch (row) {
-    case 1:
-      return scene::LowPassFilter{};
-    case 2:
-      return scene::AdaptiveWindowFilter{};
-    case 3:
-      return scene::RawFilter{};
-    default:
-      return scene::KalmanFilter{};
-  }
 }
 
 }  // namespace
@@ -53,16 +41,9 @@ RateSection::RateSection(QWidget* parent)
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->addWidget(section_);
-  filter_ = chooser("panel.rate.filter", tr("Velocity filter"),
-                    tr("How the rate de/dt is found from places that come in encoder steps: each filter is another "
-                       "trade of delay for noise."),
-                    this);
+  filter_ = chooser("panel.rate.filter", tr("Velocity filter"), settingTip(kFilter), this);
   filter_->addItems({tr("Kalman"), tr("low-pass"), tr("adaptive window"), tr("raw difference")});
-  passivity_ =
-      chooser("panel.rate.passivity", tr("Passivity"),
-              tr("Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of "
-                 "f dx; below 0 the wall is active. Control adds the damping that is missing."),
-              this);
+  passivity_ = chooser("panel.rate.passivity", tr("Passivity"), settingTip("/control/passivity"), this);
   passivity_->addItems({tr("off"), tr("observe"), tr("control")});
   choices_->setHorizontalSpacing(12);
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -71,34 +52,32 @@ RateSection::RateSection(QWidget* parent)
   choices_->addRow(tr("&Passivity"), passivity_);
   section_->column().addLayout(choices_);
   section_->findChild<QToolButton*>("panel.feel.rate.fold")->setChecked(false);
-  connect(filter_, &QComboBox::currentIndexChanged, this,
-          [this](int row) { emit velocityChanged(usual(row), tr("velocity filter"), true); });
-  connect(passivity_, &QComboBox::currentIndexChanged, this,
-          [this](int row) { emit passivityChanged(kPassivities[static_cast<std::size_t>(row)]); });
+  connect(filter_, &QComboBox::currentIndexChanged, this, [this](int row) {
+    emit asked(kFilter, scene::findSetting(kFilter)->words()[static_cast<std::size_t>(row)], true);
+  });
+  connect(passivity_, &QComboBox::currentIndexChanged, this, [this](int row) {
+    const control::Passivity wanted = kPassivities[static_cast<std::size_t>(row)];
+    emit asked("/control/passivity", std::string(wordOf(scene::kPassivityWords, wanted)), true);
+  });
 }
 
 void RateSection::buildRows() {
-  const auto add = [this](std::size_t filter, const ValueKind& kind, const QString& name, const QString& label) {
+  const auto add = [this](std::size_t filter, const std::string& key, const ValueKind& kind, const QString& name,
+                          const QString& label) {
     auto* row = new ValueRow(kind, name, this);
     row->setLabel(tr("Setting"), label, tr("Setting"));
-    connect(row, &ValueRow::changed, this, [this, label](double value, bool fresh) {
-      scene::Velocity wanted = shown_;
-      double* const setting = mainSetting(wanted);
-      if (setting == nullptr) return;
-      *setting = value;
-      emit velocityChanged(wanted, label.toLower(), fresh);
-    });
+    connect(row, &ValueRow::changed, this,
+            [this, key](double value, bool fresh) { emit asked("/control/velocity/" + key, value, fresh); });
     choices_->addRow(row);
     settings_[filter] = row;
   };
-  add(0,
-      {tr("How hard the hand may speed up: more, and the filter follows sooner and is noisier."), tr("mm/s²"), 1, 30000,
-       0, 100000.0},
+  add(0, "acceleration_mm_per_s2",
+      {settingTip("/control/velocity/acceleration_mm_per_s2"), tr("mm/s²"), 1, 30000, 0, 100000.0},
       "panel.rate.acceleration", tr("Acceleration"));
-  add(1, {tr("Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay."), tr("ms"), 10, 200, 1, 1000.0},
+  add(1, "time_constant_ms", {settingTip("/control/velocity/time_constant_ms"), tr("ms"), 10, 200, 1, 1000.0},
       "panel.rate.time_constant", tr("Time constant"));
-  add(2, {tr("The longest window, in ticks: longer is calmer and later."), tr("ticks"), 1, 32, 0, 32.0},
-      "panel.rate.window", tr("Longest window"));
+  add(2, "window", {settingTip("/control/velocity/window"), tr("ticks"), 1, 32, 0, 32.0}, "panel.rate.window",
+      tr("Longest window"));
 }
 
 bool RateSection::isHeld() const {

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/scene/description.h"
+#include "core/scene/settings.h"
 
 class QComboBox;
 class QFormLayout;
@@ -23,9 +23,8 @@ class RateSection : public QWidget {
   bool isHeld() const;
 
  signals:
-  /// what: for the undo menu. fresh: a step of its own for undo.
-  void velocityChanged(const underact::scene::Velocity& wanted, const QString& what, bool fresh);
-  void passivityChanged(underact::control::Passivity wanted);
+  /// A setting, by its path from the constraint on. fresh: a step of its own for undo.
+  void asked(const std::string& path, const underact::scene::SettingValue& value, bool fresh);
 
  private:
   void buildRows();

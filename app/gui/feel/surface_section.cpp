@@ -11,12 +11,14 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
+#include "app/gui/model/setting_words.h"
 
 namespace underact::gui {
 namespace {
 
 constexpr scene::Friction kWood{0.4, 0.3};  // on wood, about
-constexpr double kMost = 5.0;               // as a scene may have it
+constexpr const char *kStatic = "/constraints/*/friction/static", *kDynamic = "/constraints/*/friction/dynamic",
+                     *kSmooth = "/constraints/*/smooth_deg", *kSearch = "/constraints/*/search";
 constexpr int kStepsPerUnit = 100, kSliderSteps = 150;
 constexpr int kSmoothSteps_deg = 45;
 
@@ -26,11 +28,8 @@ SurfaceSection::SurfaceSection(QWidget* parent)
     : QWidget(parent),
       on_(new QCheckBox(tr("The surface has f&riction"), this)),
       details_(new QWidget(this)),
-      smooth_(
-          new ValueRow({tr("Bends between faces feel round: the force leans by up to this angle from the face's own "
-                           "normal. Edges that turn by more stay sharp. 0: faces as they are."),
-                        tr("°"), 1, kSmoothSteps_deg, 1, scene::kMostSmooth_deg},
-                       "panel.surface.smooth", this)),
+      smooth_(new ValueRow({settingTip(kSmooth), tr("°"), 1, kSmoothSteps_deg, 1, settingMost(kSmooth)},
+                           "panel.surface.smooth", this)),
       search_line_(new QWidget(this)) {
   setObjectName("panel.surface");
   auto* rows = new QVBoxLayout(this);
@@ -48,10 +47,9 @@ SurfaceSection::SurfaceSection(QWidget* parent)
   buildRows();
   smooth_->setLabel(tr("Smooth"), tr("Smooth bends"), tr("Dynamic"));
   rows->addWidget(smooth_);
-  connect(smooth_, &ValueRow::changed, this, &SurfaceSection::smoothingChanged);
-  search_ = chooser("panel.surface.search", tr("How the nearest point of the mesh is sought"),
-                    tr("Nearest of all: the target may change over to another part of the mesh. Along the surface: it "
-                       "stays on the sheet it is on."),
+  connect(smooth_, &ValueRow::changed, this,
+          [this](double smooth_deg, bool fresh) { emit asked("/smooth_deg", smooth_deg, fresh); });
+  search_ = chooser("panel.surface.search", tr("How the nearest point of the mesh is sought"), settingTip(kSearch),
                     search_line_);
   search_->addItems({tr("nearest of all"), tr("nearest of all, in the tree"), tr("along the surface")});
   auto* line = new QFormLayout(search_line_);
@@ -62,22 +60,17 @@ SurfaceSection::SurfaceSection(QWidget* parent)
   rows->addWidget(search_line_);
   connect(on_, &QCheckBox::toggled, this,
           [this](bool on) { emit frictionChanged(switched(on), on ? tr("friction on") : tr("friction off"), true); });
-  connect(search_, &QComboBox::currentIndexChanged, this,
-          [this](int row) { emit searchChanged(static_cast<mesh::Search>(row)); });
+  connect(search_, &QComboBox::currentIndexChanged, this, [this](int row) {
+    emit asked("/search", scene::findSetting(kSearch)->words()[static_cast<std::size_t>(row)], true);
+  });
 }
 
 void SurfaceSection::buildRows() {
-  static_ = new ValueRow({tr("How hard it sticks: the share of the force across the surface that does not move it."),
-                          {},
-                          kStepsPerUnit,
-                          kSliderSteps,
-                          2,
-                          kMost},
+  static_ = new ValueRow({settingTip(kStatic), {}, kStepsPerUnit, kSliderSteps, 2, settingMost(kStatic)},
                          "panel.surface.static", details_);
   static_->setLabel(tr("Static"), tr("Static friction"), tr("Dynamic"));
-  dynamic_ = new ValueRow(
-      {tr("How hard it drags while it slides; at most the static share."), {}, kStepsPerUnit, kSliderSteps, 2, kMost},
-      "panel.surface.dynamic", details_);
+  dynamic_ = new ValueRow({settingTip(kDynamic), {}, kStepsPerUnit, kSliderSteps, 2, settingMost(kDynamic)},
+                          "panel.surface.dynamic", details_);
   dynamic_->setLabel(tr("Dynamic"), tr("Dynamic friction"), tr("Dynamic"));
   auto* rows = new QVBoxLayout(details_);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -86,10 +79,10 @@ void SurfaceSection::buildRows() {
   rows->addWidget(dynamic_);
   // One takes the other along: the dynamic share is never above the static one.
   connect(static_, &ValueRow::changed, this, [this](double share, bool fresh) {
-    emit frictionChanged(scene::Friction{share, std::min(share, shown_.dynamic_share)}, tr("static friction"), fresh);
+    emit frictionChanged(scene::Friction{share, std::min(share, shown_.dynamic_share)}, settingLabel(kStatic), fresh);
   });
   connect(dynamic_, &ValueRow::changed, this, [this](double share, bool fresh) {
-    emit frictionChanged(scene::Friction{std::max(share, shown_.static_share), share}, tr("dynamic friction"), fresh);
+    emit frictionChanged(scene::Friction{std::max(share, shown_.static_share), share}, settingLabel(kDynamic), fresh);
   });
 }
 

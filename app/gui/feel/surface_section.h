@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/scene/description.h"
+#include "core/scene/settings.h"
 
 class QCheckBox;
 class QComboBox;
@@ -35,8 +35,8 @@ class SurfaceSection : public QWidget {
  signals:
   /// what: for the undo menu. fresh: a step of its own for undo.
   void frictionChanged(const std::optional<underact::scene::Friction>& wanted, const QString& what, bool fresh);
-  void smoothingChanged(double smooth_deg, bool fresh);
-  void searchChanged(underact::mesh::Search search);
+  /// Another setting, by its path from the constraint on.
+  void asked(const std::string& path, const underact::scene::SettingValue& value, bool fresh);
 
  private:
   void buildRows();

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "app/gui/model/setting_words.h"
+
 namespace underact::gui {
 namespace {
 
@@ -12,23 +14,16 @@ QString translated(const char* text) {
 }
 
 ValueKind valueKindOf(const GainKind& gain) {
-  return {translated(gain.tip), QString(gain.unit), gain.steps_per_unit, gain.slider_steps, gain.decimals, kLargest};
+  return {settingTip(gain.path), QString(gain.unit), gain.steps_per_unit, gain.slider_steps, gain.decimals, kLargest};
 }
 
 }  // namespace
 
 const GainKind& gainKind(int gain) {
   static const GainKind kKinds[kGainKinds] = {
-      {"kp", QT_TRANSLATE_NOOP("gain", "Stiffness"),
-       QT_TRANSLATE_NOOP("gain",
-                         "How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain)."),
-       "N/mm", 100, 200, 3},
-      {"kd", QT_TRANSLATE_NOOP("gain", "Damping"),
-       QT_TRANSLATE_NOOP("gain", "How hard a change of the error is resisted: f = kd de/dt (derivative gain)."),
-       "N s/mm", 10000, 100, 5},
-      {"ki", QT_TRANSLATE_NOOP("gain", "Integral"),
-       QT_TRANSLATE_NOOP("gain", "How fast an error that stays is worked off: df/dt = ki e (integral gain)."),
-       "N/(mm s)", 100, 500, 3}};
+      {"kp", QT_TRANSLATE_NOOP("gain", "Stiffness"), "/control/kp_N_per_mm", "N/mm", 100, 200, 3},
+      {"kd", QT_TRANSLATE_NOOP("gain", "Damping"), "/control/kd_N_s_per_mm", "N s/mm", 10000, 100, 5},
+      {"ki", QT_TRANSLATE_NOOP("gain", "Integral"), "/control/ki_N_per_mm_s", "N/(mm s)", 100, 500, 3}};
   return kKinds[gain];
 }
 

@@ -7,7 +7,7 @@ namespace underact::gui {
 struct GainKind {
   const char* key;   // "kp"
   const char* name;  // "Stiffness"
-  const char* tip;   // one sentence and the equation it stands for
+  const char* path;  // of the table of settings: "/control/kp_N_per_mm"
   const char* unit;
   int steps_per_unit;  // of the slider and the arrows
   int slider_steps;    // from 0 to the slider's end; typing goes beyond

@@ -68,14 +68,6 @@ void Document::put(const scene::Description& written) {
   emit edited();
 }
 
-const scene::Constraint* Document::original(std::size_t index) const {
-  const std::vector<scene::Constraint>& now = scene().constraints;
-  if (index >= now.size()) return nullptr;
-  const auto found = std::find_if(original_.constraints.begin(), original_.constraints.end(),
-                                  [&](const scene::Constraint& one) { return one.name == now[index].name; });
-  return found == original_.constraints.end() ? nullptr : &*found;
-}
-
 Problems Document::tryOut(const scene::Description& tried) {
   scene::Description own = scene();
   Problems problems = host_.edit(tried);
@@ -121,36 +113,26 @@ void Document::putBackOwn() {
   emit opened();
 }
 
+const scene::Constraint& Document::written(std::size_t index) const {
+  static const scene::Constraint kNone{};
+  const std::vector<scene::Constraint>& now = scene().constraints;
+  if (index >= now.size()) return kNone;
+  const auto found = std::find_if(original_.constraints.begin(), original_.constraints.end(),
+                                  [&](const scene::Constraint& one) { return one.name == now[index].name; });
+  return found == original_.constraints.end() ? kNone : *found;
+}
+
 const scene::Control& Document::own(std::size_t index) const {
-  const scene::Constraint* one = original(index);
-  return one != nullptr && one->control ? *one->control : original_.control;
+  const scene::Constraint& one = written(index);
+  return one.control ? *one.control : original_.control;
 }
 
-const scene::VirtualManipulator* Document::ownRobot(std::size_t index) const {
-  const scene::Constraint* one = original(index);
-  return one == nullptr ? nullptr : std::get_if<scene::VirtualManipulator>(&one->shape);
-}
-
-std::optional<scene::Friction> Document::ownFriction(std::size_t index) const {
-  const scene::Constraint* one = original(index);
-  return one == nullptr ? std::nullopt : one->friction;
-}
-
-std::optional<scene::CurveGuide> Document::ownGuide(std::size_t index) const {
-  const scene::Constraint* one = original(index);
-  const auto* const curve = one == nullptr ? nullptr : std::get_if<scene::Curve>(&one->shape);
-  return curve == nullptr ? std::nullopt : curve->guide;
-}
-
-std::optional<double> Document::ownSmoothing(std::size_t index) const {
-  const scene::Constraint* one = original(index);
-  const auto* const mesh = one == nullptr ? nullptr : std::get_if<scene::Mesh>(&one->shape);
-  return mesh == nullptr ? std::nullopt : std::optional(mesh->smooth_deg);
-}
-
-std::optional<scene::Influence> Document::ownInfluence(std::size_t index) const {
-  const scene::Constraint* one = original(index);
-  return one == nullptr ? std::nullopt : one->influence;
+scene::SettingValue Document::own(std::size_t index, const std::string& path) const {
+  scene::Description alone;
+  alone.control = original_.control;
+  alone.constraints.push_back(written(index));
+  const Result<scene::SettingValue> value = scene::valueAt(alone, "/constraints/0" + path);
+  return value ? value.value() : scene::SettingValue();
 }
 
 }  // namespace underact::gui

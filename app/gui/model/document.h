@@ -3,6 +3,7 @@
 #include <QUndoStack>
 #include <optional>
 
+#include "core/scene/settings.h"
 #include "core/servo/host.h"
 
 namespace underact::gui {
@@ -64,16 +65,10 @@ class Document : public QObject {
   // As the file has it, by the name of the constraint that is at index now: others may have been added or taken away.
   /// The control at index as the file has it; of a constraint the file does not have, the scene's.
   const scene::Control& own(std::size_t index) const;
-  /// The influence at index as the file has it; none: there is none.
-  std::optional<scene::Influence> ownInfluence(std::size_t index) const;
-  /// The virtual manipulator at index as the file has it; null: there is none.
-  const scene::VirtualManipulator* ownRobot(std::size_t index) const;
-  /// The friction at index as the file has it; none: it is smooth, or the file does not have it.
-  std::optional<scene::Friction> ownFriction(std::size_t index) const;
-  /// The guide of the curve at index as the file has it; none: there is none.
-  std::optional<scene::CurveGuide> ownGuide(std::size_t index) const;
-  /// How far the force of the mesh at index may lean, degrees, as the file has it; none: there is no mesh.
-  std::optional<double> ownSmoothing(std::size_t index) const;
+  /// The constraint at index as the file has it; a point with nothing to it: the file does not have it.
+  const scene::Constraint& written(std::size_t index) const;
+  /// A setting of it, by its path from there on, "/influence/t"; none: it has none.
+  scene::SettingValue own(std::size_t index, const std::string& path) const;
   bool isOpen() const { return is_open_ || own_; }
   bool modified() const;
   QString path() const { return path_; }  // empty: it has no file
@@ -86,7 +81,6 @@ class Document : public QObject {
   void leftHandedChanged(bool on);
 
  private:
-  const scene::Constraint* original(std::size_t index) const;
   /// Both as written: whichever hand it is when they are put into effect again.
   void pushEdit(scene::Description before, scene::Description after, const QString& what, int gesture);
   void put(const scene::Description& written);  // one that was in effect before

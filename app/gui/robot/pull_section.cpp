@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/chooser.h"
+#include "app/gui/model/setting_words.h"
 #include "app/gui/robot/sections.h"
 
 namespace underact::gui {
@@ -13,8 +14,7 @@ PullSection::PullSection(QWidget* parent)
           "pull", tr("What it pulls with"),
           tr("The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e."),
           parent, "robot") {
-  const ValueKind kind{.tip = tr("How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so "
-                                 "that the joints, and with them the tip, go where the stylus points."),
+  const ValueKind kind{.tip = settingTip("/constraints/*/ko_N_mm_per_rad"),
                        .unit = "N mm/rad",
                        .steps_per_unit = 1,
                        .slider_steps = 500,
@@ -23,15 +23,10 @@ PullSection::PullSection(QWidget* parent)
   ko_ = new ValueRow(kind, "panel.robot.ko", this);
   ko_->setLabel(tr("Kθ"), tr("Turning stiffness"), tr("Kθ"));
   orientation_ = chooser("panel.robot.orientation", tr("What of the stylus's turn the tip follows"),
-                         tr("Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one joint "
-                            "that turns, as in the thesis. The whole turn: e_o is its rotation vector."),
-                         this);
+                         settingTip("/constraints/*/orientation"), this);
   orientation_->addItems(
       {tr("nothing of the turn"), tr("direction of z (axis)"), tr("angle about the joint"), tr("the whole turn")});
-  law_ = chooser("panel.robot.law", tr("Force law"),
-                 tr("Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis 5.2, for one "
-                    "joint: F = kp e − (ko e_θ / L) t; it does work on a loop."),
-                 this);
+  law_ = chooser("panel.robot.law", tr("Force law"), settingTip("/constraints/*/force_law"), this);
   law_->addItems({tr("energy, F = K e"), tr("thesis 5.2")});
   column().addWidget(ko_);
   auto* form = new QFormLayout;

@@ -73,7 +73,7 @@ void RobotPanel::refresh() {
   remove_->setEnabled(shown != nullptr && parts_.document.scene().constraints.size() > 1);
   new_->setEnabled(!parts_.document.scene().constraints.empty());
   if (shown == nullptr) return;
-  const scene::VirtualManipulator* own = parts_.document.ownRobot(index_);
+  const auto* const own = std::get_if<scene::VirtualManipulator>(&parts_.document.written(index_).shape);
   pull_->present(*shown, own != nullptr ? std::optional(own->ko_N_mm_per_rad) : std::nullopt);
   chain_->present(*shown);
   home_->present(shown->X_WV_home);

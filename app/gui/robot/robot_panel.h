@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/gui/feature/panel.h"
-#include "core/scene/description.h"
+#include "core/scene/settings.h"
 
 class QComboBox;
 class QFormLayout;
@@ -41,6 +41,8 @@ class RobotPanel : public Panel {
   bool send(const scene::Description& edited, const QString& what, bool fresh);
   bool refuse(const Problems& problems);
 
+  /// A setting of the robot shown, by its path from there on: "/solver/method".
+  bool set(const std::string& path, const scene::SettingValue& value, bool fresh);
   bool setKo(double ko_N_mm_per_rad, bool fresh);
   bool setOrientation(manipulator::Orientation orientation);
   bool setLaw(manipulator::ForceLaw law);

@@ -5,9 +5,11 @@
 #include "app/gui/arms/joint_fields.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/model/document.h"
+#include "app/gui/model/setting_words.h"
 #include "app/gui/robot/robot_panel.h"
 #include "app/gui/robot/sections.h"
 #include "core/scene/edit.h"
+#include "core/scene/fields.h"
 
 namespace underact::gui {
 namespace {
@@ -34,16 +36,22 @@ int fieldOf(const QString& key) {
 
 }  // namespace
 
+bool RobotPanel::set(const std::string& path, const scene::SettingValue& value, bool fresh) {
+  if (robot() == nullptr) return false;
+  const std::string whole = "/constraints/" + std::to_string(index_) + path;
+  const Result<scene::Description> edited = scene::withValue(parts_.document.scene(), whole, value);
+  if (edited) return send(edited.value(), settingLabel(whole), fresh);
+  refresh();
+  return refuse(edited.problems());
+}
+
 bool RobotPanel::setKo(double ko_N_mm_per_rad, bool fresh) {
-  return change(tr("turning stiffness"), fresh, [&](scene::VirtualManipulator& robot) {
-    robot.ko_N_mm_per_rad = ko_N_mm_per_rad;
-    return Problems{};
-  });
+  return set("/ko_N_mm_per_rad", ko_N_mm_per_rad, fresh);
 }
 
 bool RobotPanel::setOrientation(Orientation orientation) {
-  const scene::VirtualManipulator* own = parts_.document.ownRobot(index_);
-  return change(tr("what the tip follows"), true, [&](scene::VirtualManipulator& robot) {
+  const auto* const own = std::get_if<scene::VirtualManipulator>(&parts_.document.written(index_).shape);
+  return change(settingLabel("/constraints/*/orientation"), true, [&](scene::VirtualManipulator& robot) {
     // Where nothing of the turn is followed a stiffness for it is refused; and back again it should be felt.
     const double own_ko = own != nullptr ? own->ko_N_mm_per_rad : 0.0;
     if (orientation == Orientation::None) {
@@ -57,33 +65,22 @@ bool RobotPanel::setOrientation(Orientation orientation) {
 }
 
 bool RobotPanel::setLaw(ForceLaw law) {
-  return change(tr("force law"), true, [&](scene::VirtualManipulator& robot) {
-    robot.force_law = law;
-    return Problems{};
-  });
+  return set("/force_law", std::string(wordOf(scene::kForceLawWords, law)), true);
 }
 
 bool RobotPanel::setMethod(scene::SolverMethod method) {
-  return change(tr("solver's method"), true, [&](scene::VirtualManipulator& robot) {
-    robot.solver.method = method;
-    return Problems{};
-  });
+  return set("/solver/method", std::string(wordOf(scene::kSolverWords, method)), true);
 }
 
 bool RobotPanel::setMaxSteps(int max_steps) {
-  return change(tr("solver's steps"), true, [&](scene::VirtualManipulator& robot) {
-    robot.solver.max_steps = max_steps;
-    return Problems{};
-  });
+  return set("/solver/max_steps", static_cast<double>(max_steps), true);
 }
 
 bool RobotPanel::setTolerance(const QString& text) {
-  return change(tr("solver's tolerance"), true, [&](scene::VirtualManipulator& robot) {
-    const Result<double> typed = typedNumber(text);
-    if (!typed) return typed.problems();
-    robot.solver.tolerance = typed.value();
-    return Problems{};
-  });
+  const Result<double> typed = typedNumber(text);
+  if (typed) return set("/solver/tolerance", typed.value(), true);
+  refresh();
+  return refuse(typed.problems());
 }
 
 bool RobotPanel::setJoint(int joint, int field, const QString& text) {
@@ -172,18 +169,17 @@ void RobotPanel::addCommands() {
   add("robot.remove", 0, [this](const QVariantList&) { return removeRobot(); });
   add("robot.ko.set", 1, [this](const QVariantList& v) { return setKo(v[0].toDouble(), true); });
   add("robot.orientation.set", 1, [this](const QVariantList& v) {
-    const auto row = QStringList{"none", "axis", "angle", "full"}.indexOf(v[0].toString());
-    return row >= 0 && setOrientation(static_cast<Orientation>(row));
+    for (const auto& word : scene::kOrientationWords) {
+      if (v[0].toString() == word.word) return setOrientation(word.value);
+    }
+    return false;
   });
-  add("robot.law.set", 1, [this](const QVariantList& v) {
-    const auto row = QStringList{"energy", "thesis-5.2"}.indexOf(v[0].toString());
-    return row >= 0 && setLaw(static_cast<ForceLaw>(row));
-  });
+  add("robot.law.set", 1,
+      [this](const QVariantList& v) { return set("/force_law", v[0].toString().toStdString(), true); });
   add("robot.solver.set", 2, [this](const QVariantList& v) {
     if (v[0].toString() == "max_steps") return setMaxSteps(v[1].toInt());
     if (v[0].toString() == "tolerance") return setTolerance(v[1].toString());
-    const auto row = QStringList{"auto", "closed_form", "iterative"}.indexOf(v[1].toString());
-    return v[0].toString() == "method" && row >= 0 && setMethod(static_cast<scene::SolverMethod>(row));
+    return v[0].toString() == "method" && set("/solver/method", v[1].toString().toStdString(), true);
   });
   add("robot.joint.set", 3, [this](const QVariantList& v) {
     const int field = fieldOf(v[1].toString());

@@ -8,6 +8,7 @@
 
 #include "app/gui/arms/joint_fields.h"
 #include "app/gui/kit/chooser.h"
+#include "app/gui/model/setting_words.h"
 #include "app/gui/robot/sections.h"
 
 namespace underact::gui {
@@ -34,22 +35,19 @@ SolverSection::SolverSection(QWidget* parent)
               tr("How the joints of least energy are found, every tick. Nothing felt changes with the method."), parent,
               "robot"),
       method_(
-          chooser("panel.robot.method", tr("Method of the solver"),
-                  tr("By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), "
-                     "else the iteration (Levenberg and Marquardt, from the last tick's joints)."),
-                  this)),
+          chooser("panel.robot.method", tr("Method of the solver"), settingTip("/constraints/*/solver/method"), this)),
       steps_(new StepsBox(this)),
       tolerance_(new QLineEdit(this)) {
   method_->addItems({tr("by itself (auto)"), tr("closed form"), tr("iterative")});
   steps_->setObjectName("panel.robot.max_steps");
   steps_->setAccessibleName(tr("Most steps a tick"));
-  steps_->setToolTip(tr("The iteration's steps in one tick, 1 to 100; what is left goes on in the next."));
+  steps_->setToolTip(settingTip("/constraints/*/solver/max_steps"));
   steps_->setRange(1, 100);
   steps_->setKeyboardTracking(false);
   steps_->setFocusPolicy(Qt::StrongFocus);
   tolerance_->setObjectName("panel.robot.tolerance");
   tolerance_->setAccessibleName(tr("Tolerance, rad and shares of the reach"));
-  tolerance_->setToolTip(tr("The iteration ends where no joint would move by more: rad, and shares of the reach."));
+  tolerance_->setToolTip(settingTip("/constraints/*/solver/tolerance"));
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

@@ -16,6 +16,7 @@
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/model/setting_words.h"
 #include "app/gui/step/step_panel.h"
 #include "app/gui/step/step_plot.h"
 #include "core/lab/thesis_steps.h"
@@ -109,12 +110,7 @@ void StepPanel::buildRows(QVBoxLayout* column) {
               2,
               1e4};
     const GainKind& gain = gainKind(quantity);
-    return {QCoreApplication::translate("gain", gain.tip),
-            QString(gain.unit),
-            gain.steps_per_unit,
-            gain.slider_steps,
-            gain.decimals,
-            1e6};
+    return {settingTip(gain.path), QString(gain.unit), gain.steps_per_unit, gain.slider_steps, gain.decimals, 1e6};
   };
   const QString labels[] = {"kp", "kd", "ki", tr("mass"), tr("b")};
   const QString spoken[] = {tr("Stiffness kp"), tr("Damping kd"), tr("Integral ki"), tr("Mass"), tr("Damping b")};

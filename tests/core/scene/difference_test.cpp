@@ -5,6 +5,7 @@
 
 #include "core/scene/edit.h"
 #include "core/scene/read.h"
+#include "core/scene/settings.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {
@@ -74,7 +75,7 @@ TEST(Difference, OfAConstraintItsNameGoesFirst) {
 }
 
 TEST(Difference, GoneTheOtherWayTheValuesAreSwapped) {
-  Description other = withInfluence(ring(), 0, Influence{});
+  Description other = withValue(ring(), "/constraints/0/influence/t", 0.5).value();
   other.control.law = LawType::PD;
   const std::vector<Difference> there = differencesBetween(ring(), other), back = differencesBetween(other, ring());
   ASSERT_GE(there.size(), 2u);

@@ -1,5 +1,6 @@
 #include "core/scene/edit.h"
 
+#include "core/scene/settings.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {
@@ -43,8 +44,8 @@ TEST(Edit, AScenePutBackIsTheSameWhoeverHoldsTheControl) {
   elsewhere.file = "elsewhere.json";
   elsewhere.constraints[0].place.line = 7;
   EXPECT_TRUE(isSame(scene, elsewhere));
-  EXPECT_FALSE(isSame(scene, withInfluence(scene, 1, Influence{0.25})));
-  EXPECT_FALSE(isSame(scene, withInfluence(scene, 1, std::nullopt)));
+  EXPECT_FALSE(isSame(scene, withValue(scene, "/constraints/1/influence/t", 0.25).value()));
+  EXPECT_FALSE(isSame(scene, withValue(scene, "/constraints/1/influence/t", {}).value()));
 }
 
 TEST(Edit, WhatARunningServoKeepsFollowsFromWhatChanged) {
@@ -58,9 +59,9 @@ TEST(Edit, WhatARunningServoKeepsFollowsFromWhatChanged) {
   passive.passivity = control::Passivity::Control;
   EXPECT_FALSE(isSame(scene, withControl(scene, 0, passive)));
   EXPECT_EQ(changeBetween(scene, withControl(scene, 0, passive)), Change::Gains);
-  EXPECT_EQ(changeBetween(scene, withInfluence(scene, 1, Influence{0.25})), Change::Targets);
-  EXPECT_EQ(changeBetween(scene, withInfluence(scene, 1, std::nullopt)), Change::Scene);
-  EXPECT_EQ(changeBetween(scene, withInfluence(scene, 0, Influence{})), Change::Scene);
+  EXPECT_EQ(changeBetween(scene, withValue(scene, "/constraints/1/influence/t", 0.25).value()), Change::Targets);
+  EXPECT_EQ(changeBetween(scene, withValue(scene, "/constraints/1/influence/t", {}).value()), Change::Scene);
+  EXPECT_EQ(changeBetween(scene, withValue(scene, "/constraints/0/influence/t", 0.5).value()), Change::Scene);
   Description larger = scene;
   std::get<Circle>(larger.constraints[0].shape).radius_mm = 31;
   EXPECT_EQ(changeBetween(scene, larger), Change::Targets);

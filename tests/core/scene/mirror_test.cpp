@@ -3,9 +3,9 @@
 #include "core/arm/forward.h"
 #include "core/base/trig.h"
 #include "core/scene/compile.h"
-#include "core/scene/edit.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/settings.h"
 #include "core/scene/write.h"
 #include "tests/core/scene/random_scene.h"
 #include "tests/support/tick_hand.h"
@@ -146,8 +146,8 @@ std::vector<Named> variants() {
   const auto scene = [](const char* name) {
     return shippedFrom(std::string(UNDERACT_SOURCE) + "/scenes/" + name + ".json");
   };
-  Description leaning = withSmoothing(scene("26_bumpy_sphere"), 0, 40.0),
-              held = withSmoothing(scene("27_bracket"), 0, 30.0);
+  Description leaning = withValue(scene("26_bumpy_sphere"), "/constraints/0/smooth_deg", 40.0).value(),
+              held = withValue(scene("27_bracket"), "/constraints/0/smooth_deg", 30.0).value();
   held.constraints[0].side = target::Side::Both;
   std::get<Mesh>(held.constraints[0].shape).search = mesh::Search::Local;
   Description turned = held, box = scene("07_box_outside");

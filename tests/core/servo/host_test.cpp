@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/scene/edit.h"
+#include "core/scene/settings.h"
 #include "tests/core/servo/scripted_port.h"
 #include "tests/support/comes.h"
 #include "tests/support/property.h"
@@ -303,7 +304,7 @@ TEST(Host, AnInfluenceThatComesOrGoesIsRampedLikeAScene) {
   ASSERT_TRUE(rig.host->load(scene).empty());
   rig.host->start();
   rig.host->run(1000);
-  ASSERT_TRUE(rig.host->edit(withInfluence(scene, 0, std::nullopt)).empty());
+  ASSERT_TRUE(rig.host->edit(withValue(scene, "/constraints/0/influence/t", {}).value()).empty());
   rig.host->run(1);
   EXPECT_EQ(rig.host->snapshot().revision, 1U);
   rig.host->run(500);
