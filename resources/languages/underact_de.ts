@@ -2992,58 +2992,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Kraft ist aus.</translation>
     </message>
     <message>
-        <source>This is a folder, not %1 file.</source>
-        <translation>Dies ist ein Ordner; hier wird eine Datei erwartet (%1).</translation>
-    </message>
-    <message>
-        <source>This is a pipe, a device or a socket, not a regular file, so %1 is not read from it. Save what it gives as a file, and name that.</source>
-        <translation>Dies ist eine Pipe, ein Gerät oder ein Socket und keine gewöhnliche Datei; %1 wird daraus nicht gelesen. Speichern Sie den Inhalt als Datei und geben Sie diese an.</translation>
-    </message>
-    <message>
-        <source>The file cannot be opened: %1.</source>
-        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
-    </message>
-    <message>
-        <source>The file cannot be read: %1.</source>
-        <translation>Die Datei lässt sich nicht lesen: %1.</translation>
-    </message>
-    <message>
-        <source>The file is larger than %1 MiB; %2 is far smaller.</source>
-        <translation>Die Datei ist größer als %1 MiB; so groß wird keine Datei dieser Art (%2).</translation>
-    </message>
-    <message>
-        <source>Another program wrote into the file while it was read. Open it again once that program has saved it.</source>
-        <translation>Ein anderes Programm hat in die Datei geschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal, sobald jenes Programm sie gespeichert hat.</translation>
-    </message>
-    <message>
-        <source>The scenes that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Die Szenen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
-    </message>
-    <message>
-        <source>The lessons that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Die Lektionen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
-    </message>
-    <message>
-        <source>The guide's pages were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Die Seiten des Handbuchs wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
-    </message>
-    <message>
-        <source>The Python package that comes with Underact was not found. It was looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Das Python-Paket, das zu Underact gehört, wurde nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
-    </message>
-    <message>
-        <source>%1 was not found (it was looked for at %2).</source>
-        <translation>%1 wurde nicht gefunden (gesucht wurde %2).</translation>
-    </message>
-    <message>
-        <source>A folder, a pipe or a device has this name and is not replaced. Give another name.</source>
-        <translation>Ein Ordner, eine Pipe oder ein Gerät heißt schon so und wird nicht ersetzt. Geben Sie einen anderen Namen an.</translation>
-    </message>
-    <message>
-        <source>There is a file or a link of this name already; it was left as it is. Give another name.</source>
-        <translation>Eine Datei oder eine Verknüpfung dieses Namens gibt es schon; sie wurde gelassen, wie sie ist. Geben Sie einen anderen Namen an.</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -4364,6 +4312,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies ist eine Verknüpfung mit einer anderen Datei, die an ihrer Stelle geändert würde. Geben Sie den Namen jener Datei selbst an.</translation>
     </message>
     <message>
+        <source>The file cannot be opened: %1.</source>
+        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
+    </message>
+    <message>
         <source>This is a folder, not a session.</source>
         <translation>Dies ist ein Ordner, keine Sitzung.</translation>
     </message>
@@ -5056,114 +5008,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>nicht begonnen</translation>
     </message>
     <message>
-        <source>normal</source>
-        <translation>normal</translation>
-    </message>
-    <message>
-        <source>On macOS the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter macOS wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
-    </message>
-    <message>
-        <source>core %1 refused</source>
-        <translation>Kern %1 verweigert</translation>
-    </message>
-    <message>
-        <source>all cores</source>
-        <translation>alle Kerne</translation>
-    </message>
-    <message>
-        <source>memory not locked</source>
-        <translation>Speicher nicht gesperrt</translation>
-    </message>
-    <message>
-        <source>time constraint</source>
-        <translation>Zeitvorgabe</translation>
-    </message>
-    <message>
-        <source>untested</source>
-        <translation>nicht erprobt</translation>
-    </message>
-    <message>
-        <source>On Windows the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter Windows wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
-    </message>
-    <message>
-        <source>core %1</source>
-        <translation>Kern %1</translation>
-    </message>
-    <message>
-        <source>time critical</source>
-        <translation>zeitkritisch</translation>
-    </message>
-    <message>
-        <source>isolated core %1</source>
-        <translation>isolierter Kern %1</translation>
-    </message>
-    <message>
-        <source>rtkit: %1</source>
-        <translation>rtkit: %1</translation>
-    </message>
-    <message>
-        <source>The core that was asked for is not there, or not for this program.</source>
-        <translation>Den verlangten Kern gibt es nicht, oder nicht für dieses Programm.</translation>
-    </message>
-    <message>
-        <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
-        <translation>Echtzeit wurde nicht verlangt, also können Takte spät kommen, wenn der Rechner beschäftigt ist.</translation>
-    </message>
-    <message>
-        <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
-        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
-    </message>
-    <message>
-        <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
-        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
-    </message>
-    <message>
-        <source>Parts of the program may leave the memory, and a tick then waits for them. Put "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
-        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
-    </message>
-    <message>
-        <source>On a machine that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md tells how.</source>
-        <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
-    </message>
-    <message>
-        <source>memory locked</source>
-        <translation>Speicher gesperrt</translation>
-    </message>
-    <message>
-        <source>timer slack 1 ns</source>
-        <translation>Spielraum des Zeitgebers 1 ns</translation>
-    </message>
-    <message>
-        <source>timer slack as it was</source>
-        <translation>Spielraum des Zeitgebers wie zuvor</translation>
-    </message>
-    <message>
-        <source>stack in memory</source>
-        <translation>Stapel im Speicher</translation>
-    </message>
-    <message>
-        <source>no D-Bus: %1</source>
-        <translation>kein D-Bus: %1</translation>
-    </message>
-    <message>
-        <source>it does not answer: %1</source>
-        <translation>Es antwortet nicht: %1</translation>
-    </message>
-    <message>
-        <source>it grants no priority</source>
-        <translation>Es gewährt keine Priorität</translation>
-    </message>
-    <message>
-        <source>RLIMIT_RTTIME cannot be set</source>
-        <translation>RLIMIT_RTTIME lässt sich nicht setzen</translation>
-    </message>
-    <message>
-        <source>it agreed, and nothing changed</source>
-        <translation>Es stimmte zu, und nichts änderte sich</translation>
-    </message>
-    <message>
         <source>denormals flushed</source>
         <translation>denormale Zahlen zu null gemacht</translation>
     </message>
@@ -5298,6 +5142,162 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt.</source>
         <translation>Dort hält nichts die Spitze: Das Ziel geht überallhin, wohin die Spitze geht, also ist keine Steifigkeit zu fühlen.</translation>
+    </message>
+    <message>
+        <source>This is a folder, not %1 file.</source>
+        <translation>Dies ist ein Ordner; hier wird eine Datei erwartet (%1).</translation>
+    </message>
+    <message>
+        <source>This is a pipe, a device or a socket, not a regular file, so %1 is not read from it. Save what it gives as a file, and name that.</source>
+        <translation>Dies ist eine Pipe, ein Gerät oder ein Socket und keine gewöhnliche Datei; %1 wird daraus nicht gelesen. Speichern Sie den Inhalt als Datei und geben Sie diese an.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1.</source>
+        <translation>Die Datei lässt sich nicht lesen: %1.</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 MiB; %2 is far smaller.</source>
+        <translation>Die Datei ist größer als %1 MiB; so groß wird keine Datei dieser Art (%2).</translation>
+    </message>
+    <message>
+        <source>Another program wrote into the file while it was read. Open it again once that program has saved it.</source>
+        <translation>Ein anderes Programm hat in die Datei geschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal, sobald jenes Programm sie gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>The scenes that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Die Szenen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>The lessons that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Die Lektionen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>The guide's pages were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Die Seiten des Handbuchs wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>The Python package that comes with Underact was not found. It was looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
+        <translation>Das Python-Paket, das zu Underact gehört, wurde nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+    </message>
+    <message>
+        <source>%1 was not found (it was looked for at %2).</source>
+        <translation>%1 wurde nicht gefunden (gesucht wurde %2).</translation>
+    </message>
+    <message>
+        <source>A folder, a pipe or a device has this name and is not replaced. Give another name.</source>
+        <translation>Ein Ordner, eine Pipe oder ein Gerät heißt schon so und wird nicht ersetzt. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>There is a file or a link of this name already; it was left as it is. Give another name.</source>
+        <translation>Eine Datei oder eine Verknüpfung dieses Namens gibt es schon; sie wurde gelassen, wie sie ist. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>all cores</source>
+        <translation>alle Kerne</translation>
+    </message>
+    <message>
+        <source>core %1 refused</source>
+        <translation>Kern %1 verweigert</translation>
+    </message>
+    <message>
+        <source>core %1</source>
+        <translation>Kern %1</translation>
+    </message>
+    <message>
+        <source>isolated core %1</source>
+        <translation>isolierter Kern %1</translation>
+    </message>
+    <message>
+        <source>rtkit: %1</source>
+        <translation>rtkit: %1</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>The core that was asked for is not there, or not for this program.</source>
+        <translation>Den verlangten Kern gibt es nicht, oder nicht für dieses Programm.</translation>
+    </message>
+    <message>
+        <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
+        <translation>Echtzeit wurde nicht verlangt, also können Takte spät kommen, wenn der Rechner beschäftigt ist.</translation>
+    </message>
+    <message>
+        <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
+        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
+        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>Parts of the program may leave the memory, and a tick then waits for them. Put "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
+        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>On a machine that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md tells how.</source>
+        <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+    </message>
+    <message>
+        <source>memory locked</source>
+        <translation>Speicher gesperrt</translation>
+    </message>
+    <message>
+        <source>memory not locked</source>
+        <translation>Speicher nicht gesperrt</translation>
+    </message>
+    <message>
+        <source>timer slack 1 ns</source>
+        <translation>Spielraum des Zeitgebers 1 ns</translation>
+    </message>
+    <message>
+        <source>timer slack as it was</source>
+        <translation>Spielraum des Zeitgebers wie zuvor</translation>
+    </message>
+    <message>
+        <source>stack in memory</source>
+        <translation>Stapel im Speicher</translation>
+    </message>
+    <message>
+        <source>no D-Bus: %1</source>
+        <translation>kein D-Bus: %1</translation>
+    </message>
+    <message>
+        <source>it does not answer: %1</source>
+        <translation>Es antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>it grants no priority</source>
+        <translation>Es gewährt keine Priorität</translation>
+    </message>
+    <message>
+        <source>RLIMIT_RTTIME cannot be set</source>
+        <translation>RLIMIT_RTTIME lässt sich nicht setzen</translation>
+    </message>
+    <message>
+        <source>it agreed, and nothing changed</source>
+        <translation>Es stimmte zu, und nichts änderte sich</translation>
+    </message>
+    <message>
+        <source>On macOS the servo has never been tried: what it reports of lateness is all that is known.</source>
+        <translation>Unter macOS wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+    </message>
+    <message>
+        <source>time constraint</source>
+        <translation>Zeitvorgabe</translation>
+    </message>
+    <message>
+        <source>untested</source>
+        <translation>nicht erprobt</translation>
+    </message>
+    <message>
+        <source>On Windows the servo has never been tried: what it reports of lateness is all that is known.</source>
+        <translation>Unter Windows wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+    </message>
+    <message>
+        <source>time critical</source>
+        <translation>zeitkritisch</translation>
     </message>
     <message>
         <source>The hand never touches what this is about.</source>

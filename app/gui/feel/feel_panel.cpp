@@ -7,12 +7,12 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "app/gui/feature/gain_row.h"
 #include "app/gui/feel/guide_section.h"
 #include "app/gui/feel/influence_section.h"
 #include "app/gui/feel/rate_section.h"
 #include "app/gui/feel/surface_section.h"
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/gain_row.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/setting_words.h"

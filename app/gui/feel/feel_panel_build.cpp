@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/feature/gain_row.h"
 #include "app/gui/feel/feel_panel.h"
 #include "app/gui/feel/guide_section.h"
 #include "app/gui/feel/influence_section.h"
@@ -17,7 +18,6 @@
 #include "app/gui/feel/surface_section.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/chooser.h"
-#include "app/gui/kit/gain_row.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"

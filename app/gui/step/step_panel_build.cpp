@@ -9,9 +9,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/feature/gain_row.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/chooser.h"
-#include "app/gui/kit/gain_row.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"

@@ -1,4 +1,4 @@
-#include "app/gui/kit/gain_row.h"
+#include "app/gui/feature/gain_row.h"
 
 #include <QCoreApplication>
 
