@@ -9,8 +9,8 @@
 namespace underact::extremes {
 
 /// Draws what hurts: scales of all sizes, directions on and beside the axes, places beside what is degenerate. The same
-/// numbers on every machine and by every compiler: no library's own logarithm has a part in them, and no two of them are
-/// drawn for the arguments of one call, whose order is the compiler's own.
+/// numbers on every machine and by every compiler: no library's own logarithm has a part in them, and no two of them
+/// are drawn for the arguments of one call, whose order is the compiler's own.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}

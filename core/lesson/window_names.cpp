@@ -1,5 +1,9 @@
 #include "core/lesson/window_names.h"
 
+#include <vector>
+
+#include "core/lesson/layers.h"
+
 namespace underact::lesson {
 
 std::span<const char* const> cameraNames() {
@@ -8,10 +12,11 @@ std::span<const char* const> cameraNames() {
 }
 
 std::span<const char* const> layerNames() {
-  static constexpr const char* kAll[] = {"workspace",        "triads",         "arm",   "target",  "force",
-                                         "influence",        "robot",          "path",  "desk",    "from_desk",
-                                         "link_frames",      "ghosts",         "wires", "section", "section_follows",
-                                         "motion_ellipsoid", "force_ellipsoid"};
+  static const std::vector<const char*> kAll = [] {
+    std::vector<const char*> names;
+    for (const Layer& layer : layers()) names.push_back(layer.name);
+    return names;
+  }();
   return kAll;
 }
 

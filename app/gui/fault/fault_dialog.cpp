@@ -16,6 +16,7 @@
 
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/told_label.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/plot/fault_plot.h"
 
 namespace underact::gui {

@@ -103,7 +103,7 @@ bool SceneFiles::put(scene::Description scene) {
   }
   problems_->hide();
   const QString folder = QFileInfo(path).absolutePath();
-  const bool ships = folder == sceneFolder() || folder.startsWith(shippedFolder(Resource::Lessons));
+  const bool ships = folder == sceneFolder() || folder.startsWith(shippedFolder(system::Resource::Lessons));
   if (!path.isEmpty() && !ships) recent_.add(path);
   return true;
 }

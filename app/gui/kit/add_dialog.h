@@ -24,7 +24,7 @@ class AddDialog : public QDialog {
   /// name: "dialog.mesh", of whose parts the names begin with it. counts: what a screen reader calls the first line.
   AddDialog(const QString& name, const QString& title, const QString& counts, QWidget* parent);
   QVBoxLayout* column() { return column_; }
-  QLabel* counts() { return counts_; }
+  QLabel* counts() const { return counts_; }
   /// "dialog.mesh.NAME", the next one in the row at the foot.
   QPushButton* footButton(const char* name, const QString& text, const QString& tip);
   /// The refusal, and the row with its last buttons. can_add: there is a scene. add, fresh: what those buttons do, in a

@@ -1,32 +1,8 @@
 #pragma once
-#include "core/base/types.h"
+#include "core/lesson/layers.h"
 
 namespace underact::gui {
 
-/// What the view can show or hide.
-struct Layers {
-  bool workspace = true;  // the box with ticks every 20 mm
-  bool triads = true;     // W and B
-  bool arm = true;        // the arm's links, thin
-  bool target = true;     // the target point and the error line
-  bool force = true;      // the force arrow
-  bool influence = true;  // see InfluencePicture; where the scene has one
-  bool robot = true;      // virtual manipulators
-  bool path = true;       // of a recording that is replayed
-  bool desk = true;       // the marks by which the arm was registered, where it is
-  bool from_desk = true;  // front, right and up are those of the desk, not of the arm, where it is registered
-  // Of meshes, see MeshPicture.
-  bool wires = false;              // the edges of all triangles
-  bool section = false;            // cut open, across an axis of W
-  int section_axis = 2;            // 0 x, 1 y, 2 z
-  bool section_follows = true;     // the cut goes through the tip; else it stays where it is
-  Vec3 section_mm = Vec3::Zero();  // across each axis where the cut is; follows the tip with it
-  // For teaching, see KinematicsPicture.
-  bool link_frames = false;
-  bool ghosts = false;            // the inverse solutions
-  bool motion_ellipsoid = false;  // of manipulability
-  bool force_ellipsoid = false;
-  bool operator==(const Layers&) const = default;
-};
+using lesson::Layers;
 
 }  // namespace underact::gui

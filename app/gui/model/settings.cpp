@@ -9,28 +9,9 @@
 namespace underact::gui {
 namespace {
 
-struct LayerKey {
-  const char* key;
-  bool Layers::*layer;
-};
-
-constexpr LayerKey kLayerKeys[] = {{"layers/workspace", &Layers::workspace},
-                                   {"layers/triads", &Layers::triads},
-                                   {"layers/arm", &Layers::arm},
-                                   {"layers/target", &Layers::target},
-                                   {"layers/force", &Layers::force},
-                                   {"layers/influence", &Layers::influence},
-                                   {"layers/robot", &Layers::robot},
-                                   {"layers/path", &Layers::path},
-                                   {"layers/desk", &Layers::desk},
-                                   {"layers/from_desk", &Layers::from_desk},
-                                   {"layers/link_frames", &Layers::link_frames},
-                                   {"layers/ghosts", &Layers::ghosts},
-                                   {"layers/motion_ellipsoid", &Layers::motion_ellipsoid},
-                                   {"layers/force_ellipsoid", &Layers::force_ellipsoid},
-                                   {"layers/wires", &Layers::wires},
-                                   {"layers/section", &Layers::section},
-                                   {"layers/section_follows", &Layers::section_follows}};
+QString keyOf(const lesson::Layer& layer) {
+  return QString("layers/%1").arg(layer.name);
+}
 
 constexpr const char* kSectionKeys[] = {"layers/section_x_mm", "layers/section_y_mm", "layers/section_z_mm"};
 
@@ -46,8 +27,8 @@ Settings readSettings() {
   settings.layout = stored.value("window/layout").toByteArray();
   const QString theme = stored.value("window/theme").toString();
   settings.theme = theme == "light" ? ThemeChoice::Light : theme == "dark" ? ThemeChoice::Dark : ThemeChoice::System;
-  for (const LayerKey& row : kLayerKeys) {
-    settings.layers.*row.layer = stored.value(row.key, fresh.layers.*row.layer).toBool();
+  for (const lesson::Layer& layer : lesson::layers()) {
+    settings.layers.*layer.shown = stored.value(keyOf(layer), fresh.layers.*layer.shown).toBool();
   }
   settings.layers.section_axis =
       std::clamp(stored.value("layers/section_axis", fresh.layers.section_axis).toInt(), 0, 2);
@@ -81,7 +62,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("window/theme", settings.theme == ThemeChoice::Light  ? "light"
                                   : settings.theme == ThemeChoice::Dark ? "dark"
                                                                         : "system");
-  for (const LayerKey& row : kLayerKeys) stored.setValue(row.key, settings.layers.*row.layer);
+  for (const lesson::Layer& layer : lesson::layers()) stored.setValue(keyOf(layer), settings.layers.*layer.shown);
   stored.setValue("layers/section_axis", settings.layers.section_axis);
   for (int axis = 0; axis < 3; ++axis) stored.setValue(kSectionKeys[axis], settings.layers.section_mm[axis]);
   stored.setValue("files/recent", settings.recent);

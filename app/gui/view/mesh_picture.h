@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/kit/theme.h"
+#include "app/gui/model/layers.h"
 #include "app/gui/view/contact_patch.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "app/gui/view/section_cap.h"
@@ -14,8 +15,6 @@
 #include "core/tick/report.h"
 
 namespace underact::gui {
-
-struct Layers;
 
 /// The meshes of a scene: bodies that one can just see through, so that a stylus inside is seen, with their sharp
 /// edges; on demand the edges of all triangles, and a cut across an axis, whose side nearer to the eye is hidden, and

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QCoreApplication>
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/theme.h"
@@ -47,71 +48,22 @@ void addCameras(Actions& actions, SceneView& view) {
 }
 
 void addLayers(Actions& actions, SceneView& view) {
-  struct Row {
-    const char *name, *text, *shortcut, *tip;
-    bool Layers::*layer;
-    const char* button = "";
-  };
-  const Row rows[] = {
-      {"layer.workspace", QT_TR_NOOP("&Workspace box"), "Alt+1",
-       QT_TR_NOOP("The box the arm can reach, with ticks every 20 mm."), &Layers::workspace},
-      {"layer.triads", QT_TR_NOOP("&Axes of W and B"), "Alt+2",
-       QT_TR_NOOP("The axes of the workspace and of the arm's base."), &Layers::triads},
-      {"layer.arm", QT_TR_NOOP("A&rm"), "Alt+3", QT_TR_NOOP("The arm's links."), &Layers::arm},
-      {"layer.target", QT_TR_NOOP("&Target and error"), "Alt+4",
-       QT_TR_NOOP("The point the stylus is drawn to, and the line to it."), &Layers::target},
-      {"layer.force", QT_TR_NOOP("&Force"), "Alt+5", QT_TR_NOOP("The arrow of the force sent."), &Layers::force},
-      {"layer.influence", QT_TR_NOOP("&Influence"), "Ctrl+Alt+I",
-       QT_TR_NOOP("Where the stylus points (o), the point nearest to its tip (p), and the target's arc between them."),
-       &Layers::influence},
-      {"layer.robot", QT_TR_NOOP("&Virtual robot"), "Ctrl+Alt+R",
-       QT_TR_NOOP("The robots that exist only in software, where their joints are, and which ways their tips can go."),
-       &Layers::robot},
-      {"layer.path", QT_TR_NOOP("Recorded &path"), "Alt+P",
-       QT_TR_NOOP("Where the tip went in the session that is replayed; the more force, the more vermillion."),
-       &Layers::path},
-      {"layer.desk", QT_TR_NOOP("&Desk"), "Ctrl+Alt+Shift+K",
-       QT_TR_NOOP("The marks on the desk by which the arm was registered."), &Layers::desk},
-      {"layer.from_desk", QT_TR_NOOP("As se&en from the desk"), "Ctrl+Alt+Shift+V",
-       QT_TR_NOOP(
-           "Left, right and up are those of the desk, however a registered arm is turned; off: those of the arm."),
-       &Layers::from_desk},
-      {"layer.link_frames", QT_TR_NOOP("&Link frames"), "Alt+6",
-       QT_TR_NOOP(
-           "The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z."),
-       &Layers::link_frames},
-      {"layer.ghosts", QT_TR_NOOP("Inver&se solutions"), "Alt+7",
-       QT_TR_NOOP("All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits."),
-       &Layers::ghosts},
-      {"layer.motion_ellipsoid", QT_TR_NOOP("&Motion ellipsoid (v)"), "Alt+8",
-       QT_TR_NOOP("Where the tip gets to by a joint turn of 0.25 rad in all (manipulability ellipsoid)."),
-       &Layers::motion_ellipsoid},
-      {"layer.force_ellipsoid", QT_TR_NOOP("F&orce ellipsoid (f)"), "Alt+9",
-       QT_TR_NOOP("The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow."),
-       &Layers::force_ellipsoid},
-      {"layer.wires", QT_TR_NOOP("Mes&h: triangles"), "Alt+T",
-       QT_TR_NOOP("The edges of all triangles of a mesh, as it is drawn."), &Layers::wires},
-      {"layer.section", QT_TR_NOOP("Mesh: &cut open"), "Alt+C",
-       QT_TR_NOOP("Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole."),
-       &Layers::section},
-      {"layer.section_follows", QT_TR_NOOP("C&ut follows the stylus"), "Alt+K",
-       QT_TR_NOOP("The cut goes through the stylus's tip; off, it stays where it is."), &Layers::section_follows,
-       QT_TR_NOOP("Follow")}};
-  for (const Row& row : rows) {
-    QAction* action = actions.add({row.name,
-                                   tr(row.text),
+  const auto words = [](const char* text) { return QCoreApplication::translate("layer", text); };
+  for (const lesson::Layer& row : lesson::layers()) {
+    QAction* action = actions.add({QString("layer.%1").arg(row.name),
+                                   words(row.text),
                                    QKeySequence(row.shortcut),
-                                   tr(row.tip),
+                                   words(row.tip),
                                    {},
-                                   row.button[0] == '\0' ? QString() : tr(row.button),
+                                   row.button == nullptr ? QString() : words(row.button),
                                    true},
-                                  [&view, layer = row.layer](const QVariantList& on) {
+                                  [&view, shown = row.shown](const QVariantList& on) {
                                     Layers layers = view.layers();
-                                    layers.*layer = on.value(0).toBool();
+                                    layers.*shown = on.value(0).toBool();
                                     view.setLayers(layers);
                                     return true;
                                   });
-    action->setChecked(view.layers().*row.layer);
+    action->setChecked(view.layers().*row.shown);
   }
 }
 

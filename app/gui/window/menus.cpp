@@ -8,11 +8,13 @@
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <utility>
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
+#include "core/lesson/layers.h"
 
 namespace underact::gui {
 namespace {
@@ -55,31 +57,13 @@ void keepWidth(QToolBar* bar, QAction* action) {
 }
 
 QStringList layerNames() {
-  return {"layer.workspace",
-          "layer.triads",
-          "layer.arm",
-          "layer.target",
-          "layer.force",
-          "layer.influence",
-          "layer.robot",
-          "layer.path",
-          "layer.desk",
-          "layer.from_desk",
-          "-",
-          "layer.link_frames",
-          "layer.ghosts",
-          "layer.motion_ellipsoid",
-          "layer.force_ellipsoid",
-          "-",
-          "layer.wires",
-          "layer.section",
-          "layer.section_follows",
-          "section.x",
-          "section.y",
-          "section.z",
-          "section.move",
-          "-",
-          "view.kinematics"};
+  QStringList names;
+  auto group = lesson::Layer::Group::Scene;
+  for (const lesson::Layer& layer : lesson::layers()) {
+    if (std::exchange(group, layer.group) != layer.group) names << "-";
+    names << QString("layer.%1").arg(layer.name);
+  }
+  return names << QStringList{"section.x", "section.y", "section.z", "section.move", "-", "view.kinematics"};
 }
 
 }  // namespace

@@ -47,8 +47,9 @@ Outcome judgeTime(Input& input) {
 Outcome judgeIntegral(Input& input) {
   const double ticks = drawTicks(input);
   const Vec3 ki = input.vector("ki", [](Dice& dice) { return Vec3(Vec3::Constant(dice.power(0, 20))); });
-  const Vec3 size =
-      input.vector("size_m", [](Dice& dice) { return Vec3{dice.power(-20, -8), dice.power(-20, -8), 1e-3}; });
+  const Vec3 size = input.vector("size_m", [](Dice& dice) {
+    return Vec3{dice.power(-20, -8), dice.power(-20, -8), 1e-3};
+  });
   const control::Law law = control::PID{Vec3::Zero(), Vec3::Zero(), ki, 1e300};
   control::LawState state;
   const FlushDenormals as_the_servo;
