@@ -1081,6 +1081,149 @@ Erlaubt: %4, denn das ist %5.</translation>
     </message>
 </context>
 <context>
+    <name>layer</name>
+    <message>
+        <source>&amp;Workspace box</source>
+        <translation>&amp;Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>The box the arm can reach, with ticks every 20 mm.</source>
+        <translation>Der Quader, den der Arm erreicht, mit einem Strich alle 20 mm.</translation>
+    </message>
+    <message>
+        <source>&amp;Axes of W and B</source>
+        <translation>Achsen von &amp;W und B</translation>
+    </message>
+    <message>
+        <source>The axes of the workspace and of the arm's base.</source>
+        <translation>Die Achsen des Arbeitsraums und der Basis des Arms.</translation>
+    </message>
+    <message>
+        <source>A&amp;rm</source>
+        <translation>A&amp;rm</translation>
+    </message>
+    <message>
+        <source>The arm's links.</source>
+        <translation>Die Glieder des Arms.</translation>
+    </message>
+    <message>
+        <source>&amp;Target and error</source>
+        <translation>&amp;Ziel und Fehler</translation>
+    </message>
+    <message>
+        <source>The point the stylus is drawn to, and the line to it.</source>
+        <translation>Der Punkt, zu dem der Stift gezogen wird, und die Linie dorthin.</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Kraft</translation>
+    </message>
+    <message>
+        <source>The arrow of the force sent.</source>
+        <translation>Der Pfeil der gesendeten Kraft.</translation>
+    </message>
+    <message>
+        <source>&amp;Influence</source>
+        <translation>&amp;Einfluss</translation>
+    </message>
+    <message>
+        <source>Where the stylus points (o), the point nearest to its tip (p), and the target's arc between them.</source>
+        <translation>Wohin der Stift zeigt (o), der Punkt, der seiner Spitze am nächsten liegt (p), und der Bogen des Ziels dazwischen.</translation>
+    </message>
+    <message>
+        <source>&amp;Virtual robot</source>
+        <translation>&amp;Virtueller Roboter</translation>
+    </message>
+    <message>
+        <source>The robots that exist only in software, where their joints are, and which ways their tips can go.</source>
+        <translation>Die Roboter, die es nur in Software gibt, wo ihre Gelenke sind und wohin ihre Spitzen können.</translation>
+    </message>
+    <message>
+        <source>Recorded &amp;path</source>
+        <translation>Aufgezeichneter &amp;Pfad</translation>
+    </message>
+    <message>
+        <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
+        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
+    </message>
+    <message>
+        <source>&amp;Desk</source>
+        <translation>&amp;Tisch</translation>
+    </message>
+    <message>
+        <source>The marks on the desk by which the arm was registered.</source>
+        <translation>Die Messpunkte auf dem Tisch, mit denen der Arm registriert wurde.</translation>
+    </message>
+    <message>
+        <source>As se&amp;en from the desk</source>
+        <translation>Vom Tisch aus &amp;gesehen</translation>
+    </message>
+    <message>
+        <source>Left, right and up are those of the desk, however a registered arm is turned; off: those of the arm.</source>
+        <translation>Links, rechts und oben sind die des Tischs, wie auch ein registrierter Arm gedreht ist; aus: die des Arms.</translation>
+    </message>
+    <message>
+        <source>&amp;Link frames</source>
+        <translation>Glie&amp;dkoordinaten</translation>
+    </message>
+    <message>
+        <source>The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.</source>
+        <translation>Die Koordinatensysteme 1 bis 6 der DH-Tabelle entlang des Arms; jede Zahl steht am Ende der z-Achse eines Gelenks.</translation>
+    </message>
+    <message>
+        <source>Inver&amp;se solutions</source>
+        <translation>&amp;Inverse Lösungen</translation>
+    </message>
+    <message>
+        <source>All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits.</source>
+        <translation>Alle Stellungen, in denen der Arm den Stift erreicht, als Geisterbilder; gestrichelt: außerhalb der Gelenkgrenzen.</translation>
+    </message>
+    <message>
+        <source>&amp;Motion ellipsoid (v)</source>
+        <translation>&amp;Bewegungsellipsoid (v)</translation>
+    </message>
+    <message>
+        <source>Where the tip gets to by a joint turn of 0.25 rad in all (manipulability ellipsoid).</source>
+        <translation>Wohin die Spitze mit insgesamt 0,25 rad Gelenkdrehung kommt (Manipulierbarkeitsellipsoid).</translation>
+    </message>
+    <message>
+        <source>F&amp;orce ellipsoid (f)</source>
+        <translation>Kra&amp;ftellipsoid (f)</translation>
+    </message>
+    <message>
+        <source>The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.</source>
+        <translation>Die Kräfte bei insgesamt 0,05 N m Gelenkdrehmoment, im Maßstab des Kraftpfeils.</translation>
+    </message>
+    <message>
+        <source>Mes&amp;h: triangles</source>
+        <translation>&amp;Netz: Dreiecke</translation>
+    </message>
+    <message>
+        <source>The edges of all triangles of a mesh, as it is drawn.</source>
+        <translation>Die Kanten aller Dreiecke eines Dreiecksnetzes, wie es gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>Mesh: &amp;cut open</source>
+        <translation>Netz: auf&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.</source>
+        <translation>Schneidet Dreiecksnetze quer zu einer Achse auf; die Seite näher am Auge wird verborgen. Was man fühlt, bleibt ganz.</translation>
+    </message>
+    <message>
+        <source>C&amp;ut follows the stylus</source>
+        <translation>S&amp;chnitt folgt dem Stift</translation>
+    </message>
+    <message>
+        <source>The cut goes through the stylus's tip; off, it stays where it is.</source>
+        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: er bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+</context>
+<context>
     <name>lesson text</name>
     <message>
         <source>Frames and transforms</source>
@@ -7574,146 +7717,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Puts the focus into the view: the arrow keys then move the hand.</source>
         <translation>Setzt den Fokus in die Ansicht: Die Pfeiltasten bewegen dann die Hand.</translation>
-    </message>
-    <message>
-        <source>&amp;Workspace box</source>
-        <translation>&amp;Arbeitsraum</translation>
-    </message>
-    <message>
-        <source>The box the arm can reach, with ticks every 20 mm.</source>
-        <translation>Der Quader, den der Arm erreicht, mit einem Strich alle 20 mm.</translation>
-    </message>
-    <message>
-        <source>&amp;Axes of W and B</source>
-        <translation>Achsen von &amp;W und B</translation>
-    </message>
-    <message>
-        <source>The axes of the workspace and of the arm's base.</source>
-        <translation>Die Achsen des Arbeitsraums und der Basis des Arms.</translation>
-    </message>
-    <message>
-        <source>A&amp;rm</source>
-        <translation>A&amp;rm</translation>
-    </message>
-    <message>
-        <source>The arm's links.</source>
-        <translation>Die Glieder des Arms.</translation>
-    </message>
-    <message>
-        <source>&amp;Target and error</source>
-        <translation>&amp;Ziel und Fehler</translation>
-    </message>
-    <message>
-        <source>The point the stylus is drawn to, and the line to it.</source>
-        <translation>Der Punkt, zu dem der Stift gezogen wird, und die Linie dorthin.</translation>
-    </message>
-    <message>
-        <source>&amp;Force</source>
-        <translation>&amp;Kraft</translation>
-    </message>
-    <message>
-        <source>The arrow of the force sent.</source>
-        <translation>Der Pfeil der gesendeten Kraft.</translation>
-    </message>
-    <message>
-        <source>&amp;Influence</source>
-        <translation>&amp;Einfluss</translation>
-    </message>
-    <message>
-        <source>Where the stylus points (o), the point nearest to its tip (p), and the target's arc between them.</source>
-        <translation>Wohin der Stift zeigt (o), der Punkt, der seiner Spitze am nächsten liegt (p), und der Bogen des Ziels dazwischen.</translation>
-    </message>
-    <message>
-        <source>&amp;Virtual robot</source>
-        <translation>&amp;Virtueller Roboter</translation>
-    </message>
-    <message>
-        <source>The robots that exist only in software, where their joints are, and which ways their tips can go.</source>
-        <translation>Die Roboter, die es nur in Software gibt, wo ihre Gelenke sind und wohin ihre Spitzen können.</translation>
-    </message>
-    <message>
-        <source>Recorded &amp;path</source>
-        <translation>Aufgezeichneter &amp;Pfad</translation>
-    </message>
-    <message>
-        <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
-        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
-    </message>
-    <message>
-        <source>&amp;Desk</source>
-        <translation>&amp;Tisch</translation>
-    </message>
-    <message>
-        <source>The marks on the desk by which the arm was registered.</source>
-        <translation>Die Messpunkte auf dem Tisch, mit denen der Arm registriert wurde.</translation>
-    </message>
-    <message>
-        <source>As se&amp;en from the desk</source>
-        <translation>Vom Tisch aus &amp;gesehen</translation>
-    </message>
-    <message>
-        <source>Left, right and up are those of the desk, however a registered arm is turned; off: those of the arm.</source>
-        <translation>Links, rechts und oben sind die des Tischs, wie auch ein registrierter Arm gedreht ist; aus: die des Arms.</translation>
-    </message>
-    <message>
-        <source>&amp;Link frames</source>
-        <translation>Glie&amp;dkoordinaten</translation>
-    </message>
-    <message>
-        <source>The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.</source>
-        <translation>Die Koordinatensysteme 1 bis 6 der DH-Tabelle entlang des Arms; jede Zahl steht am Ende der z-Achse eines Gelenks.</translation>
-    </message>
-    <message>
-        <source>Inver&amp;se solutions</source>
-        <translation>&amp;Inverse Lösungen</translation>
-    </message>
-    <message>
-        <source>All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits.</source>
-        <translation>Alle Stellungen, in denen der Arm den Stift erreicht, als Geisterbilder; gestrichelt: außerhalb der Gelenkgrenzen.</translation>
-    </message>
-    <message>
-        <source>&amp;Motion ellipsoid (v)</source>
-        <translation>&amp;Bewegungsellipsoid (v)</translation>
-    </message>
-    <message>
-        <source>Where the tip gets to by a joint turn of 0.25 rad in all (manipulability ellipsoid).</source>
-        <translation>Wohin die Spitze mit insgesamt 0,25 rad Gelenkdrehung kommt (Manipulierbarkeitsellipsoid).</translation>
-    </message>
-    <message>
-        <source>F&amp;orce ellipsoid (f)</source>
-        <translation>Kra&amp;ftellipsoid (f)</translation>
-    </message>
-    <message>
-        <source>The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.</source>
-        <translation>Die Kräfte bei insgesamt 0,05 N m Gelenkdrehmoment, im Maßstab des Kraftpfeils.</translation>
-    </message>
-    <message>
-        <source>Mes&amp;h: triangles</source>
-        <translation>&amp;Netz: Dreiecke</translation>
-    </message>
-    <message>
-        <source>The edges of all triangles of a mesh, as it is drawn.</source>
-        <translation>Die Kanten aller Dreiecke eines Dreiecksnetzes, wie es gezeichnet wird.</translation>
-    </message>
-    <message>
-        <source>Mesh: &amp;cut open</source>
-        <translation>Netz: auf&amp;schneiden</translation>
-    </message>
-    <message>
-        <source>Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.</source>
-        <translation>Schneidet Dreiecksnetze quer zu einer Achse auf; die Seite näher am Auge wird verborgen. Was man fühlt, bleibt ganz.</translation>
-    </message>
-    <message>
-        <source>C&amp;ut follows the stylus</source>
-        <translation>S&amp;chnitt folgt dem Stift</translation>
-    </message>
-    <message>
-        <source>The cut goes through the stylus's tip; off, it stays where it is.</source>
-        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: er bleibt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation>Folgen</translation>
     </message>
     <message>
         <source>Cut across x</source>

@@ -145,7 +145,7 @@ TEST_F(PlantedHouse, AHeaderOfTheOperatingSystemIsFoundAndInItsRoomsSourceIsNot)
   write("core/system/file_linux.cpp", "#include <sys/stat.h>\n#include <csignal>\n");
   write("device/arm.h", "#include <cerrno>\n#include <xmmintrin.h>\n#include <hidapi/hidapi.h>\n");
   write("device/arm.cpp", "#include <cstdio>\n#include <hidapi/hidapi.h>\n#include <fcntl.h>\n");
-  write("app/gui/main.cpp", "#include <vtkActor.h>\n#include <csignal>\n");
+  write("app/gui/main.cpp", "#include <QWidget>\n#include <csignal>\n");
   write("core/system/file.h", "#include <windows.h>\n");
   EXPECT_EQ(found(), (std::vector<std::string>{
                          "app/gui/main.cpp:2: the operating system does not belong in app/gui",

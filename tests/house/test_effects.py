@@ -46,7 +46,7 @@ class Marks(unittest.TestCase):
         analysed = sum(effects.units(texts), [])
         seen = set().union(*(effects.reached(texts, path) for path in analysed))
         self.assertEqual(effects.marked(texts) - seen, set())
-        for path in ("mesh/search", "tick/program", "tick/report", "servo/tap", "servo/history"):
+        for path in ("mesh/search", "tick/state", "tick/report", "servo/tap", "servo/history"):
             self.assertIn(f"core/{path}.cpp", analysed)
         for path in ("wooden/wooden_arm", "openhaptics/openhaptics_arm", "remote/remote_arm"):
             self.assertIn(f"device/{path}.cpp", analysed)

@@ -15,6 +15,7 @@
 
 #include "app/gui/fault/fault_dialog.h"
 #include "app/gui/fault/fault_watch.h"
+#include "app/gui/model/fault_folder.h"
 #include "tests/stories/story.h"
 #include "tests/support/loose_cable.h"
 

@@ -15,20 +15,13 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
-#include "app/gui/arms/second_arm.h"
-#include "app/gui/hands/moving_hands.h"
-#include "app/gui/model/arm_choice.h"
-#include "app/gui/model/arm_in_use.h"
-#include "app/gui/model/player.h"
-#include "app/gui/model/scene_library.h"
-#include "app/gui/model/servo_rate.h"
+#include "app/gui/feature/status_line.h"
+#include "app/gui/model/recording.h"
 #include "app/gui/model/session_place.h"
 #include "app/gui/model/session_words.h"
-#include "app/gui/registration/registration_tool.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "app/gui/sessions/stylus_buttons.h"
-#include "app/gui/view/hand.h"
 #include "tests/stories/picture_difference.h"
 #include "tests/stories/session_desk.h"
 
@@ -359,20 +352,9 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
     page.setPalette(paletteOf(theme));
     Actions actions(&page);
     actions.add({"session.hold_to_run", "hold", {}, "hold", {}, {}, true}, [](const QVariantList&) { return true; });
-    Document document(story.host());
-    RecentFiles recent;
-    Player player(story.host(), document, nullptr, &page);
-    ServoRate rate(story.host(), &page);
-    ArmInUse arm_in_use(nullptr, {}, &page);
-    ArmChoice arms(story.host(), document, nullptr, nullptr, &page);
-    SecondArm second(story.host(), arms, story.view(), &page);
-    Actions elsewhere(&page);  // of parts that the panel does not show
-    RegistrationTool registration({story.host(), document, arms, second, story.view(), nullptr}, elsewhere, &page);
-    Hand hand(&story.view(), nullptr, &page);
-    MovingHands hands(story.host(), hand, {}, elsewhere, &page);
-    auto* panel = new SessionsPanel({story.host(), document, recent, actions, story.view(), player, rate, arm_in_use,
-                                     arms, second, registration, hands},
-                                    &page);
+    Recording recording(story.host(), &page);
+    StatusLine status(story.host(), 1.0);
+    auto* panel = new SessionsPanel({actions, status, recording}, &page);
     auto* column = new QVBoxLayout(&page);
     column->addWidget(panel);
     page.setFixedSize(360, 480);

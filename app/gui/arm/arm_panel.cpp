@@ -41,8 +41,7 @@ QString faultText(FaultKind kind) {
 
 }  // namespace
 
-ArmPanel::ArmPanel(const FeatureParts&, QWidget* parent)
-    : Panel(parent), readout_(new Readout("panel.arm.value", this)) {
+ArmPanel::ArmPanel(QWidget* parent) : Panel(parent), readout_(new Readout("panel.arm.value", this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(readout_);

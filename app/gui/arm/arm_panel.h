@@ -9,7 +9,7 @@ class Readout;
 class ArmPanel : public Panel {
   Q_OBJECT
  public:
-  ArmPanel(const FeatureParts& parts, QWidget* parent);
+  explicit ArmPanel(QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  private:

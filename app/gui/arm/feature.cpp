@@ -8,7 +8,8 @@ namespace underact::gui {
 
 FeatureRow armFeature() {
   return {.panels = {{"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea, "Ctrl+Alt+4",
-                      QT_TRANSLATE_NOOP("panel", "Where the joints and the tip of the arm are."), makePanel<ArmPanel>}},
+                      QT_TRANSLATE_NOOP("panel", "Where the joints and the tip of the arm are."),
+                      [](const FeatureParts&, QWidget* parent) -> Panel* { return new ArmPanel(parent); }}},
           .pages = {{"panel.arm", "window#arm"}}};
 }
 

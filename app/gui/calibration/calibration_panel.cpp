@@ -23,7 +23,7 @@ namespace underact::gui {
 
 using calibration::Beam;
 
-CalibrationPanel::CalibrationPanel(const FeatureParts& parts, QWidget* parent)
+CalibrationPanel::CalibrationPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       session_(new CalibrationSession(parts.document, parts.servo, this)),

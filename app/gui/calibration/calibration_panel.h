@@ -15,7 +15,12 @@ class RunPage;
 class CalibrationPanel : public Panel {
   Q_OBJECT
  public:
-  CalibrationPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    ServoFacts servo;
+    Document& document;
+    Actions& actions;
+  };
+  CalibrationPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void finish() override;
   void setTheme(const Theme& theme) override;
@@ -29,7 +34,7 @@ class CalibrationPanel : public Panel {
   bool save(const QString& path);
   void chooseAndSave();
 
-  FeatureParts parts_;
+  Parts parts_;
   CalibrationSession* session_;
   QStackedWidget* pages_;
   QWidget* no_beams_ = nullptr;

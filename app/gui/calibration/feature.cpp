@@ -10,7 +10,10 @@ FeatureRow calibrationFeature() {
   return {
       .panels = {{"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
                   QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
-                  makePanel<CalibrationPanel>, "scenes"}},
+                  [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                    return new CalibrationPanel({all.servo, all.document, all.actions}, parent);
+                  },
+                  "scenes"}},
       .pages = {{"panel.calibration", "calibration"}, {"dialog.save_calibration", "calibration"}}};
 }
 

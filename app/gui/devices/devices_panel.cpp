@@ -32,7 +32,7 @@ QString stateOf(const ArmEntry& entry, bool is_in_use) {
 
 }  // namespace
 
-DevicesPanel::DevicesPanel(const FeatureParts& parts, QWidget* parent)
+DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), search_(new ArmSearch(this)) {
   addActions();
   auto* content = new QWidget;

@@ -16,7 +16,13 @@ namespace underact::gui {
 class DevicesPanel : public Panel {
   Q_OBJECT
  public:
-  DevicesPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    ServoFacts servo;
+    Actions& actions;
+    ArmChoice& arms;
+    Remark& where_it_stands;
+  };
+  DevicesPanel(const Parts& parts, QWidget* parent);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -36,7 +42,7 @@ class DevicesPanel : public Panel {
   void presentArm();
   void tell(const QString& sentence);
 
-  FeatureParts parts_;
+  Parts parts_;
   ArmSearch* search_;
   QTimer looks_;
   QLabel *in_use_ = nullptr, *about_ = nullptr, *told_ = nullptr, *opening_ = nullptr, *registered_ = nullptr;

@@ -30,7 +30,7 @@ constexpr std::int64_t kBetween_ns = 100'000'000;  // of the servo's time: numbe
 
 }  // namespace
 
-DhPanel::DhPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+DhPanel::DhPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
   start({});

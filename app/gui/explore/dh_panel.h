@@ -20,7 +20,12 @@ class NumberTable;
 class DhPanel : public Panel {
   Q_OBJECT
  public:
-  DhPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Document& document;
+    Actions& actions;
+    SceneView& view;
+  };
+  DhPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  protected:
@@ -40,7 +45,7 @@ class DhPanel : public Panel {
   void showNumbers();
   void draw();
 
-  FeatureParts parts_;
+  Parts parts_;
   Undoable<DhTable> tables_;
   arm::JointAngles q_rad_{};    // of the arm
   Vec3 p_WT_ = Vec3::Zero();    // where its tip is

@@ -63,7 +63,7 @@ QString orderOf(std::size_t count, bool reversed) {
 
 }  // namespace
 
-TransformPanel::TransformPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+TransformPanel::TransformPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
   change({{{StepKind::TurnZ, kPi / 2}, {StepKind::TurnX, kPi / 2}, {StepKind::ShiftX, 0.04}}, Axes::Moving});

@@ -19,7 +19,11 @@ class NumberTable;
 class TransformPanel : public Panel {
   Q_OBJECT
  public:
-  TransformPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Actions& actions;
+    SceneView& view;
+  };
+  TransformPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  protected:
@@ -41,7 +45,7 @@ class TransformPanel : public Panel {
   void draw();
   std::vector<Pose> frames(bool reversed) const;
 
-  FeatureParts parts_;
+  Parts parts_;
   Undoable<State> states_;
   bool drawn_ = false;
   QComboBox* axes_ = nullptr;

@@ -20,11 +20,6 @@ struct PanelRow {
   const char* behind = nullptr;  // the key of the panel whose place it takes when it is opened; closed at first
 };
 
-template <class Kind>
-Panel* makePanel(const FeatureParts& parts, QWidget* parent) {
-  return new Kind(parts, parent);
-}
-
 using Followers = std::vector<Follower*>;
 
 /// What the window can do, one thing of it: a room with a feature.cpp that gives this row, and a line in the top

@@ -22,7 +22,13 @@ class SurfaceSection;
 class FeelPanel : public Panel {
   Q_OBJECT
  public:
-  FeelPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    ServoFacts servo;
+    Document& document;
+    Actions& actions;
+    ServoRate& rate;
+  };
+  FeelPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
   /// One gain, as the sliders do it. gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a step of its own for undo.
@@ -59,7 +65,7 @@ class FeelPanel : public Panel {
   bool refuse(const Problems& problems);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
 
-  FeatureParts parts_;
+  Parts parts_;
   std::size_t index_ = 0;  // of the constraint whose control is shown
   int gesture_ = 0;
   bool stale_ = true;  // what is shown may not be what holds

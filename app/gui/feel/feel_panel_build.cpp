@@ -25,7 +25,7 @@
 #include "app/gui/model/setting_words.h"
 
 namespace underact::gui {
-FeelPanel::FeelPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+FeelPanel::FeelPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   addActions();
   addSwitches();
   auto* content = new QWidget;

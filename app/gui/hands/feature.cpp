@@ -10,7 +10,10 @@ FeatureRow handsFeature() {
   return {.panels = {{"hands", QT_TRANSLATE_NOOP("panel", "Hands"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
                       QT_TRANSLATE_NOOP("panel",
                                         "Mouse, game controllers and 3D mice: which are there, and what moves what."),
-                      makePanel<HandsPanel>, "scenes"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new HandsPanel({all.window, all.servo, all.actions, all.hand, all.hands}, parent);
+                      },
+                      "scenes"}},
           .pages = {{"panel.hands", "hands"}}};
 }
 

@@ -39,7 +39,7 @@ void say(QLabel* label, const QString& text) {
 
 }  // namespace
 
-HandsPanel::HandsPanel(const FeatureParts& parts, QWidget* parent)
+HandsPanel::HandsPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       hands_(*new MovingHands(parts.servo, parts.hand, parts.hands, parts.actions, parts.window)) {

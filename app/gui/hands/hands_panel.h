@@ -14,7 +14,14 @@ class MovingHands;
 class HandsPanel : public Panel {
   Q_OBJECT
  public:
-  HandsPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    QMainWindow* window;
+    ServoFacts servo;
+    Actions& actions;
+    Hand& hand;
+    std::vector<device::hands::Port*> hands;
+  };
+  HandsPanel(const Parts& parts, QWidget* parent);
   void before() override;
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
@@ -26,7 +33,7 @@ class HandsPanel : public Panel {
   void describe();
   bool fix();
 
-  FeatureParts parts_;
+  Parts parts_;
   MovingHands& hands_;  // of the window
   QLabel *state_ = nullptr, *trouble_ = nullptr, *about_ = nullptr;
   QListWidget* list_ = nullptr;

@@ -9,7 +9,10 @@ namespace underact::gui {
 FeatureRow kinematicsFeature() {
   return {.panels = {{"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea, "Ctrl+Alt+6",
                       QT_TRANSLATE_NOOP("panel", "Joints, DH table, inverse solutions, Jacobian and singularities."),
-                      makePanel<KinematicsPanel>, "scenes"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new KinematicsPanel({all.document, all.actions, all.view, all.player, all.arms}, parent);
+                      },
+                      "scenes"}},
           .pages = {{"panel.kinematics", "kinematics#in-the-window"},
                     {"panel.kinematics.joint", "kinematics#moving-the-joints"},
                     {"panel.kinematics.singularity", "kinematics#distance-to-singularities"},

@@ -30,7 +30,7 @@ constexpr const char* kLayers[] = {"layer.link_frames", "layer.ghosts", "layer.m
 
 }  // namespace
 
-KinematicsPanel::KinematicsPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+KinematicsPanel::KinematicsPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);

@@ -25,7 +25,14 @@ class SolutionsSection;
 class KinematicsPanel : public Panel {
   Q_OBJECT
  public:
-  KinematicsPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Document& document;
+    Actions& actions;
+    SceneView& view;
+    Player& player;
+    ArmChoice& arms;
+  };
+  KinematicsPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
@@ -41,7 +48,7 @@ class KinematicsPanel : public Panel {
   bool wishJoint(int joint, double angle_deg, bool relative);
   bool showSolution(int number);
 
-  FeatureParts parts_;
+  Parts parts_;
   JointsSection* joints_ = nullptr;
   SingularitiesSection* singularities_ = nullptr;
   SolutionsSection* solutions_ = nullptr;

@@ -10,7 +10,10 @@ FeatureRow labFeature() {
   return {.panels = {{"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Q",
                       QT_TRANSLATE_NOOP(
                           "panel", "What each choice between speed and accuracy costs, and a slider along the best."),
-                      makePanel<LabPanel>, "scenes"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new LabPanel({all.document, all.actions, all.rate, all.arm_in_use}, parent);
+                      },
+                      "scenes"}},
           .pages = {{"panel.lab", "lab"}}};
 }
 

@@ -33,7 +33,7 @@ double predictedTick_ns(const scene::Description& scene) {
 
 }  // namespace
 
-LabPanel::LabPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+LabPanel::LabPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
   connect(&looks_, &QTimer::timeout, this, &LabPanel::look);

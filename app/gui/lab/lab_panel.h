@@ -26,7 +26,13 @@ class MarkedSlider;
 class LabPanel : public Panel {
   Q_OBJECT
  public:
-  LabPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Document& document;
+    Actions& actions;
+    ServoRate& rate;
+    ArmInUse& arm_in_use;
+  };
+  LabPanel(const Parts& parts, QWidget* parent);
   ~LabPanel() override;
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
@@ -74,7 +80,7 @@ class LabPanel : public Panel {
   QString wordsOf(const std::optional<std::size_t>& chosen) const;
   int stopBefore(std::size_t point) const;  // the dearest one on the front that is no dearer
 
-  FeatureParts parts_;
+  Parts parts_;
   std::unique_ptr<Background<LabResult>> run_;
   LabOrder order_;                  // that is measured, or was
   LabResult result_;                // nothing: not measured

@@ -11,7 +11,10 @@ FeatureRow lessonsFeature() {
   return {.panels = {{"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea, "Ctrl+L",
                       QT_TRANSLATE_NOOP("panel",
                                         "Exercises in robot kinematics and forces, checked by what the hand does."),
-                      makePanel<LessonsPanel>, "scenes"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new LessonsPanel({all.document, all.actions, all.view, all.player}, parent);
+                      },
+                      "scenes"}},
           .pages = {{"panel.lessons", "lessons"},
                     {"dialog.open_lesson", "lessons"},
                     {"dialog.save_lesson_report", "lessons#the-report"}},

@@ -11,12 +11,19 @@ class QMainWindow;
 
 namespace underact::gui {
 
+struct LessonParts {
+  Document& document;
+  Actions& actions;
+  SceneView& view;
+  Player& player;
+};
+
 /// What the window was like before a lesson, what a lesson makes of it, and the way back: scene, layers,
 /// camera, docks.
 class LessonPlace {
  public:
   /// panel: the one that lessons are shown in.
-  LessonPlace(const FeatureParts& parts, Panel& panel) : parts_(parts), panel_(panel) {}
+  LessonPlace(const LessonParts& parts, Panel& panel) : parts_(parts), panel_(panel) {}
 
   /// Keeps scene, layers, camera and docks. Asks what becomes of edits of the scene. false: everything stays as it is.
   bool keep();
@@ -33,7 +40,7 @@ class LessonPlace {
   /// The lesson's own scene is open: what was changed in it was an exercise, and nobody is asked about it.
   void letGoOfExercise();
 
-  FeatureParts parts_;
+  LessonParts parts_;
   Panel& panel_;
   scene::Description scene_;  // of before; no constraint: there was none
   QString path_;              // its file; empty: it has none

@@ -11,7 +11,7 @@
 
 namespace underact::gui {
 
-LessonRun::LessonRun(const FeatureParts& parts, Panel& panel) : QObject(&panel), parts_(parts), place_(parts, panel) {}
+LessonRun::LessonRun(const LessonParts& parts, Panel& panel) : QObject(&panel), parts_(parts), place_(parts, panel) {}
 
 bool LessonRun::begin(const QString& path, QString& why) {
   Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());

@@ -13,7 +13,7 @@ namespace underact::gui {
 class LessonRun : public QObject {
   Q_OBJECT
  public:
-  LessonRun(const FeatureParts& parts, Panel& panel);
+  LessonRun(const LessonParts& parts, Panel& panel);
 
   /// Begins a lesson at its first step that is not solved, in place of one that is on. why: where it is not begun.
   bool begin(const QString& path, QString& why);
@@ -46,7 +46,7 @@ class LessonRun : public QObject {
  private:
   void settle();
 
-  FeatureParts parts_;
+  LessonParts parts_;
   LessonPlace place_;
   std::optional<lesson::Lesson> lesson_;
   QString path_;

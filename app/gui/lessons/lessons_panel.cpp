@@ -31,7 +31,7 @@ constexpr const char* kRecent = "lessons/recent";
 
 }  // namespace
 
-LessonsPanel::LessonsPanel(const FeatureParts& parts, QWidget* parent)
+LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       recent_(new RecentFiles(this)),

@@ -2,6 +2,7 @@
 #include <QPointer>
 
 #include "app/gui/feature/panel.h"
+#include "app/gui/lessons/lesson_place.h"
 
 class QStackedWidget;
 class QUrl;
@@ -17,7 +18,7 @@ class ProblemsDialog;
 class LessonsPanel : public Panel {
   Q_OBJECT
  public:
-  LessonsPanel(const FeatureParts& parts, QWidget* parent);
+  LessonsPanel(const LessonParts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void leave() override;
   void add(const servo::TickRecord& tick) override;
@@ -36,7 +37,7 @@ class LessonsPanel : public Panel {
   void follow(const QUrl& link);
   void saySolved();
 
-  FeatureParts parts_;
+  LessonParts parts_;
   RecentFiles* recent_;  // lesson files; those of scenes are another list
   LessonRun* run_;
   QPointer<ProblemsDialog> problems_;  // of a lesson that was not opened

@@ -17,7 +17,7 @@ constexpr const char* kTags = "recording/tags";
 constexpr const char* kSubject = "recording/subject";
 constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; with less left a recording ends in order
 
-bool isSame(const record::SessionWords& a, const record::SessionWords& b) {
+bool areSame(const record::SessionWords& a, const record::SessionWords& b) {
   return std::tie(a.name, a.notes, a.tags, a.subject, a.consent) ==
          std::tie(b.name, b.notes, b.tags, b.subject, b.consent);
 }
@@ -69,7 +69,7 @@ bool Recording::stop(record::EndReason reason) {
   Problems problems = recorder_->stop(reason);
   status_ = recorder_->status();
   recorder_.reset();
-  if (!isSame(words_, written_)) {
+  if (!areSame(words_, written_)) {
     const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
     if (!unwritten.empty() && problems.empty())
       problems.push_back({said(QT_TRANSLATE_NOOP(

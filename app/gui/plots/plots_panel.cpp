@@ -19,7 +19,7 @@ namespace underact::gui {
 // The eye follows a hand at 60 pictures a second and reads a plot at 20: the rest of the time belongs to the servo.
 constexpr int kFramesAPlot = 3;
 
-PlotsPanel::PlotsPanel(const FeatureParts& parts, QWidget* parent)
+PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       player_(parts.player),
       plot_(new LivePlot(this)),

@@ -13,7 +13,13 @@ class Player;
 class PlotsPanel : public Panel {
   Q_OBJECT
  public:
-  PlotsPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Document& document;
+    Actions& actions;
+    Player& player;
+    const Settings& settings;
+  };
+  PlotsPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void add(const servo::TickRecord& record) override;
   void setTheme(const Theme& theme) override;

@@ -26,7 +26,10 @@ FeatureRow replayFeature() {
   return {.panels = {{"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",
                       QT_TRANSLATE_NOOP(
                           "panel", "The whole session that is replayed, in plots: force, angles, energy, spectrum."),
-                      makePanel<SessionPanel>, "plots"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new SessionPanel({all.actions, all.view, all.player}, parent);
+                      },
+                      "plots"}},
           .pages = {{"panel.session", "replay"},
                     {"panel.replay", "replay"},
                     {"dialog.replay_files", "replay"},

@@ -20,7 +20,7 @@ constexpr int kFramesAPlot = 3;  // as the live plots
 
 }  // namespace
 
-SessionPanel::SessionPanel(const FeatureParts& parts, QWidget* parent)
+SessionPanel::SessionPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       kind_(new QComboBox(this)),

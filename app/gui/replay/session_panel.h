@@ -14,14 +14,19 @@ class SessionPlot;
 class SessionPanel : public Panel {
   Q_OBJECT
  public:
-  SessionPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Actions& actions;
+    SceneView& view;
+    Player& player;
+  };
+  SessionPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
  private:
   void show();
 
-  FeatureParts parts_;
+  Parts parts_;
   QComboBox* kind_;
   QStackedWidget* pages_;
   QLabel* nothing_;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/gui/replay/thin_session.h"
 #include "app/gui/plot/chart.h"
 #include "app/gui/plot/plot_range.h"
+#include "app/gui/replay/thin_session.h"
 
 namespace underact::gui {
 namespace {

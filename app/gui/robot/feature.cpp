@@ -11,7 +11,10 @@ FeatureRow robotFeature() {
       .panels = {{"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
                   QT_TRANSLATE_NOOP(
                       "panel", "The robot that exists only in software: joints, springs, turning stiffness, solver."),
-                  makePanel<RobotPanel>, "scenes"}},
+                  [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                    return new RobotPanel({all.servo, all.document, all.actions}, parent);
+                  },
+                  "scenes"}},
       .pages = {{"panel.robot", "robots"}}};
 }
 

@@ -28,7 +28,7 @@ std::vector<std::size_t> robotsOf(const scene::Description& scene) {
 
 }  // namespace
 
-RobotPanel::RobotPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+RobotPanel::RobotPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   connectSections();
   addCommands();

@@ -23,7 +23,12 @@ class SolverSection;
 class RobotPanel : public Panel {
   Q_OBJECT
  public:
-  RobotPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    ServoFacts servo;
+    Document& document;
+    Actions& actions;
+  };
+  RobotPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  private:
@@ -58,7 +63,7 @@ class RobotPanel : public Panel {
   bool removeRobot();
   bool choose(int number);  // from 0, among the robots
 
-  FeatureParts parts_;
+  Parts parts_;
   std::size_t index_ = 0;  // of the constraint that is shown
   std::string name_;       // and its name
   int gesture_ = 0;

@@ -9,7 +9,9 @@ namespace underact::gui {
 FeatureRow scenesFeature() {
   return {.panels = {{"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
                       QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."),
-                      makePanel<ScenesPanel>}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new ScenesPanel({all.document, all.recent, all.actions}, parent);
+                      }}},
           .pages = {{"panel.scenes", "window#scenes"}}};
 }
 

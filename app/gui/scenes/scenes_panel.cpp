@@ -59,7 +59,7 @@ QString pageOf(const SceneEntry& entry) {
 
 }  // namespace
 
-ScenesPanel::ScenesPanel(const FeatureParts& parts, QWidget* parent)
+ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
       shipped_(shippedScenes()),

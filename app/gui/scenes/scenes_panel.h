@@ -18,7 +18,12 @@ class PageView;
 class ScenesPanel : public Panel {
   Q_OBJECT
  public:
-  ScenesPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Document& document;
+    RecentFiles& recent;
+    Actions& actions;
+  };
+  ScenesPanel(const Parts& parts, QWidget* parent);
   void setTheme(const Theme& theme) override;
 
  protected:
@@ -35,7 +40,7 @@ class ScenesPanel : public Panel {
   void keepInSight();
   void describe();
 
-  FeatureParts parts_;
+  Parts parts_;
   Theme theme_;
   std::vector<SceneEntry> shipped_;
   QLineEdit* filter_;

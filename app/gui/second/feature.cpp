@@ -9,7 +9,10 @@ namespace underact::gui {
 FeatureRow secondFeature() {
   return {.panels = {{"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea, "Ctrl+Alt+T",
                       QT_TRANSLATE_NOOP("panel", "Another arm beside the first, with a scene of its own."),
-                      makePanel<SecondPanel>, "scenes"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new SecondPanel({all.actions, all.second}, parent);
+                      },
+                      "scenes"}},
           .pages = {{"panel.second", "devices#two-arms"}, {"dialog.second_scene", "devices#two-arms"}}};
 }
 

@@ -40,7 +40,7 @@ QString modeText(servo::Mode mode) {
 
 }  // namespace
 
-SecondPanel::SecondPanel(const FeatureParts& parts, QWidget* parent)
+SecondPanel::SecondPanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), second_(parts.second), search_(new ArmSearch(this)) {
   addActions();
   auto* content = new QWidget;

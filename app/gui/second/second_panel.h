@@ -16,7 +16,11 @@ class SecondArm;
 class SecondPanel : public Panel {
   Q_OBJECT
  public:
-  SecondPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Actions& actions;
+    SecondArm& second;
+  };
+  SecondPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   QString whyBusy() const override;
 
@@ -30,7 +34,7 @@ class SecondPanel : public Panel {
   void presentChoices();
   void tell(const QString& sentence);
 
-  FeatureParts parts_;
+  Parts parts_;
   SecondArm& second_;
   ArmSearch* search_;
   QCheckBox *on_ = nullptr, *mirrors_ = nullptr;

@@ -7,11 +7,15 @@
 namespace underact::gui {
 
 FeatureRow servoFeature() {
-  return {.panels = {{"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
-                      QT_TRANSLATE_NOOP("panel",
-                                        "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
-                      makePanel<ServoPanel>, "scenes"}},
-          .pages = {{"panel.servo", "servo"}, {"panel.servo.scheduling", "real_time"}, {"dialog.check", "real_time"}}};
+  return {
+      .panels =
+          {{"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
+            QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
+            [](const FeatureParts& all, QWidget* parent) -> Panel* {
+              return new ServoPanel({all.servo, all.control, all.actions, all.rate, all.arms, all.settings}, parent);
+            },
+            "scenes"}},
+      .pages = {{"panel.servo", "servo"}, {"panel.servo.scheduling", "real_time"}, {"dialog.check", "real_time"}}};
 }
 
 }  // namespace underact::gui

@@ -25,7 +25,7 @@ constexpr int kTimesASecond = 4;  // that numbers change: more cannot be read
 
 }  // namespace
 
-ServoPanel::ServoPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+ServoPanel::ServoPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   addActions();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);

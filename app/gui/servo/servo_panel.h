@@ -21,7 +21,15 @@ class TimeSection;
 class ServoPanel : public Panel {
   Q_OBJECT
  public:
-  ServoPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    ServoFacts servo;
+    ServoControl control;
+    Actions& actions;
+    ServoRate& rate;
+    ArmChoice& arms;
+    const Settings& settings;
+  };
+  ServoPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void remember(Settings& settings) override;
   void add(const servo::TickRecord& record) override;
@@ -37,7 +45,7 @@ class ServoPanel : public Panel {
   void tell(const QString& sentence, bool alarm);
   void measureRate(const servo::Snapshot& snapshot);
 
-  FeatureParts parts_;
+  Parts parts_;
   TimeSection* time_;
   SchedulingSection* scheduling_;
   LimitsSection* limits_;

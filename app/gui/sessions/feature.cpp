@@ -8,7 +8,10 @@ namespace underact::gui {
 
 FeatureRow sessionsFeature() {
   return {.panels = {{"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+N",
-                      QT_TRANSLATE_NOOP("panel", "Record, mark, and find what was recorded."), makePanel<SessionsPanel>,
+                      QT_TRANSLATE_NOOP("panel", "Record, mark, and find what was recorded."),
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new SessionsPanel({all.actions, all.status, all.recording}, parent);
+                      },
                       "scenes"}},
           .pages = {{"panel.sessions", "sessions"},
                     {"button.session.record", "sessions"},

@@ -20,7 +20,7 @@
 
 namespace underact::gui {
 
-SessionsPanel::SessionsPanel(const FeatureParts& parts, QWidget* parent)
+SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), recording_(&parts.recording) {
   addRecordActions();
   addListActions();

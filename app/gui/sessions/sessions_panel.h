@@ -17,7 +17,12 @@ enum class ButtonUse;
 class SessionsPanel : public Panel {
   Q_OBJECT
  public:
-  SessionsPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Actions& actions;
+    StatusLine& status;
+    Recording& recording;
+  };
+  SessionsPanel(const Parts& parts, QWidget* parent);
   ~SessionsPanel() override;
   void add(const servo::TickRecord& record) override;
   QString whyBusy() const override;
@@ -44,7 +49,7 @@ class SessionsPanel : public Panel {
   void chooseFolder();
   bool setFolder(const QString& folder);
 
-  FeatureParts parts_;
+  Parts parts_;
   Recording* recording_;
   RecordSection* record_ = nullptr;
   ButtonsSection* buttons_ = nullptr;

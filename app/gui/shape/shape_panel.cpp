@@ -32,7 +32,7 @@ QString heldText(const tick::Held& held) {
 
 }  // namespace
 
-ShapePanel::ShapePanel(const FeatureParts& parts, QWidget* parent)
+ShapePanel::ShapePanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), readout_(new Readout("panel.shape.value")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -14,7 +14,11 @@ class Readout;
 class ShapePanel : public Panel {
   Q_OBJECT
  public:
-  ShapePanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    Document& document;
+    Actions& actions;
+  };
+  ShapePanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
  private:
@@ -25,7 +29,7 @@ class ShapePanel : public Panel {
   QToolButton* addButton(const char* name, const QString& text, const QString& tip);
   void offerReports();
 
-  FeatureParts parts_;
+  Parts parts_;
   Readout* readout_;
   QScrollArea* scroll_ = nullptr;
   QToolButton* edit_ = nullptr;    // opens the joints of a virtual manipulator

@@ -11,7 +11,10 @@ FeatureRow stepFeature() {
                       QT_TRANSLATE_NOOP("panel",
                                         "How the tip follows a target that jumps: rise, settling, overshoot, poles, "
                                         "and the arm measured beside the model."),
-                      makePanel<StepPanel>, "scenes"}},
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new StepPanel({all.servo, all.document, all.actions, all.rate, all.arm_in_use}, parent);
+                      },
+                      "scenes"}},
           .pages = {{"panel.step", "step_response"}}};
 }
 

@@ -80,7 +80,7 @@ lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
 
 }  // namespace
 
-StepPanel::StepPanel(const FeatureParts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+StepPanel::StepPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   held_.kp_N_per_m = 500.0;
   build();
   takeArm();

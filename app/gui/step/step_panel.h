@@ -25,7 +25,14 @@ struct StepPicture;
 class StepPanel : public Panel {
   Q_OBJECT
  public:
-  StepPanel(const FeatureParts& parts, QWidget* parent);
+  struct Parts {
+    ServoFacts servo;
+    Document& document;
+    Actions& actions;
+    ServoRate& rate;
+    ArmInUse& arm_in_use;
+  };
+  StepPanel(const Parts& parts, QWidget* parent);
   void setTheme(const Theme& theme) override;
 
  private:
@@ -54,7 +61,7 @@ class StepPanel : public Panel {
   double& valueOf(int quantity);          // of held_, SI
   const scene::Control& control() const;  // of the constraint that is chosen
 
-  FeatureParts parts_;
+  Parts parts_;
   std::size_t index_ = 0;  // of the constraint whose gains are taken, given and measured
   int figure_ = 0;
   scene::LawType law_ = scene::LawType::P;

@@ -176,7 +176,7 @@ TEST(ContrastOfPages, WordsOfTheStaticPagesAreReadable) {
 TEST_P(Contrast, GreysAndSmallWordsHaveInkEnough) {
   static const QRegularExpression kMixed(
       "mixed\\(([a-z_.]*theme_?\\.(?:quiet|background)|ground|palette\\(\\)\\.color\\(QPalette::Window\\)), "
-      "[a-z_.]*theme_?\\.ink, ([0-9.]+)\\)");
+      "[a-z_.]*theme_?\\.ink, ([0-9.]+)\\)|\\bink\\(([0-9.]+)\\)");
   int places = 0;
   QDirIterator files(UNDERACT_SOURCE "/app/gui", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
   while (files.hasNext()) {
@@ -187,7 +187,8 @@ TEST_P(Contrast, GreysAndSmallWordsHaveInkEnough) {
       const QRegularExpressionMatch match = each.next();
       const bool is_words = match.captured(1).endsWith("quiet");  // ticks, units, captions
       const QColor ground = grounds.at(match.captured(1).endsWith("background") || is_words ? "view" : "panel");
-      const QColor grey = mixed(is_words ? theme.quiet : ground, theme.ink, match.captured(2).toDouble());
+      const QColor grey =
+          mixed(is_words ? theme.quiet : ground, theme.ink, (match.captured(2) + match.captured(3)).toDouble());
       EXPECT_GE(contrast(grey, ground), is_words ? kWords : kDrawn)
           << file.fileName().toStdString() << ": " << match.captured().toStdString();
     }
