@@ -95,6 +95,11 @@ std::int64_t Library::forces() const {
   return forces_;
 }
 
+std::int64_t Library::pushingForces() const {
+  const std::scoped_lock lock(mutex);
+  return pushing_forces_;
+}
+
 std::int64_t Library::badForces() const {
   const std::scoped_lock lock(mutex);
   return bad_forces_;

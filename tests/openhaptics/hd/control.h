@@ -36,6 +36,7 @@ class Control {
   virtual void force(double* xyz_N) const = 0;
   /// Forces that came since the library was loaded.
   virtual std::int64_t forces() const = 0;
+  virtual std::int64_t pushingForces() const = 0;  // of these, those that were not zero
   /// Forces that were no number or above the limit since reset().
   virtual std::int64_t badForces() const = 0;
   /// Frames since reset() in which an angle that was no number was given, and a force that is not zero came back.

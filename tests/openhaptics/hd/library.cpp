@@ -88,6 +88,7 @@ void Library::endFrame() {
   const double size_N = pending_N_.norm();
   const double limit_N = continuous_N_ > 0.0 && continuous_N_ < 0.88 ? continuous_N_ : 0.88;
   if (!(size_N <= limit_N * (1.0 + 1e-12))) ++bad_forces_;
+  if (size_N != 0.0) ++pushing_forces_;
   if (blind_ && size_N != 0.0) ++blind_forces_;
   if (force_is_on_) motors_N_ = pending_N_;
   if (static_cast<std::int64_t>(latencies_ns_.size()) < kMostLatencies)

@@ -67,6 +67,7 @@ class Library final : public Control {
   void reset() override;
   void force(double* xyz_N) const override;
   std::int64_t forces() const override;
+  std::int64_t pushingForces() const override;
   std::int64_t badForces() const override;
   std::int64_t blindForces() const override;
   std::int64_t latency_ns() const override;
@@ -137,7 +138,7 @@ class Library final : public Control {
   std::array<double, 6> angles_{};
   Vec3 pending_N_ = Vec3::Zero(), motors_N_ = Vec3::Zero();
   bool has_pending_ = false, blind_ = false;
-  std::int64_t forces_ = 0, bad_forces_ = 0, blind_forces_ = 0, frame_began_ns_ = 0;
+  std::int64_t forces_ = 0, pushing_forces_ = 0, bad_forces_ = 0, blind_forces_ = 0, frame_began_ns_ = 0;
   std::vector<std::int64_t> latencies_ns_;
 
   std::deque<std::uint32_t> errors_;
