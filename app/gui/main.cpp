@@ -42,9 +42,8 @@ bool hasScreen() {
 }
 
 // The scene asked for, else the last one, else the sphere.
-QString sceneToOpen(const options::WindowOptions& options, const std::vector<FeatureRow>& rows) {
-  const QString asked = QString::fromStdString(options.scene);
-  if (!asked.isEmpty() && openerOf(asked, rows).isEmpty()) return asked;
+QString sceneToOpen(const QString& asked, bool is_scene) {
+  if (!asked.isEmpty() && is_scene) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
@@ -76,7 +75,9 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
     });
   }
   window.show();
-  const QString scene = sceneToOpen(options, window.rows());
+  const QString asked = QString::fromStdString(options.scene);
+  const QString opener = asked.isEmpty() ? QString() : openerOf(asked, window.rows());
+  const QString scene = sceneToOpen(asked, opener.isEmpty());
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
   // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
@@ -88,8 +89,6 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   }
   const QString device = options.device.empty() ? readSettings().device : QString::fromStdString(options.device);
   if (!device.isEmpty() && device != "simulated") window.actions().perform("devices.use", device);
-  const QString asked = QString::fromStdString(options.scene);
-  const QString opener = asked.isEmpty() ? QString() : openerOf(asked, window.rows());
   if (!opener.isEmpty()) window.actions().perform(opener, asked);
   if (options.visitors) {
     QStringList scenes;

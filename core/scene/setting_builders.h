@@ -166,6 +166,11 @@ constexpr SettingOf<Object> thereWhere(bool (*is_there)(const Object&), SettingO
   return row;
 }
 
+template <class Object>
+Sentence judgeAsGain(const Object&, double number) {
+  return judgeGain(number);
+}
+
 /// A gain. from: the first law that uses it; those after it do, too.
 template <auto kMember, LawType kFrom>
 constexpr SettingOf<Control> gain(Setting setting) {
@@ -175,17 +180,12 @@ constexpr SettingOf<Control> gain(Setting setting) {
                          [](const Control& control) { return valueOf(control.gains.*kMember); },
                          [](Control& control, const SettingValue& value) { put(value, control.gains.*kMember); },
                          [](const Control&) { return valueOf(Gains{}.*kMember); },
-                         [](const Control&, double number) { return judgeGain(number); },
+                         judgeAsGain<Control>,
                          nullptr,
                          [](const Control& control) { return control.law >= kFrom; }};
   row.is.kind = SettingKind::Gain;
   row.is.object = kObject<Control>;
   return row;
-}
-
-template <class Object>
-Sentence judgeAsGain(const Object&, double number) {
-  return judgeGain(number);
 }
 
 }  // namespace underact::scene::row

@@ -47,6 +47,33 @@ void expectAWayOn(IdentifyDesk& desk, const char* why) {
 
 }  // namespace
 
+TEST(IdentifyInterruptedStory, AWindowThatIsGoneWithoutBeingClosedPutsTheSceneBack) {
+  const SimulatedHost simulated = makeSimulatedHost({.clock = servo::Clock::Manual});
+  forgetSettings();
+  ThemeWatcher theme;
+  auto window = std::make_unique<MainWindow>(WindowParts{*simulated.host, simulated.arm, theme});
+  window->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  ASSERT_TRUE(window->actions().perform("scene.open", {shippedScene("02_sphere")}));
+  const scene::Description own = simulated.host->scene();
+  Wizard wizard(*window, [&](int ticks) {
+    simulated.host->run(ticks);
+    window->frame();
+  });
+  ASSERT_TRUE(window->actions().perform("session.start", QVariantList{}));
+  simulated.host->run(500);
+  window->frame();
+  wizard.begin();
+  for (int frame = 0; frame < 100; ++frame) {
+    simulated.host->run(50);
+    window->frame();
+  }
+  ASSERT_TRUE(window->document().isTryingOut());
+  ASSERT_FALSE(scene::isSame(simulated.host->scene(), own));
+  window.reset();
+  EXPECT_TRUE(scene::isSame(simulated.host->scene(), own));
+}
+
 TEST(IdentifyInterruptedStory, EscStopsTheServoAndASceneThatIsEditedMeanwhileStopsTheMeasurement) {
   IdentifyDesk desk;
   desk.wizard.begin();

@@ -61,7 +61,7 @@ struct FeatureParts {
   std::vector<device::hands::Port*> hands;  // controllers and 3D mice
   ThemeWatcher& theme;
   const Settings& settings;               // from the window's last life
-  std::vector<HelpPage> pages;            // of the guide, for each part of the window
+  const std::vector<HelpPage>& pages;     // of the guide, for each part of the window
   std::function<QStringList()> why_busy;  // of all features, see Follower::whyBusy()
 };
 

@@ -24,7 +24,7 @@ class GuideTool : public QObject, public Follower {
   void follow(const QUrl& link);
 
   Actions& actions_;
-  const std::vector<HelpPage> pages_;
+  const std::vector<HelpPage>& pages_;
   QString place_;
   int zoom_;
   QWidget* main_;

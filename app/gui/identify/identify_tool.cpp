@@ -56,7 +56,6 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
 }
 
 IdentifyTool::~IdentifyTool() {
-  end();  // while the document that it puts back is still there
   delete wizard_;
 }
 

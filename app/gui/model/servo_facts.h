@@ -9,14 +9,13 @@ namespace underact::gui {
 /// long as the host lives. Each is as servo::Host has it.
 class ServoFacts {
  public:
-  ServoFacts(servo::Host& host) : host_(&host) {}  // NOLINT: a host is one
+  ServoFacts(servo::Host& host) : host_(&host) {}
   servo::Snapshot snapshot() const { return host_->snapshot(); }
   const servo::Timing& timing() const { return host_->timing(); }
   const scene::Description& scene() const { return host_->scene(); }
   std::uint64_t revision() const { return host_->revision(); }
   Result<tick::TickProgram> programOf(const scene::Description& scene) const { return host_->programOf(scene); }
   bool running() const { return host_->running(); }
-  bool records() const { return host_->records(); }
   bool holdToRun() const { return host_->holdToRun(); }
   double forceShare() const { return host_->forceShare(); }
   int rateHz() const { return host_->rateHz(); }

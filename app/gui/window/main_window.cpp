@@ -26,7 +26,10 @@
 
 namespace underact::gui {
 
-MainWindow::~MainWindow() = default;
+/// Also of a window that was never closed: what runs ends while what it puts back is still there.
+MainWindow::~MainWindow() {
+  for (Follower* follower : followers_) follower->finish();
+}
 
 void MainWindow::frame() {
   services_.player->look();

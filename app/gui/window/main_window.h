@@ -47,6 +47,7 @@ class MainWindow : public QMainWindow {
 
   const WindowParts given_;
   const std::vector<FeatureRow> rows_;
+  const std::vector<HelpPage> pages_;
   Settings settings_;
   Services services_;
   FramePacer* pacer_;

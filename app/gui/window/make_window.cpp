@@ -25,6 +25,7 @@ constexpr int kLayoutVersion = 9;  // up by one where a dock is added: an old la
 MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
     : given_(given),
       rows_(std::move(rows)),
+      pages_(helpPages(rows_)),
       settings_(readSettings()),
       services_(given, settings_, this),
       pacer_(new FramePacer(this)),
@@ -51,7 +52,7 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
 }
 
 void MainWindow::buildFeatures() {
-  const FeatureParts parts = services_.parts(given_, settings_, helpPages(rows_), [this] { return whyBusy(); });
+  const FeatureParts parts = services_.parts(given_, settings_, pages_, [this] { return whyBusy(); });
   addWindowActions(parts, rows_, [this] { docks_->arrange(); });
   addViewActions(actions(), view(), given_.theme);
   Followers tools;

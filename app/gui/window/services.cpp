@@ -114,7 +114,7 @@ void Services::presentForceLimit() const {
   status->setForceLimit(limit_N);
 }
 
-FeatureParts Services::parts(const WindowParts& given, const Settings& settings, std::vector<HelpPage> pages,
+FeatureParts Services::parts(const WindowParts& given, const Settings& settings, const std::vector<HelpPage>& pages,
                              std::function<QStringList()> why_busy) const {
   return {.window = window,
           .middle = *middle,
@@ -139,7 +139,7 @@ FeatureParts Services::parts(const WindowParts& given, const Settings& settings,
           .hands = given.hands,
           .theme = given.theme,
           .settings = settings,
-          .pages = std::move(pages),
+          .pages = pages,
           .why_busy = std::move(why_busy)};
 }
 

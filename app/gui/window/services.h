@@ -25,7 +25,7 @@ struct WindowParts {
 struct Services {
   Services(const WindowParts& given, const Settings& settings, QMainWindow* window);
   /// For the features.
-  FeatureParts parts(const WindowParts& given, const Settings& settings, std::vector<HelpPage> pages,
+  FeatureParts parts(const WindowParts& given, const Settings& settings, const std::vector<HelpPage>& pages,
                      std::function<QStringList()> why_busy) const;
   void remember(Settings& settings) const;
   /// Of the arm that the scene is for, and what of its force is let through now.
