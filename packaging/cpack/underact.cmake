@@ -1,14 +1,16 @@
 # Packages for other systems, from a finished build, by cpack alone:
-#   cpack --config packaging/cpack/underact.cmake -G RPM -D UNDERACT_BUILD=$PWD/build/release
+#   UNDERACT_BUILD=$PWD/build/release cpack --config packaging/cpack/underact.cmake -G RPM
+# The folder comes through the environment: cpack reads this file before it sets what its option -D says.
 # RPM makes what the system it is run on can install: build it there. NSIS (Windows) and DragNDrop (macOS) are written after
 # CPack's manual and have never been installed anywhere: the program itself has not been built on either.
 # Debian's packages and the portable bundle have their own ways.
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
-if(NOT DEFINED UNDERACT_BUILD)
+set(UNDERACT_BUILD "$ENV{UNDERACT_BUILD}")
+if(NOT UNDERACT_BUILD)
   set(UNDERACT_BUILD "${root}/build/release")
 endif()
 if(NOT EXISTS "${UNDERACT_BUILD}/generated/underact/version.h")
-  message(FATAL_ERROR "There is no finished build in ${UNDERACT_BUILD}. Name one: -D UNDERACT_BUILD=FOLDER")
+  message(FATAL_ERROR "There is no finished build in ${UNDERACT_BUILD}. Name one: UNDERACT_BUILD=FOLDER cpack ...")
 endif()
 file(STRINGS "${UNDERACT_BUILD}/generated/underact/version.h" line REGEX "kVersion")
 string(REGEX REPLACE ".*\"([0-9]+)\\.([0-9]+)\\.([0-9]+)\".*" "\\1;\\2;\\3" parts "${line}")

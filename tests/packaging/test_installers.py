@@ -22,10 +22,8 @@ class Installers(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def pack(self, generator, ending):
-        build = os.environ["UNDERACT_BUILD"]
         answer = subprocess.run(
-            ["cpack", "--config", CONFIG, "-G", generator, "-B", self.folder]
-            + ["-D", f"UNDERACT_BUILD={build}"],
+            ["cpack", "--config", CONFIG, "-G", generator, "-B", self.folder],
             capture_output=True,
             text=True,
             env={**os.environ, "SOURCE_DATE_EPOCH": "1700000000"},
