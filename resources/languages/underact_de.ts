@@ -7219,6 +7219,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui</name>
     <message>
+        <source>Add a curve</source>
+        <translation>Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>Points (%1);;All files (*)</source>
+        <translation>Punkte (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Curve not loaded</source>
+        <translation>Kurve nicht geladen</translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>The curve %1.</source>
+        <translation>Die Kurve %1.</translation>
+    </message>
+    <message>
         <source>Add &amp;curve…</source>
         <translation>&amp;Kurve hinzufügen …</translation>
     </message>
@@ -7493,6 +7513,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>Dreiecksnetz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Dreiecksnetze (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mesh not loaded</source>
+        <translation>Dreiecksnetz nicht geladen</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>Dreiecksnetz %1</translation>
+    </message>
+    <message>
+        <source>The mesh %1.</source>
+        <translation>Das Dreiecksnetz %1.</translation>
     </message>
     <message>
         <source>Add &amp;mesh…</source>
@@ -8730,6 +8770,21 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::ConstraintFiles</name>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>“%1” was not loaded. The scene stays as it is.</source>
+        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation>%1 wird hinzugefügt</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::CurveDialog</name>
     <message>
         <source>Curve %1</source>
@@ -8810,41 +8865,6 @@ und %2 weitere</translation>
     <message>
         <source>%1 points, %2; %3 from point to point.</source>
         <translation>%1 Punkte, %2; %3 von Punkt zu Punkt.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::CurveFiles</name>
-    <message>
-        <source>Points (%1);;All files (*)</source>
-        <translation>Punkte (%1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Add a curve</source>
-        <translation>Kurve hinzufügen</translation>
-    </message>
-    <message>
-        <source>Loading %1</source>
-        <translation>%1 wird geladen</translation>
-    </message>
-    <message>
-        <source>“%1” was not loaded. The scene stays as it is.</source>
-        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Curve not loaded</source>
-        <translation>Kurve nicht geladen</translation>
-    </message>
-    <message>
-        <source>curve %1</source>
-        <translation>Kurve %1</translation>
-    </message>
-    <message>
-        <source>The curve %1.</source>
-        <translation>Die Kurve %1.</translation>
-    </message>
-    <message>
-        <source>Adding %1</source>
-        <translation>%1 wird hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -11790,37 +11810,6 @@ und %2 weitere</translation>
     <message>
         <source>%1: %2 triangles, %3 corners, %4.</source>
         <translation>%1: %2 Dreiecke, %3 Ecken, %4.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::MeshFiles</name>
-    <message>
-        <source>Add a mesh</source>
-        <translation>Dreiecksnetz hinzufügen</translation>
-    </message>
-    <message>
-        <source>Meshes (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;All files (*)</source>
-        <translation>Dreiecksnetze (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Loading %1</source>
-        <translation>%1 wird geladen</translation>
-    </message>
-    <message>
-        <source>mesh %1</source>
-        <translation>Dreiecksnetz %1</translation>
-    </message>
-    <message>
-        <source>The mesh %1.</source>
-        <translation>Das Dreiecksnetz %1.</translation>
-    </message>
-    <message>
-        <source>“%1” was not loaded. The scene stays as it is.</source>
-        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Mesh not loaded</source>
-        <translation>Dreiecksnetz nicht geladen</translation>
     </message>
 </context>
 <context>
