@@ -7219,6 +7219,34 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui</name>
     <message>
+        <source>Difference of stiffness against trial</source>
+        <translation>Steifigkeitsunterschied gegen Versuch</translation>
+    </message>
+    <message>
+        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
+        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
+    </message>
+    <message>
+        <source>%1 trials; the threshold is %2</source>
+        <translation>%1 Versuche; die Schwelle ist %2</translation>
+    </message>
+    <message>
+        <source>%1 trials; no threshold</source>
+        <translation>%1 Versuche; keine Schwelle</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>● right  ○ wrong  ◎ turn</source>
+        <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
+    </message>
+    <message>
         <source>Add a curve</source>
         <translation>Kurve hinzufügen</translation>
     </message>
@@ -7449,6 +7477,42 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Version, licence, and what was never tried.</source>
         <translation>Version, Lizenz und was nie erprobt wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured.</source>
+        <translation>Nichts ist gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 ways, %2 on the front; %3</source>
+        <translation>%1 Arten, %2 auf der Front; %3</translation>
+    </message>
+    <message>
+        <source>chosen: %1 a second, error %2</source>
+        <translation>gewählt: %1 je Sekunde, Fehler %2</translation>
+    </message>
+    <message>
+        <source>none of them is in effect</source>
+        <translation>keine davon ist in Kraft</translation>
+    </message>
+    <message>
+        <source>Error of the tip's way against processor time</source>
+        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
+    </message>
+    <message>
+        <source>Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in both.</source>
+        <translation>Jede Art, diese Szene laufen zu lassen: was eine Sekunde davon kostet, Takt und simulierter Arm, und wie weit die Spitze von ihrem Weg bei 16 kHz abweicht, quadratisches Mittel über alle Hände. Auf der Front liegt, was in beidem nicht übertroffen wird.</translation>
+    </message>
+    <message>
+        <source>error of the tip's way</source>
+        <translation>Fehler des Spitzenwegs</translation>
+    </message>
+    <message>
+        <source>processor time for a second</source>
+        <translation>Prozessorzeit für eine Sekunde</translation>
+    </message>
+    <message>
+        <source>○ a way  ● on the front  ■ as it was  ◎ chosen</source>
+        <translation>○ eine Art  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -9734,45 +9798,6 @@ und %2 weitere</translation>
     <message>
         <source>Swings along %1 at place %2, the fit leaves %3 µm</source>
         <translation>Schwingungen längs %1 an Stelle %2, die Anpassung lässt %3 µm übrig</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::FrontChart</name>
-    <message>
-        <source>Error of the tip's way against processor time</source>
-        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
-    </message>
-    <message>
-        <source>Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in both.</source>
-        <translation>Jede Art, diese Szene laufen zu lassen: was eine Sekunde davon kostet, Takt und simulierter Arm, und wie weit die Spitze von ihrem Weg bei 16 kHz abweicht, quadratisches Mittel über alle Hände. Auf der Front liegt, was in beidem nicht übertroffen wird.</translation>
-    </message>
-    <message>
-        <source>Nothing is measured.</source>
-        <translation>Nichts ist gemessen.</translation>
-    </message>
-    <message>
-        <source>%1 ways, %2 on the front; %3</source>
-        <translation>%1 Arten, %2 auf der Front; %3</translation>
-    </message>
-    <message>
-        <source>chosen: %1 a second, error %2</source>
-        <translation>gewählt: %1 je Sekunde, Fehler %2</translation>
-    </message>
-    <message>
-        <source>none of them is in effect</source>
-        <translation>keine davon ist in Kraft</translation>
-    </message>
-    <message>
-        <source>error of the tip's way</source>
-        <translation>Fehler des Spitzenwegs</translation>
-    </message>
-    <message>
-        <source>processor time for a second</source>
-        <translation>Prozessorzeit für eine Sekunde</translation>
-    </message>
-    <message>
-        <source>○ a way  ● on the front  ■ as it was  ◎ chosen</source>
-        <translation>○ eine Art  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
     </message>
 </context>
 <context>
@@ -14015,37 +14040,6 @@ und %2 weitere</translation>
     <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::StaircaseChart</name>
-    <message>
-        <source>Difference of stiffness against trial</source>
-        <translation>Steifigkeitsunterschied gegen Versuch</translation>
-    </message>
-    <message>
-        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
-        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
-    </message>
-    <message>
-        <source>%1 trials; the threshold is %2</source>
-        <translation>%1 Versuche; die Schwelle ist %2</translation>
-    </message>
-    <message>
-        <source>%1 trials; no threshold</source>
-        <translation>%1 Versuche; keine Schwelle</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>Versuch</translation>
-    </message>
-    <message>
-        <source>● right  ○ wrong  ◎ turn</source>
-        <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
     </message>
 </context>
 <context>
