@@ -9991,20 +9991,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::GhostStrip</name>
     <message>
-        <source>Pause the ghost</source>
-        <translation>Geisterhand anhalten</translation>
+        <source>Following a recorded hand</source>
+        <translation>Einer aufgezeichneten Hand folgen</translation>
     </message>
     <message>
         <source>Let the ghost go</source>
         <translation>Geisterhand gehen lassen</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Following a recorded hand</source>
-        <translation>Einer aufgezeichneten Hand folgen</translation>
     </message>
     <message>
         <source>From the beginning</source>
@@ -10083,6 +10075,10 @@ und %2 weitere</translation>
         <translation>Was zu tun ist und wie nahe die Spitze ist</translation>
     </message>
     <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
         <source>Puts the sentence of the last round where others can paste it.</source>
         <translation>Legt den Satz der letzten Runde in die Zwischenablage.</translation>
     </message>
@@ -10109,6 +10105,10 @@ und %2 weitere</translation>
     <message>
         <source>The scene as it was when this was recorded, in place of the one in the window.</source>
         <translation>Die Szene, wie sie bei der Aufzeichnung war, anstelle der jetzigen.</translation>
+    </message>
+    <message>
+        <source>Pause the ghost</source>
+        <translation>Geisterhand anhalten</translation>
     </message>
 </context>
 <context>
