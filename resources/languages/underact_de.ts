@@ -13657,67 +13657,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::SessionsPanel</name>
-    <message>
-        <source>Recent sessions</source>
-        <translation>Letzte Sitzungen</translation>
-    </message>
-    <message>
-        <source>&amp;Record</source>
-        <translation>&amp;Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Begins a recording at once, or ends it.</source>
-        <translation>Beginnt sofort eine Aufzeichnung oder beendet sie.</translation>
-    </message>
-    <message>
-        <source>Set a &amp;marker</source>
-        <translation>&amp;Marke setzen</translation>
-    </message>
-    <message>
-        <source>Marks this moment in the recording.</source>
-        <translation>Markiert diesen Moment in der Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>A session is being recorded. Stop the recording first.</source>
-        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Stop &amp;recording</source>
-        <translation>&amp;Aufzeichnung stoppen</translation>
-    </message>
-    <message>
-        <source>Record %1</source>
-        <translation>Aufzeichnen %1</translation>
-    </message>
-    <message>
-        <source>not recording</source>
-        <translation>keine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>recording, disk nearly full</source>
-        <translation>Aufzeichnung, Datenträger fast voll</translation>
-    </message>
-    <message>
-        <source>%1 left.</source>
-        <translation>%1 übrig.</translation>
-    </message>
-    <message>
-        <source>recording, ticks missing</source>
-        <translation>Aufzeichnung, Takte fehlen</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;Find a session</source>
-        <translation>Sitzung &amp;suchen</translation>
-    </message>
-    <message>
-        <source>Puts the cursor into the search field.</source>
-        <translation>Setzt den Cursor in das Suchfeld.</translation>
-    </message>
+    <name>underact::gui::SessionTools</name>
     <message>
         <source>Export as &amp;CSV…</source>
         <translation>Als &amp;CSV exportieren …</translation>
@@ -13783,14 +13723,6 @@ und %2 weitere</translation>
         <translation>Verschiebt die gewählte Sitzung in den Papierkorb oder entfernt sie endgültig.</translation>
     </message>
     <message>
-        <source>C&amp;hoose folder…</source>
-        <translation>Ordner &amp;wählen …</translation>
-    </message>
-    <message>
-        <source>Where recordings go, and which are listed.</source>
-        <translation>Wohin Aufzeichnungen kommen und welche aufgelistet werden.</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Mehr</translation>
     </message>
@@ -13838,9 +13770,80 @@ und %2 weitere</translation>
         <source>The session cannot be removed: its folder may not be changed. Show in folder, and ask whose folder it is.</source>
         <translation>Die Sitzung lässt sich nicht entfernen: Ihr Ordner darf nicht verändert werden. Zeigen Sie sie im Ordner und fragen Sie, wem er gehört.</translation>
     </message>
+</context>
+<context>
+    <name>underact::gui::SessionsPanel</name>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Begins a recording at once, or ends it.</source>
+        <translation>Beginnt sofort eine Aufzeichnung oder beendet sie.</translation>
+    </message>
+    <message>
+        <source>Set a &amp;marker</source>
+        <translation>&amp;Marke setzen</translation>
+    </message>
+    <message>
+        <source>Marks this moment in the recording.</source>
+        <translation>Markiert diesen Moment in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>&amp;Find a session</source>
+        <translation>Sitzung &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Puts the cursor into the search field.</source>
+        <translation>Setzt den Cursor in das Suchfeld.</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose folder…</source>
+        <translation>Ordner &amp;wählen …</translation>
+    </message>
+    <message>
+        <source>Where recordings go, and which are listed.</source>
+        <translation>Wohin Aufzeichnungen kommen und welche aufgelistet werden.</translation>
+    </message>
     <message>
         <source>Folder of the recordings</source>
         <translation>Ordner der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>A session is being recorded. Stop the recording first.</source>
+        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>&amp;Aufzeichnung stoppen</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Aufzeichnen %1</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording, disk nearly full</source>
+        <translation>Aufzeichnung, Datenträger fast voll</translation>
+    </message>
+    <message>
+        <source>%1 left.</source>
+        <translation>%1 übrig.</translation>
+    </message>
+    <message>
+        <source>recording, ticks missing</source>
+        <translation>Aufzeichnung, Takte fehlen</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
 </context>
 <context>
