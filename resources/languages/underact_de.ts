@@ -11135,6 +11135,21 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::Learning</name>
+    <message>
+        <source>Press the button that is to be “%1”.</source>
+        <translation>Drücken Sie die Taste, die „%1“ sein soll.</translation>
+    </message>
+    <message>
+        <source>Now press the button for the other way.</source>
+        <translation>Drücken Sie jetzt die Taste für die Gegenrichtung.</translation>
+    </message>
+    <message>
+        <source>Push the stick all the way, or press the button, that %1.</source>
+        <translation>Bewegen Sie den Stick bis zum Anschlag oder drücken Sie die Taste für: %1.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::LessonList</name>
     <message>
         <source>About the selected lesson</source>
@@ -11846,18 +11861,6 @@ und %2 weitere</translation>
     <message>
         <source>The mapping of %1 cannot be read, and it moves as usual. %2</source>
         <translation>Die Belegung von %1 kann nicht gelesen werden; es gilt die übliche. %2</translation>
-    </message>
-    <message>
-        <source>Press the button that is to be “%1”.</source>
-        <translation>Drücken Sie die Taste, die „%1“ sein soll.</translation>
-    </message>
-    <message>
-        <source>Now press the button for the other way.</source>
-        <translation>Drücken Sie jetzt die Taste für die Gegenrichtung.</translation>
-    </message>
-    <message>
-        <source>Push the stick all the way, or press the button, that %1.</source>
-        <translation>Bewegen Sie den Stick bis zum Anschlag oder drücken Sie die Taste für: %1.</translation>
     </message>
 </context>
 <context>
