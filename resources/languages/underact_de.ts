@@ -11567,18 +11567,6 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MapEditor</name>
     <message>
-        <source>What moves what: %1</source>
-        <translation>Was bewegt was: %1</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Learn…</source>
-        <translation>Lernen …</translation>
-    </message>
-    <message>
         <source>The mark is the usual value; a double click goes back to it.</source>
         <translation>Die Marke ist der übliche Wert; ein Doppelklick geht zu ihm zurück.</translation>
     </message>
@@ -11601,6 +11589,10 @@ und %2 weitere</translation>
     <message>
         <source>The stick, buttons or triggers that move it.</source>
         <translation>Der Stick, die Tasten oder Trigger, die es bewegen.</translation>
+    </message>
+    <message>
+        <source>Learn…</source>
+        <translation>Lernen …</translation>
     </message>
     <message>
         <source>Takes the stick that you push next.</source>
@@ -11651,22 +11643,6 @@ und %2 weitere</translation>
         <translation>°/s</translation>
     </message>
     <message>
-        <source>Buttons</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>The button that is this one.</source>
-        <translation>Die Taste, die hierfür steht.</translation>
-    </message>
-    <message>
-        <source>Takes the button that you press next.</source>
-        <translation>Übernimmt die Taste, die Sie als Nächstes drücken.</translation>
-    </message>
-    <message>
-        <source>Learn %1</source>
-        <translation>%1 lernen</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -11689,6 +11665,14 @@ und %2 weitere</translation>
     <message>
         <source>Puts all of this device back to the usual mapping.</source>
         <translation>Setzt dieses Gerät ganz auf die übliche Belegung zurück.</translation>
+    </message>
+    <message>
+        <source>What moves what: %1</source>
+        <translation>Was bewegt was: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -12147,6 +12131,33 @@ und %2 weitere</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PressRows</name>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>The button that is this one.</source>
+        <translation>Die Taste, die hierfür steht.</translation>
+    </message>
+    <message>
+        <source>Learn…</source>
+        <translation>Lernen …</translation>
+    </message>
+    <message>
+        <source>Takes the button that you press next.</source>
+        <translation>Übernimmt die Taste, die Sie als Nächstes drücken.</translation>
+    </message>
+    <message>
+        <source>Learn %1</source>
+        <translation>%1 lernen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
