@@ -9649,6 +9649,78 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::FigureChooser</name>
+    <message>
+        <source>Figures</source>
+        <translation>Abbildungen</translation>
+    </message>
+    <message>
+        <source>%1  %2
+%3</source>
+        <translation>%1  %2
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FigureSheet</name>
+    <message>
+        <source>Figure</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildtext</translation>
+    </message>
+    <message>
+        <source>Numbers that the figure must show</source>
+        <translation>Zahlen, die die Abbildung zeigen muss</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Figure %1: %2</source>
+        <translation>Abbildung %1: %2</translation>
+    </message>
+    <message>
+        <source>There is no picture.</source>
+        <translation>Es gibt kein Bild.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>✓ pass</source>
+        <translation>✓ erfüllt</translation>
+    </message>
+    <message>
+        <source>✗ fail</source>
+        <translation>✗ verfehlt</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::FiguresRun</name>
     <message>
         <source>Another window is making the figures. Wait until it has them, then open this anew.</source>
@@ -9803,126 +9875,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::GalleryDialog</name>
     <message>
-        <source>figure %1 (%2 of %3)</source>
-        <translation>Abbildung %1 (%2 von %3)</translation>
-    </message>
-    <message>
-        <source>Ca&amp;ncel</source>
-        <translation>Abb&amp;rechen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>The figures are made in the background; the arm and the window go on. It takes about a minute.</source>
-        <translation>Die Abbildungen werden im Hintergrund erstellt; der Arm und das Fenster laufen weiter. Es dauert etwa eine Minute.</translation>
-    </message>
-    <message>
-        <source>&amp;Make the figures again</source>
-        <translation>Abbildungen &amp;neu erstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Make the figures</source>
-        <translation>Abbildu&amp;ngen erstellen</translation>
-    </message>
-    <message>
-        <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
-        <translation>Jede Szene der Thesis wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
-    </message>
-    <message>
-        <source>Made by Underact %1 on %2.</source>
-        <translation>Erstellt von Underact %1 am %2.</translation>
-    </message>
-    <message>
-        <source>This is Underact %1: make them again to see what it does.</source>
-        <translation>Dies ist Underact %1: Erstellen Sie sie neu, um zu sehen, was es tut.</translation>
-    </message>
-    <message>
-        <source>%1  %2
-%3</source>
-        <translation>%1  %2
-%3</translation>
-    </message>
-    <message>
-        <source>Figure %1: %2</source>
-        <translation>Abbildung %1: %2</translation>
-    </message>
-    <message>
-        <source>There is no picture.</source>
-        <translation>Es gibt kein Bild.</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>✓ pass</source>
-        <translation>✓ erfüllt</translation>
-    </message>
-    <message>
-        <source>✗ fail</source>
-        <translation>✗ verfehlt</translation>
-    </message>
-    <message>
-        <source>Save the figure</source>
-        <translation>Abbildung speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Figure %1 is in %2</source>
-        <translation>Abbildung %1 ist in %2</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>Abbildung</translation>
-    </message>
-    <message>
-        <source>Caption</source>
-        <translation>Bildtext</translation>
-    </message>
-    <message>
         <source>State of the figures</source>
         <translation>Stand der Abbildungen</translation>
     </message>
     <message>
         <source>Figures of the thesis</source>
         <translation>Abbildungen der Thesis</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Abbildungen</translation>
-    </message>
-    <message>
-        <source>Numbers that the figure must show</source>
-        <translation>Zahlen, die die Abbildung zeigen muss</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>Erwartet</translation>
-    </message>
-    <message>
-        <source>Within</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>&amp;Open the scene</source>
@@ -9953,6 +9911,10 @@ und %2 weitere</translation>
         <translation>Fortschritt</translation>
     </message>
     <message>
+        <source>&amp;Make the figures</source>
+        <translation>Abbildu&amp;ngen erstellen</translation>
+    </message>
+    <message>
         <source>Runs every scene of the thesis anew, draws and checks.</source>
         <translation>Führt jede Szene der Thesis neu aus, zeichnet und prüft.</translation>
     </message>
@@ -9975,6 +9937,50 @@ und %2 weitere</translation>
     <message>
         <source>No program opens the page here. It is %1</source>
         <translation>Kein Programm öffnet hier die Seite. Sie ist %1</translation>
+    </message>
+    <message>
+        <source>figure %1 (%2 of %3)</source>
+        <translation>Abbildung %1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The figures are made in the background; the arm and the window go on. It takes about a minute.</source>
+        <translation>Die Abbildungen werden im Hintergrund erstellt; der Arm und das Fenster laufen weiter. Es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>&amp;Make the figures again</source>
+        <translation>Abbildungen &amp;neu erstellen</translation>
+    </message>
+    <message>
+        <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
+        <translation>Jede Szene der Thesis wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Made by Underact %1 on %2.</source>
+        <translation>Erstellt von Underact %1 am %2.</translation>
+    </message>
+    <message>
+        <source>This is Underact %1: make them again to see what it does.</source>
+        <translation>Dies ist Underact %1: Erstellen Sie sie neu, um zu sehen, was es tut.</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Figure %1 is in %2</source>
+        <translation>Abbildung %1 ist in %2</translation>
     </message>
 </context>
 <context>

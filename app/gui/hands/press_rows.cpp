@@ -12,6 +12,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/told_label.h"
+#include "device/hands/map_file.h"
 
 namespace underact::gui {
 
