@@ -7219,6 +7219,54 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui</name>
     <message>
+        <source>Difference of stiffness against trial</source>
+        <translation>Steifigkeitsunterschied gegen Versuch</translation>
+    </message>
+    <message>
+        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
+        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
+    </message>
+    <message>
+        <source>%1 trials; the threshold is %2</source>
+        <translation>%1 Versuche; die Schwelle ist %2</translation>
+    </message>
+    <message>
+        <source>%1 trials; no threshold</source>
+        <translation>%1 Versuche; keine Schwelle</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>● right  ○ wrong  ◎ turn</source>
+        <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
+    </message>
+    <message>
+        <source>Add a curve</source>
+        <translation>Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>Points (%1);;All files (*)</source>
+        <translation>Punkte (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Curve not loaded</source>
+        <translation>Kurve nicht geladen</translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>The curve %1.</source>
+        <translation>Die Kurve %1.</translation>
+    </message>
+    <message>
         <source>Add &amp;curve…</source>
         <translation>&amp;Kurve hinzufügen …</translation>
     </message>
@@ -7431,6 +7479,42 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Version, Lizenz und was nie erprobt wurde.</translation>
     </message>
     <message>
+        <source>Nothing is measured.</source>
+        <translation>Nichts ist gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 ways, %2 on the front; %3</source>
+        <translation>%1 Arten, %2 auf der Front; %3</translation>
+    </message>
+    <message>
+        <source>chosen: %1 a second, error %2</source>
+        <translation>gewählt: %1 je Sekunde, Fehler %2</translation>
+    </message>
+    <message>
+        <source>none of them is in effect</source>
+        <translation>keine davon ist in Kraft</translation>
+    </message>
+    <message>
+        <source>Error of the tip's way against processor time</source>
+        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
+    </message>
+    <message>
+        <source>Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in both.</source>
+        <translation>Jede Art, diese Szene laufen zu lassen: was eine Sekunde davon kostet, Takt und simulierter Arm, und wie weit die Spitze von ihrem Weg bei 16 kHz abweicht, quadratisches Mittel über alle Hände. Auf der Front liegt, was in beidem nicht übertroffen wird.</translation>
+    </message>
+    <message>
+        <source>error of the tip's way</source>
+        <translation>Fehler des Spitzenwegs</translation>
+    </message>
+    <message>
+        <source>processor time for a second</source>
+        <translation>Prozessorzeit für eine Sekunde</translation>
+    </message>
+    <message>
+        <source>○ a way  ● on the front  ■ as it was  ◎ chosen</source>
+        <translation>○ eine Art  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
+    </message>
+    <message>
         <source>As the &amp;system</source>
         <translation>Wie das &amp;System</translation>
     </message>
@@ -7493,6 +7577,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>Dreiecksnetz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Dreiecksnetze (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mesh not loaded</source>
+        <translation>Dreiecksnetz nicht geladen</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>Dreiecksnetz %1</translation>
+    </message>
+    <message>
+        <source>The mesh %1.</source>
+        <translation>Das Dreiecksnetz %1.</translation>
     </message>
     <message>
         <source>Add &amp;mesh…</source>
@@ -8730,6 +8834,21 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::ConstraintFiles</name>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>“%1” was not loaded. The scene stays as it is.</source>
+        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation>%1 wird hinzugefügt</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::CurveDialog</name>
     <message>
         <source>Curve %1</source>
@@ -8810,41 +8929,6 @@ und %2 weitere</translation>
     <message>
         <source>%1 points, %2; %3 from point to point.</source>
         <translation>%1 Punkte, %2; %3 von Punkt zu Punkt.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::CurveFiles</name>
-    <message>
-        <source>Points (%1);;All files (*)</source>
-        <translation>Punkte (%1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Add a curve</source>
-        <translation>Kurve hinzufügen</translation>
-    </message>
-    <message>
-        <source>Loading %1</source>
-        <translation>%1 wird geladen</translation>
-    </message>
-    <message>
-        <source>“%1” was not loaded. The scene stays as it is.</source>
-        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Curve not loaded</source>
-        <translation>Kurve nicht geladen</translation>
-    </message>
-    <message>
-        <source>curve %1</source>
-        <translation>Kurve %1</translation>
-    </message>
-    <message>
-        <source>The curve %1.</source>
-        <translation>Die Kurve %1.</translation>
-    </message>
-    <message>
-        <source>Adding %1</source>
-        <translation>%1 wird hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -9565,6 +9649,78 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::FigureChooser</name>
+    <message>
+        <source>Figures</source>
+        <translation>Abbildungen</translation>
+    </message>
+    <message>
+        <source>%1  %2
+%3</source>
+        <translation>%1  %2
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FigureSheet</name>
+    <message>
+        <source>Figure</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildtext</translation>
+    </message>
+    <message>
+        <source>Numbers that the figure must show</source>
+        <translation>Zahlen, die die Abbildung zeigen muss</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Figure %1: %2</source>
+        <translation>Abbildung %1: %2</translation>
+    </message>
+    <message>
+        <source>There is no picture.</source>
+        <translation>Es gibt kein Bild.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>✓ pass</source>
+        <translation>✓ erfüllt</translation>
+    </message>
+    <message>
+        <source>✗ fail</source>
+        <translation>✗ verfehlt</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::FiguresRun</name>
     <message>
         <source>Another window is making the figures. Wait until it has them, then open this anew.</source>
@@ -9717,128 +9873,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::FrontChart</name>
-    <message>
-        <source>Error of the tip's way against processor time</source>
-        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
-    </message>
-    <message>
-        <source>Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in both.</source>
-        <translation>Jede Art, diese Szene laufen zu lassen: was eine Sekunde davon kostet, Takt und simulierter Arm, und wie weit die Spitze von ihrem Weg bei 16 kHz abweicht, quadratisches Mittel über alle Hände. Auf der Front liegt, was in beidem nicht übertroffen wird.</translation>
-    </message>
-    <message>
-        <source>Nothing is measured.</source>
-        <translation>Nichts ist gemessen.</translation>
-    </message>
-    <message>
-        <source>%1 ways, %2 on the front; %3</source>
-        <translation>%1 Arten, %2 auf der Front; %3</translation>
-    </message>
-    <message>
-        <source>chosen: %1 a second, error %2</source>
-        <translation>gewählt: %1 je Sekunde, Fehler %2</translation>
-    </message>
-    <message>
-        <source>none of them is in effect</source>
-        <translation>keine davon ist in Kraft</translation>
-    </message>
-    <message>
-        <source>error of the tip's way</source>
-        <translation>Fehler des Spitzenwegs</translation>
-    </message>
-    <message>
-        <source>processor time for a second</source>
-        <translation>Prozessorzeit für eine Sekunde</translation>
-    </message>
-    <message>
-        <source>○ a way  ● on the front  ■ as it was  ◎ chosen</source>
-        <translation>○ eine Art  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::GalleryDialog</name>
-    <message>
-        <source>figure %1 (%2 of %3)</source>
-        <translation>Abbildung %1 (%2 von %3)</translation>
-    </message>
-    <message>
-        <source>Ca&amp;ncel</source>
-        <translation>Abb&amp;rechen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>The figures are made in the background; the arm and the window go on. It takes about a minute.</source>
-        <translation>Die Abbildungen werden im Hintergrund erstellt; der Arm und das Fenster laufen weiter. Es dauert etwa eine Minute.</translation>
-    </message>
-    <message>
-        <source>&amp;Make the figures again</source>
-        <translation>Abbildungen &amp;neu erstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Make the figures</source>
-        <translation>Abbildu&amp;ngen erstellen</translation>
-    </message>
-    <message>
-        <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
-        <translation>Jede Szene der Thesis wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
-    </message>
-    <message>
-        <source>Made by Underact %1 on %2.</source>
-        <translation>Erstellt von Underact %1 am %2.</translation>
-    </message>
-    <message>
-        <source>This is Underact %1: make them again to see what it does.</source>
-        <translation>Dies ist Underact %1: Erstellen Sie sie neu, um zu sehen, was es tut.</translation>
-    </message>
-    <message>
-        <source>%1  %2
-%3</source>
-        <translation>%1  %2
-%3</translation>
-    </message>
-    <message>
-        <source>Figure %1: %2</source>
-        <translation>Abbildung %1: %2</translation>
-    </message>
-    <message>
-        <source>There is no picture.</source>
-        <translation>Es gibt kein Bild.</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>✓ pass</source>
-        <translation>✓ erfüllt</translation>
-    </message>
-    <message>
-        <source>✗ fail</source>
-        <translation>✗ verfehlt</translation>
-    </message>
-    <message>
-        <source>Save the figure</source>
-        <translation>Abbildung speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Figure %1 is in %2</source>
-        <translation>Abbildung %1 ist in %2</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>Abbildung</translation>
-    </message>
-    <message>
-        <source>Caption</source>
-        <translation>Bildtext</translation>
-    </message>
     <message>
         <source>State of the figures</source>
         <translation>Stand der Abbildungen</translation>
@@ -9846,38 +9881,6 @@ und %2 weitere</translation>
     <message>
         <source>Figures of the thesis</source>
         <translation>Abbildungen der Thesis</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Abbildungen</translation>
-    </message>
-    <message>
-        <source>Numbers that the figure must show</source>
-        <translation>Zahlen, die die Abbildung zeigen muss</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>Erwartet</translation>
-    </message>
-    <message>
-        <source>Within</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>&amp;Open the scene</source>
@@ -9908,6 +9911,10 @@ und %2 weitere</translation>
         <translation>Fortschritt</translation>
     </message>
     <message>
+        <source>&amp;Make the figures</source>
+        <translation>Abbildu&amp;ngen erstellen</translation>
+    </message>
+    <message>
         <source>Runs every scene of the thesis anew, draws and checks.</source>
         <translation>Führt jede Szene der Thesis neu aus, zeichnet und prüft.</translation>
     </message>
@@ -9931,6 +9938,50 @@ und %2 weitere</translation>
         <source>No program opens the page here. It is %1</source>
         <translation>Kein Programm öffnet hier die Seite. Sie ist %1</translation>
     </message>
+    <message>
+        <source>figure %1 (%2 of %3)</source>
+        <translation>Abbildung %1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The figures are made in the background; the arm and the window go on. It takes about a minute.</source>
+        <translation>Die Abbildungen werden im Hintergrund erstellt; der Arm und das Fenster laufen weiter. Es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>&amp;Make the figures again</source>
+        <translation>Abbildungen &amp;neu erstellen</translation>
+    </message>
+    <message>
+        <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
+        <translation>Jede Szene der Thesis wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Made by Underact %1 on %2.</source>
+        <translation>Erstellt von Underact %1 am %2.</translation>
+    </message>
+    <message>
+        <source>This is Underact %1: make them again to see what it does.</source>
+        <translation>Dies ist Underact %1: Erstellen Sie sie neu, um zu sehen, was es tut.</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Figure %1 is in %2</source>
+        <translation>Abbildung %1 ist in %2</translation>
+    </message>
 </context>
 <context>
     <name>underact::gui::GhostHand</name>
@@ -9946,20 +9997,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::GhostStrip</name>
     <message>
-        <source>Pause the ghost</source>
-        <translation>Geisterhand anhalten</translation>
+        <source>Following a recorded hand</source>
+        <translation>Einer aufgezeichneten Hand folgen</translation>
     </message>
     <message>
         <source>Let the ghost go</source>
         <translation>Geisterhand gehen lassen</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Following a recorded hand</source>
-        <translation>Einer aufgezeichneten Hand folgen</translation>
     </message>
     <message>
         <source>From the beginning</source>
@@ -10038,6 +10081,10 @@ und %2 weitere</translation>
         <translation>Was zu tun ist und wie nahe die Spitze ist</translation>
     </message>
     <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
         <source>Puts the sentence of the last round where others can paste it.</source>
         <translation>Legt den Satz der letzten Runde in die Zwischenablage.</translation>
     </message>
@@ -10064,6 +10111,10 @@ und %2 weitere</translation>
     <message>
         <source>The scene as it was when this was recorded, in place of the one in the window.</source>
         <translation>Die Szene, wie sie bei der Aufzeichnung war, anstelle der jetzigen.</translation>
+    </message>
+    <message>
+        <source>Pause the ghost</source>
+        <translation>Geisterhand anhalten</translation>
     </message>
 </context>
 <context>
@@ -11090,6 +11141,21 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::Learning</name>
+    <message>
+        <source>Press the button that is to be “%1”.</source>
+        <translation>Drücken Sie die Taste, die „%1“ sein soll.</translation>
+    </message>
+    <message>
+        <source>Now press the button for the other way.</source>
+        <translation>Drücken Sie jetzt die Taste für die Gegenrichtung.</translation>
+    </message>
+    <message>
+        <source>Push the stick all the way, or press the button, that %1.</source>
+        <translation>Bewegen Sie den Stick bis zum Anschlag oder drücken Sie die Taste für: %1.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::LessonList</name>
     <message>
         <source>About the selected lesson</source>
@@ -11507,18 +11573,6 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MapEditor</name>
     <message>
-        <source>What moves what: %1</source>
-        <translation>Was bewegt was: %1</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Learn…</source>
-        <translation>Lernen …</translation>
-    </message>
-    <message>
         <source>The mark is the usual value; a double click goes back to it.</source>
         <translation>Die Marke ist der übliche Wert; ein Doppelklick geht zu ihm zurück.</translation>
     </message>
@@ -11541,6 +11595,10 @@ und %2 weitere</translation>
     <message>
         <source>The stick, buttons or triggers that move it.</source>
         <translation>Der Stick, die Tasten oder Trigger, die es bewegen.</translation>
+    </message>
+    <message>
+        <source>Learn…</source>
+        <translation>Lernen …</translation>
     </message>
     <message>
         <source>Takes the stick that you push next.</source>
@@ -11591,22 +11649,6 @@ und %2 weitere</translation>
         <translation>°/s</translation>
     </message>
     <message>
-        <source>Buttons</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>The button that is this one.</source>
-        <translation>Die Taste, die hierfür steht.</translation>
-    </message>
-    <message>
-        <source>Takes the button that you press next.</source>
-        <translation>Übernimmt die Taste, die Sie als Nächstes drücken.</translation>
-    </message>
-    <message>
-        <source>Learn %1</source>
-        <translation>%1 lernen</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -11629,6 +11671,14 @@ und %2 weitere</translation>
     <message>
         <source>Puts all of this device back to the usual mapping.</source>
         <translation>Setzt dieses Gerät ganz auf die übliche Belegung zurück.</translation>
+    </message>
+    <message>
+        <source>What moves what: %1</source>
+        <translation>Was bewegt was: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -11793,37 +11843,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::MeshFiles</name>
-    <message>
-        <source>Add a mesh</source>
-        <translation>Dreiecksnetz hinzufügen</translation>
-    </message>
-    <message>
-        <source>Meshes (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;All files (*)</source>
-        <translation>Dreiecksnetze (*.stl *.obj *.ply *.off *.STL *.OBJ *.PLY *.OFF);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Loading %1</source>
-        <translation>%1 wird geladen</translation>
-    </message>
-    <message>
-        <source>mesh %1</source>
-        <translation>Dreiecksnetz %1</translation>
-    </message>
-    <message>
-        <source>The mesh %1.</source>
-        <translation>Das Dreiecksnetz %1.</translation>
-    </message>
-    <message>
-        <source>“%1” was not loaded. The scene stays as it is.</source>
-        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Mesh not loaded</source>
-        <translation>Dreiecksnetz nicht geladen</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::MovingHands</name>
     <message>
         <source>The hands rest: they move the simulated arm, and it is not in place now.</source>
@@ -11832,18 +11851,6 @@ und %2 weitere</translation>
     <message>
         <source>The mapping of %1 cannot be read, and it moves as usual. %2</source>
         <translation>Die Belegung von %1 kann nicht gelesen werden; es gilt die übliche. %2</translation>
-    </message>
-    <message>
-        <source>Press the button that is to be “%1”.</source>
-        <translation>Drücken Sie die Taste, die „%1“ sein soll.</translation>
-    </message>
-    <message>
-        <source>Now press the button for the other way.</source>
-        <translation>Drücken Sie jetzt die Taste für die Gegenrichtung.</translation>
-    </message>
-    <message>
-        <source>Push the stick all the way, or press the button, that %1.</source>
-        <translation>Bewegen Sie den Stick bis zum Anschlag oder drücken Sie die Taste für: %1.</translation>
     </message>
 </context>
 <context>
@@ -12130,6 +12137,33 @@ und %2 weitere</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::PressRows</name>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>The button that is this one.</source>
+        <translation>Die Taste, die hierfür steht.</translation>
+    </message>
+    <message>
+        <source>Learn…</source>
+        <translation>Lernen …</translation>
+    </message>
+    <message>
+        <source>Takes the button that you press next.</source>
+        <translation>Übernimmt die Taste, die Sie als Nächstes drücken.</translation>
+    </message>
+    <message>
+        <source>Learn %1</source>
+        <translation>%1 lernen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -13643,67 +13677,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::SessionsPanel</name>
-    <message>
-        <source>Recent sessions</source>
-        <translation>Letzte Sitzungen</translation>
-    </message>
-    <message>
-        <source>&amp;Record</source>
-        <translation>&amp;Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Begins a recording at once, or ends it.</source>
-        <translation>Beginnt sofort eine Aufzeichnung oder beendet sie.</translation>
-    </message>
-    <message>
-        <source>Set a &amp;marker</source>
-        <translation>&amp;Marke setzen</translation>
-    </message>
-    <message>
-        <source>Marks this moment in the recording.</source>
-        <translation>Markiert diesen Moment in der Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>A session is being recorded. Stop the recording first.</source>
-        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Stop &amp;recording</source>
-        <translation>&amp;Aufzeichnung stoppen</translation>
-    </message>
-    <message>
-        <source>Record %1</source>
-        <translation>Aufzeichnen %1</translation>
-    </message>
-    <message>
-        <source>not recording</source>
-        <translation>keine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>recording, disk nearly full</source>
-        <translation>Aufzeichnung, Datenträger fast voll</translation>
-    </message>
-    <message>
-        <source>%1 left.</source>
-        <translation>%1 übrig.</translation>
-    </message>
-    <message>
-        <source>recording, ticks missing</source>
-        <translation>Aufzeichnung, Takte fehlen</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;Find a session</source>
-        <translation>Sitzung &amp;suchen</translation>
-    </message>
-    <message>
-        <source>Puts the cursor into the search field.</source>
-        <translation>Setzt den Cursor in das Suchfeld.</translation>
-    </message>
+    <name>underact::gui::SessionTools</name>
     <message>
         <source>Export as &amp;CSV…</source>
         <translation>Als &amp;CSV exportieren …</translation>
@@ -13769,14 +13743,6 @@ und %2 weitere</translation>
         <translation>Verschiebt die gewählte Sitzung in den Papierkorb oder entfernt sie endgültig.</translation>
     </message>
     <message>
-        <source>C&amp;hoose folder…</source>
-        <translation>Ordner &amp;wählen …</translation>
-    </message>
-    <message>
-        <source>Where recordings go, and which are listed.</source>
-        <translation>Wohin Aufzeichnungen kommen und welche aufgelistet werden.</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Mehr</translation>
     </message>
@@ -13824,9 +13790,80 @@ und %2 weitere</translation>
         <source>The session cannot be removed: its folder may not be changed. Show in folder, and ask whose folder it is.</source>
         <translation>Die Sitzung lässt sich nicht entfernen: Ihr Ordner darf nicht verändert werden. Zeigen Sie sie im Ordner und fragen Sie, wem er gehört.</translation>
     </message>
+</context>
+<context>
+    <name>underact::gui::SessionsPanel</name>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Begins a recording at once, or ends it.</source>
+        <translation>Beginnt sofort eine Aufzeichnung oder beendet sie.</translation>
+    </message>
+    <message>
+        <source>Set a &amp;marker</source>
+        <translation>&amp;Marke setzen</translation>
+    </message>
+    <message>
+        <source>Marks this moment in the recording.</source>
+        <translation>Markiert diesen Moment in der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>&amp;Find a session</source>
+        <translation>Sitzung &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Puts the cursor into the search field.</source>
+        <translation>Setzt den Cursor in das Suchfeld.</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose folder…</source>
+        <translation>Ordner &amp;wählen …</translation>
+    </message>
+    <message>
+        <source>Where recordings go, and which are listed.</source>
+        <translation>Wohin Aufzeichnungen kommen und welche aufgelistet werden.</translation>
+    </message>
     <message>
         <source>Folder of the recordings</source>
         <translation>Ordner der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>A session is being recorded. Stop the recording first.</source>
+        <translation>Eine Sitzung wird aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>&amp;Aufzeichnung stoppen</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Aufzeichnen %1</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording, disk nearly full</source>
+        <translation>Aufzeichnung, Datenträger fast voll</translation>
+    </message>
+    <message>
+        <source>%1 left.</source>
+        <translation>%1 übrig.</translation>
+    </message>
+    <message>
+        <source>recording, ticks missing</source>
+        <translation>Aufzeichnung, Takte fehlen</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
 </context>
 <context>
@@ -14026,37 +14063,6 @@ und %2 weitere</translation>
     <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::StaircaseChart</name>
-    <message>
-        <source>Difference of stiffness against trial</source>
-        <translation>Steifigkeitsunterschied gegen Versuch</translation>
-    </message>
-    <message>
-        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
-        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
-    </message>
-    <message>
-        <source>%1 trials; the threshold is %2</source>
-        <translation>%1 Versuche; die Schwelle ist %2</translation>
-    </message>
-    <message>
-        <source>%1 trials; no threshold</source>
-        <translation>%1 Versuche; keine Schwelle</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>Versuch</translation>
-    </message>
-    <message>
-        <source>● right  ○ wrong  ◎ turn</source>
-        <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
     </message>
 </context>
 <context>

@@ -326,7 +326,7 @@ TEST(CalibrationStory, ThePictureOfTheResult) {
   CalibrationLab story;
   story.perform("view.theme.light");
   story.measure(3);
-  auto* chart = story.find<StaircaseChart>("panel.calibration.chart");
+  auto* chart = story.find<MarkChart>("panel.calibration.chart");
   chart->setParent(nullptr);  // out of the dock, where the text decides how large it is
   QFont no_text = chart->font();
   no_text.setPixelSize(1);

@@ -276,11 +276,11 @@ TEST(LabStory, ItIsReadableInLightAndDarkAndInASmallWindow) {
   story.measure("sweep", 0.5);
   ASSERT_TRUE(story.perform("lab.walk", 0.5));
   story.savePicture("lab");
-  const QImage light = story.find<FrontChart>("panel.lab.chart")->grab().toImage();
+  const QImage light = story.find<MarkChart>("panel.lab.chart")->grab().toImage();
   ASSERT_TRUE(story.perform("view.theme.dark"));
   story.settle();
   story.savePicture("lab_dark");
-  EXPECT_GT(worstBlockDifference(story.find<FrontChart>("panel.lab.chart")->grab().toImage(), light), 0.1);
+  EXPECT_GT(worstBlockDifference(story.find<MarkChart>("panel.lab.chart")->grab().toImage(), light), 0.1);
   story.window().resize(1024, 700);
   story.settle();
   story.savePicture("lab_small");

@@ -29,7 +29,7 @@ ResultPage::ResultPage(QWidget* parent)
                           "told, or nothing that could."),
                        this)),
       note_(quietLabel("panel.calibration.saved", {}, this)),
-      chart_(new StaircaseChart(this)) {
+      chart_(staircaseChart(this)) {
   numbers_->layout()->setContentsMargins(0, 0, 0, 0);
   numbers_->addRow(tr("JND"), tr("Just-noticeable difference: 70.7 % of answers are right at it (Levitt 1971). "
                                  "Geometric mean of the reversals after the first two."));
@@ -77,7 +77,7 @@ void ResultPage::present(const CalibrationSession& session) {
   numbers_->set(kTrials, QString::number(run.answers.size()));
   const bool person = session.setup().who == Answering::Person;
   numbers_->set(kWho, person ? tr("a person") : tr("hand of %1").arg(percent(session.setup().weber)));
-  chart_->present(run);
+  chart_->present(staircaseSheet(run));
   setNote({});
 }
 

@@ -8,8 +8,8 @@ class QLabel;
 
 namespace underact::gui {
 
+class MarkChart;
 class Readout;
-class StaircaseChart;
 
 /// What a measurement has found, and the way back to another.
 class ResultPage : public QWidget {
@@ -28,7 +28,7 @@ class ResultPage : public QWidget {
  private:
   Readout* numbers_;
   QLabel *none_, *note_;
-  StaircaseChart* chart_;
+  MarkChart* chart_;
 };
 
 }  // namespace underact::gui

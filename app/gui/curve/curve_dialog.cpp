@@ -31,16 +31,17 @@ class ScaleField : public NumberBox {
 
 CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<Vec3>> points, bool can_add,
                          QWidget* parent)
-    : AddDialog("dialog.curve", tr("Curve %1").arg(QFileInfo(path).fileName()), tr("Size of the curve"), parent),
-      points_(std::move(points)) {
-  Vec3 low = points_->front(), high = low, last = low;
+    : AddDialog("dialog.curve", tr("Curve %1"), path, tr("Size of the curve"), parent),
+      points_(std::move(points)),
+      low_(points_->front()),
+      high_(low_) {
+  Vec3 last = low_;
   for (const Vec3& p : *points_) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    low_ = low_.cwiseMin(p);
+    high_ = high_.cwiseMax(p);
     way_ += (p - last).norm();
     last = p;
   }
-  size_ = high - low;
   buildChoices();
   proposeUnit();
   layFoot(can_add, tr("Adds the curve to the scene that is there."),
@@ -79,10 +80,11 @@ void CurveDialog::buildChoices() {
 
 // A file says nothing of its unit: where millimetres make no size for a hand, the likeliest other one is set.
 void CurveDialog::proposeUnit() {
-  const auto proposal = mesh_file::implausible(size_.maxCoeff());
-  if (!proposal || !(size_.maxCoeff() > 0.0)) return;
+  const double largest = (high_ - low_).maxCoeff();
+  const auto proposal = mesh_file::implausible(largest);
+  if (!proposal || !(largest > 0.0)) return;
   QLabel* told = toldLabel("dialog.curve.question", tr("Which unit"), "amber", this);
-  const QString as_mm = tr("As millimetres it would be %1 long.").arg(millimetres(size_.maxCoeff()));
+  const QString as_mm = tr("As millimetres it would be %1 long.").arg(millimetres(largest));
   told->setText(tr("%1 Which unit is the file in?").arg(as_mm));
   if (!proposal->units.empty()) {
     const mesh_file::Unit& likeliest = proposal->units.front();
@@ -93,16 +95,19 @@ void CurveDialog::proposeUnit() {
 }
 
 void CurveDialog::refresh() {
-  const CurveWish now = wish();
-  const double way = way_ + (now.closed ? (points_->front() - points_->back()).norm() : 0.0);
-  counts()->setText(
-      tr("%1 points, %2; %3 from point to point.")
-          .arg(points_->size())
-          .arg(placeText(now.mm_per_unit * size_).replace(", ", " × "), millimetres(now.mm_per_unit * way)));
+  const double scale = scale_->value();
+  const double way = way_ + (closed_->isChecked() ? (points_->front() - points_->back()).norm() : 0.0);
+  counts()->setText(tr("%1 points, %2; %3 from point to point.")
+                        .arg(points_->size())
+                        .arg(placeText(scale * (high_ - low_)).replace(", ", " × "), millimetres(scale * way)));
 }
 
-CurveWish CurveDialog::wish() const {
-  return {scale_->value(), static_cast<curve::Kind>(kind_->currentData().toInt()), closed_->isChecked()};
+scene::Constraint CurveDialog::constraint() const {
+  scene::Curve curve;
+  curve.kind = static_cast<curve::Kind>(kind_->currentData().toInt());
+  curve.closed = closed_->isChecked();
+  curve.points = points_;
+  return fromFile(std::move(curve), scale_->value(), 0.5 * (low_ + high_));
 }
 
 }  // namespace underact::gui

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/gui/kit/add_dialog.h"
+#include "app/gui/files/add_dialog.h"
 #include "core/scene/description.h"
 
 class QCheckBox;
@@ -11,13 +11,6 @@ class QDoubleSpinBox;
 
 namespace underact::gui {
 
-/// How points are to become a curve.
-struct CurveWish {
-  double mm_per_unit = 1.0;
-  curve::Kind kind = curve::Kind::Spline;
-  bool closed = false;
-};
-
 /// What a file of points holds, and the choice of how they are joined, of their unit, and whether the curve goes into
 /// the scene that is there.
 class CurveDialog : public AddDialog {
@@ -25,7 +18,7 @@ class CurveDialog : public AddDialog {
  public:
   /// can_add: there is a scene.
   CurveDialog(const QString& path, std::shared_ptr<const std::vector<Vec3>> points, bool can_add, QWidget* parent);
-  CurveWish wish() const;
+  scene::Constraint constraint() const override;
 
  private:
   void buildChoices();
@@ -33,8 +26,8 @@ class CurveDialog : public AddDialog {
   void refresh();
 
   std::shared_ptr<const std::vector<Vec3>> points_;
-  Vec3 size_ = Vec3::Zero();  // of all points, in the file's unit
-  double way_ = 0.0;          // from point to point
+  Vec3 low_, high_;   // of all points, in the file's unit
+  double way_ = 0.0;  // from point to point
   QComboBox* kind_ = nullptr;
   QCheckBox* closed_ = nullptr;
   QDoubleSpinBox* scale_ = nullptr;

@@ -1,59 +1,110 @@
 #include "app/gui/gallery/gallery_dialog.h"
 
+#include <QDesktopServices>
+#include <QDir>
 #include <QFileDialog>
-#include <QIcon>
-#include <QImage>
+#include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSignalBlocker>
+#include <QScreen>
+#include <QSplitter>
 #include <QStandardPaths>
-#include <QTableWidget>
-#include <QTimer>
+#include <QUrl>
+#include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/gallery/figure_chooser.h"
 #include "app/gui/gallery/figure_pdf.h"
-#include "app/gui/gallery/figure_picture.h"
-#include "app/gui/kit/number_box.h"
+#include "app/gui/gallery/figure_sheet.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "underact/version.h"
 
 namespace underact::gui {
-namespace {
 
-constexpr int kDigits = 6;  // as the page has them
-
-QString numberOrNone(const std::optional<double>& value) {
-  return value ? localNumber(*value, 'g', kDigits).replace('-', QChar(0x2212)) : QObject::tr("none");
+GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* parent)
+    : QDialog(parent),
+      ways_(std::move(ways)),
+      folder_(figureFolder()),
+      only_(only),
+      figures_(new FigureChooser(this)),
+      sheet_(new FigureSheet(this)),
+      message_(toldLabel("dialog.figures.message", tr("State of the figures"), "", this)),
+      progress_(new QProgressBar(this)) {
+  setObjectName("dialog.figures");
+  setWindowTitle(tr("Figures of the thesis"));
+  setModal(false);
+  const QSize wished(154 * fontMetrics().averageCharWidth(), 48 * fontMetrics().lineSpacing());
+  resize(wished.expandedTo({1080, 740}).boundedTo(screen()->availableSize()));
+  sheet_->layout()->addWidget(buildActions());
+  auto* parts = new QSplitter(Qt::Horizontal, this);
+  parts->setChildrenCollapsible(false);
+  parts->addWidget(figures_);
+  parts->addWidget(sheet_);
+  parts->setStretchFactor(1, 1);
+  parts->setSizes({figures_->iconSize().width() + 32 * fontMetrics().averageCharWidth(), 700});
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(parts, 1);
+  column->addWidget(buildMaking());
+  connect(figures_, &QListWidget::currentRowChanged, this, &GalleryDialog::showFigure);
+  readFolder();
+  figures_->setFocus();
 }
 
-QTableWidgetItem* cell(const QString& text, Qt::Alignment side) {
-  auto* item = new QTableWidgetItem(text);
-  item->setTextAlignment(side | Qt::AlignVCenter);
-  return item;
+QWidget* GalleryDialog::buildActions() {
+  auto* strip = new QWidget(this);
+  auto* row = new QHBoxLayout(strip);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  scene_ = button("scene", tr("&Open the scene"), tr("Opens the figure's scene in the window, to be felt."), strip);
+  session_ = button("session", tr("Open the s&ession"), tr("Replays the run that the figure was drawn from."), strip);
+  pdf_ = button("pdf", tr("Save as &PDF…"), tr("Keeps the figure as it was drawn for print."), strip);
+  row->addStretch(1);
+  connect(scene_, &QPushButton::clicked, this, [this] { ways_.open_scene(shown()->scene); });
+  connect(session_, &QPushButton::clicked, this, [this] { ways_.open_session(shown()->session); });
+  connect(pdf_, &QPushButton::clicked, this, &GalleryDialog::choosePdf);
+  return strip;
 }
 
-/// As high as all thumbnails are, on white, so that the words beside them stand in one line.
-QIcon thumbnailOf(const QString& path, const QSize& room, qreal ratio) {
-  QPixmap thumbnail(room * ratio);
-  thumbnail.fill(Qt::transparent);
-  if (!path.isEmpty()) {
-    const QImage image = QImage(path).scaled(thumbnail.size(), Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    QPainter painter(&thumbnail);
-    const QRect where(QPoint((thumbnail.width() - image.width()) / 2, (thumbnail.height() - image.height()) / 2),
-                      image.size());
-    painter.fillRect(where, Qt::white);
-    painter.drawImage(where, image);
-  }
-  thumbnail.setDevicePixelRatio(ratio);
-  QIcon icon(thumbnail);
-  icon.addPixmap(thumbnail, QIcon::Selected);  // else the style tints it
-  return icon;
+QWidget* GalleryDialog::buildMaking() {
+  auto* strip = new QWidget(this);
+  progress_->setObjectName("dialog.figures.progress");
+  progress_->setAccessibleName(tr("Progress"));
+  progress_->hide();
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  make_ = button("make", tr("&Make the figures"), tr("Runs every scene of the thesis anew, draws and checks."), strip);
+  page_ = button("page", tr("Show the pa&ge"), tr("Opens all figures as one page in the browser."), strip);
+  QPushButton* close = button("close", tr("&Close"), tr("Closes this. A making that goes on is ended."), strip);
+  row->addWidget(make_);
+  row->addWidget(page_);
+  row->addWidget(progress_, 1);
+  row->addStretch(0);
+  row->addWidget(close);
+  auto* column = new QVBoxLayout(strip);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(message_);
+  column->addLayout(row);
+  connect(make_, &QPushButton::clicked, this, &GalleryDialog::make);
+  connect(page_, &QPushButton::clicked, this, [this] {
+    const QString page = QDir(folder_).filePath("index.html");
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+      say(tr("No program opens the page here. It is %1").arg(page), "alarm");
+  });
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  return strip;
 }
 
-}  // namespace
+QPushButton* GalleryDialog::button(const char* name, const QString& text, const QString& tip, QWidget* parent) {
+  QPushButton* made = pushButton(QString("dialog.figures.") + name, text, tip, parent);
+  if (parent->layout() != nullptr) parent->layout()->addWidget(made);
+  return made;
+}
 
 GalleryDialog::~GalleryDialog() = default;
 
@@ -95,11 +146,13 @@ void GalleryDialog::readFolder() {
   make_->setAccessibleName(make_->text().remove('&'));
   make_->setDefault(!read);
   page_->setEnabled(static_cast<bool>(read));
-  fillList();
+  figures_->present(list_.rows);
+  showFigure();
   if (!read) {
     say(sentencesOf(read.problems()));
-    picture_->setPicture({}, tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. "
-                                "Press “Make the figures”; it takes about a minute."));
+    sheet_->say(
+        tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. "
+           "Press “Make the figures”; it takes about a minute."));
     return;
   }
   QString sentence = verdictOf(list_);
@@ -119,69 +172,19 @@ void GalleryDialog::say(const QString& sentence, const char* role) {
   message_->setStyleSheet(message_->styleSheet());  // has the style look at the property again
 }
 
-void GalleryDialog::fillList() {
-  const int before = std::max(figures_->currentRow(), 0);
-  figures_->setVisible(!list_.rows.empty());
-  {
-    const QSignalBlocker silent(figures_);
-    figures_->clear();
-    for (const FigureRow& row : list_.rows) {
-      const QString words = tr("%1  %2\n%3").arg(row.key, row.title, verdictOf(row));
-      figures_->addItem(new QListWidgetItem(thumbnailOf({}, figures_->iconSize(), devicePixelRatioF()), words));
-    }
-    figures_->setCurrentRow(std::min(before, figures_->count() - 1));
-  }
-  showFigure(figures_->currentRow());
-  next_thumbnail_ = 0;
-  thumbnails_->start(0);
-}
-
-// One at a time: 25 pictures at once would hold the window up for half a second.
-void GalleryDialog::addNextThumbnail() {
-  if (next_thumbnail_ >= figures_->count()) {
-    thumbnails_->stop();
-    return;
-  }
-  const FigureRow& row = list_.rows[static_cast<std::size_t>(next_thumbnail_)];
-  figures_->item(next_thumbnail_)->setIcon(thumbnailOf(row.picture, figures_->iconSize(), devicePixelRatioF()));
-  ++next_thumbnail_;
-}
-
 const FigureRow* GalleryDialog::shown() const {
   const int index = figures_->currentRow();
   return index < 0 ? nullptr : &list_.rows[static_cast<std::size_t>(index)];
 }
 
-void GalleryDialog::showFigure(int) {
-  const FigureRow* row = shown();
+void GalleryDialog::showFigure() {
   const FigureRow none;
-  if (row == nullptr) row = &none;
-  title_->setText(row->key.isEmpty() ? QString() : tr("Figure %1: %2").arg(row->key, row->title));
-  caption_->setText(row->caption);
-  const bool empty = !row->key.isEmpty() && row->problem.isEmpty() && row->left_out.isEmpty();
-  picture_->setPicture(row->picture, empty ? tr("There is no picture.") : row->problem + row->left_out);
-  picture_->setAccessibleName(row->key.isEmpty() ? tr("Picture") : title_->text());
-  picture_->setAccessibleDescription(row->caption.isEmpty() ? tr("There is no picture.") : row->caption);
-  scene_->setEnabled(!row->scene.isEmpty());
+  const FigureRow& row = shown() == nullptr ? none : *shown();
+  sheet_->present(row);
+  scene_->setEnabled(!row.scene.isEmpty());
   session_->setVisible(ways_.open_session != nullptr);
-  session_->setEnabled(!row->session.isEmpty());
-  pdf_->setEnabled(picture_->hasPicture());
-  showNumbers(*row);
-}
-
-void GalleryDialog::showNumbers(const FigureRow& row) {
-  numbers_->setRowCount(0);
-  numbers_->setVisible(!row.numbers.empty());  // a picture of the view has the room to itself
-  for (const FigureNumber& number : row.numbers) {
-    const int at = numbers_->rowCount();
-    numbers_->insertRow(at);
-    int column = 0;
-    numbers_->setItem(at, column++, cell(number.what, Qt::AlignLeft));
-    for (const std::optional<double>& value : {number.measured, number.expected, number.tolerance})
-      numbers_->setItem(at, column++, cell(numberOrNone(value), Qt::AlignRight));
-    numbers_->setItem(at, column++, cell(number.unit, Qt::AlignLeft));
-    numbers_->setItem(at, column, cell(number.passed ? tr("✓ pass") : tr("✗ fail"), Qt::AlignLeft));
-  }
+  session_->setEnabled(!row.session.isEmpty());
+  pdf_->setEnabled(sheet_->hasPicture());
 }
 
 void GalleryDialog::choosePdf() {

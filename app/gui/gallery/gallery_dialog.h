@@ -7,15 +7,13 @@
 #include "app/gui/gallery/figures_run.h"
 
 class QLabel;
-class QListWidget;
 class QProgressBar;
 class QPushButton;
-class QTableWidget;
-class QTimer;
 
 namespace underact::gui {
 
-class FigurePicture;
+class FigureChooser;
+class FigureSheet;
 
 /// What the gallery asks of the window.
 struct GalleryWays {
@@ -38,7 +36,6 @@ class GalleryDialog : public QDialog {
   void savePdf(const QString& path);
 
  private:
-  QWidget* buildShown();
   QWidget* buildActions();
   QWidget* buildMaking();
   QPushButton* button(const char* name, const QString& text, const QString& tip, QWidget* parent);
@@ -46,10 +43,7 @@ class GalleryDialog : public QDialog {
   void ended(FiguresRun::End end, const QString& why_not);
   void readFolder();
   void say(const QString& sentence, const char* role = "");
-  void fillList();
-  void addNextThumbnail();
-  void showFigure(int index);
-  void showNumbers(const FigureRow& row);
+  void showFigure();
   void choosePdf();
   const FigureRow* shown() const;
 
@@ -57,14 +51,11 @@ class GalleryDialog : public QDialog {
   QString folder_, only_;
   FigureList list_;
   std::unique_ptr<FiguresRun> run_;
-  QListWidget* figures_;
-  QLabel *title_, *caption_, *message_;
-  FigurePicture* picture_;
-  QTableWidget* numbers_;
+  FigureChooser* figures_;
+  FigureSheet* sheet_;
+  QLabel* message_;
   QProgressBar* progress_;
   QPushButton *make_ = nullptr, *page_ = nullptr, *scene_ = nullptr, *session_ = nullptr, *pdf_ = nullptr;
-  QTimer* thumbnails_;
-  int next_thumbnail_ = 0;
 };
 
 }  // namespace underact::gui

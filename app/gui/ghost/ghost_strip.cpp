@@ -4,16 +4,23 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QVBoxLayout>
+#include <array>
 #include <cmath>
 
 #include "app/gui/ghost/ghost_hand.h"
 #include "app/gui/ghost/ghost_words.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
 #include "app/gui/kit/icons.h"
+#include "app/gui/kit/larger_font.h"
 #include "app/gui/kit/number_box.h"
+#include "app/gui/kit/push_button.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
@@ -23,7 +30,16 @@
 namespace underact::gui {
 namespace {
 
+constexpr std::array kSpeeds{0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0};
+constexpr double kDistanceType = 1.7;
 constexpr int kFramesANumber = 3;  // while it plays: numbers that change more often cannot be read
+
+QLabel* label(const char* name, const QString& spoken, QWidget* parent) {
+  auto* made = new QLabel(parent);
+  made->setObjectName(name);
+  made->setAccessibleName(spoken);
+  return made;
+}
 
 /// A label that is there while it says something.
 void tell(QLabel* label, const QString& text) {
@@ -32,6 +48,120 @@ void tell(QLabel* label, const QString& text) {
 }
 
 }  // namespace
+
+GhostStrip::GhostStrip(GhostHand& ghost, const Document& document, Actions& actions, QWidget* parent)
+    : QWidget(parent), ghost_(ghost), document_(document), actions_(actions) {
+  setObjectName("ghost");
+  setAccessibleName(tr("Following a recorded hand"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 4, 12, 6);
+  column->setSpacing(4);
+  buildTransport(column);
+  buildChoices(column);
+  buildTold(column);
+  hide();
+  connect(&ghost, &GhostHand::opened, this, &QWidget::show);
+  connect(&ghost, &GhostHand::closed, this, &QWidget::hide);
+  connect(&ghost, &GhostHand::changed, this, [this] {
+    presentOptions();
+    presentNotes();
+  });
+  connect(&ghost, &GhostHand::ended, this, &GhostStrip::sayResult);
+  connect(&document, &Document::opened, this, &GhostStrip::presentNotes);
+  connect(&document, &Document::edited, this, &GhostStrip::presentNotes);
+}
+
+QCheckBox* GhostStrip::box(const char* name, const QString& words, const QString& tip) {
+  auto* made = new QCheckBox(words, this);
+  made->setObjectName(name);
+  made->setAccessibleName(words);
+  made->setToolTip(tip);
+  connect(made, &QCheckBox::clicked, this, [this, name](bool on) { actions_.perform(name, on); });
+  return made;
+}
+
+void GhostStrip::buildTransport(QVBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(play_ = iconButton("ghost.play", actions_.find("ghost.play"), tr("Let the ghost go"), this));
+  row->addWidget(restart_ =
+                     iconButton("ghost.restart", actions_.find("ghost.restart"), tr("From the beginning"), this));
+  row->addWidget(time_ = label("ghost.time", tr("Time of the ghost"), this));
+  speed_ = new QComboBox(this);
+  speed_->setObjectName("ghost.speed");
+  nameChooser(speed_, tr("Speed"), tr("How fast the ghost goes, times the recorded speed."));
+  for (const double speed : kSpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
+  speed_->setFocusPolicy(Qt::StrongFocus);
+  connect(speed_, &QComboBox::activated, this,
+          [this](int index) { actions_.perform("ghost.speed", kSpeeds[static_cast<std::size_t>(index)]); });
+  row->addWidget(speed_);
+  row->addSpacing(4);
+  row->addWidget(mirror_ = box("ghost.mirror", tr("Mirrored"),
+                               tr("Left to right, as the scenes are for the left hand; off: where the hand was.")));
+  row->addStretch(1);
+  now_ = label("ghost.now", tr("Distance to the ghost"), this);
+  QFont large = larger(font(), kDistanceType);
+  large.setBold(true);
+  now_->setFont(large);
+  now_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  now_->setMinimumWidth(QFontMetrics(large).horizontalAdvance("000.0 mm"));
+  row->addWidget(now_);
+  auto* close =
+      pushButton("ghost.close", tr("Close"), actions_.find("ghost.close")->toolTip(), this, tr("Take the ghost away"));
+  connect(close, &QPushButton::clicked, actions_.find("ghost.close"), &QAction::trigger);
+  row->addWidget(close);
+  column->addLayout(row);
+}
+
+void GhostStrip::buildChoices(QVBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(wait_ = box("ghost.wait", tr("Wait for me beyond"),
+                             tr("The ghost stands still while you are farther away, and goes on when you have come to "
+                                "half of that.")));
+  beyond_ = new NumberBox(this);
+  beyond_->setObjectName("ghost.wait_beyond");
+  beyond_->setAccessibleName(tr("Farther away than this the ghost waits"));
+  beyond_->setSuffix(tr(" mm"));
+  beyond_->setDecimals(0);
+  beyond_->setRange(1.0, 100.0);
+  beyond_->setKeyboardTracking(false);  // half a number is no distance
+  connect(beyond_, &QDoubleSpinBox::valueChanged, this,
+          [this](double beyond_mm) { actions_.perform("ghost.wait_beyond", beyond_mm); });
+  row->addWidget(beyond_);
+  row->addWidget(
+      near_ = box("ghost.near", tr("Begin with me"), tr("The ghost stays at its beginning until you are there.")));
+  row->addWidget(loop_ =
+                     box("ghost.loop", tr("Loop"), tr("At its end the ghost begins again; each round counts anew.")));
+  row->addStretch(1);
+  column->addLayout(row);
+}
+
+void GhostStrip::buildTold(QVBoxLayout* column) {
+  auto* result = new QHBoxLayout;
+  result->setSpacing(8);
+  result->addWidget(told_ = toldLabel("ghost.told", tr("What to do, and how near you are"), "", this), 1);
+  copy_ = pushButton("ghost.copy", tr("Copy"), tr("Puts the sentence of the last round where others can paste it."),
+                     this, tr("Copy the result"));
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    if (actions_.perform("ghost.copy")) copy_->setText(tr("Copied"));
+  });
+  told_->setMinimumHeight(copy_->sizeHint().height());  // nothing moves when that comes
+  result->addWidget(copy_);
+  column->addLayout(result);
+  column->addWidget(last_ = toldLabel("ghost.last", tr("The round before"), "quiet", this));
+  auto* notes = new QHBoxLayout;
+  notes->setSpacing(8);
+  notes->addWidget(notes_ = toldLabel("ghost.notes", tr("About the recording"), "amber", this), 1);
+  scene_ = pushButton("ghost.scene", tr("Open that scene"),
+                      tr("The scene as it was when this was recorded, in place of the one in the window."), this);
+  connect(scene_, &QPushButton::clicked, this, [this] { actions_.perform("ghost.scene"); });
+  notes->addWidget(scene_);
+  column->addLayout(notes);
+  for (QWidget* later : {static_cast<QWidget*>(last_), static_cast<QWidget*>(copy_), static_cast<QWidget*>(notes_),
+                         static_cast<QWidget*>(scene_)})
+    later->hide();
+}
 
 void GhostStrip::present(const servo::Snapshot&) {
   if (!ghost_.isOpen()) return;

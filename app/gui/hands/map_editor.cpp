@@ -1,18 +1,24 @@
-// What the editor does; how it is put together is in map_editor_build.cpp.
 #include "app/gui/hands/map_editor.h"
 
+#include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <algorithm>
+#include <QVBoxLayout>
 
 #include "app/gui/hands/axis_bar.h"
 #include "app/gui/hands/hand_words.h"
 #include "app/gui/hands/moving_hands.h"
+#include "app/gui/hands/press_rows.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
@@ -21,6 +27,127 @@
 namespace underact::gui {
 
 namespace hands = device::hands;
+
+namespace {
+
+QString markText() {
+  return MapEditor::tr("The mark is the usual value; a double click goes back to it.");
+}
+
+}  // namespace
+
+MapEditor::MapEditor(MovingHands& hands, Actions& actions, QWidget* parent)
+    : QWidget(parent), hands_(hands), actions_(actions), title_(sectionTitle({}, this)) {
+  setObjectName("panel.hands.editor");
+  setAccessibleName(tr("What moves what"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  title_->setWordWrap(true);
+  column->addWidget(title_);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  buildWays(grid);
+  column->addLayout(grid);
+  column->addWidget(buildOne());
+  column->addWidget(asked_ = toldLabel("panel.hands.asked", tr("What to do now"), "amber", this));
+  column->addWidget(presses_ = new PressRows(this));
+  column->addWidget(buildFoot());
+  connect(presses_, &PressRows::chosen, this,
+          [this](const QString& field, const QVariant& button) { set(field, button); });
+  connect(presses_, &PressRows::learnAsked, this, &MapEditor::learn);
+}
+
+void MapEditor::buildWays(QGridLayout* grid) {
+  auto* group = new QButtonGroup(this);
+  for (std::size_t way = 0; way < hands::kWays; ++way) {
+    const QString title = wayTitle(static_cast<hands::Way>(way)), name = hands::wayName(static_cast<hands::Way>(way));
+    auto* button = new QToolButton(this);
+    button->setObjectName("panel.hands.way." + name);
+    button->setText(title);
+    button->setAccessibleName(title);
+    button->setToolTip(tr("Shows what moves it: what %1.").arg(wayGoal(static_cast<hands::Way>(way))));
+    button->setCheckable(true);
+    button->setProperty("role", "choice");
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    group->addButton(button);
+    ways_[way] = button;
+    bars_[way] = new AxisBar("panel.hands.bar." + name, title, this);
+    const int row = static_cast<int>(way);
+    grid->addWidget(button, row, 0);
+    grid->addWidget(bars_[way], row, 1);
+    connect(button, &QToolButton::clicked, this, [this, way] { chooseWay(way); });
+  }
+  grid->setColumnStretch(1, 1);
+}
+
+QWidget* MapEditor::buildOne() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(way_title_ = sectionTitle({}, box));
+  source_ = chooser("panel.hands.source", tr("Moved by"), tr("The stick, buttons or triggers that move it."), box);
+  learn_ = pushButton("panel.hands.learn", tr("Learn…"), tr("Takes the stick that you push next."), box);
+  inverted_ = new QCheckBox(tr("The other way round"), box);
+  inverted_->setObjectName("panel.hands.inverted");
+  inverted_->setAccessibleName(tr("The other way round"));
+  inverted_->setToolTip(tr("Right becomes left, up becomes down."));
+  auto* line = new QHBoxLayout;
+  line->setSpacing(8);
+  line->addWidget(source_, 1);
+  line->addWidget(learn_);
+  column->addLayout(line);
+  column->addWidget(inverted_);
+  const QString widest = tr("Dead zone");
+  const auto row = [&](const char* name, const QString& title, ValueKind kind) {
+    kind.mark = markText();
+    auto* made = new ValueRow(kind, QString("panel.hands.") + name, box);
+    made->setLabel(title, title, widest);
+    column->addWidget(made);
+    return made;
+  };
+  zone_ = row("dead_zone", tr("Dead zone"), {tr("So much of the stick's way does nothing."), "%", 1, 50, 0, 90.0});
+  fine_ = row("fine", tr("Fine"),
+              {tr("How fine it is near the middle: the speed grows with the way to the power 1 + this. 0: evenly."), "",
+               10, 30, 1, hands::kFinest - 1.0});
+  speed_ = row("speed", tr("Speed"),
+               {tr("Of the tip, with the stick at its end."), tr("mm/s"), 1, 300, 0,
+                hands::kFastest_m_per_s * kMillimetrePerMetre});
+  turn_speed_ = row(
+      "turn_speed", tr("Speed"),
+      {tr("Of the turn, with the stick at its end."), tr("°/s"), 1, 180, 0, hands::kFastest_rad_per_s / kRadPerDegree});
+  connect(source_, &QComboBox::activated, this, [this] { set(field("source"), source_->currentData()); });
+  connect(learn_, &QPushButton::clicked, this, [this] { learn(hands::wayName(static_cast<hands::Way>(way_))); });
+  connect(inverted_, &QCheckBox::clicked, this, [this](bool on) { set(field("inverted"), on); });
+  connect(zone_, &ValueRow::changed, this, [this](double v, bool fresh) { set(field("dead_zone"), v / 100.0, fresh); });
+  connect(fine_, &ValueRow::changed, this, [this](double v, bool fresh) { set(field("exponent"), v + 1.0, fresh); });
+  connect(speed_, &ValueRow::changed, this,
+          [this](double v, bool fresh) { set(field("top"), v * kMetrePerMillimetre, fresh); });
+  connect(turn_speed_, &ValueRow::changed, this,
+          [this](double v, bool fresh) { set(field("top"), v * kRadPerDegree, fresh); });
+  return box;
+}
+
+QWidget* MapEditor::buildFoot() {
+  auto* box = new QWidget(this);
+  auto* line = new QHBoxLayout(box);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(8);
+  const auto button = [&](const char* name, const QString& text, const QString& tip) {
+    auto* made = pushButton(QString("panel.hands.") + name, text, tip, box);
+    connect(made, &QPushButton::clicked, this, [this, name] { actions_.perform(QString("hands.") + name); });
+    line->addWidget(made);
+    return made;
+  };
+  undo_ = button("undo", tr("Undo"), tr("Takes the last change of a mapping back."));
+  redo_ = button("redo", tr("Redo"), tr("Makes the change again."));
+  reset_ = button("reset", tr("As usual"), tr("Puts all of this device back to the usual mapping."));
+  line->addStretch(1);
+  return box;
+}
 
 void MapEditor::setDevice(const QString& id) {
   if (id == id_) return;
@@ -66,7 +193,7 @@ void MapEditor::rebuild() {
   ways_[way_]->setChecked(true);
   way_title_->setText(wayTitle(static_cast<hands::Way>(way_)));
   fillSources(*now);
-  fillButtons(*now);
+  presses_->present(*now);
   const hands::AxisMap &map = now->map.ways[way_], &usual = now->seen.usual.ways[way_];
   const bool turns = way_ >= hands::kMoves;
   inverted_->setChecked(map.inverted);
@@ -93,30 +220,12 @@ void MapEditor::fillSources(const HandEntry& now) {
   source_->setCurrentIndex(source_->findData(QString::fromStdString(hands::sourceText(current))));
 }
 
-void MapEditor::fillButtons(const HandEntry& now) {
-  for (std::size_t press = 0; press < hands::kPresses; ++press) {
-    QComboBox* const box = presses_[press];
-    const QSignalBlocker quiet(box);
-    box->clear();
-    const int buttons = std::max(std::min(now.seen.readings.buttons, hands::kMostButtons), now.map.presses[press] + 1);
-    for (int button = -1; button < buttons; ++button) {
-      const auto index = static_cast<std::size_t>(std::max(button, 0));
-      const auto& names = now.seen.button_names;
-      const bool is_none = button >= 0 && index < names.size() && names[index].empty();
-      if (!is_none || button == now.map.presses[press]) box->addItem(buttonText(now.seen, button), button);
-    }
-    box->setCurrentIndex(box->findData(now.map.presses[press]));
-  }
-}
-
 void MapEditor::presentLearning() {
   const QString learning = hands_.learning();
   asked_->setText(hands_.asked());
   asked_->setVisible(!learning.isEmpty());
   learn_->setText(learning == hands::wayName(static_cast<hands::Way>(way_)) ? tr("Cancel") : tr("Learn…"));
-  for (std::size_t press = 0; press < hands::kPresses; ++press)
-    press_learns_[press]->setText(learning == hands::pressName(static_cast<hands::Press>(press)) ? tr("Cancel")
-                                                                                                 : tr("Learn…"));
+  presses_->presentLearning(learning);
 }
 
 void MapEditor::present() {

@@ -17,6 +17,7 @@ namespace underact::gui {
 class Actions;
 class AxisBar;
 class MovingHands;
+class PressRows;
 class ValueRow;
 struct HandEntry;
 
@@ -35,7 +36,6 @@ class MapEditor : public QWidget {
  private:
   void buildWays(QGridLayout* grid);
   QWidget* buildOne();
-  QWidget* buildPresses();
   QWidget* buildFoot();
   void chooseWay(std::size_t way);
   const HandEntry* entry() const;
@@ -43,7 +43,6 @@ class MapEditor : public QWidget {
   void set(const QString& field, const QVariant& value, bool fresh = true);
   void learn(const QString& field);
   void fillSources(const HandEntry& entry);
-  void fillButtons(const HandEntry& entry);
   void presentLearning();
 
   MovingHands& hands_;
@@ -57,8 +56,7 @@ class MapEditor : public QWidget {
   QCheckBox* inverted_ = nullptr;
   QPushButton *learn_ = nullptr, *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr;
   ValueRow *zone_ = nullptr, *fine_ = nullptr, *speed_ = nullptr, *turn_speed_ = nullptr;
-  std::array<QComboBox*, device::hands::kPresses> presses_{};
-  std::array<QPushButton*, device::hands::kPresses> press_learns_{};
+  PressRows* presses_ = nullptr;
 };
 
 }  // namespace underact::gui

@@ -1,4 +1,3 @@
-// Which devices there are, their maps, and the hand that they move; how a map is learnt is in moving_hands_learn.cpp.
 #include "app/gui/hands/moving_hands.h"
 
 #include <QSettings>
@@ -22,7 +21,7 @@ namespace hands = device::hands;
 namespace {
 
 constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // as often as a 3D mouse speaks; nothing is there
-constexpr int kSave_ms = 300;
+constexpr int kSave_ms = 300, kGiveUp_ms = 15'000;
 constexpr const char* kUnused = "hands/unused";
 
 bool isSameSeen(const hands::Seen& one, const hands::Seen& other) {
@@ -91,13 +90,7 @@ void MovingHands::look() {
   stops_ = stops;
   hand_.press(is_free ? all.stylus_buttons : 0U);
   move(is_free ? all : hands::Motion{}, dt_s);
-  if (learning_) {
-    const HandEntry* const entry = find(learning_->id);
-    if (entry == nullptr)
-      endLearning();
-    else
-      learnFrom(*entry);
-  }
+  if (learning_) goOnLearning();
   if (is_new) emit changed();
 }
 
@@ -209,6 +202,33 @@ void MovingHands::setMap(const QString& id, const hands::Map& map) {
   }
   unsaved_.insert(id);
   saves_.start(kSave_ms);
+  emit changed();
+}
+
+bool MovingHands::learn(const QString& id, const QString& field) {
+  const HandEntry* const entry = find(id);
+  const std::optional<Learning> begun = entry == nullptr ? std::nullopt : Learning::of(id, field, entry->seen.readings);
+  if (!begun) return false;
+  learning_ = begun;
+  gives_up_.start(kGiveUp_ms);
+  emit changed();
+  return true;
+}
+
+void MovingHands::endLearning() {
+  if (!std::exchange(learning_, {})) return;
+  gives_up_.stop();
+  emit changed();
+}
+
+void MovingHands::goOnLearning() {
+  const HandEntry* const entry = find(learning_->id());
+  if (entry == nullptr) return endLearning();
+  const std::optional<Learning::Step> step = learning_->take(entry->map, entry->seen.readings);
+  if (!step) return;
+  const QString id = learning_->id(), field = learning_->field();
+  if (step->map) change(id, *step->map, field, step->fresh);
+  if (step->is_last) return endLearning();
   emit changed();
 }
 

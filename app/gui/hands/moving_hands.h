@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "app/gui/hands/learning.h"
 #include "app/gui/hands/map_store.h"
 #include "app/gui/model/servo_facts.h"
 #include "device/hands/port.h"
@@ -58,23 +59,18 @@ class MovingHands : public QObject {
   bool learn(const QString& id, const QString& field);
   void endLearning();
   /// The field that is being learnt, and what the person is asked for; empty: none.
-  QString learning() const { return learning_ ? learning_->field : QString(); }
-  QString asked() const;
+  QString learning() const { return learning_ ? learning_->field() : QString(); }
+  QString asked() const { return learning_ ? learning_->asked() : QString(); }
 
  signals:
   void changed();  // which there are, a switch, a map, what is learnt
 
  private:
-  struct Learning {
-    QString id, field;
-    device::hands::Readings before;
-    int first = -1;  // the button for one way; the other one is waited for
-  };
   void setMap(const QString& id, const device::hands::Map& map);
   bool takeSeen();
   void take(device::hands::Seen seen, std::vector<HandEntry>& now, bool& is_new);
   void readMap(HandEntry& entry);
-  void learnFrom(const HandEntry& entry);
+  void goOnLearning();
   void move(const device::hands::Motion& motion, double dt_s);
   void save();
 

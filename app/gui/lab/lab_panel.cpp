@@ -235,7 +235,7 @@ void LabPanel::refreshWalk() {
   if (!has_front) {
     walk_->setMark(-1.0);
     chosen_->setText(tr("There is nothing to choose from yet."));
-    chart_->present({}, {});
+    chart_->present(frontSheet({}, {}));
     return;
   }
   const auto own =
@@ -246,7 +246,7 @@ void LabPanel::refreshWalk() {
     chosen = pointAt(walk_->value());
   else if (chosen)
     walk_->setValue(stopBefore(*chosen));
-  chart_->present(result_.points, chosen);
+  chart_->present(frontSheet(result_.points, chosen));
   chosen_->setText(wordsOf(chosen));
   refreshDifferences();
 }

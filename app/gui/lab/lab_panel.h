@@ -18,7 +18,7 @@ class QVBoxLayout;
 namespace underact::gui {
 
 class ChoiceList;
-class FrontChart;
+class MarkChart;
 class MarkedSlider;
 
 /// What the scene's choices between speed and accuracy cost and how far they are off, measured in the background, and a
@@ -95,7 +95,7 @@ class LabPanel : public Panel {
   QPushButton *measure_ = nullptr, *cancel_ = nullptr, *back_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel *told_ = nullptr, *tick_ = nullptr, *chosen_ = nullptr, *differences_ = nullptr;
-  FrontChart* chart_ = nullptr;
+  MarkChart* chart_ = nullptr;
   MarkedSlider* walk_ = nullptr;
   ChoiceList* choices_ = nullptr;
 };

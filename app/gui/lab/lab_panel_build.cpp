@@ -89,7 +89,7 @@ void LabPanel::buildMeasuring(QVBoxLayout* column) {
 }
 
 void LabPanel::buildWalk(QVBoxLayout* column) {
-  column->addWidget(chart_ = new FrontChart(this));
+  column->addWidget(chart_ = frontChart(this));
   walk_ = new MarkedSlider(this);
   walk_->setObjectName("panel.lab.walk");
   walk_->setAccessibleName(tr("From speed to accuracy"));

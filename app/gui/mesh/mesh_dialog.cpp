@@ -56,7 +56,7 @@ QDoubleSpinBox* shareField(const char* name, const QString& spoken, double value
 
 MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit,
                        bool can_add, QWidget* parent)
-    : AddDialog("dialog.mesh", tr("Mesh %1").arg(QFileInfo(path).fileName()), tr("Size of the mesh"), parent),
+    : AddDialog("dialog.mesh", tr("Mesh %1"), path, tr("Size of the mesh"), parent),
       loaded_(loaded),
       name_(QFileInfo(path).fileName()),
       mm_per_unit_(mm_per_unit.value_or(1.0)),
@@ -162,13 +162,16 @@ QString MeshDialog::text() const {
   return QStringList{name_, counts()->text(), report_->text()}.join('\n');
 }
 
-MeshWish MeshDialog::wish() const {
-  MeshWish wish;
-  wish.mm_per_unit = mmPerUnit();
-  if (side_ != nullptr) wish.side = static_cast<target::Side>(side_->currentData().toInt());
+scene::Constraint MeshDialog::constraint() const {
+  scene::Mesh mesh;
+  mesh.surface = loaded_.surface;
+  mesh.loaded_checksum = loaded_.checksum;
+  const Vec3 middle = 0.5 * (Vec3(loaded_.facts.low.data()) + Vec3(loaded_.facts.high.data()));
+  scene::Constraint constraint = fromFile(std::move(mesh), mmPerUnit(), middle);
+  if (side_ != nullptr) constraint.side = static_cast<target::Side>(side_->currentData().toInt());
   if (friction_ != nullptr && friction_->isChecked())
-    wish.friction = scene::Friction{static_->value(), dynamic_->value()};
-  return wish;
+    constraint.friction = scene::Friction{static_->value(), dynamic_->value()};
+  return constraint;
 }
 
 }  // namespace underact::gui

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "app/gui/kit/add_dialog.h"
+#include "app/gui/files/add_dialog.h"
 #include "core/mesh_file/load.h"
 #include "core/mesh_file/report.h"
 #include "core/scene/description.h"
@@ -13,13 +13,6 @@ class QDoubleSpinBox;
 
 namespace underact::gui {
 
-/// How a mesh is to be felt.
-struct MeshWish {
-  double mm_per_unit = 1.0;
-  target::Side side = target::Side::Both;
-  std::optional<scene::Friction> friction;
-};
-
 /// What a mesh file holds, what was repaired and how it can be felt. To add: with the choice of its unit where its size
 /// is implausible, of side and friction, and whether it goes into the scene that is there. To read: the report alone.
 class MeshDialog : public AddDialog {
@@ -28,7 +21,7 @@ class MeshDialog : public AddDialog {
   /// mm_per_unit: of a mesh of a scene, whose report is only read; none: it is to be added. can_add: there is a scene.
   MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit, bool can_add,
              QWidget* parent);
-  MeshWish wish() const;
+  scene::Constraint constraint() const override;
 
  private:
   void buildUnits(const mesh_file::Proposal& proposal);

@@ -1,9 +1,11 @@
 #include "app/gui/plot/lateness_chart.h"
 
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "app/gui/kit/spoken.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -19,11 +21,11 @@ double edge_us(std::size_t bar) {
 }  // namespace
 
 LatenessChart::LatenessChart(QWidget* parent)
-    : MarkChart(
-          "panel.servo.lateness", tr("How often ticks were how late"),
-          tr("Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick "
-             "was late."),
-          parent) {
+    : Painted("panel.servo.lateness", tr("How often ticks were how late"),
+              tr("Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick "
+                 "was late."),
+              parent) {
+  speakAs(this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

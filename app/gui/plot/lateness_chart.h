@@ -1,13 +1,13 @@
 #pragma once
 #include <array>
 
-#include "app/gui/plot/mark_chart.h"
+#include "app/gui/kit/painted.h"
 #include "core/servo/histogram.h"
 
 namespace underact::gui {
 
 /// How often ticks were how late, both on logarithmic scales, so that one in a million is seen.
-class LatenessChart : public MarkChart {
+class LatenessChart : public Painted {
   Q_OBJECT
  public:
   explicit LatenessChart(QWidget* parent = nullptr);

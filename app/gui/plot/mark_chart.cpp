@@ -1,37 +1,140 @@
 #include "app/gui/plot/mark_chart.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "app/gui/kit/spoken.h"
 
 namespace underact::gui {
+namespace {
 
-MarkChart::MarkChart(const QString& name, const QString& spoken, const QString& tip, QWidget* parent)
-    : Painted(name, spoken, tip, parent) {
+constexpr double kUsualLine = 14.0;  // the height of a line of text of the usual size
+constexpr double kMarkGap = 4.0;
+
+double shareOf(const MarkSheet::Axis& axis, double value) {
+  const double from = axis.from, to = axis.to;
+  return axis.is_logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
+}
+
+/// 1, 2 and 5 times the powers of ten within the axis; where they are too many, the powers alone.
+std::vector<double> ticksIn(const MarkSheet::Axis& axis, double room, double room_a_tick) {
+  if (axis.text == nullptr) return {};
+  const auto all = [&](std::initializer_list<double> steps) {
+    std::vector<double> ticks;
+    for (int power = static_cast<int>(std::floor(std::log10(axis.from))); std::pow(10.0, power) <= axis.to; ++power) {
+      for (const double step : steps) {
+        const double tick = step * std::pow(10.0, power);
+        if (tick >= axis.from && tick <= axis.to) ticks.push_back(tick);
+      }
+    }
+    return ticks;
+  };
+  const std::vector<double> fine = all({1.0, 2.0, 5.0});
+  return static_cast<double>(fine.size()) * room_a_tick <= room ? fine : all({1.0});
+}
+
+}  // namespace
+
+MarkSheet::Axis MarkSheet::around(const std::vector<double>& values, double room) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {.from = *least / room, .to = *most * room, .is_logarithmic = true};
+}
+
+MarkChart::MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& least,
+                     QWidget* parent)
+    : Painted(name, spoken, tip, parent), least_(least) {
   speakAs(this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
 }
 
-QRectF MarkChart::axes(const QString& widest, double below) const {
-  const double left = fontMetrics().horizontalAdvance(widest) + 8.0, top = lineHeight() + 4.0;
+void MarkChart::present(MarkSheet sheet) {
+  sheet_ = std::move(sheet);
+  setAccessibleDescription(sheet_.spoken);
+  update();
+}
+
+QSize MarkChart::minimumSizeHint() const {
+  return {least_.width() * fontMetrics().averageCharWidth() + 96, least_.height() * fontMetrics().lineSpacing()};
+}
+
+// With room left of them for a label, above them for the title of y, and below them for words and the key.
+QRectF MarkChart::axes() const {
+  const double left = fontMetrics().horizontalAdvance(sheet_.widest) + 8.0, top = lineHeight() + kMarkGap;
+  const double below = (sheet_.word_lines + sheet_.key_lines) * lineHeight() + (sheet_.word_lines + 1) * kMarkGap;
   return {left, top, width() - left - 8.0, height() - top - below};
 }
 
-void MarkChart::drawTitle(QPainter& painter, const QString& title) const {
-  painter.setPen(ink(0.75));
-  painter.drawText(QRectF(0.0, 0.0, width(), lineHeight()), Qt::AlignLeft, title);
+QPointF MarkChart::placeOf(const QPointF& at) const {
+  const QRectF area = axes();
+  return {area.left() + area.width() * shareOf(sheet_.x, at.x()),
+          area.bottom() - area.height() * shareOf(sheet_.y, at.y())};
 }
 
-void MarkChart::drawLevel(QPainter& painter, const QRectF& axes, double y, const QString& label) const {
-  painter.setPen(gridPen());
-  painter.drawLine(QPointF(axes.left(), y), QPointF(axes.right(), y));
-  painter.setPen(ink(0.75));
-  painter.drawText(QRectF(0.0, y - 0.5 * lineHeight(), axes.left() - 6.0, lineHeight()),
-                   Qt::AlignRight | Qt::AlignVCenter, label);
+void MarkChart::paintEvent(QPaintEvent*) {
+  if (sheet_.y.text == nullptr) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawAxes(painter);
+  drawBand(painter);
+  drawMarks(painter);
 }
 
-void MarkChart::drawWay(QPainter& painter, const std::vector<QPointF>& way, const QPen& pen) {
+void MarkChart::drawAxes(QPainter& painter) const {
+  const QRectF area = axes();
+  const double line = lineHeight(), room = fontMetrics().horizontalAdvance(sheet_.widest) + 8.0;
+  const double below = area.bottom() + kMarkGap, key = below + sheet_.word_lines * line + kMarkGap;
+  const QPen grid(quiet(0.6), 1.0), text(ink(0.75));
+  for (const double tick : ticksIn(sheet_.y, area.height(), sheet_.y.lines_a_tick * line)) {
+    const double y = placeOf({sheet_.x.from, tick}).y();
+    painter.setPen(grid);
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+    painter.setPen(text);
+    painter.drawText(QRectF(0.0, y - 0.5 * line, area.left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter,
+                     sheet_.y.text(tick));
+  }
+  for (const double tick : ticksIn(sheet_.x, area.width(), room)) {
+    const double x = placeOf({tick, sheet_.y.from}).x();
+    painter.setPen(grid);
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(text);
+    const double left = std::clamp(x - 0.5 * room, 0.0, std::max(0.0, width() - room));
+    painter.drawText(QRectF(left, below, room, line), Qt::AlignHCenter, sheet_.x.text(tick));
+  }
+  painter.setPen(text);
+  painter.drawText(QRectF(0.0, 0.0, width(), line), Qt::AlignLeft, sheet_.y_title);
+  for (const MarkSheet::Word& word : sheet_.words)
+    painter.drawText(QRectF(area.left(), below + word.line * line, area.width(), line), word.side | Qt::TextDontClip,
+                     word.text);
+  painter.drawText(QRectF(0.0, key, width(), height() - key), Qt::AlignHCenter | Qt::TextWordWrap, sheet_.key);
+}
+
+void MarkChart::drawBand(QPainter& painter) const {
+  if (!sheet_.band) return;
+  const QRectF area = axes();
+  const auto y = [this](double value) { return placeOf({sheet_.x.from, value}).y(); };
+  const QRectF all(QPointF(area.left(), y(sheet_.band->high)), QPointF(area.right(), y(sheet_.band->low)));
+  painter.fillRect(all.intersected(area), faint(theme_.target, 0.18));
+  painter.setPen(QPen(theme_.target, 1.5));
+  painter.drawLine(QPointF(area.left(), y(sheet_.band->middle)), QPointF(area.right(), y(sheet_.band->middle)));
+}
+
+void MarkChart::drawMarks(QPainter& painter) const {
+  std::vector<QPointF> way;
+  for (const QPointF& at : sheet_.way) way.push_back(placeOf(at));
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(pen);
+  painter.setPen(QPen(colourOf(sheet_.way_line), sheet_.way_width));
   painter.drawPolyline(way.data(), static_cast<int>(way.size()));
+  const double unit = sheet_.marks_grow ? lineHeight() / kUsualLine : 1.0;
+  for (const MarkSheet::Mark& mark : sheet_.marks) {
+    const double half = mark.half * unit;
+    painter.setPen(QPen(colourOf(mark.line), mark.line_width));
+    painter.setBrush(mark.fill ? QBrush(colourOf(*mark.fill)) : QBrush(Qt::NoBrush));
+    if (mark.is_square)
+      painter.drawRect(QRectF(placeOf(mark.at) - QPointF(half, half), QSizeF(2.0 * half, 2.0 * half)));
+    else
+      painter.drawEllipse(placeOf(mark.at), half, half);
+  }
 }
 
 }  // namespace underact::gui

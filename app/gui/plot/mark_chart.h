@@ -1,31 +1,84 @@
 #pragma once
 #include <QPainter>
-#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "app/gui/kit/painted.h"
 
 namespace underact::gui {
 
-/// What charts of marks have in common: logarithmic scales, the room and the lines of their axes, the way from mark to
-/// mark. Chart is the one for curves that move.
+/// What stands on a chart of marks, as data.
+struct MarkSheet {
+  /// That share of a colour of the theme on the ground.
+  struct Colour {
+    QColor Theme::*of = &Theme::ink;
+    double share = 1.0;
+  };
+  struct Mark {
+    QPointF at;   // of the axes
+    double half;  // of its height, logical pixels
+    Colour line;
+    double line_width;
+    std::optional<Colour> fill = {};  // none: a ring
+    bool is_square = false;
+  };
+  struct Axis {
+    double from = 0.0, to = 1.0;
+    bool is_logarithmic = false;
+    QString (*text)(double) = nullptr;  // of its ticks, at 1, 2 and 5 times powers of ten; null: there are none
+    double lines_a_tick = 0.0;          // with less room for each, powers alone have one
+  };
+  struct Word {
+    int line;  // below the axes, from 0
+    Qt::AlignmentFlag side;
+    QString text;
+  };
+  struct Band {
+    double low, middle, high;
+  };
+  QString spoken;  // to a screen reader
+  QString y_title, key;
+  int word_lines = 1, key_lines = 1;  // below the axes; ticks of x stand in the first one
+  QString widest;                     // label of a tick
+  Axis x, y;
+  std::vector<Word> words;
+  std::vector<Mark> marks;  // the last on top
+  std::vector<QPointF> way;
+  Colour way_line;
+  double way_width = 1.0;
+  std::optional<Band> band = {};  // of y
+  bool marks_grow = false;        // with the text
+
+  /// Logarithmic, with that factor beyond the outermost values, of which there must be one.
+  static Axis around(const std::vector<double>& values, double room);
+};
+
+/// Marks on axes and the way from one to the next; nothing before it has a sheet. Chart is the one for curves that
+/// move.
 class MarkChart : public Painted {
   Q_OBJECT
- protected:
-  struct LogScale {
-    double least = 1.0, most = 10.0;
-    double shareOf(double value) const { return std::log(value / least) / std::log(most / least); }
-  };
+ public:
+  /// least: letters and lines.
+  MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& least, QWidget* parent);
+  void present(MarkSheet sheet);
+  QSize minimumSizeHint() const override;
 
-  MarkChart(const QString& name, const QString& spoken, const QString& tip, QWidget* parent);
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
   double lineHeight() const { return fontMetrics().lineSpacing(); }
-  /// The axes, with room left of them for a label as wide as this one, above them for a title, and below them.
-  QRectF axes(const QString& widest, double below) const;
-  void drawTitle(QPainter& painter, const QString& title) const;
-  QPen gridPen() const { return {quiet(0.6), 1.0}; }
-  /// A line across the axes at y, with its label.
-  void drawLevel(QPainter& painter, const QRectF& axes, double y, const QString& label) const;
-  static void drawWay(QPainter& painter, const std::vector<QPointF>& way, const QPen& pen);
+  QRectF axes() const;
+  QPointF placeOf(const QPointF& at) const;
+  QColor colourOf(const MarkSheet::Colour& colour) const {
+    return mixed(palette().color(QPalette::Window), theme_.*colour.of, colour.share);
+  }
+  void drawAxes(QPainter& painter) const;
+  void drawBand(QPainter& painter) const;
+  void drawMarks(QPainter& painter) const;
+
+  const QSize least_;
+  MarkSheet sheet_;
 };
 
 }  // namespace underact::gui

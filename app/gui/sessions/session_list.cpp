@@ -20,7 +20,7 @@ constexpr int kLinesOfList = 12, kLinesOfDetails = 4;
 
 }  // namespace
 
-SessionList::SessionList(QWidget* tools, QWidget* parent)
+SessionList::SessionList(QWidget* parent)
     : QWidget(parent),
       index_(this),
       search_(new QLineEdit(this)),
@@ -51,7 +51,6 @@ SessionList::SessionList(QWidget* tools, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   column->addWidget(search_);
-  column->addWidget(tools);
   column->addWidget(count_);
   column->addWidget(list_, 1);
   column->addWidget(details_);
@@ -66,6 +65,10 @@ SessionList::SessionList(QWidget* tools, QWidget* parent)
     if (list_->itemAt(where) != nullptr) emit menuAsked(list_->viewport()->mapToGlobal(where));
   });
   say(0);
+}
+
+void SessionList::setTools(QWidget* tools) {
+  static_cast<QVBoxLayout*>(layout())->insertWidget(1, tools);
 }
 
 void SessionList::setFolder(const QString& folder) {

@@ -14,8 +14,9 @@ namespace underact::gui {
 class SessionList : public QWidget {
   Q_OBJECT
  public:
-  /// tools: what can be done with the chosen one; it stands above the list.
-  SessionList(QWidget* tools, QWidget* parent);
+  explicit SessionList(QWidget* parent);
+  /// What can be done with the chosen one; it stands above the list.
+  void setTools(QWidget* tools);
   void setFolder(const QString& folder);
   /// Reads, at first or again, what has changed.
   void refresh();

@@ -1,6 +1,7 @@
 #include "app/gui/sessions/sessions_panel.h"
 
 #include <QAction>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -12,18 +13,19 @@
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/recording.h"
+#include "app/gui/model/session_place.h"
 #include "app/gui/model/session_words.h"
 #include "app/gui/sessions/buttons_section.h"
 #include "app/gui/sessions/job_strip.h"
 #include "app/gui/sessions/record_section.h"
 #include "app/gui/sessions/session_list.h"
+#include "app/gui/sessions/session_tools.h"
 
 namespace underact::gui {
 
 SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), recording_(&parts.recording) {
   addRecordActions();
-  addListActions();
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);
@@ -32,8 +34,12 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
   column->addWidget(buttons_ = new ButtonsSection(content));
   QLabel* heading = sectionTitle(tr("Recent sessions"), content);
   column->addWidget(heading);
-  column->addWidget(list_ = new SessionList(buildButtons(), content), 1);
+  column->addWidget(list_ = new SessionList(content), 1);
   column->addWidget(job_ = new JobStrip(content));
+  auto* tools = new SessionTools(parts_.actions, *list_, *job_, content);
+  list_->setTools(tools);
+  tools->menu()->addSeparator();
+  tools->menu()->addAction(addFolderAction());
   fillWithScroll(this, content);
   QAction* hold = parts_.actions.find("session.hold_to_run");
   if (hold != nullptr) {
@@ -49,19 +55,9 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     if (!recording_->notice().isEmpty()) bringForward();  // where it stands why
     if (seen_) list_->refresh();
   });
-  connect(list_, &SessionList::chosenChanged, this, &SessionsPanel::presentChosen);
-  connect(list_, &SessionList::activated, this, [this] {
-    if (list_->chosen() != nullptr) parts_.actions.perform("replay.open", list_->chosen()->path);
-  });
-  connect(list_, &SessionList::menuAsked, this, [this](const QPoint& where) { menu_->popup(where); });
-  connect(list_, &SessionList::deleteAsked, this, [this] { parts_.actions.perform("sessions.delete"); });
-  connect(job_, &JobStrip::ended, this, &SessionsPanel::presentChosen);
   record_->present();
   presentRecording();
-  presentChosen();
 }
-
-SessionsPanel::~SessionsPanel() = default;
 
 void SessionsPanel::addRecordActions() {
   parts_.actions.add({"session.record",
@@ -83,6 +79,44 @@ void SessionsPanel::addRecordActions() {
              return recording_->mark(label.isEmpty() ? record_->takeLabel() : label.first().toString());
            })
       ->setEnabled(false);
+  parts_.actions.add({"sessions.find", tr("&Find a session"), QKeySequence("Ctrl+Shift+F"),
+                      tr("Puts the cursor into the search field.")},
+                     [this](const QVariantList&) {
+                       bringForward();
+                       list_->focusSearch();
+                       return true;
+                     });
+}
+
+QAction* SessionsPanel::addFolderAction() {
+  return parts_.actions.add({"sessions.folder", tr("C&hoose folder…"), QKeySequence("Ctrl+Alt+C"),
+                             tr("Where recordings go, and which are listed.")},
+                            [this](const QVariantList& path) {
+                              if (!path.isEmpty()) return setFolder(path.first().toString());
+                              chooseFolder();
+                              return true;
+                            });
+}
+
+void SessionsPanel::chooseFolder() {
+  auto* dialog = new QFileDialog(window(), tr("Folder of the recordings"), recording_->folder());
+  dialog->setObjectName("dialog.session_folder");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { parts_.actions.perform("sessions.folder", path); });
+  dialog->open();
+}
+
+bool SessionsPanel::setFolder(const QString& folder) {
+  const QString wrong = prepareSessionFolder(folder);
+  job_->say(wrong, true);
+  if (!wrong.isEmpty()) return false;
+  recording_->setFolder(folder);
+  seen_ = true;
+  list_->setFolder(folder);
+  return true;
 }
 
 void SessionsPanel::add(const servo::TickRecord& record) {

@@ -1,8 +1,7 @@
 #pragma once
 #include "app/gui/feature/panel.h"
 
-class QMenu;
-class QPushButton;
+class QAction;
 
 namespace underact::gui {
 
@@ -23,7 +22,6 @@ class SessionsPanel : public Panel {
     Recording& recording;
   };
   SessionsPanel(const Parts& parts, QWidget* parent);
-  ~SessionsPanel() override;
   void add(const servo::TickRecord& record) override;
   QString whyBusy() const override;
   /// What is being recorded ends, and work on sessions is given up.
@@ -34,18 +32,9 @@ class SessionsPanel : public Panel {
 
  private:
   void addRecordActions();
-  void addListActions();
-  QWidget* buildButtons();
+  QAction* addFolderAction();
   void press(ButtonUse use);
   void presentRecording();
-  void presentChosen();
-  bool exportCsvTo(const QString& path);
-  bool plotTo(const QString& path);
-  bool recoverChosen();
-  bool editChosen();
-  bool deleteChosen(bool asked);
-  bool removeChosen(bool asked);
-  void chooseFile(const QString& title, const QString& suffix, const QString& action);
   void chooseFolder();
   bool setFolder(const QString& folder);
 
@@ -55,8 +44,6 @@ class SessionsPanel : public Panel {
   ButtonsSection* buttons_ = nullptr;
   SessionList* list_ = nullptr;
   JobStrip* job_ = nullptr;
-  QPushButton *replay_ = nullptr, *export_ = nullptr, *recover_ = nullptr, *more_ = nullptr;
-  QMenu* menu_ = nullptr;
   bool seen_ = false;  // the folder is read when somebody looks
   bool was_running_ = false;
 };

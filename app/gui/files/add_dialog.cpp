@@ -1,5 +1,6 @@
-#include "app/gui/kit/add_dialog.h"
+#include "app/gui/files/add_dialog.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -7,11 +8,14 @@
 
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/told_label.h"
+#include "app/gui/view/workspace_picture.h"
 
 namespace underact::gui {
 
-AddDialog::AddDialog(const QString& name, const QString& title, const QString& counts, QWidget* parent)
+AddDialog::AddDialog(const QString& name, const QString& title, const QString& path, const QString& counts,
+                     QWidget* parent)
     : QDialog(parent),
+      path_(QFileInfo(path).absoluteFilePath()),
       column_(new QVBoxLayout(this)),
       counts_(toldLabel(qPrintable(name + ".counts"), counts, "", this)),
       refusal_(toldLabel(qPrintable(name + ".refusal"), tr("Why it was not added"), "alarm", this)),
@@ -19,7 +23,7 @@ AddDialog::AddDialog(const QString& name, const QString& title, const QString& c
   setObjectName(name);
   setAttribute(Qt::WA_DeleteOnClose);
   setModal(false);  // nothing keeps anybody from the arm
-  setWindowTitle(title);
+  setWindowTitle(title.arg(QFileInfo(path).fileName()));
   column_->setContentsMargins(16, 16, 16, 16);
   column_->setSpacing(12);
   column_->addWidget(counts_);
@@ -55,6 +59,17 @@ void AddDialog::layFoot(bool can_add, const QString& add, const QString& fresh) 
 void AddDialog::setRefusal(const QString& sentences) {
   refusal_->setText(sentences);
   refusal_->setVisible(!sentences.isEmpty());
+}
+
+Eigen::Matrix4d AddDialog::placeWithin(const Vec3& middle_mm) {
+  Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();
+  const bool is_within = (middle_mm.cwiseAbs() - workspaceHalf_mm()).maxCoeff() <= 0.0;
+  if (!is_within) X_WM.topRightCorner<3, 1>() = -middle_mm;
+  return X_WM;
+}
+
+std::string AddDialog::nameOfFile() const {
+  return QFileInfo(path_).completeBaseName().toStdString();
 }
 
 }  // namespace underact::gui

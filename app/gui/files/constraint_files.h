@@ -1,0 +1,61 @@
+#pragma once
+#include <QObject>
+#include <functional>
+#include <memory>
+
+#include "app/gui/kit/actions.h"
+#include "core/base/result.h"
+#include "core/base/watch.h"
+#include "core/scene/description.h"
+
+namespace underact::gui {
+
+class AddDialog;
+class Document;
+class LoadStrip;
+class SceneFiles;
+
+/// By the end of its name; what is in it is seen when it is loaded.
+bool endsWithOne(const QStringList& suffixes, const QString& path);
+
+/// What sets one kind of file whose content becomes a constraint apart from the others.
+struct ConstraintFileKind {
+  /// Makes the dialog that asks about what was read.
+  using Ask = std::function<AddDialog*(bool can_add, QWidget* parent)>;
+  using Read = std::function<Result<Ask>(const QString& path, const Watch& watch)>;
+  using Made = std::shared_ptr<const void>;
+
+  QString key;  // "mesh": its action is mesh.add, its dialogs are dialog.add_mesh and dialog.mesh_problems
+  QStringList suffixes;
+  QString choose, filter, not_loaded;  // titles; filter: %1 for the patterns
+  QString edit, about;                 // "mesh %1" to undo, "The mesh %1." of a new scene
+  Read read;                           // in another thread
+  /// In another thread: what the scene's compilation finds made as long as it is held. None: nothing takes long.
+  std::function<Result<Made>(const scene::Shape& shape)> make = {};
+};
+
+/// Files whose content becomes a constraint: read in another thread, asked about, and put into a scene.
+class ConstraintFiles : public QObject {
+  Q_OBJECT
+ public:
+  ConstraintFiles(ConstraintFileKind kind, Document& document, SceneFiles& scenes, LoadStrip& loads, QWidget* window);
+  /// "mesh.add": a file that is given, or asked for.
+  void addAction(Actions& actions, const ActionInfo& info);
+  /// Reads a file and opens the dialog on it; in another way than that of its kind where it is only looked at.
+  void load(const QString& path, const ConstraintFileKind::Read& read);
+
+ private:
+  /// What a button of the dialog does with the constraint; false: the dialog stays.
+  using Use = std::function<bool(AddDialog& dialog, const scene::Constraint& constraint)>;
+  void choose();
+  void ask(const QString& name, AddDialog* dialog);
+  void take(const QString& name, AddDialog* dialog, const Use& use);
+
+  const ConstraintFileKind kind_;
+  Document& document_;
+  SceneFiles& scenes_;
+  LoadStrip& loads_;
+  QWidget* window_;
+};
+
+}  // namespace underact::gui

@@ -1,0 +1,32 @@
+#pragma once
+#include <QWidget>
+
+#include "app/gui/gallery/figure_list.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace underact::gui {
+
+class FigurePicture;
+
+/// One figure: its title, picture and caption, and the numbers that it must show.
+class FigureSheet : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FigureSheet(QWidget* parent);
+  /// A row without a key: there is no figure.
+  void present(const FigureRow& row);
+  /// In place of a picture.
+  void say(const QString& words);
+  bool hasPicture() const;
+
+ private:
+  void showNumbers(const FigureRow& row);
+
+  QLabel *title_, *caption_;
+  FigurePicture* picture_;
+  QTableWidget* numbers_;
+};
+
+}  // namespace underact::gui

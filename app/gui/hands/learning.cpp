@@ -1,0 +1,61 @@
+#include "app/gui/hands/learning.h"
+
+#include "app/gui/hands/hand_words.h"
+#include "app/gui/kit/words.h"
+#include "device/hands/learn.h"
+#include "device/hands/map_file.h"
+
+namespace underact::gui {
+
+namespace hands = device::hands;
+
+namespace {
+
+bool isPress(const QString& field) {
+  return withField({}, field, 0).has_value();
+}
+
+}  // namespace
+
+std::optional<Learning> Learning::of(const QString& id, const QString& field, const hands::Readings& before) {
+  const bool is_way = withField({}, field + ".source", "nothing").has_value();
+  return isPress(field) || is_way ? std::optional(Learning(id, field, before)) : std::nullopt;
+}
+
+QString Learning::asked() const {
+  for (std::size_t press = 0; press < hands::kPresses; ++press) {
+    const auto which = static_cast<hands::Press>(press);
+    if (field_ == hands::pressName(which)) return tr("Press the button that is to be “%1”.").arg(pressTitle(which));
+  }
+  if (first_ >= 0) return tr("Now press the button for the other way.");
+  for (std::size_t way = 0; way < hands::kWays; ++way) {
+    const auto which = static_cast<hands::Way>(way);
+    if (field_ == hands::wayName(which))
+      return tr("Push the stick all the way, or press the button, that %1.").arg(wayGoal(which));
+  }
+  return {};
+}
+
+std::optional<Learning::Step> Learning::take(const hands::Map& map, const hands::Readings& now) {
+  const bool is_press = isPress(field_);
+  const std::optional<int> button = hands::learnButton(before_, now);
+  before_.pressed &= now.pressed;  // one that was let go may be pressed again
+  if (is_press || first_ >= 0) {
+    if (!button || *button == first_) return {};
+    if (is_press) return Step{withField(map, field_, *button)};
+    const hands::Source pair{hands::SourceKind::Buttons, first_, *button};
+    return Step{withField(map, field_ + ".source", QString::fromStdString(hands::sourceText(pair))), false};
+  }
+  const std::optional<hands::Learnt> learnt = hands::learn(before_, now);
+  if (!learnt) return {};
+  Step step{withField(map, field_ + ".source", QString::fromStdString(hands::sourceText(learnt->source)))};
+  if (step.map) step.map = withField(*step.map, field_ + ".inverted", learnt->inverted);
+  if (learnt->source.kind == hands::SourceKind::Buttons) {
+    first_ = learnt->source.plus;
+    before_.pressed = now.pressed;
+    step.is_last = false;
+  }
+  return step;
+}
+
+}  // namespace underact::gui
