@@ -29,10 +29,10 @@ set(UNDERACT_WINDOW_HEADERS
     <vtkActor.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
     <core/scene/description.h> <core/scene/edit.h> <core/servo/host.h> <core/servo/snapshot.h>)  # ours that nearly all of it includes
 
-# underact_compile(TARGET [HEADERS header ...] [LIKE target]): of the files of TARGET, those of a folder together, at most twenty at a
-# time; with HEADERS precompiled, or with those of another target.
+# underact_compile(TARGET [HEADERS header ...] [LIKE target] [TOGETHER]): of the files of TARGET, those of a folder together, at most
+# twenty at a time, with TOGETHER those of all its folders; with HEADERS precompiled, or with those of another target.
 function(underact_compile target)
-  cmake_parse_arguments(PARSE_ARGV 1 compile "" "LIKE" "HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 compile "TOGETHER" "LIKE" "HEADERS")
   if(compile_LIKE)
     target_precompile_headers(${target} REUSE_FROM ${compile_LIKE})
   elseif(compile_HEADERS)
@@ -44,6 +44,9 @@ function(underact_compile target)
   foreach(source IN LISTS sources)
     get_filename_component(source ${source} ABSOLUTE)
     get_filename_component(folder ${source} DIRECTORY)
+    if(compile_TOGETHER)
+      set(folder ${CMAKE_CURRENT_SOURCE_DIR})
+    endif()
     list(APPEND folders "${folder}")
     list(APPEND "files of ${folder}" ${source})
   endforeach()

@@ -209,4 +209,20 @@ std::vector<std::string> violations(const fs::path& root) {
   return found;
 }
 
+std::vector<std::string> withoutTests(const fs::path& root) {
+  const std::string window = "app/gui/";
+  std::vector<std::string> found;
+  for (const auto& [room, uses] : roomsOf(textOf(root / "CMakeLists.txt"))) {
+    if (!room.starts_with(window)) continue;
+    const fs::path folder = root / "tests/gui" / room.substr(window.size());
+    bool has_one = false;
+    if (fs::exists(folder)) {
+      for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        has_one = has_one || entry.path().filename().string().ends_with("_test.cpp");
+    }
+    if (!has_one) found.push_back(room + ": has no test in tests/gui/" + room.substr(window.size()));
+  }
+  return found;
+}
+
 }  // namespace underact::house

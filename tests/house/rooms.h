@@ -16,4 +16,7 @@ Rooms roomsOf(const std::string& cmake);
 /// One sentence for each line under root that includes what its room may not, or that goes around the gate.
 std::vector<std::string> violations(const std::filesystem::path& root);
 
+/// One sentence for each room of the window under root that has no test in the folder of its name in tests/gui.
+std::vector<std::string> withoutTests(const std::filesystem::path& root);
+
 }  // namespace underact::house

@@ -64,6 +64,10 @@ TEST(House, EveryRoomIncludesOnlyWhatItMay) {
   for (const std::string& sentence : violations(UNDERACT_SOURCE)) ADD_FAILURE() << sentence;
 }
 
+TEST(House, EveryRoomOfTheWindowHasTestsOfItsOwn) {
+  for (const std::string& sentence : withoutTests(UNDERACT_SOURCE)) ADD_FAILURE() << sentence;
+}
+
 TEST(House, TheRoomsOfTheRealHouseAreRead) {
   std::ifstream file(fs::path(UNDERACT_SOURCE) / "CMakeLists.txt");
   const Rooms rooms = roomsOf({std::istreambuf_iterator<char>(file), {}});
@@ -76,6 +80,13 @@ TEST(House, TheRoomsOfTheRealHouseAreRead) {
 
 TEST_F(PlantedHouse, ThatIsInOrderHasNoViolation) {
   EXPECT_EQ(found(), std::vector<std::string>{});
+}
+
+TEST_F(PlantedHouse, ARoomOfTheWindowWithoutATestIsFound) {
+  for (const char* room : {"kit", "view", "feature", "feel", "window"})
+    write("tests/gui/" + std::string(room) + "/some_test.cpp", "\n");
+  write("tests/gui/lab/helper.cpp", "\n");  // is none
+  EXPECT_EQ(withoutTests(root_), std::vector<std::string>{"app/gui/lab: has no test in tests/gui/lab"});
 }
 
 TEST_F(PlantedHouse, ALinkPointingDownIsFound) {

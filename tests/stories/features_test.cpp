@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
-#include <set>
 #include <string>
 
 #include "tests/stories/story.h"
@@ -40,23 +39,6 @@ TEST(FeaturesStory, TheWindowDoesWithoutAnyOneOfThem) {
 
 TEST(FeaturesStory, TheWindowDoesWithoutAllOfThem) {
   useIt({});
-}
-
-TEST(FeaturesStory, EachBringsSomethingThatNoOtherHas) {
-  std::set<QString> keys;
-  for (const FeatureRow& row : features()) {
-    EXPECT_TRUE(row.make != nullptr || !row.panels.empty());
-    EXPECT_EQ(row.opens == nullptr, row.open_action == nullptr);
-    for (const PanelRow& panel : row.panels) EXPECT_TRUE(keys.insert(panel.key).second) << panel.key;
-  }
-}
-
-TEST(FeaturesStory, AFileIsOpenedByTheFeatureWhoseItIs) {
-  EXPECT_EQ(openerOf("hand.h5", features()), QString("replay.open"));
-  EXPECT_EQ(openerOf("bunny.STL", features()), QString("mesh.add"));
-  EXPECT_EQ(openerOf("path.csv", features()), QString("curve.add"));
-  EXPECT_EQ(openerOf("nothing.json", features()), QString());  // a scene, right or wrong
-  EXPECT_EQ(openerOf("hand.h5", {}), QString());
 }
 
 }  // namespace

@@ -6,43 +6,22 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QDir>
-#include <QDirIterator>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTreeWidget>
 
 #include "app/gui/guide/guide_tool.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/model/settings.h"
-#include "app/gui/window/features.h"
 #include "app/page/style.h"
-#include "core/system/places.h"
+#include "tests/gui/guide_pages.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
 namespace {
-
-const std::vector<HelpPage>& pages() {
-  static const std::vector<HelpPage> kAll = helpPages(features());
-  return kAll;
-}
-
-const guide::Guide& theGuide() {
-  static const Result<guide::Guide> kGuide = guide::readGuide(system::findResource(system::Resource::Guide).value());
-  return kGuide.value();
-}
-
-bool isPlace(const QString& place) {
-  const guide::Entry* entry = theGuide().find(place.section('#', 0, 0).toStdString());
-  if (entry == nullptr) return false;
-  const std::string anchor = place.section('#', 1).toStdString();
-  return anchor.empty() || std::any_of(entry->page.headings.begin(), entry->page.headings.end(),
-                                       [&](const page::Page::Heading& heading) { return heading.anchor == anchor; });
-}
 
 /// A story with the guide open and before all.
 struct Reader : Story {
@@ -88,43 +67,14 @@ TEST(GuideWindowStory, EveryPanelAndEveryWidgetInItHasAPageThatIsThere) {
   Story story("02_sphere");
   for (const PanelRow& row : panelsOf(features())) {
     const QString name = QString("panel.%1").arg(row.key);
-    const bool has_row = std::any_of(pages().begin(), pages().end(),
+    const bool has_row = std::any_of(allPages().begin(), allPages().end(),
                                      [&](const HelpPage& page) { return name == QLatin1String(page.part); });
     EXPECT_TRUE(has_row) << name.toStdString() << ": the feature.cpp of its room names its page";
     const QWidget* panel = story.find(name);
-    EXPECT_TRUE(isPlace(helpPlaceOf(panel, pages()))) << name.toStdString();
+    EXPECT_TRUE(isPlace(helpPlaceOf(panel, allPages()))) << name.toStdString();
     for (const QWidget* part : panel->findChildren<QWidget*>())
-      EXPECT_TRUE(isPlace(helpPlaceOf(part, pages()))) << part->objectName().toStdString();
+      EXPECT_TRUE(isPlace(helpPlaceOf(part, allPages()))) << part->objectName().toStdString();
   }
-}
-
-TEST(GuideWindowStory, EveryDialogHasARowOfItsOwnInThePagesForF1) {
-  const QRegularExpression dialog("\"(dialog\\.[a-z_]+)\"");
-  int dialogs = 0;
-  for (QDirIterator files(QString(UNDERACT_SOURCE) + "/app/gui", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
-       files.hasNext();) {
-    QFile file(files.next());
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QString text = QString::fromUtf8(file.readAll());
-    for (const QRegularExpressionMatch& match : dialog.globalMatch(text)) {
-      const QString name = match.captured(1);
-      EXPECT_TRUE(std::any_of(pages().begin(), pages().end(),
-                              [&](const HelpPage& page) { return name == QLatin1String(page.part); }))
-          << name.toStdString() << ": the feature.cpp of its room names its page";
-      ++dialogs;
-    }
-  }
-  EXPECT_GT(dialogs, 25);
-}
-
-TEST(GuideWindowStory, EveryRowOfThePagesForF1LeadsToAHeadingThatIsThere) {
-  for (const HelpPage& row : pages()) EXPECT_TRUE(isPlace(row.place)) << row.part << ": " << row.place;
-  EXPECT_EQ(helpPlaceOf(nullptr, pages()), QString("start"));
-  QWidget part;
-  part.setObjectName("panel.kinematics.solutions.again");
-  EXPECT_EQ(helpPlaceOf(&part, pages()), QString("kinematics#inverse-solutions"));
-  part.setObjectName("panel.kinematicsx");  // goes on without a dot: another thing
-  EXPECT_EQ(helpPlaceOf(&part, pages()), QString("start"));
 }
 
 TEST(GuideWindowStory, ASearchByKeysFindsMarksAndOpens) {

@@ -1,91 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
-#include <QImage>
-#include <QPainter>
-#include <QRegularExpression>
 
-#include "app/gui/registration/sheet.h"
-#include "core/registration/sheet.h"
 #include "tests/stories/registration_desk.h"
 
 namespace underact::gui::test {
-namespace {
 
-constexpr QSizeF kA4_mm(210.0, 297.0);
-constexpr int kPixels = 10;  // a millimetre
-
-QImage paintedSheet(const std::vector<Vec3>& marks_D) {
-  QImage image((kA4_mm * kPixels).toSize(), QImage::Format_Grayscale8);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  painter.scale(kPixels, kPixels);
-  paintSheet(painter, marks_D, kA4_mm);
-  return image;
-}
-
-/// The middle of the mark's cross: of the columns and rows that its lines darken farthest from it, mm.
-QPointF crossAt(const QImage& image, const QPointF& near_mm) {
-  const auto darkest = [&](bool across) {
-    double sum = 0.0, weight = 0.0;
-    for (int at = -20; at <= 20; ++at) {
-      for (int along = 40; along <= 60; ++along) {  // 4 to 6 mm from the middle: outside the ring
-        const QPoint pixel = (near_mm * kPixels).toPoint() + (across ? QPoint(at, -along) : QPoint(-along, at));
-        const double dark = 255.0 - image.pixelColor(pixel).lightness();
-        const double place = across ? pixel.x() + 0.5 : pixel.y() + 0.5;
-        sum += dark * place;
-        weight += dark;
-      }
-    }
-    return sum / weight / kPixels;
-  };
-  return {darkest(true), darkest(false)};
-}
-
-QSizeF pageOf(const QString& path) {
-  QFile file(path);
-  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-  const QString text = QString::fromLatin1(file.readAll());
-  const auto box = QRegularExpression(R"(/MediaBox \[0 0 ([\d.]+) ([\d.]+)\])").match(text);
-  EXPECT_TRUE(box.hasMatch());
-  return {box.captured(1).toDouble(), box.captured(2).toDouble()};
-}
-
-}  // namespace
-
-TEST(RegistrationSheet, MarksLieWhereTheyAreSaidToBeToATenthOfAMillimetre) {
-  const std::vector<Vec3> marks_D = registration::sheetMarks(8);
-  const QImage image = paintedSheet(marks_D);
-  const QPointF first = crossAt(image, onPage(marks_D[0], marks_D, kA4_mm));
-  for (std::size_t at = 0; at < marks_D.size(); ++at) {
-    const QPointF found = crossAt(image, onPage(marks_D[at], marks_D, kA4_mm)) - first;
-    EXPECT_NEAR(found.x(), 1e3 * registration::rightOf(marks_D[at]), 0.1) << at;
-    EXPECT_NEAR(found.y(), -1e3 * registration::awayOf(marks_D[at]), 0.1) << at;  // away is up on the page
-  }
-  image.save(QString(UNDERACT_BINARY) + "/pictures/registration_sheet.png");
-}
-
-TEST(RegistrationSheet, ThePdfHasTheSizeOfItsPaper) {
-  const QString path = temporaryFile("sheet.pdf");
-  ASSERT_TRUE(saveSheet(path, registration::sheetMarks(), Paper::A4).empty());
-  EXPECT_NEAR(pageOf(path).width(), 595.0, 1.0);  // points of 1/72 inch
-  EXPECT_NEAR(pageOf(path).height(), 842.0, 1.0);
-  ASSERT_TRUE(saveSheet(path, registration::sheetMarks(), Paper::Letter).empty());
-  EXPECT_NEAR(pageOf(path).width(), 612.0, 1.0);
-  EXPECT_NEAR(pageOf(path).height(), 792.0, 1.0);
-}
-
-TEST(RegistrationSheet, WhatNoPaperHoldsIsRefusedInWords) {
-  const QString path = temporaryFile("no_sheet.pdf");
-  EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.3, 0, 0}, {0, 0, -0.1}}, Paper::A4).front().sentence.find("do not fit"),
-            std::string::npos);
-  EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.1, 0, 0}, {0, 0.05, -0.1}}, Paper::A4).front().sentence.find("flat"),
-            std::string::npos);
-  EXPECT_FALSE(QFile::exists(path));
-  EXPECT_FALSE(saveSheet("/nowhere/sheet.pdf", registration::sheetMarks(), Paper::A4).empty());
-}
-
-TEST(RegistrationSheet, TheWizardSavesItAndSaysWhere) {
+TEST(RegistrationSheetStory, TheWizardSavesItAndSaysWhere) {
   RegistrationDesk desk;
   const QString path = temporaryFile("wizard_sheet.pdf");
   ASSERT_TRUE(desk.story.perform("registration.sheet", path));

@@ -108,18 +108,6 @@ TEST(ScenesStory, TheSelectedSceneIsDescribedWithWhatToFeelToTryAndItsEquation) 
   EXPECT_FALSE(text.contains("$")) << text.toStdString();  // it is drawn, not shown as it was written
 }
 
-TEST(ScenesStory, EveryTextOfAShippedSceneCanBeDrawn) {
-  for (const SceneEntry& entry : shippedScenes()) {
-    ASSERT_TRUE(entry.teaching) << entry.path.toStdString();
-    for (const std::string& text : {entry.teaching->feel, entry.teaching->try_this, entry.teaching->equation}) {
-      PageView page;
-      page.showPage(QString::fromStdString(text), {});
-      for (const Problem& problem : page.page().problems)
-        ADD_FAILURE() << entry.path.toStdString() << describe(problem);
-    }
-  }
-}
-
 TEST(ScenesStory, TheGroupsStandInTeachingOrderEachWithItsScenes) {
   Story story("02_sphere");
   const auto* list = story.find<QListWidget>("panel.scenes.list");

@@ -21,7 +21,6 @@
 #include "app/gui/model/session_words.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/sessions_panel.h"
-#include "app/gui/sessions/stylus_buttons.h"
 #include "tests/stories/picture_difference.h"
 #include "tests/stories/session_desk.h"
 
@@ -172,24 +171,6 @@ TEST(SessionStory, AButtonOfTheStylusStartsAndStopsTheRecording) {
   EXPECT_FALSE(record->isChecked());
 }
 
-TEST(SessionStory, APressIsCountedOnceAndABounceNotAtAll) {
-  ButtonEdges edges;
-  servo::TickRecord record;
-  const auto at = [&](std::int64_t ms, unsigned buttons) {
-    record.time_ns = 1'000'000 * ms;
-    record.buttons = buttons;
-    return edges.add(record);
-  };
-  EXPECT_EQ(at(1, 2), 0U);  // held from before
-  EXPECT_EQ(at(100, 0), 0U);
-  EXPECT_EQ(at(200, 2), 2U);
-  EXPECT_EQ(at(201, 2), 0U);
-  EXPECT_EQ(at(202, 0), 0U);
-  EXPECT_EQ(at(205, 2), 0U);  // it has bounced
-  EXPECT_EQ(at(300, 0), 0U);
-  EXPECT_EQ(at(400, 3), 3U);
-}
-
 TEST(SessionStory, AFullDiskEndsTheRecordingInOrderAndSaysWhatToDo) {
   Desk desk({{"recording/keep_free_MB", 1'000'000'000}});  // more than any disk has
   desk.story->perform("session.start");
@@ -211,20 +192,6 @@ TEST(SessionStory, AFullDiskEndsTheRecordingInOrderAndSaysWhatToDo) {
   const SessionEntry entry = readSessionEntry(desk.file(desk.files().first()));
   ASSERT_TRUE(entry.isClosed());
   EXPECT_EQ(entry.info.end->reason, record::EndReason::DiskFull);
-}
-
-TEST(SessionStory, LittleRoomOnTheDiskIsAmberBeforeItIsNone) {
-  record::RecorderStatus status;
-  EXPECT_FALSE(isDiskLow(status));
-  status.disk_left_bytes = 50'000'000'000;
-  EXPECT_FALSE(isDiskLow(status));
-  status.disk_left_s = 599.0;
-  EXPECT_TRUE(isDiskLow(status));
-  status.disk_left_s = 601.0;
-  EXPECT_FALSE(isDiskLow(status));
-  EXPECT_EQ(diskText(status), "50.0 GB, enough for 10 min");
-  status.disk_left_bytes = 999'999'999;
-  EXPECT_TRUE(isDiskLow(status));
 }
 
 TEST(SessionStory, AFolderThatCannotBeUsedIsSaidWithTheWayOut) {
@@ -277,23 +244,6 @@ TEST(SessionStory, TheServoThreadRecordsInRealTimeAndTheWindowStaysQuick) {
   ASSERT_TRUE(entry.isClosed());
   EXPECT_GT(entry.info.ticks, 1000);
   EXPECT_EQ(entry.info.dropped, 0);
-}
-
-TEST(SessionStory, TimesAndSizesReadAsOneSaysThem) {
-  EXPECT_EQ(clockText(0.0), "00:00");
-  EXPECT_EQ(clockText(83.9), "01:23");
-  EXPECT_EQ(clockText(3723.0), "1:02:03");
-  EXPECT_EQ(spanText(1.24), "1.2 s");
-  EXPECT_EQ(spanText(83.0), "1 min 23 s");
-  EXPECT_EQ(spanText(7800.0), "2 h 10 min");
-  EXPECT_EQ(spanText(9.0 * 86400.0), "9 days");
-  EXPECT_EQ(bytesText(1), "1 kB");
-  EXPECT_EQ(bytesText(4'200'000), "4.2 MB");
-  EXPECT_EQ(bytesText(13'000'000'000), "13.0 GB");
-  const QDateTime when(QDate(2026, 11, 21), QTime(19, 56, 47));
-  EXPECT_EQ(newSessionFile("/none", when, "Circle in a tilted plane"),
-            "/none/2026-11-21_19-56-47_circle-in-a-tilted-plane.underact.h5");
-  EXPECT_EQ(newSessionFile("/none", when, QString::fromUtf8("Ü")), "/none/2026-11-21_19-56-47_session.underact.h5");
 }
 
 TEST(SessionStory, ARestartOfTheServoIsPartOfTheRecording) {

@@ -8,7 +8,6 @@
 #include <QSettings>
 #include <QSpinBox>
 
-#include "app/gui/visitor/carousel.h"
 #include "app/gui/visitor/demonstrator_panel.h"
 #include "tests/stories/docks_seen.h"
 #include "tests/stories/visitor_desk.h"
@@ -27,21 +26,6 @@ QStringList dialogsSeen() {
 }
 
 }  // namespace
-
-TEST(Carousel, TheNextSceneComesWhenTheDwellIsOverAndTheResetOnceAMinuteAfterTheLastTouch) {
-  Carousel carousel;
-  carousel.setDwell(90.0);
-  carousel.showed(0.0);
-  EXPECT_EQ(carousel.at(59.9, false), Carousel::Step::Stay) << "nobody was there: nothing to reset";
-  EXPECT_EQ(carousel.at(61.0, true), Carousel::Step::Stay);
-  EXPECT_EQ(carousel.at(90.0, false), Carousel::Step::Next);
-  carousel.showed(90.0);
-  EXPECT_EQ(carousel.at(120.9, false), Carousel::Step::Stay);
-  EXPECT_EQ(carousel.at(121.0, false), Carousel::Step::Reset);
-  carousel.showed(121.0);
-  EXPECT_EQ(carousel.at(210.9, false), Carousel::Step::Stay) << "once for each visitor";
-  EXPECT_EQ(carousel.at(211.0, false), Carousel::Step::Next);
-}
 
 TEST(VisitorStory, NothingElseCanBeReached) {
   VisitorDesk desk;

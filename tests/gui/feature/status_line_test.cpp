@@ -1,11 +1,12 @@
 // The status line beside an arm that can be guarded.
+#include "app/gui/feature/status_line.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <QLabel>
 
-#include "app/gui/feature/status_line.h"
 #include "core/servo/host.h"
 
 namespace underact::gui {
@@ -27,7 +28,7 @@ class ToldPort final : public servo::DevicePort {
 
 }  // namespace
 
-TEST(GuardStory, AnArmThatNothingGuardsIsSaidInTheStatusLine) {
+TEST(StatusLine, AnArmThatNothingGuardsIsSaidInTheStatusLine) {
   servo::HostOptions options;
   options.guard_program = "/there/is/none";
   servo::Host host(std::make_unique<ToldPort>(), options);

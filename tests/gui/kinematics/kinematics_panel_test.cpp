@@ -1,0 +1,69 @@
+#include "app/gui/kinematics/kinematics_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QLabel>
+
+#include "app/gui/kinematics/distance_bar.h"
+#include "app/gui/kinematics/sections.h"
+#include "core/arm/forward.h"
+#include "core/base/units.h"
+#include "device/simulated_arm.h"
+#include "tests/gui/desk.h"
+#include "tests/gui/example.h"
+
+namespace underact::gui {
+FeatureRow kinematicsFeature();
+}
+
+namespace underact::gui::test {
+
+TEST(DistanceBar, SaysNearBelowItsMarkAndNotAbove) {
+  DistanceBar bar("bar", "elbow", "tip", {.near_below = 5.0, .farthest = 100.0, .decimals = 1, .unit = " mm"});
+  bar.present(5.1);
+  EXPECT_EQ(bar.findChild<QLabel*>("bar.value")->text(), QString("5.1 mm"));
+  EXPECT_EQ(bar.findChild<QLabel*>("bar.word")->text(), QString());
+  bar.present(4.9);
+  EXPECT_TRUE(bar.isNear());
+  EXPECT_EQ(bar.findChild<QLabel*>("bar.word")->text(), QString("near"));
+}
+
+TEST(KinematicsPanel, AJointIsSetWhileTheServoIsStoppedAndNotWhileItRuns) {
+  Desk desk(kinematicsFeature());
+  ASSERT_TRUE(desk.perform("joint.set", 1, 20.0));
+  arm::JointAngles q_rad = desk.host().snapshot().report.sample.q_rad;
+  q_rad[0] = 20.0 * kRadPerDegree;
+  EXPECT_NEAR((desk.arm().wished().p_WT - arm::tipPose(preset().geometry, q_rad).translation()).norm(), 0.0, 1e-9);
+  EXPECT_FALSE(desk.perform("joint.set", 7, 20.0)) << "there are six";
+  desk.perform("session.start");
+  desk.run(300);
+  const Vec3 before = desk.arm().wished().p_WT;
+  EXPECT_FALSE(desk.perform("joint.set", 1, -20.0));
+  EXPECT_EQ(desk.arm().wished().p_WT, before);
+}
+
+TEST(KinematicsPanel, TheSolutionsAreCountedAndOneIsShownUntilNoneIs) {
+  Desk desk(kinematicsFeature());
+  desk.show();
+  EXPECT_TRUE(desk.label("panel.kinematics.solutions.status").contains("8 solutions")) << "a pose in the middle";
+  auto* solutions = desk.window().findChild<SolutionsSection*>();
+  ASSERT_TRUE(desk.perform("solution.show", 3));
+  EXPECT_EQ(solutions->chosen(), 3);
+  EXPECT_FALSE(desk.label("panel.kinematics.solutions.angles").isEmpty());
+  EXPECT_FALSE(desk.perform("solution.show", 9));
+  ASSERT_TRUE(desk.perform("solution.show", 0));
+  EXPECT_EQ(solutions->chosen(), 0);
+}
+
+TEST(KinematicsPanel, ASwitchOfThePanelIsThatOfTheView) {
+  Desk desk(kinematicsFeature());
+  auto* box = desk.find<QCheckBox>("panel.kinematics.layer.ghosts");
+  ASSERT_FALSE(desk.view().layers().ghosts);
+  box->setChecked(true);
+  EXPECT_TRUE(desk.view().layers().ghosts);
+  desk.perform("layer.ghosts", false);
+  EXPECT_FALSE(box->isChecked());
+}
+
+}  // namespace underact::gui::test

@@ -1,0 +1,50 @@
+#include "app/gui/lab/lab_words.h"
+
+#include <gtest/gtest.h>
+
+#include "app/gui/lab/choice_list.h"
+#include "core/trade/settings.h"
+
+namespace underact::gui::test {
+
+TEST(LabWords, WhatIsBeyondTheBoundOrWorseThanAnotherIsMarkedInWords) {
+  const scene::Description scene = [] {
+    scene::Description made;
+    made.constraints.push_back({"ball", scene::Sphere{Vec3::Zero(), 50.0}, target::Side::Both, {}, {}});
+    return made;
+  }();
+  const trade::Choice& rate = trade::choices().front();
+  trade::Standing standing{&rate, trade::settingsOf(scene, 250), {}};
+  const auto option = [](const char* name, double cost_us_per_s, double error) {
+    trade::Summary one{"rate", name, 5, 500.0, 900.0, cost_us_per_s, error};
+    return one;
+  };
+  standing.options = {option("250 Hz", 100.0, 4.0 * rate.bound), option("2000 Hz", 800.0, 0.5 * rate.bound)};
+  trade::recommend(rate.bound, standing.options);
+  std::vector<ChoiceWords> words = choiceWords(scene, trade::settingsOf(scene, 250), {standing});
+  EXPECT_TRUE(words.front().is_beyond);
+  EXPECT_TRUE(words.front().mark.contains("beyond"));
+  EXPECT_TRUE(words.front().mark.contains("Recommended: 2000 Hz"));
+  words = choiceWords(scene, trade::settingsOf(scene, 2000), {standing});
+  EXPECT_FALSE(words.front().is_beyond);
+  EXPECT_EQ(words.front().mark, "");
+  EXPECT_TRUE(words.front().figures.contains("500 ns for the servo's tick"));
+  words = choiceWords(scene, trade::settingsOf(scene, 300), {standing});
+  EXPECT_TRUE(words.front().figures.startsWith("not measured"));
+}
+
+TEST(LabWords, NumbersHaveThreeDigitsInTheUnitThatMakesThemShort) {
+  EXPECT_EQ(timeText(0.812), "812 ns");
+  EXPECT_EQ(timeText(1.2449), "1.24 µs");
+  EXPECT_EQ(timeText(31'000.0), "31 ms");
+  EXPECT_EQ(lengthText(0.0313), "31.3 µm");
+  EXPECT_EQ(lengthText(0.5), "0.5 mm");
+  EXPECT_EQ(lengthText(2e-6), "2 nm");
+  EXPECT_EQ(lengthText(0.0), "0 mm");
+  EXPECT_EQ(errorText(55.04, "mm/s"), "55 mm/s");
+  EXPECT_EQ(durationText(0.3), "a second");
+  EXPECT_EQ(durationText(33.0), "35 s");
+  EXPECT_EQ(durationText(200.0), "3 min");
+}
+
+}  // namespace underact::gui::test

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+
+#include "app/gui/visitor/shown_scenes.h"
+#include "app/gui/visitor/title_card.h"
+#include "app/gui/visitor/visitor_wishes.h"
+#include "tests/gui/desk.h"
+
+namespace underact::gui::test {
+
+TEST(VisitorWishes, AreKeptWithinTheirRangesAndFilesThatAreGoneAreLeftOut) {
+  QSettings().clear();
+  writeVisitorWishes({{shippedScene("05_circle"), "/gone.json"}, 5, 500});
+  const VisitorWishes wishes = readVisitorWishes();
+  EXPECT_EQ(wishes.scenes, QStringList{shippedScene("05_circle")});
+  EXPECT_EQ(wishes.dwell_s, kShortestDwell_s);
+  EXPECT_EQ(wishes.force_percent, kMostForce_percent);
+}
+
+TEST(VisitorWishes, WhereNoneIsLeftThereAreSomeThatComeWithTheProgram) {
+  QSettings().clear();
+  writeVisitorWishes({{"/gone.json"}, 30, 50});
+  const VisitorWishes wishes = readVisitorWishes();
+  EXPECT_GT(wishes.scenes.size(), 3);
+  EXPECT_TRUE(wishes.scenes.first().endsWith("02_sphere.json"));
+  EXPECT_EQ(wishes.dwell_s, 30);
+}
+
+TEST(TitleCard, WhatIsWrongStandsInPlaceOfWhatToTryAndStartOnlyWhereNothingPushes) {
+  TitleCard card(nullptr);
+  card.setScene("Sphere", "A ball.", "Press it.");
+  const auto hidden = [&card](const char* name) { return card.findChild<QWidget*>(name)->isHidden(); };
+  card.setState(true, {});
+  EXPECT_FALSE(hidden("visitor.go"));
+  EXPECT_FALSE(hidden("visitor.try"));
+  EXPECT_TRUE(hidden("visitor.trouble"));
+  card.setState(false, "The arm stopped answering.");
+  EXPECT_TRUE(hidden("visitor.go"));
+  EXPECT_TRUE(hidden("visitor.try"));
+  EXPECT_EQ(card.findChild<QLabel*>("visitor.trouble")->text(), QString("The arm stopped answering."));
+  QSignalSpy next(&card, &TitleCard::nextAsked);
+  card.findChild<QPushButton*>("visitor.next")->click();
+  EXPECT_EQ(next.count(), 1);
+}
+
+TEST(ShownScenes, OneThatCannotBeShownIsNamedAndTheOthersAreReadWithTheirWords) {
+  const ShownScenes shown = loadShownScenes({shippedScene("05_circle"), "/no/such.json"}, false, {});
+  ASSERT_EQ(shown.scenes.size(), 1U);
+  EXPECT_FALSE(shown.scenes.front().title.isEmpty() || shown.scenes.front().feel.isEmpty());
+  EXPECT_EQ(shown.refused, QStringList{"such.json"});
+}
+
+}  // namespace underact::gui::test
