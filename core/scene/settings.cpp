@@ -39,6 +39,33 @@ constexpr SettingOf<Friction> dynamicShare(Setting setting) {
   return made;
 }
 
+// What panels say for the words of a choice, in their order.
+constexpr const char* kLawShown[] = {TRANSLATE_NOOP("setting", "P, proportional"),
+                                     TRANSLATE_NOOP("setting", "PD, with damping"),
+                                     TRANSLATE_NOOP("setting", "PID, with integral")};
+constexpr const char* kAnisotropyShown[] = {TRANSLATE_NOOP("setting", "by effort (weighted)"),
+                                            TRANSLATE_NOOP("setting", "by distance (euclidean)")};
+constexpr const char* kPassivityShown[] = {TRANSLATE_NOOP("setting", "observe"), TRANSLATE_NOOP("setting", "off"),
+                                           TRANSLATE_NOOP("setting", "control")};
+constexpr const char* kSpaceShown[] = {TRANSLATE_NOOP("setting", "the tip (Cartesian)"),
+                                       TRANSLATE_NOOP("setting", "the joints")};
+constexpr const char* kFilterShown[] = {TRANSLATE_NOOP("setting", "Kalman"), TRANSLATE_NOOP("setting", "low-pass"),
+                                        TRANSLATE_NOOP("setting", "adaptive window"),
+                                        TRANSLATE_NOOP("setting", "raw difference")};
+constexpr const char* kStylusAxisShown[] = {TRANSLATE_NOOP("setting", "+z, from the tip to the hand"),
+                                            TRANSLATE_NOOP("setting", "−z, from the hand to the tip")};
+constexpr const char* kSearchShown[] = {TRANSLATE_NOOP("setting", "nearest of all"),
+                                        TRANSLATE_NOOP("setting", "nearest of all, in the tree"),
+                                        TRANSLATE_NOOP("setting", "along the surface")};
+constexpr const char* kOrientationShown[] = {
+    TRANSLATE_NOOP("setting", "nothing of the turn"), TRANSLATE_NOOP("setting", "direction of z (axis)"),
+    TRANSLATE_NOOP("setting", "angle about the joint"), TRANSLATE_NOOP("setting", "the whole turn")};
+constexpr const char* kForceLawShown[] = {TRANSLATE_NOOP("setting", "energy, F = K e"),
+                                          TRANSLATE_NOOP("setting", "thesis 5.2")};
+constexpr const char* kSolverShown[] = {TRANSLATE_NOOP("setting", "by itself (auto)"),
+                                        TRANSLATE_NOOP("setting", "closed form"),
+                                        TRANSLATE_NOOP("setting", "iterative")};
+
 constexpr SettingOf<Description> kOfScene[] = {row::oneOf<&Description::combine, kCombineWords>(
     {.key = "combine",
      .label = TRANSLATE_NOOP("setting", "how forces are combined"),
@@ -65,7 +92,8 @@ constexpr SettingOf<Control> kOfControl[] = {
          .label = TRANSLATE_NOOP("setting", "law"),
          .tip = TRANSLATE_NOOP("setting",
                                "P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e."),
-         .said = Always}),
+         .said = Always,
+         .shown = kLawShown}),
     row::gain<&Gains::kp_N_per_mm, LawType::P>(
         {.key = "kp_N_per_mm",
          .label = TRANSLATE_NOOP("setting", "stiffness"),
@@ -89,21 +117,24 @@ constexpr SettingOf<Control> kOfControl[] = {
          .tip = TRANSLATE_NOOP(
              "setting",
              "With unequal gains the point of least effort is not the point of least distance. By effort the stylus "
-             "stays where it is put; by distance, as in the thesis, it may creep.")}),
+             "stays where it is put; by distance, as in the thesis, it may creep."),
+         .shown = kAnisotropyShown}),
     row::oneOf<&Control::passivity, kPassivityWords>(
         {.key = "passivity",
          .label = TRANSLATE_NOOP("setting", "passivity"),
          .tip = TRANSLATE_NOOP(
              "setting",
              "Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below "
-             "0 the wall is active. Control adds the damping that is missing.")}),
+             "0 the wall is active. Control adds the damping that is missing."),
+         .shown = kPassivityShown}),
     row::oneOf<&Control::space, kSpaceWords>(
         {.key = "space",
          .label = TRANSLATE_NOOP("setting", "where the control works"),
          .tip = TRANSLATE_NOOP(
              "setting",
              "On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, "
-             "tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.")})};
+             "tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace."),
+         .shown = kSpaceShown})};
 
 constexpr SettingOf<Velocity> kOfVelocity[] = {
     row::filter(
@@ -112,7 +143,8 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "How the rate de/dt is found from places that come in encoder steps: each filter "
                                "is another trade of delay for noise."),
-         .said = Required}),
+         .said = Required,
+         .shown = kFilterShown}),
     row::ofFilter<&KalmanFilter::noise_mm>(
         {.key = "noise_mm",
          .label = TRANSLATE_NOOP("setting", "noise"),
@@ -139,7 +171,7 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
         {.key = "window",
          .label = TRANSLATE_NOOP("setting", "longest window"),
          .tip = TRANSLATE_NOOP("setting", "The longest window, in ticks: longer is calmer and later."),
-         .unit = "ticks",
+         .unit = TRANSLATE_NOOP("setting", "ticks"),
          .least = 1.0,
          .most = control::kLongestWindow},
         SettingKind::Whole),
@@ -178,7 +210,8 @@ constexpr SettingOf<Influence> kOfInfluence[] = {
          .label = TRANSLATE_NOOP("setting", "stylus axis"),
          .tip = TRANSLATE_NOOP(
              "setting",
-             "Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.")}),
+             "Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand."),
+         .shown = kStylusAxisShown}),
     row::member<&Influence::blend_deg>(
         {.key = "blend_deg",
          .label = TRANSLATE_NOOP("setting", "blend width"),
@@ -215,7 +248,7 @@ constexpr const char* kSearchTip = TRANSLATE_NOOP(
 
 constexpr SettingOf<Mesh> kOfMesh[] = {
     row::oneOf<&Mesh::search, kSearchWords>(
-        {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
+        {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip, .shown = kSearchShown}),
     row::member<&Mesh::smooth_deg>(
         {.key = "smooth_deg",
          .label = TRANSLATE_NOOP("setting", "smoothing"),
@@ -231,7 +264,7 @@ constexpr SettingOf<Mesh> kOfMesh[] = {
 
 constexpr SettingOf<Curve> kOfCurve[] = {
     row::oneOf<&Curve::search, kSearchWords>(
-        {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
+        {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip, .shown = kSearchShown}),
     row::oneOf<&Curve::kind, kCurveWords>(
         {.key = "kind",
          .label = TRANSLATE_NOOP("setting", "kind of the curve"),
@@ -277,7 +310,8 @@ constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one "
                                "joint that turns, as in "
-                               "the thesis. The whole turn: e_o is its rotation vector.")}),
+                               "the thesis. The whole turn: e_o is its rotation vector."),
+         .shown = kOrientationShown}),
     row::judgedBy<VirtualManipulator>(
         &row::judgeAsGain,
         row::member<&VirtualManipulator::ko_N_mm_per_rad>(
@@ -295,7 +329,8 @@ constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
          .label = TRANSLATE_NOOP("setting", "force law"),
          .tip = TRANSLATE_NOOP("setting",
                                "Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis "
-                               "5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.")})};
+                               "5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop."),
+         .shown = kForceLawShown})};
 
 constexpr SettingOf<Solver> kOfSolver[] = {
     row::oneOf<&Solver::method, kSolverWords>(
@@ -304,7 +339,8 @@ constexpr SettingOf<Solver> kOfSolver[] = {
          .tip = TRANSLATE_NOOP(
              "setting",
              "By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the "
-             "iteration (Levenberg and Marquardt, from the last tick's joints).")}),
+             "iteration (Levenberg and Marquardt, from the last tick's joints)."),
+         .shown = kSolverShown}),
     row::member<&Solver::max_steps>(
         {.key = "max_steps",
          .label = TRANSLATE_NOOP("setting", "solver's steps"),
