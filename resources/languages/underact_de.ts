@@ -6832,6 +6832,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der längste Teilschritt des simulierten Arms, Mikrosekunden.</translation>
     </message>
     <message>
+        <source>us</source>
+        <translation>µs</translation>
+    </message>
+    <message>
         <source>law</source>
         <translation>Regelgesetz</translation>
     </message>
@@ -6848,6 +6852,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark der Stift je Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
     </message>
     <message>
+        <source>N/mm</source>
+        <translation>N/mm</translation>
+    </message>
+    <message>
         <source>damping</source>
         <translation>Dämpfung</translation>
     </message>
@@ -6856,12 +6864,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark einer Änderung des Fehlers widerstanden wird: f = kd de/dt (Differentialverstärkung).</translation>
     </message>
     <message>
+        <source>N s/mm</source>
+        <translation>N s/mm</translation>
+    </message>
+    <message>
         <source>integral</source>
         <translation>Integral</translation>
     </message>
     <message>
         <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
         <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
+    </message>
+    <message>
+        <source>N/(mm s)</source>
+        <translation>N/(mm s)</translation>
     </message>
     <message>
         <source>nearest point</source>
@@ -6904,6 +6920,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie weit ein Messwert danebenliegt, Standardabweichung.</translation>
     </message>
     <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
         <source>acceleration</source>
         <translation>Beschleunigung</translation>
     </message>
@@ -6912,12 +6932,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark die Hand beschleunigen darf: Bei mehr folgt der Filter eher und rauscht stärker.</translation>
     </message>
     <message>
+        <source>mm/s²</source>
+        <translation>mm/s²</translation>
+    </message>
+    <message>
         <source>time constant</source>
         <translation>Zeitkonstante</translation>
     </message>
     <message>
         <source>Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay.</source>
         <translation>Zeitkonstante tau des Tiefpasses, r' = (de/dt - r) / tau: seine Verzögerung.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
     </message>
     <message>
         <source>longest window</source>
@@ -6966,6 +6994,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Within this angle of the shape's axis the stylus's direction says less and less, and the target goes over to position smoothly.</source>
         <translation>Innerhalb dieses Winkels zur Achse der Form sagt die Richtung des Stifts immer weniger, und das Ziel geht glatt zur Position über.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>static friction</source>
@@ -7024,6 +7056,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie schnell die Führung läuft.</translation>
     </message>
     <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
         <source>guide t</source>
         <translation>Führung t</translation>
     </message>
@@ -7054,6 +7090,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the tip, go where the stylus points.</source>
         <translation>Wie stark die Drehung der Spitze der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen die Spitze dorthin gehen, wohin der Stift zeigt.</translation>
+    </message>
+    <message>
+        <source>N mm/rad</source>
+        <translation>N mm/rad</translation>
     </message>
     <message>
         <source>force law</source>
@@ -10986,6 +11026,14 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::LabPanel</name>
     <message>
+        <source>What this scene offers</source>
+        <translation>Was diese Szene bietet</translation>
+    </message>
+    <message>
+        <source>What a tick is predicted to take</source>
+        <translation>Was ein Takt voraussichtlich braucht</translation>
+    </message>
+    <message>
         <source>Measuring. Window and servo go on; leave the scene as it is.</source>
         <translation>Messung läuft. Fenster und Servo laufen weiter; lassen Sie die Szene, wie sie ist.</translation>
     </message>
@@ -11034,10 +11082,6 @@ und %2 weitere</translation>
         <translation>Ein Takt dieser Szene: %1 vorhergesagt, %2 % seiner Periode von %3 bei %4 Hz.</translation>
     </message>
     <message>
-        <source>There is nothing to choose from yet.</source>
-        <translation>Es gibt noch nichts zur Auswahl.</translation>
-    </message>
-    <message>
         <source>What is set now is none of the ways that were measured.</source>
         <translation>Was jetzt eingestellt ist, wurde so nicht gemessen.</translation>
     </message>
@@ -11072,114 +11116,6 @@ und %2 weitere</translation>
     <message>
         <source> The arm that is simulated here has the vendor's figures, not those of “%1”.</source>
         <translation> Der hier simulierte Arm hat die Zahlen des Herstellers, nicht die von „%1“.</translation>
-    </message>
-    <message>
-        <source>What this scene offers</source>
-        <translation>Was diese Szene bietet</translation>
-    </message>
-    <message>
-        <source>What a tick is predicted to take</source>
-        <translation>Was ein Takt voraussichtlich braucht</translation>
-    </message>
-    <message>
-        <source>Hands that hold the stylus</source>
-        <translation>Hände, die den Stift halten</translation>
-    </message>
-    <message>
-        <source>Who moves the simulated stylus while it is measured.</source>
-        <translation>Wer den simulierten Stift während der Messung bewegt.</translation>
-    </message>
-    <message>
-        <source>All hands</source>
-        <translation>Alle Hände</translation>
-    </message>
-    <message>
-        <source>Length of each run, s</source>
-        <translation>Länge jedes Laufs, s</translation>
-    </message>
-    <message>
-        <source>How long each run is, in the time of the simulated arm.</source>
-        <translation>Wie lang jeder Lauf ist, in der Zeit des simulierten Arms.</translation>
-    </message>
-    <message>
-        <source> s each</source>
-        <translation> s je Lauf</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Measures cost and error of every choice, and the front of all ways to run this scene.</source>
-        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Arten, diese Szene auszuführen.</translation>
-    </message>
-    <message>
-        <source>Measure speed and accuracy of this scene</source>
-        <translation>Tempo und Genauigkeit dieser Szene messen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Ends the measurement; nothing is kept.</source>
-        <translation>Beendet die Messung; nichts wird behalten.</translation>
-    </message>
-    <message>
-        <source>Cancel the measurement</source>
-        <translation>Messung abbrechen</translation>
-    </message>
-    <message>
-        <source>Progress of the measurement</source>
-        <translation>Fortschritt der Messung</translation>
-    </message>
-    <message>
-        <source>What there is to know of the measurement</source>
-        <translation>Was über die Messung zu wissen ist</translation>
-    </message>
-    <message>
-        <source>&amp;Hands</source>
-        <translation>&amp;Hände</translation>
-    </message>
-    <message>
-        <source>R&amp;uns</source>
-        <translation>Lä&amp;ufe</translation>
-    </message>
-    <message>
-        <source>From speed to accuracy</source>
-        <translation>Von Tempo zu Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Along the front: from the cheapest way to run this scene to the most exact. The mark is how it was; a double click goes back there.</source>
-        <translation>Entlang der Front: von der billigsten Art, diese Szene auszuführen, zur genauesten. Die Marke zeigt, wie es war; ein Doppelklick geht dorthin zurück.</translation>
-    </message>
-    <message>
-        <source>S&amp;peed</source>
-        <translation>Tem&amp;po</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>What is chosen</source>
-        <translation>Was gewählt ist</translation>
-    </message>
-    <message>
-        <source>What differs from how the scene was</source>
-        <translation>Was von der vorigen Szene abweicht</translation>
-    </message>
-    <message>
-        <source>As it &amp;was</source>
-        <translation>Wie &amp;vorher</translation>
-    </message>
-    <message>
-        <source>Puts scene and servo rate back to how they were when they were measured.</source>
-        <translation>Setzt Szene und Servo-Taktrate auf den Stand der Messung zurück.</translation>
-    </message>
-    <message>
-        <source>As it was when it was measured</source>
-        <translation>Wie es bei der Messung war</translation>
     </message>
 </context>
 <context>
@@ -11807,6 +11743,73 @@ und %2 weitere</translation>
     <message>
         <source>&amp;Begin again</source>
         <translation>&amp;Neu beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MeasuringPart</name>
+    <message>
+        <source>Hands that hold the stylus</source>
+        <translation>Hände, die den Stift halten</translation>
+    </message>
+    <message>
+        <source>Who moves the simulated stylus while it is measured.</source>
+        <translation>Wer den simulierten Stift während der Messung bewegt.</translation>
+    </message>
+    <message>
+        <source>All hands</source>
+        <translation>Alle Hände</translation>
+    </message>
+    <message>
+        <source>Length of each run, s</source>
+        <translation>Länge jedes Laufs, s</translation>
+    </message>
+    <message>
+        <source>How long each run is, in the time of the simulated arm.</source>
+        <translation>Wie lang jeder Lauf ist, in der Zeit des simulierten Arms.</translation>
+    </message>
+    <message>
+        <source> s each</source>
+        <translation> s je Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measures cost and error of every choice, and the front of all ways to run this scene.</source>
+        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Arten, diese Szene auszuführen.</translation>
+    </message>
+    <message>
+        <source>Measure speed and accuracy of this scene</source>
+        <translation>Tempo und Genauigkeit dieser Szene messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the measurement; nothing is kept.</source>
+        <translation>Beendet die Messung; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Cancel the measurement</source>
+        <translation>Messung abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
+    </message>
+    <message>
+        <source>What there is to know of the measurement</source>
+        <translation>Was über die Messung zu wissen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Hands</source>
+        <translation>&amp;Hände</translation>
+    </message>
+    <message>
+        <source>R&amp;uns</source>
+        <translation>Lä&amp;ufe</translation>
     </message>
 </context>
 <context>
@@ -15048,6 +15051,49 @@ und %2 weitere</translation>
     <message>
         <source>No scene is chosen; those before stay.</source>
         <translation>Keine Szene ist gewählt; die vorherigen bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::WalkPart</name>
+    <message>
+        <source>From speed to accuracy</source>
+        <translation>Von Tempo zu Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Along the front: from the cheapest way to run this scene to the most exact. The mark is how it was; a double click goes back there.</source>
+        <translation>Entlang der Front: von der billigsten Art, diese Szene auszuführen, zur genauesten. Die Marke zeigt, wie es war; ein Doppelklick geht dorthin zurück.</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>Tem&amp;po</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Was gewählt ist</translation>
+    </message>
+    <message>
+        <source>What differs from how the scene was</source>
+        <translation>Was von der vorigen Szene abweicht</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>Wie &amp;vorher</translation>
+    </message>
+    <message>
+        <source>Puts scene and servo rate back to how they were when they were measured.</source>
+        <translation>Setzt Szene und Servo-Taktrate auf den Stand der Messung zurück.</translation>
+    </message>
+    <message>
+        <source>As it was when it was measured</source>
+        <translation>Wie es bei der Messung war</translation>
+    </message>
+    <message>
+        <source>There is nothing to choose from yet.</source>
+        <translation>Es gibt noch nichts zur Auswahl.</translation>
     </message>
 </context>
 <context>
