@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/guide/markdown.h"
+#include "app/guide/setting_table.h"
 #include "core/json/json.h"
 #include "core/json/text_file.h"
 
@@ -53,9 +54,7 @@ class ScenePage {
     for (const Value& type : types->items) writeSection(nameOfRef(type), "A constraint of the type ");
     for (const char* part : kParts) writeSection(part, "");
     if (!problems_.empty()) return problems_;
-    std::string text = out_.str();
-    text.pop_back();
-    return text;
+    return out_.str() + settingTable();
   }
 
  private:

@@ -1,4 +1,5 @@
 #pragma once
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -115,9 +116,11 @@ void putWord(const SettingValue& value, Enum& into) {
   }
 }
 
-/// A member that is one of the words.
-template <auto kMember, const auto& kWords>
+/// A member that is one of the words. kShown: what panels say for each; left out, the words.
+template <auto kMember, const auto& kWords, const auto&... kShown>
 constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
+  static_assert(((std::size(kShown) == std::size(kWords)) && ...));
+  ((setting.shown = kShown), ...);
   using Object = ObjectOf<kMember>;
   setting.kind = SettingKind::Choice;
   setting.words = &wordsOf<kWords>;

@@ -39,6 +39,34 @@ constexpr SettingOf<Friction> dynamicShare(Setting setting) {
   return made;
 }
 
+// What panels say for the words of a choice, in their order.
+constexpr const char* kLawShown[] = {TRANSLATE_NOOP("setting", "P, proportional"),
+                                     TRANSLATE_NOOP("setting", "PD, with damping"),
+                                     TRANSLATE_NOOP("setting", "PID, with integral")};
+constexpr const char* kAnisotropyShown[] = {TRANSLATE_NOOP("setting", "by effort (weighted)"),
+                                            TRANSLATE_NOOP("setting", "by distance (euclidean)")};
+constexpr const char* kPassivityShown[] = {TRANSLATE_NOOP("setting", "observe"), TRANSLATE_NOOP("setting", "off"),
+                                           TRANSLATE_NOOP("setting", "control")};
+constexpr const char* kSpaceShown[] = {TRANSLATE_NOOP("setting", "the tip (Cartesian)"),
+                                       TRANSLATE_NOOP("setting", "the joints")};
+constexpr const char* kFilterShown[] = {TRANSLATE_NOOP("setting", "Kalman"), TRANSLATE_NOOP("setting", "low-pass"),
+                                        TRANSLATE_NOOP("setting", "adaptive window"),
+                                        TRANSLATE_NOOP("setting", "raw difference")};
+static_assert(std::size(kFilterShown) == std::size(kFilterWords));
+constexpr const char* kStylusAxisShown[] = {TRANSLATE_NOOP("setting", "+z, from the tip to the hand"),
+                                            TRANSLATE_NOOP("setting", "−z, from the hand to the tip")};
+constexpr const char* kSearchShown[] = {TRANSLATE_NOOP("setting", "nearest of all"),
+                                        TRANSLATE_NOOP("setting", "nearest of all, in the tree"),
+                                        TRANSLATE_NOOP("setting", "along the surface")};
+constexpr const char* kOrientationShown[] = {
+    TRANSLATE_NOOP("setting", "nothing of the turn"), TRANSLATE_NOOP("setting", "direction of z (axis)"),
+    TRANSLATE_NOOP("setting", "angle about the joint"), TRANSLATE_NOOP("setting", "the whole turn")};
+constexpr const char* kForceLawShown[] = {TRANSLATE_NOOP("setting", "energy, F = K e"),
+                                          TRANSLATE_NOOP("setting", "thesis 5.2")};
+constexpr const char* kSolverShown[] = {TRANSLATE_NOOP("setting", "by itself (auto)"),
+                                        TRANSLATE_NOOP("setting", "closed form"),
+                                        TRANSLATE_NOOP("setting", "iterative")};
+
 constexpr SettingOf<Description> kOfScene[] = {row::oneOf<&Description::combine, kCombineWords>(
     {.key = "combine",
      .label = TRANSLATE_NOOP("setting", "how forces are combined"),
@@ -54,13 +82,13 @@ constexpr SettingOf<Simulation> kOfSimulation[] = {
         {.key = "substep_us",
          .label = TRANSLATE_NOOP("setting", "substep"),
          .tip = TRANSLATE_NOOP("setting", "The longest substep of the simulated arm, microseconds."),
-         .unit = "us",
+         .unit = TRANSLATE_NOOP("setting", "us"),
          .least = kShortestSubstep_us,
          .most = kLongestSubstep_us,
          .wrong = TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3.")})};
 
 constexpr SettingOf<Control> kOfControl[] = {
-    row::oneOf<&Control::law, kLawWords>(
+    row::oneOf<&Control::law, kLawWords, kLawShown>(
         {.key = "law",
          .label = TRANSLATE_NOOP("setting", "law"),
          .tip = TRANSLATE_NOOP("setting",
@@ -71,33 +99,33 @@ constexpr SettingOf<Control> kOfControl[] = {
          .label = TRANSLATE_NOOP("setting", "stiffness"),
          .tip = TRANSLATE_NOOP("setting",
                                "How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain)."),
-         .unit = "N/mm"}),
+         .unit = TRANSLATE_NOOP("setting", "N/mm")}),
     row::gain<&Gains::kd_N_s_per_mm, LawType::PD>(
         {.key = "kd_N_s_per_mm",
          .label = TRANSLATE_NOOP("setting", "damping"),
          .tip =
              TRANSLATE_NOOP("setting", "How hard a change of the error is resisted: f = kd de/dt (derivative gain)."),
-         .unit = "N s/mm"}),
+         .unit = TRANSLATE_NOOP("setting", "N s/mm")}),
     row::gain<&Gains::ki_N_per_mm_s, LawType::PID>(
         {.key = "ki_N_per_mm_s",
          .label = TRANSLATE_NOOP("setting", "integral"),
          .tip = TRANSLATE_NOOP("setting", "How fast an error that stays is worked off: df/dt = ki e (integral gain)."),
-         .unit = "N/(mm s)"}),
-    row::oneOf<&Control::anisotropy, kAnisotropyWords>(
+         .unit = TRANSLATE_NOOP("setting", "N/(mm s)")}),
+    row::oneOf<&Control::anisotropy, kAnisotropyWords, kAnisotropyShown>(
         {.key = "anisotropy",
          .label = TRANSLATE_NOOP("setting", "nearest point"),
          .tip = TRANSLATE_NOOP(
              "setting",
              "With unequal gains the point of least effort is not the point of least distance. By effort the stylus "
              "stays where it is put; by distance, as in the thesis, it may creep.")}),
-    row::oneOf<&Control::passivity, kPassivityWords>(
+    row::oneOf<&Control::passivity, kPassivityWords, kPassivityShown>(
         {.key = "passivity",
          .label = TRANSLATE_NOOP("setting", "passivity"),
          .tip = TRANSLATE_NOOP(
              "setting",
              "Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below "
              "0 the wall is active. Control adds the damping that is missing.")}),
-    row::oneOf<&Control::space, kSpaceWords>(
+    row::oneOf<&Control::space, kSpaceWords, kSpaceShown>(
         {.key = "space",
          .label = TRANSLATE_NOOP("setting", "where the control works"),
          .tip = TRANSLATE_NOOP(
@@ -112,12 +140,13 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "How the rate de/dt is found from places that come in encoder steps: each filter "
                                "is another trade of delay for noise."),
-         .said = Required}),
+         .said = Required,
+         .shown = kFilterShown}),
     row::ofFilter<&KalmanFilter::noise_mm>(
         {.key = "noise_mm",
          .label = TRANSLATE_NOOP("setting", "noise"),
          .tip = TRANSLATE_NOOP("setting", "How far a sample is off, standard deviation."),
-         .unit = "mm",
+         .unit = TRANSLATE_NOOP("setting", "mm"),
          .least = 1e-6,
          .most = 1e3}),
     row::ofFilter<&KalmanFilter::acceleration_mm_per_s2>(
@@ -125,21 +154,21 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
          .label = TRANSLATE_NOOP("setting", "acceleration"),
          .tip = TRANSLATE_NOOP("setting",
                                "How hard the hand may speed up: more, and the filter follows sooner and is noisier."),
-         .unit = "mm/s²",
+         .unit = TRANSLATE_NOOP("setting", "mm/s²"),
          .least = 1e-3,
          .most = 1e9}),
     row::ofFilter<&LowPassFilter::time_constant_ms>(
         {.key = "time_constant_ms",
          .label = TRANSLATE_NOOP("setting", "time constant"),
          .tip = TRANSLATE_NOOP("setting", "Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay."),
-         .unit = "ms",
+         .unit = TRANSLATE_NOOP("setting", "ms"),
          .least = 0.0,
          .most = 1e3}),
     row::ofFilter<&AdaptiveWindowFilter::window>(
         {.key = "window",
          .label = TRANSLATE_NOOP("setting", "longest window"),
          .tip = TRANSLATE_NOOP("setting", "The longest window, in ticks: longer is calmer and later."),
-         .unit = "ticks",
+         .unit = TRANSLATE_NOOP("setting", "ticks"),
          .least = 1.0,
          .most = control::kLongestWindow},
         SettingKind::Whole),
@@ -147,7 +176,7 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
         {.key = "noise_mm",
          .label = TRANSLATE_NOOP("setting", "noise"),
          .tip = TRANSLATE_NOOP("setting", "As far as a sample may lie off the line through the ends of the window."),
-         .unit = "mm",
+         .unit = TRANSLATE_NOOP("setting", "mm"),
          .least = 0.0,
          .most = 1e3})};
 
@@ -173,7 +202,7 @@ constexpr SettingOf<Influence> kOfInfluence[] = {
          .said = Required,
          .wrong =
              TRANSLATE_NOOP("problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1.")}),
-    row::oneOf<&Influence::stylus_axis, kStylusAxisWords>(
+    row::oneOf<&Influence::stylus_axis, kStylusAxisWords, kStylusAxisShown>(
         {.key = "stylus_axis",
          .label = TRANSLATE_NOOP("setting", "stylus axis"),
          .tip = TRANSLATE_NOOP(
@@ -185,7 +214,7 @@ constexpr SettingOf<Influence> kOfInfluence[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "Within this angle of the shape's axis the stylus's direction says less and less, and "
                                "the target goes over to position smoothly."),
-         .unit = "°",
+         .unit = TRANSLATE_NOOP("setting", "°"),
          .least = 0.0,
          .most = 30.0,
          .wrong = TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1.")})};
@@ -214,7 +243,7 @@ constexpr const char* kSearchTip = TRANSLATE_NOOP(
     "it is on.");
 
 constexpr SettingOf<Mesh> kOfMesh[] = {
-    row::oneOf<&Mesh::search, kSearchWords>(
+    row::oneOf<&Mesh::search, kSearchWords, kSearchShown>(
         {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
     row::member<&Mesh::smooth_deg>(
         {.key = "smooth_deg",
@@ -222,7 +251,7 @@ constexpr SettingOf<Mesh> kOfMesh[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "Bends between faces feel round: the force leans by up to this angle from the face's "
                                "own normal. Edges that turn by more stay sharp. 0: faces as they are."),
-         .unit = "°",
+         .unit = TRANSLATE_NOOP("setting", "°"),
          .least = 0.0,
          .most = kMostSmooth_deg,
          .wrong = TRANSLATE_NOOP("problem",
@@ -230,7 +259,7 @@ constexpr SettingOf<Mesh> kOfMesh[] = {
                                  "that bends feel round; here it is %2.")})};
 
 constexpr SettingOf<Curve> kOfCurve[] = {
-    row::oneOf<&Curve::search, kSearchWords>(
+    row::oneOf<&Curve::search, kSearchWords, kSearchShown>(
         {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
     row::oneOf<&Curve::kind, kCurveWords>(
         {.key = "kind",
@@ -245,7 +274,7 @@ constexpr SettingOf<CurveGuide> kOfGuide[] = {
         {.key = "speed_mm_per_s",
          .label = TRANSLATE_NOOP("setting", "speed of the guide"),
          .tip = TRANSLATE_NOOP("setting", "How fast the guide runs."),
-         .unit = "mm/s",
+         .unit = TRANSLATE_NOOP("setting", "mm/s"),
          .least = -kFastest_mm_per_s,
          .most = kFastest_mm_per_s,
          .said = Required,
@@ -264,14 +293,14 @@ constexpr SettingOf<CurveGuide> kOfGuide[] = {
         {.key = "lead_mm",
          .label = TRANSLATE_NOOP("setting", "lead of the guide"),
          .tip = TRANSLATE_NOOP("setting", "How far ahead of the hand the guide goes at most. There it waits."),
-         .unit = "mm",
+         .unit = TRANSLATE_NOOP("setting", "mm"),
          .least = 0.0,
          .most = 1000.0,
          .is_above_least = true,
          .wrong = TRANSLATE_NOOP("problem", "This must be above 0 and at most 1000 mm; here it is %1.")})};
 
 constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
-    row::oneOf<&VirtualManipulator::orientation, kOrientationWords>(
+    row::oneOf<&VirtualManipulator::orientation, kOrientationWords, kOrientationShown>(
         {.key = "orientation",
          .label = TRANSLATE_NOOP("setting", "what the tip follows"),
          .tip = TRANSLATE_NOOP("setting",
@@ -287,10 +316,10 @@ constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
                  TRANSLATE_NOOP("setting",
                                 "How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so "
                                 "that the joints, and with them the tip, go where the stylus points."),
-             .unit = "N mm/rad",
+             .unit = TRANSLATE_NOOP("setting", "N mm/rad"),
              .least = 0.0,
              .most = kHighestGain})),
-    row::oneOf<&VirtualManipulator::force_law, kForceLawWords>(
+    row::oneOf<&VirtualManipulator::force_law, kForceLawWords, kForceLawShown>(
         {.key = "force_law",
          .label = TRANSLATE_NOOP("setting", "force law"),
          .tip = TRANSLATE_NOOP("setting",
@@ -298,7 +327,7 @@ constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
                                "5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.")})};
 
 constexpr SettingOf<Solver> kOfSolver[] = {
-    row::oneOf<&Solver::method, kSolverWords>(
+    row::oneOf<&Solver::method, kSolverWords, kSolverShown>(
         {.key = "method",
          .label = TRANSLATE_NOOP("setting", "solver's method"),
          .tip = TRANSLATE_NOOP(
@@ -328,13 +357,13 @@ constexpr Setting kSpring{
     .label = TRANSLATE_NOOP("setting", "spring of the joint"),
     .tip =
         TRANSLATE_NOOP("setting", "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely."),
-    .unit = "N/mm",
+    .unit = TRANSLATE_NOOP("setting", "N/mm"),
     .least = 0.0,
     .most = kHighestGain};
 constexpr Setting turningSpring() {
   Setting spring = kSpring;
   spring.key = "stiffness_N_mm_per_rad";
-  spring.unit = "N mm/rad";
+  spring.unit = TRANSLATE_NOOP("setting", "N mm/rad");
   return spring;
 }
 

@@ -35,7 +35,8 @@ struct Setting {
   double least = -kInfinity, most = kInfinity;
   bool is_above_least = false;  // the least itself is too little
   Said said = Said::IfUnusual;
-  const char* wrong = nullptr;  // of a number outside: its places are the last of least, most and the number
+  const char* wrong = nullptr;         // of a number outside: its places are the last of least, most and the number
+  const char* const* shown = nullptr;  // of a choice: what a panel says for each word; null: the words
 
   SettingKind kind = SettingKind::Number;
   const char* object = nullptr;  // where it stands: "/constraints/*/influence"; /control stands for a constraint's, too

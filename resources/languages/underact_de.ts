@@ -795,22 +795,6 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Kraftgesetz</translation>
     </message>
     <message>
-        <source>thesis 5.2</source>
-        <translation>Thesis 5.2</translation>
-    </message>
-    <message>
-        <source>nearest of all</source>
-        <translation>allernächster Punkt</translation>
-    </message>
-    <message>
-        <source>nearest of all, in the tree</source>
-        <translation>allernächster Punkt, im Baum</translation>
-    </message>
-    <message>
-        <source>along the surface</source>
-        <translation>entlang der Oberfläche</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -6712,6 +6696,118 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>setting</name>
     <message>
+        <source>P, proportional</source>
+        <translation>P, proportional</translation>
+    </message>
+    <message>
+        <source>PD, with damping</source>
+        <translation>PD, mit Dämpfung</translation>
+    </message>
+    <message>
+        <source>PID, with integral</source>
+        <translation>PID, mit Integral</translation>
+    </message>
+    <message>
+        <source>by effort (weighted)</source>
+        <translation>nach Aufwand (gewichtet)</translation>
+    </message>
+    <message>
+        <source>by distance (euclidean)</source>
+        <translation>nach Abstand (euklidisch)</translation>
+    </message>
+    <message>
+        <source>observe</source>
+        <translation>beobachten</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>regeln</translation>
+    </message>
+    <message>
+        <source>the tip (Cartesian)</source>
+        <translation>die Spitze (kartesisch)</translation>
+    </message>
+    <message>
+        <source>the joints</source>
+        <translation>die Gelenke</translation>
+    </message>
+    <message>
+        <source>Kalman</source>
+        <translation>Kalman</translation>
+    </message>
+    <message>
+        <source>low-pass</source>
+        <translation>Tiefpass</translation>
+    </message>
+    <message>
+        <source>adaptive window</source>
+        <translation>adaptives Fenster</translation>
+    </message>
+    <message>
+        <source>raw difference</source>
+        <translation>rohe Differenz</translation>
+    </message>
+    <message>
+        <source>+z, from the tip to the hand</source>
+        <translation>+z, von der Spitze zur Hand</translation>
+    </message>
+    <message>
+        <source>−z, from the hand to the tip</source>
+        <translation>−z, von der Hand zur Spitze</translation>
+    </message>
+    <message>
+        <source>nearest of all</source>
+        <translation>allernächster Punkt</translation>
+    </message>
+    <message>
+        <source>nearest of all, in the tree</source>
+        <translation>allernächster Punkt, im Baum</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>nothing of the turn</source>
+        <translation>nichts von der Drehung</translation>
+    </message>
+    <message>
+        <source>direction of z (axis)</source>
+        <translation>Richtung von z (Achse)</translation>
+    </message>
+    <message>
+        <source>angle about the joint</source>
+        <translation>Winkel um das Gelenk</translation>
+    </message>
+    <message>
+        <source>the whole turn</source>
+        <translation>die ganze Drehung</translation>
+    </message>
+    <message>
+        <source>energy, F = K e</source>
+        <translation>Energie, F = K e</translation>
+    </message>
+    <message>
+        <source>thesis 5.2</source>
+        <translation>Thesis 5.2</translation>
+    </message>
+    <message>
+        <source>by itself (auto)</source>
+        <translation>von selbst (auto)</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>iterative</source>
+        <translation>iterativ</translation>
+    </message>
+    <message>
         <source>how forces are combined</source>
         <translation>wie Kräfte zusammenwirken</translation>
     </message>
@@ -6736,6 +6832,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der längste Teilschritt des simulierten Arms, Mikrosekunden.</translation>
     </message>
     <message>
+        <source>us</source>
+        <translation>µs</translation>
+    </message>
+    <message>
         <source>law</source>
         <translation>Regelgesetz</translation>
     </message>
@@ -6752,6 +6852,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark der Stift je Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
     </message>
     <message>
+        <source>N/mm</source>
+        <translation>N/mm</translation>
+    </message>
+    <message>
         <source>damping</source>
         <translation>Dämpfung</translation>
     </message>
@@ -6760,12 +6864,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark einer Änderung des Fehlers widerstanden wird: f = kd de/dt (Differentialverstärkung).</translation>
     </message>
     <message>
+        <source>N s/mm</source>
+        <translation>N s/mm</translation>
+    </message>
+    <message>
         <source>integral</source>
         <translation>Integral</translation>
     </message>
     <message>
         <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
         <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
+    </message>
+    <message>
+        <source>N/(mm s)</source>
+        <translation>N/(mm s)</translation>
     </message>
     <message>
         <source>nearest point</source>
@@ -6808,12 +6920,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie weit ein Messwert danebenliegt, Standardabweichung.</translation>
     </message>
     <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
         <source>acceleration</source>
         <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>How hard the hand may speed up: more, and the filter follows sooner and is noisier.</source>
         <translation>Wie stark die Hand beschleunigen darf: Bei mehr folgt der Filter eher und rauscht stärker.</translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>mm/s²</translation>
     </message>
     <message>
         <source>time constant</source>
@@ -6824,12 +6944,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zeitkonstante tau des Tiefpasses, r' = (de/dt - r) / tau: seine Verzögerung.</translation>
     </message>
     <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
         <source>longest window</source>
         <translation>längstes Fenster</translation>
     </message>
     <message>
         <source>The longest window, in ticks: longer is calmer and later.</source>
         <translation>Das längste Fenster, in Takten: Ein längeres ist ruhiger und später.</translation>
+    </message>
+    <message>
+        <source>ticks</source>
+        <translation>Takte</translation>
     </message>
     <message>
         <source>As far as a sample may lie off the line through the ends of the window.</source>
@@ -6866,6 +6994,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Within this angle of the shape's axis the stylus's direction says less and less, and the target goes over to position smoothly.</source>
         <translation>Innerhalb dieses Winkels zur Achse der Form sagt die Richtung des Stifts immer weniger, und das Ziel geht glatt zur Position über.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>static friction</source>
@@ -6924,6 +7056,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie schnell die Führung läuft.</translation>
     </message>
     <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
         <source>guide t</source>
         <translation>Führung t</translation>
     </message>
@@ -6954,6 +7090,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the tip, go where the stylus points.</source>
         <translation>Wie stark die Drehung der Spitze der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen die Spitze dorthin gehen, wohin der Stift zeigt.</translation>
+    </message>
+    <message>
+        <source>N mm/rad</source>
+        <translation>N mm/rad</translation>
     </message>
     <message>
         <source>force law</source>
@@ -9510,7 +9650,62 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::FeelFoot</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Why the change was refused</source>
+        <translation>Warum die Änderung abgelehnt wurde</translation>
+    </message>
+    <message>
+        <source>A sampled wall with one tick of delay stays calm for K &lt; (b + B) / (1.5 T); b: the hand's damping, B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly.</source>
+        <translation>Eine abgetastete Wand mit einem Takt Verzögerung bleibt ruhig für K &lt; (b + B) / (1,5 T); b: die Dämpfung der Hand, B: kd, T: der Takt. Verringern Sie die Steifigkeit oder halten Sie den Stift fest.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::FeelPanel</name>
+    <message>
+        <source>Constraint whose gains are shown</source>
+        <translation>Bindung, deren Verstärkungen gezeigt sind</translation>
+    </message>
+    <message>
+        <source>Which constraint of the scene the gains below belong to.</source>
+        <translation>Zu welcher Bindung der Szene die Verstärkungen darunter gehören.</translation>
+    </message>
+    <message>
+        <source>&amp;Constraint</source>
+        <translation>&amp;Bindung</translation>
+    </message>
+    <message>
+        <source>&amp;Law</source>
+        <translation>Re&amp;gelgesetz</translation>
+    </message>
+    <message>
+        <source>Control law</source>
+        <translation>Regelgesetz</translation>
+    </message>
+    <message>
+        <source>&amp;Works on</source>
+        <translation>&amp;Wirkt auf</translation>
+    </message>
+    <message>
+        <source>Where the control works</source>
+        <translation>Wo die Regelung wirkt</translation>
+    </message>
+    <message>
+        <source>&amp;Nearest</source>
+        <translation>&amp;Nächster</translation>
+    </message>
+    <message>
+        <source>Nearest point with unequal gains</source>
+        <translation>Nächster Punkt bei ungleichen Verstärkungen</translation>
+    </message>
+    <message>
+        <source>way of the guide</source>
+        <translation>Richtung der Führung</translation>
+    </message>
     <message>
         <source>Reset to &amp;scene</source>
         <translation>Auf Szene &amp;zurücksetzen</translation>
@@ -9528,12 +9723,76 @@ und %2 weitere</translation>
         <translation>Führung</translation>
     </message>
     <message>
+        <source>reset to scene</source>
+        <translation>auf Szene zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Influence t</source>
+        <translation>Einfluss t</translation>
+    </message>
+    <message>
+        <source>Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the point nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3).</source>
+        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der seiner Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Thesis, Gl. 5.3).</translation>
+    </message>
+    <message>
+        <source>&amp;Turn of the stylus counts</source>
+        <translation>&amp;Drehung des Stifts zählt</translation>
+    </message>
+    <message>
+        <source>Turn of the stylus counts</source>
+        <translation>Drehung des Stifts zählt</translation>
+    </message>
+    <message>
+        <source>Off, the target is the nearest point: position only. On, turning the stylus moves the target.</source>
+        <translation>Aus: Das Ziel ist der nächste Punkt, nur die Position zählt. An: Das Drehen des Stifts bewegt das Ziel.</translation>
+    </message>
+    <message>
         <source>influence on</source>
         <translation>Einfluss an</translation>
     </message>
     <message>
         <source>influence off</source>
         <translation>Einfluss aus</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>&amp;Stylus axis</source>
+        <translation>&amp;Stiftachse</translation>
+    </message>
+    <message>
+        <source>Direction of the stylus that counts</source>
+        <translation>Richtung des Stifts, die zählt</translation>
+    </message>
+    <message>
+        <source>Blend width</source>
+        <translation>Übergangsbreite</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>The surface has f&amp;riction</source>
+        <translation>Die Oberfläche hat R&amp;eibung</translation>
+    </message>
+    <message>
+        <source>The surface has friction</source>
+        <translation>Die Oberfläche hat Reibung</translation>
+    </message>
+    <message>
+        <source>Off, the stylus glides along the surface. On, it sticks up to the static share of the force across the surface, and drags by the dynamic share beyond (Coulomb).</source>
+        <translation>Aus: Der Stift gleitet die Oberfläche entlang. An: Er haftet bis zum Haftanteil der Kraft quer zur Oberfläche und wird darüber mit dem Gleitanteil gebremst (Coulomb).</translation>
     </message>
     <message>
         <source>friction on</source>
@@ -9544,6 +9803,54 @@ und %2 weitere</translation>
         <translation>Reibung aus</translation>
     </message>
     <message>
+        <source>Dynamic</source>
+        <translation>Gleiten</translation>
+    </message>
+    <message>
+        <source>Static</source>
+        <translation>Haften</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>Dynamic friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smooth bends</source>
+        <translation>Knicke glätten</translation>
+    </message>
+    <message>
+        <source>&amp;Held to</source>
+        <translation>&amp;Gehalten an</translation>
+    </message>
+    <message>
+        <source>How the nearest point of the mesh is sought</source>
+        <translation>Wie der nächste Punkt des Dreiecksnetzes gesucht wird</translation>
+    </message>
+    <message>
+        <source>Along the curve</source>
+        <translation>Entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>A &amp;guide leads along it</source>
+        <translation>Eine &amp;Führung zieht mit</translation>
+    </message>
+    <message>
+        <source>A guide leads along the curve</source>
+        <translation>Eine Führung zieht an der Kurve entlang</translation>
+    </message>
+    <message>
+        <source>Off, the stylus is held to the nearest point of the curve. On, a point runs ahead of the hand along the curve, draws it on, and waits for it.</source>
+        <translation>Aus: Der Stift wird am nächsten Punkt der Kurve gehalten. An: Ein Punkt läuft der Hand auf der Kurve voraus, zieht sie weiter und wartet auf sie.</translation>
+    </message>
+    <message>
         <source>guide on</source>
         <translation>Führung an</translation>
     </message>
@@ -9552,100 +9859,76 @@ und %2 weitere</translation>
         <translation>Führung aus</translation>
     </message>
     <message>
-        <source>reset to scene</source>
-        <translation>auf Szene zurücksetzen</translation>
+        <source>Speed</source>
+        <translation>Tempo</translation>
     </message>
     <message>
-        <source>L&amp;ink q1, q2 and q3</source>
-        <translation>q1, q2, q3 &amp;koppeln</translation>
+        <source>Speed of the guide</source>
+        <translation>Tempo der Führung</translation>
     </message>
     <message>
-        <source>L&amp;ink x, y and z</source>
-        <translation>x, y, z &amp;koppeln</translation>
+        <source>bac&amp;kwards</source>
+        <translation>rü&amp;ckwärts</translation>
     </message>
     <message>
-        <source>Constraint whose gains are shown</source>
-        <translation>Bindung, deren Verstärkungen gezeigt sind</translation>
+        <source>The guide runs backwards</source>
+        <translation>Die Führung läuft rückwärts</translation>
     </message>
     <message>
-        <source>Which constraint of the scene the gains below belong to.</source>
-        <translation>Zu welcher Bindung der Szene die Verstärkungen darunter gehören.</translation>
+        <source>Influence of the hand's own place on the curve</source>
+        <translation>Einfluss der Stelle der Hand auf der Kurve</translation>
     </message>
     <message>
-        <source>Control law</source>
-        <translation>Regelgesetz</translation>
+        <source>nearest</source>
+        <translation>nächster</translation>
     </message>
     <message>
-        <source>P, proportional</source>
-        <translation>P, proportional</translation>
+        <source>Lead</source>
+        <translation>Vorlauf</translation>
     </message>
     <message>
-        <source>PD, with damping</source>
-        <translation>PD, mit Dämpfung</translation>
+        <source>Lead of the guide</source>
+        <translation>Vorlauf der Führung</translation>
     </message>
     <message>
-        <source>PID, with integral</source>
-        <translation>PID, mit Integral</translation>
+        <source>Rate and energy</source>
+        <translation>Rate und Energie</translation>
     </message>
     <message>
-        <source>Nearest point with unequal gains</source>
-        <translation>Nächster Punkt bei ungleichen Verstärkungen</translation>
+        <source>How the rate of the error is found, for damping, and whether the energy of the constraint is watched.</source>
+        <translation>Wie die Änderungsrate des Fehlers für die Dämpfung bestimmt wird und ob die Energie der Bindung überwacht wird.</translation>
     </message>
     <message>
-        <source>by effort (weighted)</source>
-        <translation>nach Aufwand (gewichtet)</translation>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
     </message>
     <message>
-        <source>by distance (euclidean)</source>
-        <translation>nach Abstand (euklidisch)</translation>
+        <source>&amp;Velocity</source>
+        <translation>&amp;Filter</translation>
     </message>
     <message>
-        <source>Where the control works</source>
-        <translation>Wo die Regelung wirkt</translation>
+        <source>Velocity filter</source>
+        <translation>Geschwindigkeitsfilter</translation>
     </message>
     <message>
-        <source>the tip (Cartesian)</source>
-        <translation>die Spitze (kartesisch)</translation>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>the joints</source>
-        <translation>die Gelenke</translation>
+        <source>Time constant</source>
+        <translation>Zeitkonstante</translation>
     </message>
     <message>
-        <source>&amp;Constraint</source>
-        <translation>&amp;Bindung</translation>
+        <source>Longest window</source>
+        <translation>Längstes Fenster</translation>
     </message>
     <message>
-        <source>&amp;Law</source>
-        <translation>Re&amp;gelgesetz</translation>
+        <source>&amp;Passivity</source>
+        <translation>&amp;Passivität</translation>
     </message>
     <message>
-        <source>&amp;Works on</source>
-        <translation>&amp;Wirkt auf</translation>
-    </message>
-    <message>
-        <source>&amp;Nearest</source>
-        <translation>&amp;Nächster</translation>
-    </message>
-    <message>
-        <source>Link x, y and z</source>
-        <translation>x, y, z koppeln</translation>
-    </message>
-    <message>
-        <source>A change of one axis changes all three.</source>
-        <translation>Die Änderung einer Achse ändert alle drei.</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>A sampled wall with one tick of delay stays calm for K &lt; (b + B) / (1.5 T); b: the hand's damping, B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly.</source>
-        <translation>Eine abgetastete Wand mit einem Takt Verzögerung bleibt ruhig für K &lt; (b + B) / (1,5 T); b: die Dämpfung der Hand, B: kd, T: der Takt. Verringern Sie die Steifigkeit oder halten Sie den Stift fest.</translation>
-    </message>
-    <message>
-        <source>Why the change was refused</source>
-        <translation>Warum die Änderung abgelehnt wurde</translation>
+        <source>Passivity</source>
+        <translation>Passivität</translation>
     </message>
 </context>
 <context>
@@ -9870,6 +10153,25 @@ und %2 weitere</translation>
     <message>
         <source>Swings along %1 at place %2, the fit leaves %3 µm</source>
         <translation>Schwingungen längs %1 an Stelle %2, die Anpassung lässt %3 µm übrig</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::GainSection</name>
+    <message>
+        <source>L&amp;ink x, y and z</source>
+        <translation>x, y, z &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>Link x, y and z</source>
+        <translation>x, y, z koppeln</translation>
+    </message>
+    <message>
+        <source>A change of one axis changes all three.</source>
+        <translation>Die Änderung einer Achse ändert alle drei.</translation>
+    </message>
+    <message>
+        <source>L&amp;ink q1, q2 and q3</source>
+        <translation>q1, q2, q3 &amp;koppeln</translation>
     </message>
 </context>
 <context>
@@ -10134,81 +10436,6 @@ und %2 weitere</translation>
     <message>
         <source>Nothing was found.</source>
         <translation>Nichts wurde gefunden.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::GuideSection</name>
-    <message>
-        <source>A &amp;guide leads along it</source>
-        <translation>Eine &amp;Führung zieht mit</translation>
-    </message>
-    <message>
-        <source>Along the curve</source>
-        <translation>Entlang der Kurve</translation>
-    </message>
-    <message>
-        <source>A guide leads along the curve</source>
-        <translation>Eine Führung zieht an der Kurve entlang</translation>
-    </message>
-    <message>
-        <source>Off, the stylus is held to the nearest point of the curve. On, a point runs ahead of the hand along the curve, draws it on, and waits for it.</source>
-        <translation>Aus: Der Stift wird am nächsten Punkt der Kurve gehalten. An: Ein Punkt läuft der Hand auf der Kurve voraus, zieht sie weiter und wartet auf sie.</translation>
-    </message>
-    <message>
-        <source>guide on</source>
-        <translation>Führung an</translation>
-    </message>
-    <message>
-        <source>guide off</source>
-        <translation>Führung aus</translation>
-    </message>
-    <message>
-        <source>mm/s</source>
-        <translation>mm/s</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Speed of the guide</source>
-        <translation>Tempo der Führung</translation>
-    </message>
-    <message>
-        <source>Influence of the hand's own place on the curve</source>
-        <translation>Einfluss der Stelle der Hand auf der Kurve</translation>
-    </message>
-    <message>
-        <source>guide</source>
-        <translation>Führung</translation>
-    </message>
-    <message>
-        <source>nearest</source>
-        <translation>nächster</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Lead</source>
-        <translation>Vorlauf</translation>
-    </message>
-    <message>
-        <source>Lead of the guide</source>
-        <translation>Vorlauf der Führung</translation>
-    </message>
-    <message>
-        <source>bac&amp;kwards</source>
-        <translation>rü&amp;ckwärts</translation>
-    </message>
-    <message>
-        <source>The guide runs backwards</source>
-        <translation>Die Führung läuft rückwärts</translation>
-    </message>
-    <message>
-        <source>way of the guide</source>
-        <translation>Richtung der Führung</translation>
     </message>
 </context>
 <context>
@@ -10516,73 +10743,6 @@ und %2 weitere</translation>
     <message>
         <source>Measure the arm</source>
         <translation>Arm vermessen</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::InfluenceSection</name>
-    <message>
-        <source>&amp;Turn of the stylus counts</source>
-        <translation>&amp;Drehung des Stifts zählt</translation>
-    </message>
-    <message>
-        <source>Influence t</source>
-        <translation>Einfluss t</translation>
-    </message>
-    <message>
-        <source>Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the point nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3).</source>
-        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der seiner Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Thesis, Gl. 5.3).</translation>
-    </message>
-    <message>
-        <source>Turn of the stylus counts</source>
-        <translation>Drehung des Stifts zählt</translation>
-    </message>
-    <message>
-        <source>Off, the target is the nearest point: position only. On, turning the stylus moves the target.</source>
-        <translation>Aus: Das Ziel ist der nächste Punkt, nur die Position zählt. An: Das Drehen des Stifts bewegt das Ziel.</translation>
-    </message>
-    <message>
-        <source>influence on</source>
-        <translation>Einfluss an</translation>
-    </message>
-    <message>
-        <source>influence off</source>
-        <translation>Einfluss aus</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>Übergang</translation>
-    </message>
-    <message>
-        <source>orientation</source>
-        <translation>Orientierung</translation>
-    </message>
-    <message>
-        <source>position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Blend width</source>
-        <translation>Übergangsbreite</translation>
-    </message>
-    <message>
-        <source>Direction of the stylus that counts</source>
-        <translation>Richtung des Stifts, die zählt</translation>
-    </message>
-    <message>
-        <source>+z, from the tip to the hand</source>
-        <translation>+z, von der Spitze zur Hand</translation>
-    </message>
-    <message>
-        <source>−z, from the hand to the tip</source>
-        <translation>−z, von der Hand zur Spitze</translation>
-    </message>
-    <message>
-        <source>&amp;Stylus axis</source>
-        <translation>&amp;Stiftachse</translation>
     </message>
 </context>
 <context>
@@ -10917,6 +11077,14 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::LabPanel</name>
     <message>
+        <source>What this scene offers</source>
+        <translation>Was diese Szene bietet</translation>
+    </message>
+    <message>
+        <source>What a tick is predicted to take</source>
+        <translation>Was ein Takt voraussichtlich braucht</translation>
+    </message>
+    <message>
         <source>Measuring. Window and servo go on; leave the scene as it is.</source>
         <translation>Messung läuft. Fenster und Servo laufen weiter; lassen Sie die Szene, wie sie ist.</translation>
     </message>
@@ -10965,10 +11133,6 @@ und %2 weitere</translation>
         <translation>Ein Takt dieser Szene: %1 vorhergesagt, %2 % seiner Periode von %3 bei %4 Hz.</translation>
     </message>
     <message>
-        <source>There is nothing to choose from yet.</source>
-        <translation>Es gibt noch nichts zur Auswahl.</translation>
-    </message>
-    <message>
         <source>What is set now is none of the ways that were measured.</source>
         <translation>Was jetzt eingestellt ist, wurde so nicht gemessen.</translation>
     </message>
@@ -11003,114 +11167,6 @@ und %2 weitere</translation>
     <message>
         <source> The arm that is simulated here has the vendor's figures, not those of “%1”.</source>
         <translation> Der hier simulierte Arm hat die Zahlen des Herstellers, nicht die von „%1“.</translation>
-    </message>
-    <message>
-        <source>What this scene offers</source>
-        <translation>Was diese Szene bietet</translation>
-    </message>
-    <message>
-        <source>What a tick is predicted to take</source>
-        <translation>Was ein Takt voraussichtlich braucht</translation>
-    </message>
-    <message>
-        <source>Hands that hold the stylus</source>
-        <translation>Hände, die den Stift halten</translation>
-    </message>
-    <message>
-        <source>Who moves the simulated stylus while it is measured.</source>
-        <translation>Wer den simulierten Stift während der Messung bewegt.</translation>
-    </message>
-    <message>
-        <source>All hands</source>
-        <translation>Alle Hände</translation>
-    </message>
-    <message>
-        <source>Length of each run, s</source>
-        <translation>Länge jedes Laufs, s</translation>
-    </message>
-    <message>
-        <source>How long each run is, in the time of the simulated arm.</source>
-        <translation>Wie lang jeder Lauf ist, in der Zeit des simulierten Arms.</translation>
-    </message>
-    <message>
-        <source> s each</source>
-        <translation> s je Lauf</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Measures cost and error of every choice, and the front of all ways to run this scene.</source>
-        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Arten, diese Szene auszuführen.</translation>
-    </message>
-    <message>
-        <source>Measure speed and accuracy of this scene</source>
-        <translation>Tempo und Genauigkeit dieser Szene messen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Ends the measurement; nothing is kept.</source>
-        <translation>Beendet die Messung; nichts wird behalten.</translation>
-    </message>
-    <message>
-        <source>Cancel the measurement</source>
-        <translation>Messung abbrechen</translation>
-    </message>
-    <message>
-        <source>Progress of the measurement</source>
-        <translation>Fortschritt der Messung</translation>
-    </message>
-    <message>
-        <source>What there is to know of the measurement</source>
-        <translation>Was über die Messung zu wissen ist</translation>
-    </message>
-    <message>
-        <source>&amp;Hands</source>
-        <translation>&amp;Hände</translation>
-    </message>
-    <message>
-        <source>R&amp;uns</source>
-        <translation>Lä&amp;ufe</translation>
-    </message>
-    <message>
-        <source>From speed to accuracy</source>
-        <translation>Von Tempo zu Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Along the front: from the cheapest way to run this scene to the most exact. The mark is how it was; a double click goes back there.</source>
-        <translation>Entlang der Front: von der billigsten Art, diese Szene auszuführen, zur genauesten. Die Marke zeigt, wie es war; ein Doppelklick geht dorthin zurück.</translation>
-    </message>
-    <message>
-        <source>S&amp;peed</source>
-        <translation>Tem&amp;po</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>What is chosen</source>
-        <translation>Was gewählt ist</translation>
-    </message>
-    <message>
-        <source>What differs from how the scene was</source>
-        <translation>Was von der vorigen Szene abweicht</translation>
-    </message>
-    <message>
-        <source>As it &amp;was</source>
-        <translation>Wie &amp;vorher</translation>
-    </message>
-    <message>
-        <source>Puts scene and servo rate back to how they were when they were measured.</source>
-        <translation>Setzt Szene und Servo-Taktrate auf den Stand der Messung zurück.</translation>
-    </message>
-    <message>
-        <source>As it was when it was measured</source>
-        <translation>Wie es bei der Messung war</translation>
     </message>
 </context>
 <context>
@@ -11740,6 +11796,73 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::MeasuringPart</name>
+    <message>
+        <source>Hands that hold the stylus</source>
+        <translation>Hände, die den Stift halten</translation>
+    </message>
+    <message>
+        <source>Who moves the simulated stylus while it is measured.</source>
+        <translation>Wer den simulierten Stift während der Messung bewegt.</translation>
+    </message>
+    <message>
+        <source>All hands</source>
+        <translation>Alle Hände</translation>
+    </message>
+    <message>
+        <source>Length of each run, s</source>
+        <translation>Länge jedes Laufs, s</translation>
+    </message>
+    <message>
+        <source>How long each run is, in the time of the simulated arm.</source>
+        <translation>Wie lang jeder Lauf ist, in der Zeit des simulierten Arms.</translation>
+    </message>
+    <message>
+        <source> s each</source>
+        <translation> s je Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measures cost and error of every choice, and the front of all ways to run this scene.</source>
+        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Arten, diese Szene auszuführen.</translation>
+    </message>
+    <message>
+        <source>Measure speed and accuracy of this scene</source>
+        <translation>Tempo und Genauigkeit dieser Szene messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the measurement; nothing is kept.</source>
+        <translation>Beendet die Messung; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Cancel the measurement</source>
+        <translation>Messung abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
+    </message>
+    <message>
+        <source>What there is to know of the measurement</source>
+        <translation>Was über die Messung zu wissen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Hands</source>
+        <translation>&amp;Hände</translation>
+    </message>
+    <message>
+        <source>R&amp;uns</source>
+        <translation>Lä&amp;ufe</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::MeshDialog</name>
     <message>
         <source>Mesh %1</source>
@@ -12241,61 +12364,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::PullSection</name>
-    <message>
-        <source>What it pulls with</source>
-        <translation>Womit er zieht</translation>
-    </message>
-    <message>
-        <source>The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e.</source>
-        <translation>Die Gelenke des Roboters nehmen die kleinste Energie V = e·K e / 2 ein, und der Stift wird zu dessen Spitze gezogen: F = K e.</translation>
-    </message>
-    <message>
-        <source>Kθ</source>
-        <translation>Kθ</translation>
-    </message>
-    <message>
-        <source>Turning stiffness</source>
-        <translation>Drehsteifigkeit</translation>
-    </message>
-    <message>
-        <source>What of the stylus's turn the tip follows</source>
-        <translation>Was die Spitze von der Drehung des Stifts mitmacht</translation>
-    </message>
-    <message>
-        <source>nothing of the turn</source>
-        <translation>nichts von der Drehung</translation>
-    </message>
-    <message>
-        <source>direction of z (axis)</source>
-        <translation>Richtung von z (Achse)</translation>
-    </message>
-    <message>
-        <source>angle about the joint</source>
-        <translation>Winkel um das Gelenk</translation>
-    </message>
-    <message>
-        <source>the whole turn</source>
-        <translation>die ganze Drehung</translation>
-    </message>
-    <message>
-        <source>Force law</source>
-        <translation>Kraftgesetz</translation>
-    </message>
-    <message>
-        <source>energy, F = K e</source>
-        <translation>Energie, F = K e</translation>
-    </message>
-    <message>
-        <source>thesis 5.2</source>
-        <translation>Thesis 5.2</translation>
-    </message>
-    <message>
-        <source>Follows</source>
-        <translation>Folgt</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::RateChooser</name>
     <message>
         <source>Rate of the servo</source>
@@ -12312,89 +12380,6 @@ und %2 weitere</translation>
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::RateSection</name>
-    <message>
-        <source>Rate and energy</source>
-        <translation>Rate und Energie</translation>
-    </message>
-    <message>
-        <source>How the rate of the error is found, for damping, and whether the energy of the constraint is watched.</source>
-        <translation>Wie die Änderungsrate des Fehlers für die Dämpfung bestimmt wird und ob die Energie der Bindung überwacht wird.</translation>
-    </message>
-    <message>
-        <source>Velocity filter</source>
-        <translation>Geschwindigkeitsfilter</translation>
-    </message>
-    <message>
-        <source>Kalman</source>
-        <translation>Kalman</translation>
-    </message>
-    <message>
-        <source>low-pass</source>
-        <translation>Tiefpass</translation>
-    </message>
-    <message>
-        <source>adaptive window</source>
-        <translation>adaptives Fenster</translation>
-    </message>
-    <message>
-        <source>raw difference</source>
-        <translation>rohe Differenz</translation>
-    </message>
-    <message>
-        <source>Passivity</source>
-        <translation>Passivität</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
-        <source>observe</source>
-        <translation>beobachten</translation>
-    </message>
-    <message>
-        <source>control</source>
-        <translation>regeln</translation>
-    </message>
-    <message>
-        <source>&amp;Velocity</source>
-        <translation>&amp;Filter</translation>
-    </message>
-    <message>
-        <source>&amp;Passivity</source>
-        <translation>&amp;Passivität</translation>
-    </message>
-    <message>
-        <source>Setting</source>
-        <translation>Einstellung</translation>
-    </message>
-    <message>
-        <source>mm/s²</source>
-        <translation>mm/s²</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Beschleunigung</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>Time constant</source>
-        <translation>Zeitkonstante</translation>
-    </message>
-    <message>
-        <source>ticks</source>
-        <translation>Takte</translation>
-    </message>
-    <message>
-        <source>Longest window</source>
-        <translation>Längstes Fenster</translation>
     </message>
 </context>
 <context>
@@ -12783,6 +12768,45 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::RobotEdits</name>
+    <message>
+        <source>joint %1, %2</source>
+        <translation>Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>add a joint</source>
+        <translation>Gelenk hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove a joint</source>
+        <translation>Gelenk entfernen</translation>
+    </message>
+    <message>
+        <source>move a joint</source>
+        <translation>Gelenk verschieben</translation>
+    </message>
+    <message>
+        <source>tip at home</source>
+        <translation>Spitze in Grundstellung</translation>
+    </message>
+    <message>
+        <source>turn of the tip</source>
+        <translation>Drehung der Spitze</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>new robot</source>
+        <translation>neuer Roboter</translation>
+    </message>
+    <message>
+        <source>remove the robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::RobotNowSection</name>
     <message>
         <source>Now</source>
@@ -12900,18 +12924,6 @@ und %2 weitere</translation>
         <translation>Diese Szene hat keinen virtuellen Roboter. Ein neuer kommt zu dem hinzu, was da ist: ein Gelenk, zu dessen Spitze der Stift gezogen wird.</translation>
     </message>
     <message>
-        <source>Robot that is shown</source>
-        <translation>Gezeigter Roboter</translation>
-    </message>
-    <message>
-        <source>Which robot of the scene is shown.</source>
-        <translation>Welcher Roboter der Szene gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
         <source>Moment, not sent</source>
         <translation>Moment, nicht gesendet</translation>
     </message>
@@ -12948,40 +12960,76 @@ und %2 weitere</translation>
         <translation>Den gezeigten Roboter aus der Szene entfernen</translation>
     </message>
     <message>
-        <source>joint %1, %2</source>
-        <translation>Gelenk %1, %2</translation>
+        <source>Robot that is shown</source>
+        <translation>Gezeigter Roboter</translation>
     </message>
     <message>
-        <source>add a joint</source>
-        <translation>Gelenk hinzufügen</translation>
+        <source>Which robot of the scene is shown.</source>
+        <translation>Welcher Roboter der Szene gezeigt wird.</translation>
     </message>
     <message>
-        <source>remove a joint</source>
-        <translation>Gelenk entfernen</translation>
-    </message>
-    <message>
-        <source>move a joint</source>
-        <translation>Gelenk verschieben</translation>
-    </message>
-    <message>
-        <source>tip at home</source>
-        <translation>Spitze in Grundstellung</translation>
-    </message>
-    <message>
-        <source>turn of the tip</source>
-        <translation>Drehung der Spitze</translation>
-    </message>
-    <message>
-        <source>robot</source>
+        <source>Robot</source>
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>new robot</source>
-        <translation>neuer Roboter</translation>
+        <source>What it pulls with</source>
+        <translation>Womit er zieht</translation>
     </message>
     <message>
-        <source>remove the robot</source>
-        <translation>Roboter entfernen</translation>
+        <source>The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e.</source>
+        <translation>Die Gelenke des Roboters nehmen die kleinste Energie V = e·K e / 2 ein, und der Stift wird zu dessen Spitze gezogen: F = K e.</translation>
+    </message>
+    <message>
+        <source>Kθ</source>
+        <translation>Kθ</translation>
+    </message>
+    <message>
+        <source>Turning stiffness</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>What of the stylus's turn the tip follows</source>
+        <translation>Was die Spitze von der Drehung des Stifts mitmacht</translation>
+    </message>
+    <message>
+        <source>Force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>How the joints of least energy are found, every tick. Nothing felt changes with the method.</source>
+        <translation>Wie in jedem Takt die Gelenkwerte kleinster Energie gefunden werden. Die Methode ändert nichts am Gefühlten.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Method of the solver</source>
+        <translation>Methode des Lösers</translation>
+    </message>
+    <message>
+        <source>Most steps</source>
+        <translation>Max. Schritte</translation>
+    </message>
+    <message>
+        <source>Most steps a tick</source>
+        <translation>Max. Schritte je Takt</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Tolerance, rad and shares of the reach</source>
+        <translation>Toleranz, rad und Anteile der Reichweite</translation>
     </message>
 </context>
 <context>
@@ -14019,53 +14067,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::SolverSection</name>
-    <message>
-        <source>Solver</source>
-        <translation>Löser</translation>
-    </message>
-    <message>
-        <source>How the joints of least energy are found, every tick. Nothing felt changes with the method.</source>
-        <translation>Wie in jedem Takt die Gelenkwerte kleinster Energie gefunden werden. Die Methode ändert nichts am Gefühlten.</translation>
-    </message>
-    <message>
-        <source>Method of the solver</source>
-        <translation>Methode des Lösers</translation>
-    </message>
-    <message>
-        <source>by itself (auto)</source>
-        <translation>von selbst (auto)</translation>
-    </message>
-    <message>
-        <source>closed form</source>
-        <translation>geschlossene Form</translation>
-    </message>
-    <message>
-        <source>iterative</source>
-        <translation>iterativ</translation>
-    </message>
-    <message>
-        <source>Most steps a tick</source>
-        <translation>Max. Schritte je Takt</translation>
-    </message>
-    <message>
-        <source>Tolerance, rad and shares of the reach</source>
-        <translation>Toleranz, rad und Anteile der Reichweite</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Methode</translation>
-    </message>
-    <message>
-        <source>Most steps</source>
-        <translation>Max. Schritte</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::StatusLine</name>
     <message>
         <source>Servo</source>
@@ -14185,19 +14186,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::StepPanel</name>
-    <message>
-        <source>It grows without end: a pole lies right of the imaginary axis, or twice on it.</source>
-        <translation>Sie wächst ohne Ende: Ein Pol liegt rechts der imaginären Achse oder doppelt auf ihr.</translation>
-    </message>
-    <message>
-        <source>It goes on for ever: a pole lies at 0.</source>
-        <translation>Sie läuft immer weiter: Ein Pol liegt bei 0.</translation>
-    </message>
-    <message>
-        <source>It swings for ever: nothing damps it.</source>
-        <translation>Sie schwingt für immer: Nichts dämpft sie.</translation>
-    </message>
+    <name>underact::gui::StepFigures</name>
     <message>
         <source> ± %1i</source>
         <translation> ± %1i</translation>
@@ -14207,52 +14196,8 @@ und %2 weitere</translation>
         <translation>Pole [rad/s]: %1</translation>
     </message>
     <message>
-        <source>gains of the step response</source>
-        <translation>Verstärkungen der Sprungantwort</translation>
-    </message>
-    <message>
         <source>model</source>
         <translation>Modell</translation>
-    </message>
-    <message>
-        <source>The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.</source>
-        <translation>Die Spitze hat sich nicht bewegt: %1 N überwinden die Reibung des Arms von %2 N nicht. Machen Sie den Sprung größer.</translation>
-    </message>
-    <message>
-        <source>The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure without the limits.</source>
-        <translation>Die Kraftschleuse hat die Kraft in %1 Takten gekürzt, dies ist also keine lineare Antwort. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
-    </message>
-    <message>
-        <source>Measured along %1%3. The model has no friction; the arm has %2 N.</source>
-        <translation>Gemessen entlang %1%3. Das Modell hat keine Reibung; der Arm hat %2 N.</translation>
-    </message>
-    <message>
-        <source>the direction in which it holds</source>
-        <translation>der Richtung, in der sie hält</translation>
-    </message>
-    <message>
-        <source> on “%1”</source>
-        <translation> an „%1“</translation>
-    </message>
-    <message>
-        <source>never</source>
-        <translation>nie</translation>
-    </message>
-    <message>
-        <source>What is shown</source>
-        <translation>Was gezeigt wird</translation>
-    </message>
-    <message>
-        <source>The arm under a law, or one of the figures of the thesis's appendix B.</source>
-        <translation>Der Arm unter einem Regelgesetz oder eine der Abbildungen aus Anhang B der Thesis.</translation>
-    </message>
-    <message>
-        <source>The arm under a law</source>
-        <translation>Der Arm unter einem Regelgesetz</translation>
-    </message>
-    <message>
-        <source>%1  %2</source>
-        <translation>%1  %2</translation>
     </message>
     <message>
         <source>measured</source>
@@ -14335,80 +14280,15 @@ und %2 weitere</translation>
         <translation>Was die Anpassung von der gemessenen Kurve übrig lässt, Wurzel aus dem mittleren Quadrat.</translation>
     </message>
     <message>
-        <source>What there is to know of this response</source>
-        <translation>Was es zu dieser Antwort zu wissen gibt</translation>
+        <source>never</source>
+        <translation>nie</translation>
     </message>
+</context>
+<context>
+    <name>underact::gui::StepFoot</name>
     <message>
-        <source>Constraint that is measured</source>
-        <translation>Bindung, die gemessen wird</translation>
-    </message>
-    <message>
-        <source>Which constraint of the scene is measured, and whose gains are taken and given.</source>
-        <translation>Welche Bindung der Szene gemessen wird und wessen Verstärkungen geholt und gegeben werden.</translation>
-    </message>
-    <message>
-        <source>Law of the response</source>
-        <translation>Regelgesetz der Antwort</translation>
-    </message>
-    <message>
-        <source>P: kp e (B.13).  PD: and kd de/dt (B.14).  PID: and the integral of ki e (B.15).</source>
-        <translation>P: kp e (B.13).  PD: dazu kd de/dt (B.14).  PID: dazu das Integral von ki e (B.15).</translation>
-    </message>
-    <message>
-        <source>P, proportional</source>
-        <translation>P, proportional</translation>
-    </message>
-    <message>
-        <source>PD, with damping</source>
-        <translation>PD, mit Dämpfung</translation>
-    </message>
-    <message>
-        <source>PID, with integral</source>
-        <translation>PID, mit Integral</translation>
-    </message>
-    <message>
-        <source>C&amp;onstraint</source>
-        <translation>B&amp;indung</translation>
-    </message>
-    <message>
-        <source>La&amp;w</source>
-        <translation>&amp;Regelgesetz</translation>
-    </message>
-    <message>
-        <source>What moves at the tip: the arm's apparent mass, and a hand's: m x'' + b x' + kp x = kp r.</source>
-        <translation>Was sich an der Spitze bewegt: die scheinbare Masse des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
-    </message>
-    <message>
-        <source>What slows the tip besides the law, the arm's own damping and a hand's: m x'' + b x' + kp x = kp r.</source>
-        <translation>Was die Spitze außer dem Regelgesetz bremst, die eigene Dämpfung des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
-    </message>
-    <message>
-        <source>mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
-        <source>Stiffness kp</source>
-        <translation>Steifigkeit kp</translation>
-    </message>
-    <message>
-        <source>Damping kd</source>
-        <translation>Dämpfung kd</translation>
-    </message>
-    <message>
-        <source>Integral ki</source>
-        <translation>Integral ki</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <source>Damping b</source>
-        <translation>Dämpfung b</translation>
+        <source>With the &amp;limits of the gate</source>
+        <translation>Mi&amp;t den Grenzen der Kraftschleuse</translation>
     </message>
     <message>
         <source>&amp;Take gains</source>
@@ -14459,16 +14339,75 @@ und %2 weitere</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>With the &amp;limits of the gate</source>
-        <translation>Mi&amp;t den Grenzen der Kraftschleuse</translation>
-    </message>
-    <message>
         <source>With the limits of the gate</source>
         <translation>Mit den Grenzen der Kraftschleuse</translation>
     </message>
     <message>
         <source>The force is cut to what the arm bears, and to a speed. Off: the law alone, as the model has it.</source>
         <translation>Die Kraft wird auf das gekürzt, was der Arm verträgt, und auf ein Tempo. Aus: das Regelgesetz allein, wie es das Modell hat.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::StepPanel</name>
+    <message>
+        <source>It grows without end: a pole lies right of the imaginary axis, or twice on it.</source>
+        <translation>Sie wächst ohne Ende: Ein Pol liegt rechts der imaginären Achse oder doppelt auf ihr.</translation>
+    </message>
+    <message>
+        <source>It goes on for ever: a pole lies at 0.</source>
+        <translation>Sie läuft immer weiter: Ein Pol liegt bei 0.</translation>
+    </message>
+    <message>
+        <source>It swings for ever: nothing damps it.</source>
+        <translation>Sie schwingt für immer: Nichts dämpft sie.</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The arm under a law, or one of the figures of the thesis's appendix B.</source>
+        <translation>Der Arm unter einem Regelgesetz oder eine der Abbildungen aus Anhang B der Thesis.</translation>
+    </message>
+    <message>
+        <source>The arm under a law</source>
+        <translation>Der Arm unter einem Regelgesetz</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>What there is to know of this response</source>
+        <translation>Was es zu dieser Antwort zu wissen gibt</translation>
+    </message>
+    <message>
+        <source>gains of the step response</source>
+        <translation>Verstärkungen der Sprungantwort</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.</source>
+        <translation>Die Spitze hat sich nicht bewegt: %1 N überwinden die Reibung des Arms von %2 N nicht. Machen Sie den Sprung größer.</translation>
+    </message>
+    <message>
+        <source>The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure without the limits.</source>
+        <translation>Die Kraftschleuse hat die Kraft in %1 Takten gekürzt, dies ist also keine lineare Antwort. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
+    </message>
+    <message>
+        <source>Measured along %1%3. The model has no friction; the arm has %2 N.</source>
+        <translation>Gemessen entlang %1%3. Das Modell hat keine Reibung; der Arm hat %2 N.</translation>
+    </message>
+    <message>
+        <source>the direction in which it holds</source>
+        <translation>der Richtung, in der sie hält</translation>
+    </message>
+    <message>
+        <source> on “%1”</source>
+        <translation> an „%1“</translation>
     </message>
 </context>
 <context>
@@ -14527,78 +14466,66 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::SurfaceSection</name>
+    <name>underact::gui::StepRows</name>
     <message>
-        <source>The surface has f&amp;riction</source>
-        <translation>Die Oberfläche hat R&amp;eibung</translation>
+        <source>What moves at the tip: the arm's apparent mass, and a hand's: m x'' + b x' + kp x = kp r.</source>
+        <translation>Was sich an der Spitze bewegt: die scheinbare Masse des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
+        <source>What slows the tip besides the law, the arm's own damping and a hand's: m x'' + b x' + kp x = kp r.</source>
+        <translation>Was die Spitze außer dem Regelgesetz bremst, die eigene Dämpfung des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
     </message>
     <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
+        <source>Constraint that is measured</source>
+        <translation>Bindung, die gemessen wird</translation>
     </message>
     <message>
-        <source>The surface has friction</source>
-        <translation>Die Oberfläche hat Reibung</translation>
+        <source>Which constraint of the scene is measured, and whose gains are taken and given.</source>
+        <translation>Welche Bindung der Szene gemessen wird und wessen Verstärkungen geholt und gegeben werden.</translation>
     </message>
     <message>
-        <source>Off, the stylus glides along the surface. On, it sticks up to the static share of the force across the surface, and drags by the dynamic share beyond (Coulomb).</source>
-        <translation>Aus: Der Stift gleitet die Oberfläche entlang. An: Er haftet bis zum Haftanteil der Kraft quer zur Oberfläche und wird darüber mit dem Gleitanteil gebremst (Coulomb).</translation>
+        <source>Law of the response</source>
+        <translation>Regelgesetz der Antwort</translation>
     </message>
     <message>
-        <source>Smooth</source>
-        <translation>Glätten</translation>
+        <source>P: kp e (B.13).  PD: and kd de/dt (B.14).  PID: and the integral of ki e (B.15).</source>
+        <translation>P: kp e (B.13).  PD: dazu kd de/dt (B.14).  PID: dazu das Integral von ki e (B.15).</translation>
     </message>
     <message>
-        <source>Smooth bends</source>
-        <translation>Knicke glätten</translation>
+        <source>C&amp;onstraint</source>
+        <translation>B&amp;indung</translation>
     </message>
     <message>
-        <source>Dynamic</source>
-        <translation>Gleiten</translation>
+        <source>La&amp;w</source>
+        <translation>&amp;Regelgesetz</translation>
     </message>
     <message>
-        <source>How the nearest point of the mesh is sought</source>
-        <translation>Wie der nächste Punkt des Dreiecksnetzes gesucht wird</translation>
+        <source>mass</source>
+        <translation>Masse</translation>
     </message>
     <message>
-        <source>nearest of all</source>
-        <translation>allernächster Punkt</translation>
+        <source>b</source>
+        <translation>b</translation>
     </message>
     <message>
-        <source>nearest of all, in the tree</source>
-        <translation>allernächster Punkt, im Baum</translation>
+        <source>Stiffness kp</source>
+        <translation>Steifigkeit kp</translation>
     </message>
     <message>
-        <source>along the surface</source>
-        <translation>entlang der Oberfläche</translation>
+        <source>Damping kd</source>
+        <translation>Dämpfung kd</translation>
     </message>
     <message>
-        <source>&amp;Held to</source>
-        <translation>&amp;Gehalten an</translation>
+        <source>Integral ki</source>
+        <translation>Integral ki</translation>
     </message>
     <message>
-        <source>friction on</source>
-        <translation>Reibung an</translation>
+        <source>Mass</source>
+        <translation>Masse</translation>
     </message>
     <message>
-        <source>friction off</source>
-        <translation>Reibung aus</translation>
-    </message>
-    <message>
-        <source>Static</source>
-        <translation>Haften</translation>
-    </message>
-    <message>
-        <source>Static friction</source>
-        <translation>Haftreibung</translation>
-    </message>
-    <message>
-        <source>Dynamic friction</source>
-        <translation>Gleitreibung</translation>
+        <source>Damping b</source>
+        <translation>Dämpfung b</translation>
     </message>
 </context>
 <context>
@@ -15130,6 +15057,49 @@ und %2 weitere</translation>
     <message>
         <source>No scene is chosen; those before stay.</source>
         <translation>Keine Szene ist gewählt; die vorherigen bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::WalkPart</name>
+    <message>
+        <source>From speed to accuracy</source>
+        <translation>Von Tempo zu Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Along the front: from the cheapest way to run this scene to the most exact. The mark is how it was; a double click goes back there.</source>
+        <translation>Entlang der Front: von der billigsten Art, diese Szene auszuführen, zur genauesten. Die Marke zeigt, wie es war; ein Doppelklick geht dorthin zurück.</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>Tem&amp;po</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Was gewählt ist</translation>
+    </message>
+    <message>
+        <source>What differs from how the scene was</source>
+        <translation>Was von der vorigen Szene abweicht</translation>
+    </message>
+    <message>
+        <source>As it &amp;was</source>
+        <translation>Wie &amp;vorher</translation>
+    </message>
+    <message>
+        <source>Puts scene and servo rate back to how they were when they were measured.</source>
+        <translation>Setzt Szene und Servo-Taktrate auf den Stand der Messung zurück.</translation>
+    </message>
+    <message>
+        <source>As it was when it was measured</source>
+        <translation>Wie es bei der Messung war</translation>
+    </message>
+    <message>
+        <source>There is nothing to choose from yet.</source>
+        <translation>Es gibt noch nichts zur Auswahl.</translation>
     </message>
 </context>
 <context>

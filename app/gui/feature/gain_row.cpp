@@ -13,22 +13,23 @@ QString translated(const char* text) {
   return QCoreApplication::translate("gain", text);
 }
 
-ValueKind valueKindOf(const GainKind& gain) {
-  return {settingTip(gain.path), QString(gain.unit), gain.steps_per_unit, gain.slider_steps, gain.decimals, kLargest};
-}
-
 }  // namespace
 
 const GainKind& gainKind(int gain) {
   static const GainKind kKinds[kGainKinds] = {
-      {"kp", QT_TRANSLATE_NOOP("gain", "Stiffness"), "/control/kp_N_per_mm", "N/mm", 100, 200, 3},
-      {"kd", QT_TRANSLATE_NOOP("gain", "Damping"), "/control/kd_N_s_per_mm", "N s/mm", 10000, 100, 5},
-      {"ki", QT_TRANSLATE_NOOP("gain", "Integral"), "/control/ki_N_per_mm_s", "N/(mm s)", 100, 500, 3}};
+      {"kp", QT_TRANSLATE_NOOP("gain", "Stiffness"), "/control/kp_N_per_mm", 100, 200, 3},
+      {"kd", QT_TRANSLATE_NOOP("gain", "Damping"), "/control/kd_N_s_per_mm", 10000, 100, 5},
+      {"ki", QT_TRANSLATE_NOOP("gain", "Integral"), "/control/ki_N_per_mm_s", 100, 500, 3}};
   return kKinds[gain];
 }
 
+ValueKind gainValueKind(int gain) {
+  const GainKind& is = gainKind(gain);
+  return {settingTip(is.path), settingUnit(is.path), is.steps_per_unit, is.slider_steps, is.decimals, kLargest};
+}
+
 GainRow::GainRow(int gain, int axis, QWidget* parent)
-    : ValueRow(valueKindOf(gainKind(gain)), QString("panel.gains.%1.%2").arg(gainKind(gain).key).arg(QChar('x' + axis)),
+    : ValueRow(gainValueKind(gain), QString("panel.gains.%1.%2").arg(gainKind(gain).key).arg(QChar('x' + axis)),
                parent),
       gain_(gainKind(gain)) {
   setAxisName(QChar('x' + axis));

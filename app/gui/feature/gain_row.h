@@ -5,10 +5,9 @@ namespace underact::gui {
 
 /// One of the three gains of a law, as the window shows it.
 struct GainKind {
-  const char* key;   // "kp"
-  const char* name;  // "Stiffness"
-  const char* path;  // of the table of settings: "/control/kp_N_per_mm"
-  const char* unit;
+  const char* key;     // "kp"
+  const char* name;    // "Stiffness"
+  const char* path;    // of the table of settings: "/control/kp_N_per_mm"
   int steps_per_unit;  // of the slider and the arrows
   int slider_steps;    // from 0 to the slider's end; typing goes beyond
   int decimals;
@@ -16,6 +15,7 @@ struct GainKind {
 
 inline constexpr int kGainKinds = 3;
 const GainKind& gainKind(int gain);  // 0 kp, 1 kd, 2 ki
+ValueKind gainValueKind(int gain);
 
 /// One gain of one axis (or joint).
 class GainRow : public ValueRow {

@@ -4,49 +4,93 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
-#include "app/gui/feature/gain_row.h"
-#include "app/gui/feel/guide_section.h"
-#include "app/gui/feel/influence_section.h"
-#include "app/gui/feel/rate_section.h"
-#include "app/gui/feel/surface_section.h"
+#include "app/gui/feature/setting_rows.h"
+#include "app/gui/feel/feel_foot.h"
+#include "app/gui/feel/feel_sections.h"
+#include "app/gui/feel/gain_section.h"
+#include "app/gui/feel/optional_section.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/panel_form.h"
+#include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
+#include "app/gui/model/servo_rate.h"
 #include "app/gui/model/setting_words.h"
 #include "app/gui/model/stability.h"
 #include "core/scene/edit.h"
 #include "core/scene/fields.h"
-#include "core/scene/settings.h"
 
 namespace underact::gui {
 namespace {
 
-std::optional<scene::CurveGuide> guideOf(const scene::Constraint& constraint) {
-  const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
-  return curve == nullptr ? std::nullopt : curve->guide;
-}
-
-std::optional<double> smoothingOf(const scene::Constraint& constraint) {
-  const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
-  return mesh == nullptr ? std::nullopt : std::optional(mesh->smooth_deg);
-}
-
-Vec3& gainOf(scene::Gains& gains, int gain) {
-  return gain == 0 ? gains.kp_N_per_mm : gain == 1 ? gains.kd_N_s_per_mm : gains.ki_N_per_mm_s;
-}
-bool allEqual(const Vec3& v) {
-  return v.x() == v.y() && v.y() == v.z();
-}
-
-/// "x", or "q1" where the control works on the joints.
-QString axisName(const scene::Control& control, int axis) {
-  return control.space == tick::Space::Joint ? QString("q%1").arg(axis + 1) : QString(QChar('x' + axis));
-}
+constexpr const char* kGuideSpeed = "/guide/speed_mm_per_s";
 
 }  // namespace
+
+FeelPanel::FeelPanel(const Parts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), rows_(new SettingRows(this)), gains_(new GainSection(this)) {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  buildChoices(column);
+  column->addWidget(gains_);
+  buildSections(column);
+  column->addStretch(1);
+  addActions();
+  QScrollArea* scroll = panelScroll(content, this);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->setSpacing(0);
+  outer->addWidget(scroll, 1);
+  outer->addWidget(foot_ = new FeelFoot(parts_.actions, this));
+  connect(rows_, &SettingRows::asked, this, &FeelPanel::set);
+  connect(gains_, &GainSection::asked, this, &FeelPanel::setGain);
+  connect(&parts_.document, &Document::opened, this, &FeelPanel::sceneOpened);
+  connect(&parts_.document, &Document::edited, this, &FeelPanel::sceneEdited);
+  connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });  // what may buzz depends on it
+  sceneOpened();
+}
+
+void FeelPanel::buildChoices(QVBoxLayout* column) {
+  choices_ = panelForm();
+  constraint_ = chooser("panel.feel.constraint", tr("Constraint whose gains are shown"),
+                        tr("Which constraint of the scene the gains below belong to."), this);
+  choices_->addRow(tr("&Constraint"), constraint_);
+  rows_->addChoice({"/control/law", "panel.feel.law", tr("&Law"), tr("Control law")}, choices_, this);
+  rows_->addChoice({"/control/space", "panel.feel.space", tr("&Works on"), tr("Where the control works")}, choices_,
+                   this);
+  rows_->addChoice(
+      {"/control/anisotropy", "panel.feel.anisotropy", tr("&Nearest"), tr("Nearest point with unequal gains")},
+      choices_, this);
+  column->addLayout(choices_);
+  connect(constraint_, &QComboBox::currentIndexChanged, this, &FeelPanel::choose);
+}
+
+void FeelPanel::buildSections(QVBoxLayout* column) {
+  influence_ = makeInfluence(*rows_, this);
+  surface_ = makeSurface(*rows_, this);
+  guide_ = makeGuide(*rows_, backwards_, this);
+  for (OptionalSection* const section : {influence_, surface_, guide_}) {
+    column->addWidget(section);
+    connect(section, &OptionalSection::switchAsked, this,
+            [=, this](bool on) { setAll(section->switchedWords(on), section->switched(on), true); });
+  }
+  column->addWidget(makeRate(*rows_, this));
+  connect(backwards_, &QCheckBox::toggled, this, [this] {
+    const scene::SettingValue speed = valueOf(kGuideSpeed);
+    if (scene::isNone(speed)) return;
+    setAll(tr("way of the guide"), {{kGuideSpeed, -std::get<double>(speed)}}, true);
+  });
+}
 
 bool FeelPanel::hasScene() const {
   return !parts_.document.scene().constraints.empty();
@@ -68,14 +112,20 @@ void FeelPanel::addActions() {
   addCommand("influence.set", "/influence/t");
   addCommand("smooth.set", "/smooth_deg");
   addCommand("search.set", "/search");
+  addSwitch("influence.on", influence_);
+  addSwitch("friction.on", surface_);
+  addSwitch("guide.on", guide_);
   parts_.actions.addCommand("friction.set", [this](const QVariantList& shares) {
-    if (shares.size() != 2) return false;
-    return setFriction(scene::Friction{shares[0].toDouble(), shares[1].toDouble()}, tr("friction"), true);
+    return shares.size() == 2 &&
+           setAll(tr("friction"),
+                  {{"/friction/static", shares[0].toDouble()}, {"/friction/dynamic", shares[1].toDouble()}}, true);
   });
   parts_.actions.addCommand("guide.set", [this](const QVariantList& numbers) {  // t, mm/s, mm
-    if (numbers.size() != 3) return false;
-    return setGuide(scene::CurveGuide{numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble()}, tr("guide"),
-                    true);
+    return numbers.size() == 3 && setAll(tr("guide"),
+                                         {{kGuideSpeed, numbers[1].toDouble()},
+                                          {"/guide/t", numbers[0].toDouble()},
+                                          {"/guide/lead_mm", numbers[2].toDouble()}},
+                                         true);
   });
 }
 
@@ -83,74 +133,68 @@ void FeelPanel::addActions() {
 void FeelPanel::addCommand(const QString& name, const std::string& path) {
   parts_.actions.addCommand(name, [this, path](const QVariantList& values) {
     if (values.size() != 1 || !hasScene()) return false;
-    const scene::Description& scene = parts_.document.scene();
-    const Result<scene::SettingValue> now = scene::valueAt(scene, "/constraints/" + std::to_string(index_) + path);
-    if (!now || scene::isNone(now.value())) return false;
-    const bool is_word = std::holds_alternative<std::string>(now.value());
+    const scene::SettingValue now = valueOf(path);
+    if (scene::isNone(now)) return false;
+    const bool is_word = std::holds_alternative<std::string>(now);
     return set(path, is_word ? scene::SettingValue(values[0].toString().toStdString()) : values[0].toDouble(), true);
   });
 }
 
-void FeelPanel::addSwitches() {
-  const auto add = [this](const char* name, const auto& is_on, const auto& turn) {
-    parts_.actions.addCommand(name, [=, this](const QVariantList& values) {
-      const bool on = values.value(0).toBool();
-      if (!hasScene() || on == is_on(parts_.document.scene().constraints[index_])) return hasScene();
-      return turn(on);
-    });
-  };
-  add(
-      "influence.on", [](const scene::Constraint& one) { return one.influence.has_value(); },
-      [this](bool on) {
-        return setInfluence(influence_->switched(on), on ? tr("influence on") : tr("influence off"), true);
-      });
-  add(
-      "friction.on", [](const scene::Constraint& one) { return one.friction.has_value(); },
-      [this](bool on) {
-        return setFriction(surface_->switched(on), on ? tr("friction on") : tr("friction off"), true);
-      });
-  add(
-      "guide.on", [](const scene::Constraint& one) { return guideOf(one).has_value(); },
-      [this](bool on) { return setGuide(guide_->switched(on), on ? tr("guide on") : tr("guide off"), true); });
+void FeelPanel::addSwitch(const QString& name, OptionalSection* section) {
+  parts_.actions.addCommand(name, [=, this](const QVariantList& values) {
+    const bool on = values.value(0).toBool();
+    if (!hasScene() || on == section->isOn(parts_.document, index_)) return hasScene();
+    return setAll(section->switchedWords(on), section->switched(on), true);
+  });
 }
 
 void FeelPanel::present(const servo::Snapshot&) {
-  if (!stale_ || influence_->isHeld() || surface_->isHeld() || guide_->isHeld() || rate_->isHeld()) return;
-  for (const auto& axes : rows_) {
-    for (const GainRow* row : axes) {
-      if (row->isHeld()) return;  // the hand wins; what holds is shown when it lets go
-    }
-  }
-  refresh();
+  if (stale_ && !gains_->isHeld() && !rows_->isHeld()) refresh();  // the hand wins; then what holds is shown
 }
 
 bool FeelPanel::setGain(int gain, int axis, double value, bool fresh) {
   if (!hasScene()) return false;
-  const scene::Control& control = scene::controlOf(parts_.document.scene(), index_);
-  scene::Gains gains = control.gains;
-  Vec3& axes = gainOf(gains, gain);
-  const bool linked = link_->isChecked();
-  if (linked)
-    axes.setConstant(value);
-  else
-    axes[axis] = value;
-  const char* const path = gainKind(gain).path;
-  const QString what = linked ? settingLabel(path) : QString("%1 %2").arg(settingLabel(path), axisName(control, axis));
-  return setAs(what, path, axes, fresh);
+  const GainSection::Wanted wanted =
+      gains_->changed(scene::controlOf(parts_.document.scene(), index_), gain, axis, value);
+  return setAll(wanted.what, {{gainKind(gain).path, wanted.axes}}, fresh);
 }
 
 bool FeelPanel::set(const std::string& path, const scene::SettingValue& value, bool fresh) {
-  return setAs(settingLabel("/constraints/*" + path), path, value, fresh);
+  return setAll(settingLabel("/constraints/*" + path), withCompany(path, value), fresh);
 }
 
-bool FeelPanel::setAs(const QString& what, const std::string& path, const scene::SettingValue& value, bool fresh) {
+/// Of the constraint shown; none: it has none.
+scene::SettingValue FeelPanel::valueOf(const std::string& path) const {
+  const Result<scene::SettingValue> value =
+      scene::valueAt(parts_.document.scene(), "/constraints/" + std::to_string(index_) + path);
+  return value ? value.value() : scene::SettingValue();
+}
+
+std::vector<SettingWish> FeelPanel::withCompany(const std::string& path, const scene::SettingValue& value) const {
+  const double* const number = std::get_if<double>(&value);
+  const scene::SettingValue fixed = valueOf("/friction/static"), slides = valueOf("/friction/dynamic");
+  // The dynamic share is never above the static one: one takes the other along.
+  if (path == "/friction/static" && number != nullptr && !scene::isNone(slides))
+    return {{path, value}, {"/friction/dynamic", std::min(*number, std::get<double>(slides))}};
+  if (path == "/friction/dynamic" && number != nullptr && !scene::isNone(fixed))
+    return {{"/friction/static", std::max(*number, std::get<double>(fixed))}, {path, value}};
+  if (path == kGuideSpeed && number != nullptr && backwards_->isChecked()) return {{path, -*number}};
+  return {{path, value}};
+}
+
+bool FeelPanel::setAll(const QString& what, const std::vector<SettingWish>& wishes, bool fresh) {
   if (!hasScene()) return false;
-  const scene::Description& scene = parts_.document.scene();
-  const std::string control = "/control";
-  const std::string whole = path.starts_with(control) ? scene::controlPath(scene, index_) + path.substr(control.size())
-                                                      : "/constraints/" + std::to_string(index_) + path;
-  const Result<scene::Description> edited = scene::withValue(scene, whole, value);
-  return edited ? sendScene(edited.value(), what, fresh) : refuse(edited.problems());
+  const std::string control = "/control", constraint = "/constraints/" + std::to_string(index_);
+  scene::Description edited = parts_.document.scene();
+  const std::string its_control = scene::controlPath(edited, index_);
+  for (const SettingWish& wish : wishes) {
+    const bool is_of_control = wish.path.starts_with(control);
+    Result<scene::Description> next = scene::withValue(
+        edited, is_of_control ? its_control + wish.path.substr(control.size()) : constraint + wish.path, wish.value);
+    if (!next) return refuse(next.problems());
+    edited = std::move(next).value();
+  }
+  return sendScene(edited, what, fresh);
 }
 
 /// The scene with what this panel shows as the file has it.
@@ -176,27 +220,6 @@ bool FeelPanel::resetToScene() {
   return hasScene() && sendScene(asWritten(), tr("reset to scene"), true);
 }
 
-bool FeelPanel::setInfluence(const std::optional<scene::Influence>& influence, const QString& what, bool fresh) {
-  if (!hasScene()) return false;
-  scene::Description edited = parts_.document.scene();
-  edited.constraints[index_].influence = influence;
-  return sendScene(edited, what, fresh);
-}
-
-bool FeelPanel::setFriction(const std::optional<scene::Friction>& friction, const QString& what, bool fresh) {
-  if (!hasScene()) return false;
-  scene::Description edited = parts_.document.scene();
-  edited.constraints[index_].friction = friction;
-  return sendScene(edited, what, fresh);
-}
-
-bool FeelPanel::setGuide(const std::optional<scene::CurveGuide>& guide, const QString& what, bool fresh) {
-  if (!hasScene()) return false;
-  scene::Description edited = parts_.document.scene();
-  if (auto* const curve = std::get_if<scene::Curve>(&edited.constraints[index_].shape)) curve->guide = guide;
-  return sendScene(edited, what, fresh);
-}
-
 bool FeelPanel::sendScene(const scene::Description& edited, const QString& what, bool fresh) {
   if (fresh) gesture_ = parts_.document.newGesture();
   return refuse(parts_.document.edit(edited, what, gesture_));
@@ -204,9 +227,16 @@ bool FeelPanel::sendScene(const scene::Description& edited, const QString& what,
 
 bool FeelPanel::refuse(const Problems& problems) {
   stale_ = true;  // refused? the next snapshot puts it back
-  refusal_->setText(problems.empty() ? QString() : sentencesOf(problems));
-  refusal_->setVisible(!problems.empty());
+  foot_->refuse(problems.empty() ? QString() : sentencesOf(problems));
   return problems.empty();
+}
+
+void FeelPanel::choose(int row) {
+  if (row < 0) return;
+  index_ = static_cast<std::size_t>(row);
+  gesture_ = parts_.document.newGesture();  // keys in a row on another constraint are another step back
+  begin();
+  refresh();
 }
 
 void FeelPanel::sceneOpened() {
@@ -218,13 +248,10 @@ void FeelPanel::sceneOpened() {
   }
   constraint_->setCurrentIndex(0);
   index_ = 0;
-  beginInfluence();
+  begin();
   choices_->setRowVisible(constraint_, constraint_->count() > 1);
-  refusal_->hide();
-  if (hasScene()) {
-    const scene::Gains& gains = scene::controlOf(scene, index_).gains;
-    link_->setChecked(allEqual(gains.kp_N_per_mm) && allEqual(gains.kd_N_s_per_mm) && allEqual(gains.ki_N_per_mm_s));
-  }
+  foot_->refuse({});
+  if (hasScene()) gains_->begin(scene::controlOf(scene, index_));
   refresh();
 }
 
@@ -240,79 +267,52 @@ void FeelPanel::sceneEdited() {
     sceneOpened();  // a constraint came or went
 }
 
+void FeelPanel::begin() {
+  if (!hasScene()) return;
+  for (OptionalSection* const section : {influence_, surface_, guide_}) section->begin(parts_.document, index_);
+}
+
+/// Whether it does nothing here, though the file may have it.
+bool FeelPanel::isIdle(const std::string& path) const {
+  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
+  const scene::Control& control = scene::controlOf(parts_.document.scene(), index_);
+  const Vec3& kp = control.gains.kp_N_per_mm;
+  if (path == "/control/anisotropy") return control.space == tick::Space::Joint || (kp.array() == kp.x()).all();
+  if (path.starts_with("/control/velocity/")) return control.law == scene::LawType::P;
+  if (path == "/search") return constraint.side != target::Side::Both;  // a wall's proxy seeks nothing
+  if (path == "/influence/blend_deg") return std::holds_alternative<scene::Sphere>(constraint.shape);  // no axis
+  return false;
+}
+
 void FeelPanel::refresh() {
   setEnabled(hasScene());
   parts_.actions.find("gains.reset")->setEnabled(false);
   if (!hasScene()) return;
   stale_ = false;
+  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   const scene::Control& control = scene::controlOf(parts_.document.scene(), index_);
-  const scene::Control& own = parts_.document.own(index_);
-  scene::Gains shown = control.gains, marked = own.gains;
-  bool equal = true;
-  for (int gain = 0; gain < kGainKinds; ++gain) {
-    for (int axis = 0; axis < 3; ++axis) {
-      GainRow* row = rows_[static_cast<std::size_t>(gain)][static_cast<std::size_t>(axis)];
-      row->setAxisName(axisName(control, axis));
-      row->present(gainOf(shown, gain)[axis], gainOf(marked, gain)[axis]);
-    }
-    equal = equal && allEqual(gainOf(shown, gain));
-  }
-  if (!equal) link_->setChecked(false);  // the next change of one axis must not wipe out the others
-  const QSignalBlocker silent_law(law_), silent_choice(anisotropy_), silent_space(space_);
-  law_->setCurrentIndex(static_cast<int>(control.law));
-  anisotropy_->setCurrentIndex(static_cast<int>(control.anisotropy));
-  const bool in_joints = control.space == tick::Space::Joint;
-  space_->setCurrentIndex(static_cast<int>(control.space));
-  choices_->setRowVisible(anisotropy_, !in_joints && !allEqual(shown.kp_N_per_mm));
-  link_->setText(in_joints ? tr("L&ink q1, q2 and q3") : tr("L&ink x, y and z"));
-  link_->setAccessibleName(link_->text().remove('&'));
-  sections_[1]->setVisible(control.law != scene::LawType::P);
-  sections_[2]->setVisible(control.law == scene::LawType::PID);
+  gains_->present(control, parts_.document.own(index_));
   parts_.actions.find("gains.reset")->setEnabled(!scene::isSame(asWritten(), parts_.document.scene()));
-  refreshInfluence();
-  refreshSurface();
-  rate_->present(control, own);
-  refreshWarnings(control);
-}
-
-void FeelPanel::beginInfluence() {
-  if (!hasScene()) return;
-  const bool has_axis = !std::holds_alternative<scene::Sphere>(parts_.document.scene().constraints[index_].shape);
-  const scene::Constraint& own = parts_.document.written(index_);
-  influence_->begin(own.influence, has_axis);
-  surface_->begin(own.friction);
-  guide_->begin(guideOf(own));
-}
-
-void FeelPanel::refreshInfluence() {
-  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   influence_->setVisible(scene::takesInfluence(constraint.shape));
-  influence_->present(constraint.influence, parts_.document.written(index_).influence);
-}
-
-void FeelPanel::refreshSurface() {
-  const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
-  const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
-  const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
-  std::optional<Search> search;
-  if (mesh != nullptr && constraint.side == target::Side::Both) search = mesh->search;
-  if (curve != nullptr) search = curve->search;
-  guide_->setVisible(curve != nullptr);
-  const scene::Constraint& own = parts_.document.written(index_);
-  guide_->present(guideOf(constraint), guideOf(own));
   surface_->setVisible(scene::takesFriction(constraint.shape));
-  surface_->present({constraint.friction, smoothingOf(constraint), search}, {own.friction, smoothingOf(own), {}});
+  guide_->setVisible(std::holds_alternative<scene::Curve>(constraint.shape));
+  for (OptionalSection* const section : {influence_, surface_, guide_}) section->present(parts_.document, index_);
+  rows_->present(parts_.document, index_, [this](const std::string& path) { return isIdle(path); });
+  // A speed of 0 has no sign of its own; which way it will go is what was chosen last.
+  const scene::SettingValue speed = valueOf(kGuideSpeed);
+  const QSignalBlocker silent(backwards_);  // to show a value is not to ask for it
+  if (const double* one = std::get_if<double>(&speed); one && *one != 0.0) backwards_->setChecked(*one < 0.0);
+  refreshWarnings(control);
 }
 
 void FeelPanel::refreshWarnings(const scene::Control& control) {
   QStringList reasons;
   for (int axis = 0; axis < 3; ++axis) {
     const QString reason = whyItMayBuzz(control, axis, parts_.servo.rateHz());
-    rows_[0][static_cast<std::size_t>(axis)]->setWarning(reason);
+    gains_->setWarning(axis, reason);
     if (!reason.isEmpty()) reasons << reason;
   }
-  warning_->setText(reasons.isEmpty() ? QString() : reasons.first());  // one reason holds for all of them
-  warning_->setVisible(!reasons.isEmpty());
+  foot_->warn(reasons.isEmpty() ? QString() : reasons.first());  // one reason holds for all of them
 }
 
 }  // namespace underact::gui

@@ -1,20 +1,17 @@
 #include "app/gui/lab/lab_panel.h"
 
-#include <QComboBox>
 #include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QSpinBox>
-#include <QStyle>
-#include <algorithm>
+#include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/kit/value_row.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/lab/choice_list.h"
-#include "app/gui/lab/front_chart.h"
 #include "app/gui/lab/lab_words.h"
+#include "app/gui/lab/measuring_part.h"
+#include "app/gui/lab/walk_part.h"
 #include "app/gui/model/arm_in_use.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/servo_rate.h"
@@ -25,6 +22,8 @@
 
 namespace underact::gui {
 namespace {
+
+constexpr int kLookForRun_ms = 50;
 
 double predictedTick_ns(const scene::Description& scene) {
   const Result<tick::TickProgram> program = scene::compile(scene);
@@ -42,6 +41,48 @@ LabPanel::LabPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(
   connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });
   connect(&parts_.arm_in_use, &ArmInUse::changed, this, &LabPanel::armChanged);
   forget(whatMeasuringDoes());
+}
+
+void LabPanel::build() {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addWidget(measuring_ = new MeasuringPart(content));
+  column->addWidget(walk_ = new WalkPart(content));
+  column->addWidget(sectionTitle(tr("What this scene offers"), content));
+  column->addWidget(tick_ = toldLabel("panel.lab.tick", tr("What a tick is predicted to take"), "quiet", content));
+  column->addSpacing(4);
+  column->addWidget(choices_ = new ChoiceList(content));
+  column->addStretch(1);
+  fillWithScroll(this, content);
+  looks_.setInterval(kLookForRun_ms);
+  connect(measuring_, &MeasuringPart::measureAsked, this,
+          [this] { measure(measuring_->hand(), measuring_->seconds()); });
+  connect(measuring_, &MeasuringPart::cancelAsked, this, &LabPanel::cancel);
+  connect(measuring_, &MeasuringPart::changed, this, [this] {
+    if (run_ == nullptr && result_.standings.empty()) measuring_->tell(whatMeasuringDoes(), false);
+  });
+  connect(walk_, &WalkPart::begun, this, &LabPanel::beginGesture);
+  connect(walk_, &WalkPart::stopAsked, this, &LabPanel::walkTo);
+  connect(walk_, &WalkPart::backAsked, this, &LabPanel::putBack);
+}
+
+void LabPanel::addCommands() {
+  parts_.actions.addCommand("lab.measure", [this](const QVariantList& values) {  // hand ("" for all), seconds
+    const QString hand = values.isEmpty() ? QString::fromStdString(measuring_->hand()) : values[0].toString();
+    return measure(hand.toStdString(), values.size() < 2 ? measuring_->seconds() : values[1].toDouble());
+  });
+  parts_.actions.addCommand("lab.cancel", [this](const QVariantList&) { return cancel(); });
+  parts_.actions.addCommand("lab.walk", [this](const QVariantList& values) {  // a stop, or a share from 0 to 1
+    if (values.size() != 1 || front_.empty()) return false;
+    beginGesture();
+    const bool is_share = values[0].typeId() == QMetaType::Double;
+    const double share = values[0].toDouble();
+    if (is_share && !(share >= 0.0 && share <= 1.0)) return false;
+    return walkTo(is_share ? qRound(share * static_cast<double>(front_.size() - 1)) : values[0].toInt(), true);
+  });
+  parts_.actions.addCommand("lab.back", [this](const QVariantList&) { return putBack(); });
 }
 
 LabPanel::~LabPanel() = default;
@@ -66,12 +107,12 @@ bool LabPanel::measure(const std::string& hand, double seconds) {
 bool LabPanel::cancel() {
   if (run_ == nullptr) return false;
   run_->cancel();
-  tell(tr("Cancelling: the run that is on its way ends first."), false);
+  measuring_->tell(tr("Cancelling: the run that is on its way ends first."), false);
   return true;
 }
 
 void LabPanel::look() {
-  progress_->setValue(static_cast<int>(run_->share() * progress_->maximum()));
+  measuring_->setShare(run_->share());
   std::optional<LabResult> result = run_->take();
   if (!result) return;
   looks_.stop();
@@ -99,11 +140,12 @@ void LabPanel::end(LabResult result) {
     front_.push_back(index);
   }
   if (front_.empty()) {
-    tell(tr("The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What "
-            "could be measured stands below. Softer gains may help."),
-         true);
+    measuring_->tell(
+        tr("The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What "
+           "could be measured stands below. Softer gains may help."),
+        true);
   } else {
-    tell(whatWasMeasured(), false);
+    measuring_->tell(whatWasMeasured(), false);
   }
   refresh();
 }
@@ -111,7 +153,7 @@ void LabPanel::end(LabResult result) {
 void LabPanel::forget(const QString& why) {
   result_ = {};
   front_.clear();
-  tell(why, false);
+  measuring_->tell(why, false);
   refresh();
 }
 
@@ -149,7 +191,6 @@ void LabPanel::present(const servo::Snapshot&) {
 
 void LabPanel::beginGesture() {
   gesture_ = parts_.document.newGesture();
-  since_step_.start();
 }
 
 Problems LabPanel::setScene(const scene::Description& scene) {
@@ -161,12 +202,9 @@ bool LabPanel::walkTo(int stop, bool rate_too) {
   const trade::Point& point = result_.points[pointAt(stop)];
   const Problems problems =
       setScene(point.is_own ? order_.scene : withSettings(parts_.document.scene(), point.settings));
-  if (!problems.empty()) tell(tr("The scene stays. %1").arg(sentencesOf(problems)), true);
+  if (!problems.empty()) measuring_->tell(tr("The scene stays. %1").arg(sentencesOf(problems)), true);
   const bool done = problems.empty() && (!rate_too || setRate(point.settings.rate_hz));
-  {
-    const QSignalBlocker silent(walk_);
-    walk_->setValue(stop);
-  }
+  walk_->setStop(stop);
   refresh();
   return done;
 }
@@ -174,9 +212,9 @@ bool LabPanel::walkTo(int stop, bool rate_too) {
 bool LabPanel::setRate(int rate_hz) {
   const Problems problems = parts_.rate.tryOut(rate_hz);
   if (problems.empty())
-    tell(whatWasMeasured(), false);
+    measuring_->tell(whatWasMeasured(), false);
   else
-    tell(tr("The rate stays at %1 Hz. %2").arg(parts_.rate.hz()).arg(sentencesOf(problems)), true);
+    measuring_->tell(tr("The rate stays at %1 Hz. %2").arg(parts_.rate.hz()).arg(sentencesOf(problems)), true);
   return problems.empty();
 }
 
@@ -184,7 +222,7 @@ bool LabPanel::putBack() {
   if (result_.standings.empty()) return false;
   beginGesture();
   const Problems problems = setScene(order_.scene);
-  if (!problems.empty()) tell(tr("The scene stays. %1").arg(sentencesOf(problems)), true);
+  if (!problems.empty()) measuring_->tell(tr("The scene stays. %1").arg(sentencesOf(problems)), true);
   const bool done = setRate(order_.rate_hz) && problems.empty();
   refresh();
   return done;
@@ -200,13 +238,8 @@ std::optional<std::size_t> LabPanel::pointInEffect() const {
 
 void LabPanel::refresh() {
   stale_ = false;
-  const bool is_open = parts_.document.isOpen(), is_busy = run_ != nullptr, is_measured = !result_.standings.empty();
-  measure_->setEnabled(is_open && !is_busy);
-  hands_->setEnabled(!is_busy);
-  seconds_->setEnabled(!is_busy);
-  progress_->setVisible(is_busy);
-  cancel_->setVisible(is_busy);
-  chart_->setVisible(is_measured && !result_.points.empty());
+  const bool is_open = parts_.document.isOpen(), is_busy = run_ != nullptr;
+  measuring_->setBusy(is_busy, is_open);
   refreshTick();
   refreshWalk();
   choices_->present(is_open ? choiceWords(parts_.document.scene(), now(), result_.standings)
@@ -226,34 +259,10 @@ void LabPanel::refreshTick() {
 }
 
 void LabPanel::refreshWalk() {
-  const bool has_front = !front_.empty();
-  walk_->setEnabled(has_front);
-  back_->setEnabled(has_front);
-  const QSignalBlocker silent(walk_);
-  walk_->setRange(0, std::max(0, static_cast<int>(front_.size()) - 1));
-  differences_->setVisible(has_front);
-  if (!has_front) {
-    walk_->setMark(-1.0);
-    chosen_->setText(tr("There is nothing to choose from yet."));
-    chart_->present(frontSheet({}, {}));
-    return;
-  }
-  const auto own =
-      std::find_if(front_.begin(), front_.end(), [this](std::size_t point) { return result_.points[point].is_own; });
-  walk_->setMark(own == front_.end() ? -1.0 : static_cast<double>(own - front_.begin()));
-  std::optional<std::size_t> chosen = pointInEffect();
-  if (walk_->isSliderDown())
-    chosen = pointAt(walk_->value());
-  else if (chosen)
-    walk_->setValue(stopBefore(*chosen));
-  chart_->present(frontSheet(result_.points, chosen));
-  chosen_->setText(wordsOf(chosen));
-  refreshDifferences();
-}
-
-int LabPanel::stopBefore(std::size_t point) const {
-  const auto dearer = std::upper_bound(front_.begin(), front_.end(), point);  // points are in the order of their cost
-  return std::max(0, static_cast<int>(dearer - front_.begin()) - 1);
+  const std::optional<std::size_t> in_effect = front_.empty() ? std::nullopt : pointInEffect();
+  const std::optional<std::size_t> chosen =
+      walk_->present(result_.points, front_, in_effect, !result_.standings.empty());
+  if (!front_.empty()) walk_->tell(wordsOf(chosen), differencesText());
 }
 
 QString LabPanel::wordsOf(const std::optional<std::size_t>& chosen) const {
@@ -268,20 +277,14 @@ QString LabPanel::wordsOf(const std::optional<std::size_t>& chosen) const {
              .arg(point.settings.rate_hz);
 }
 
-void LabPanel::refreshDifferences() {
+QString LabPanel::differencesText() const {
   QStringList lines;
   for (const trade::Difference& one : trade::differences(order_.scene, order_.own(), now())) {
     lines << tr("%1: %2 → %3")
                  .arg(QString::fromStdString(one.what), QString::fromStdString(one.before),
                       QString::fromStdString(one.after));
   }
-  differences_->setText(lines.isEmpty() ? tr("Nothing differs from how it was measured.") : lines.join('\n'));
-}
-
-void LabPanel::tell(const QString& sentence, bool alarm) {
-  told_->setText(sentence);
-  told_->setProperty("role", alarm ? "amber" : "quiet");
-  told_->style()->polish(told_);
+  return lines.isEmpty() ? tr("Nothing differs from how it was measured.") : lines.join('\n');
 }
 
 QString LabPanel::whatWasMeasured() const {
@@ -294,9 +297,8 @@ QString LabPanel::whatWasMeasured() const {
 QString LabPanel::whatMeasuringDoes() const {
   if (!parts_.document.isOpen()) return tr("Open a scene: then it can be measured.");
   const scene::Description& scene = parts_.document.scene();
-  const auto hands = static_cast<std::size_t>(hands_->currentIndex() == 0 ? hands_->count() - 1 : 1);
-  const double about_s =
-      trade::secondsToMeasure(scene, hands, seconds_->value(), parts_.rate.hz(), predictedTick_ns(scene));
+  const double about_s = trade::secondsToMeasure(scene, measuring_->handCount(), measuring_->seconds(),
+                                                 parts_.rate.hz(), predictedTick_ns(scene));
   return tr("Nothing is measured yet. Measure runs this scene on a simulated arm of its own, in every way that it can "
             "be run, and lays what each costs against how far it is off: about %1 here. Window and servo go on.")
              .arg(durationText(about_s)) +
@@ -313,13 +315,13 @@ QString LabPanel::whichArm() const {
 void LabPanel::armChanged() {
   if (run_ != nullptr) return;
   if (!front_.empty())
-    tell(whatWasMeasured(), false);
+    measuring_->tell(whatWasMeasured(), false);
   else if (result_.standings.empty())
-    tell(whatMeasuringDoes(), false);
+    measuring_->tell(whatMeasuringDoes(), false);
 }
 
 void LabPanel::setTheme(const Theme& theme) {
-  chart_->setTheme(theme);
+  walk_->setTheme(theme);
 }
 
 }  // namespace underact::gui

@@ -1,5 +1,4 @@
 #pragma once
-#include <QElapsedTimer>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -8,18 +7,13 @@
 #include "app/gui/feature/panel.h"
 #include "app/gui/lab/lab_run.h"
 
-class QComboBox;
 class QLabel;
-class QProgressBar;
-class QPushButton;
-class QSpinBox;
-class QVBoxLayout;
 
 namespace underact::gui {
 
 class ChoiceList;
-class MarkChart;
-class MarkedSlider;
+class MeasuringPart;
+class WalkPart;
 
 /// What the scene's choices between speed and accuracy cost and how far they are off, measured in the background, and a
 /// slider along those ways to run it that nothing beats in both.
@@ -38,11 +32,7 @@ class LabPanel : public Panel {
   void setTheme(const Theme& theme) override;
 
  private:
-  // lab_panel_build.cpp
   void build();
-  void buildMeasuring(QVBoxLayout* column);
-  void buildWalk(QVBoxLayout* column);
-  void connectWalk();
   void addCommands();
 
   // Measuring.
@@ -71,14 +61,12 @@ class LabPanel : public Panel {
   void refresh();
   void refreshTick();
   void refreshWalk();
-  void refreshDifferences();
-  void tell(const QString& sentence, bool alarm);
   void armChanged();
   QString whichArm() const;
   QString whatMeasuringDoes() const;
   QString whatWasMeasured() const;
+  QString differencesText() const;
   QString wordsOf(const std::optional<std::size_t>& chosen) const;
-  int stopBefore(std::size_t point) const;  // the dearest one on the front that is no dearer
 
   Parts parts_;
   std::unique_ptr<Background<LabResult>> run_;
@@ -87,16 +75,11 @@ class LabPanel : public Panel {
   std::vector<std::size_t> front_;  // of the points, the cheapest first: the slider's stops
   bool stale_ = false;
   int gesture_ = 0;
-  QElapsedTimer since_step_;
   QTimer looks_;
 
-  QComboBox* hands_ = nullptr;
-  QSpinBox* seconds_ = nullptr;
-  QPushButton *measure_ = nullptr, *cancel_ = nullptr, *back_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QLabel *told_ = nullptr, *tick_ = nullptr, *chosen_ = nullptr, *differences_ = nullptr;
-  MarkChart* chart_ = nullptr;
-  MarkedSlider* walk_ = nullptr;
+  MeasuringPart* measuring_ = nullptr;
+  WalkPart* walk_ = nullptr;
+  QLabel* tick_ = nullptr;
   ChoiceList* choices_ = nullptr;
 };
 

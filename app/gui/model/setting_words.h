@@ -1,5 +1,5 @@
 #pragma once
-#include <QString>
+#include <QStringList>
 #include <string_view>
 
 namespace underact::gui {
@@ -9,6 +9,12 @@ namespace underact::gui {
 /// In the midst of a sentence, and for what is undone: "blend width".
 QString settingLabel(std::string_view path);
 QString settingTip(std::string_view path);
+/// Empty: a plain number.
+QString settingUnit(std::string_view path);
 double settingMost(std::string_view path);
+/// Of a choice, what is said for each of its words, in their order: "P, proportional".
+QStringList settingChoices(std::string_view path);
+/// Of one of its words.
+QString settingChoice(std::string_view path, std::string_view word);
 
 }  // namespace underact::gui

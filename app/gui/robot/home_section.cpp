@@ -27,12 +27,10 @@ HomeSection::HomeSection(QWidget* parent)
   connect(table_, &EditTable::typed, this, &HomeSection::typed);
 }
 
-void HomeSection::present(const Eigen::Matrix4d& X_WV_home) {
-  const Mat3 R_WV = X_WV_home.topLeftCorner<3, 3>();
-  if (!rotationOf(angles_deg_).isApprox(R_WV, 1e-9)) angles_deg_ = anglesOf_deg(R_WV);
+void HomeSection::present(const Eigen::Matrix4d& X_WV_home, const Vec3& angles_deg) {
   for (int axis = 0; axis < 3; ++axis) {
     const QChar letter('x' + axis);
-    const double place_mm = X_WV_home(axis, 3), turn_deg = angles_deg_[axis];
+    const double place_mm = X_WV_home(axis, 3), turn_deg = angles_deg[axis];
     table_->setCell(0, axis,
                     {numberText(place_mm, 1), exactNumber(place_mm), tr("tip at home, %1, mm").arg(letter),
                      tr("Where the tip is at home, in W.")});

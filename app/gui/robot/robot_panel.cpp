@@ -2,126 +2,202 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 
+#include "app/gui/feature/setting_rows.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/panel_form.h"
+#include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/value_row.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
+#include "app/gui/robot/robot_edits.h"
 #include "app/gui/robot/sections.h"
 #include "core/scene/compile.h"
-#include "core/scene/edit.h"
 
 namespace underact::gui {
-namespace {
 
-std::vector<std::size_t> robotsOf(const scene::Description& scene) {
-  std::vector<std::size_t> robots;
-  for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
-    if (std::holds_alternative<scene::VirtualManipulator>(scene.constraints[index].shape)) robots.push_back(index);
-  }
-  return robots;
-}
-
-}  // namespace
-
-RobotPanel::RobotPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
+RobotPanel::RobotPanel(const Parts& parts, QWidget* parent)
+    : Panel(parent), parts_(parts), edits_(new RobotEdits(parts.document, this)), rows_(new SettingRows(this)) {
   build();
-  connectSections();
-  addCommands();
-  connect(&parts_.document, &Document::opened, this, &RobotPanel::sceneOpened);
-  connect(&parts_.document, &Document::edited, this, &RobotPanel::refresh);
+  connectParts();
+  edits_->addCommands(parts_.actions);
   sceneOpened();
 }
 
-const scene::VirtualManipulator* RobotPanel::robot() const {
-  const std::vector<scene::Constraint>& constraints = parts_.document.scene().constraints;
-  return index_ < constraints.size() ? std::get_if<scene::VirtualManipulator>(&constraints[index_].shape) : nullptr;
+void RobotPanel::build() {
+  auto* content = new QWidget;
+  auto* inner = new QVBoxLayout(content);
+  inner->setContentsMargins(8, 8, 8, 8);
+  inner->setSpacing(4);
+  none_ =
+      new QLabel(tr("This scene has no virtual robot. A new one is added beside what there is: one joint, whose tip "
+                    "the stylus is drawn to."),
+                 content);
+  none_->setObjectName("panel.robot.none");
+  none_->setProperty("role", "quiet");
+  none_->setWordWrap(true);
+  inner->addWidget(none_);
+  inner->addWidget(editor_ = makeEditor(content));
+  inner->addStretch(1);
+  // The read-out fills in its rows with the first robot: what they need is known before.
+  content->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Moment, not sent") + tr("iteration, 100 of 100 steps")) +
+                           48);
+  QScrollArea* scroll = panelScroll(content, this);
+  scroll->setMinimumWidth(std::max(content->minimumWidth(), content->minimumSizeHint().width()) + 16);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->setSpacing(0);
+  outer->addWidget(scroll, 1);
+  // Below what scrolls: a sentence is always seen, and its coming moves nothing from under the pointer.
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(8, 8, 8, 8);
+  foot->setSpacing(8);
+  refusal_ = toldLabel("panel.robot.refusal", tr("Why the change was refused"), "alarm", this);
+  refusal_->hide();
+  foot->addWidget(refusal_);
+  new_ =
+      pushButton("panel.robot.add", tr("New robot"), tr("Adds a robot of one joint to the scene, beside what it has."),
+                 this, tr("Add a robot to the scene"));
+  remove_ = pushButton("panel.robot.remove", tr("Remove robot"),
+                       tr("Takes the robot that is shown out of the scene; something must stay to be held to."), this,
+                       tr("Remove the robot that is shown from the scene"));
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  for (QPushButton* button : {new_, remove_}) buttons->addWidget(button);
+  foot->addLayout(buttons);
+  outer->addLayout(foot);
+}
+
+QWidget* RobotPanel::makeEditor(QWidget* parent) {
+  auto* const made = new QWidget(parent);
+  auto* column = new QVBoxLayout(made);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  choices_ = panelForm();
+  chooser_ =
+      chooser("panel.robot.constraint", tr("Robot that is shown"), tr("Which robot of the scene is shown."), this);
+  choices_->addRow(tr("Robot"), chooser_);
+  column->addLayout(choices_);
+  column->addWidget(makePull(made));
+  column->addWidget(chain_ = new ChainSection(made));
+  column->addWidget(home_ = new HomeSection(made));
+  column->addWidget(now_ = new RobotNowSection(made));
+  column->addWidget(makeSolver(made));
+  return made;
+}
+
+/// What the tip pulls with: the turning stiffness, what of the stylus's turn it follows, the force law.
+QWidget* RobotPanel::makePull(QWidget* parent) {
+  auto* const made = new Section(
+      "pull", tr("What it pulls with"),
+      tr("The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e."),
+      parent, "robot");
+  const QString ko = tr("Kθ");
+  ko_ = rows_->addNumber({"/ko_N_mm_per_rad", "panel.robot.ko", ko, tr("Turning stiffness"), ko, 1, 500, 1, 1e6},
+                         &made->column(), made);
+  QFormLayout* const form = panelForm();
+  made->column().addLayout(form);
+  rows_->addChoice(
+      {"/orientation", "panel.robot.orientation", tr("Follows"), tr("What of the stylus's turn the tip follows")}, form,
+      made);
+  rows_->addChoice({"/force_law", "panel.robot.law", tr("Force law"), tr("Force law")}, form, made);
+  return made;
+}
+
+QWidget* RobotPanel::makeSolver(QWidget* parent) {
+  auto* const made =
+      new Section("solver", tr("Solver"),
+                  tr("How the joints of least energy are found, every tick. Nothing felt changes with the method."),
+                  parent, "robot");
+  QFormLayout* const form = panelForm();
+  made->column().addLayout(form);
+  rows_->addChoice({"/solver/method", "panel.robot.method", tr("Method"), tr("Method of the solver")}, form, made);
+  rows_->addWhole({"/solver/max_steps", "panel.robot.max_steps", tr("Most steps"), tr("Most steps a tick")}, form,
+                  made);
+  rows_->addText(
+      {"/solver/tolerance", "panel.robot.tolerance", tr("Tolerance"), tr("Tolerance, rad and shares of the reach")},
+      form, made);
+  return made;
+}
+
+void RobotPanel::connectParts() {
+  connect(chooser_, &QComboBox::currentIndexChanged, edits_, &RobotEdits::choose);
+  connect(new_, &QPushButton::clicked, edits_, &RobotEdits::addRobot);
+  connect(remove_, &QPushButton::clicked, edits_, &RobotEdits::removeRobot);
+  connect(rows_, &SettingRows::asked, edits_, &RobotEdits::set);
+  connect(rows_, &SettingRows::refused, this, &RobotPanel::tell);
+  connect(chain_, &ChainSection::typed, edits_, &RobotEdits::setJoint);
+  connect(chain_, &ChainSection::addAsked, edits_, &RobotEdits::addJoint);
+  connect(chain_, &ChainSection::removeAsked, edits_, &RobotEdits::removeJoint);
+  connect(chain_, &ChainSection::moveAsked, edits_, &RobotEdits::moveJoint);
+  connect(home_, &HomeSection::typed, edits_, &RobotEdits::setHome);
+  connect(edits_, &RobotEdits::asked, this, &RobotPanel::tell);
+  connect(edits_, &RobotEdits::chosen, this, &RobotPanel::refresh);
+  connect(edits_, &RobotEdits::jointMoved, chain_, &ChainSection::select);
+  connect(&parts_.document, &Document::opened, this, &RobotPanel::sceneOpened);
+  connect(&parts_.document, &Document::edited, this, &RobotPanel::refresh);
 }
 
 void RobotPanel::sceneOpened() {
-  name_.clear();
+  edits_->forget();
   refusal_->hide();
   refresh();
 }
 
 void RobotPanel::listRobots() {
-  const scene::Description& scene = parts_.document.scene();
-  const std::vector<std::size_t> robots = robotsOf(scene);
+  const std::vector<std::size_t> robots = edits_->look();
   const QSignalBlocker silent(chooser_);
   chooser_->clear();
-  index_ = robots.empty() ? scene.constraints.size() : robots.front();
-  for (std::size_t number = 0; number < robots.size(); ++number) {
-    const std::string& name = scene.constraints[robots[number]].name;
-    chooser_->addItem(QString::fromStdString(name));
-    if (name != name_) continue;
-    index_ = robots[number];
-    chooser_->setCurrentIndex(static_cast<int>(number));
+  for (const std::size_t index : robots) {
+    chooser_->addItem(QString::fromStdString(parts_.document.scene().constraints[index].name));
+    if (index == edits_->index()) chooser_->setCurrentIndex(chooser_->count() - 1);
   }
-  name_ = robots.empty() ? std::string() : scene.constraints[index_].name;
   choices_->setRowVisible(chooser_, robots.size() > 1);
 }
 
 void RobotPanel::refresh() {
   listRobots();
-  const scene::VirtualManipulator* shown = robot();
+  const scene::VirtualManipulator* shown = edits_->robot();
   editor_->setVisible(shown != nullptr);
   none_->setVisible(shown == nullptr);
   remove_->setEnabled(shown != nullptr && parts_.document.scene().constraints.size() > 1);
   new_->setEnabled(!parts_.document.scene().constraints.empty());
   if (shown == nullptr) return;
-  const auto* const own = std::get_if<scene::VirtualManipulator>(&parts_.document.written(index_).shape);
-  pull_->present(*shown, own != nullptr ? std::optional(own->ko_N_mm_per_rad) : std::nullopt);
+  rows_->present(parts_.document, edits_->index());
+  ko_->setEnabled(shown->orientation != manipulator::Orientation::None);  // nothing would use it
   chain_->present(*shown);
-  home_->present(shown->X_WV_home);
-  solver_->present(shown->solver);
+  home_->present(shown->X_WV_home, edits_->angles_deg());
   const Result<tick::TickProgram> program = scene::compile(parts_.document.scene());
-  if (program) now_->setRobot(std::get<manipulator::Manipulator>(program.value().entries[index_].constraint.goal));
+  if (program)
+    now_->setRobot(std::get<manipulator::Manipulator>(program.value().entries[edits_->index()].constraint.goal));
   shown_ns_ = -1;
 }
 
 void RobotPanel::present(const servo::Snapshot& snapshot) {
-  if (robot() == nullptr || !isSeen()) return;
-  if (snapshot.revision != parts_.servo.revision() || index_ >= snapshot.report.held.size()) return;
+  if (edits_->robot() == nullptr || !isSeen()) return;
+  if (snapshot.revision != parts_.servo.revision() || edits_->index() >= snapshot.report.held.size()) return;
   const std::int64_t now_ns = snapshot.report.sample.time_ns;
   if (shown_ns_ >= 0 && std::abs(now_ns - shown_ns_) < kBetweenNumbers_ns) return;
   shown_ns_ = now_ns;
-  now_->present(snapshot.report.held[index_]);
+  now_->present(snapshot.report.held[edits_->index()]);
 }
 
-bool RobotPanel::refuse(const Problems& problems) {
+void RobotPanel::tell(const Problems& problems) {
+  refresh();  // refused? what holds is back
   refusal_->setText(problems.empty() ? QString() : sentencesOf(problems));
   refusal_->setVisible(!problems.empty());
-  return problems.empty();
-}
-
-bool RobotPanel::send(const scene::Description& edited, const QString& what, bool fresh) {
-  if (fresh) gesture_ = parts_.document.newGesture();
-  const Problems problems = parts_.document.edit(edited, what, gesture_);
-  refresh();  // refused? what holds is back
-  return refuse(problems);
-}
-
-bool RobotPanel::change(const QString& what, bool fresh, const Change& change) {
-  const scene::VirtualManipulator* shown = robot();
-  if (shown == nullptr) return false;
-  scene::VirtualManipulator edited = *shown;
-  const Problems problems = change(edited);
-  if (problems.empty()) return send(scene::withShape(parts_.document.scene(), index_, edited), what, fresh);
-  refresh();
-  return refuse(problems);
-}
-
-bool RobotPanel::choose(int number) {
-  const std::vector<std::size_t> robots = robotsOf(parts_.document.scene());
-  if (number < 0 || static_cast<std::size_t>(number) >= robots.size()) return false;
-  name_ = parts_.document.scene().constraints[robots[static_cast<std::size_t>(number)]].name;
-  gesture_ = parts_.document.newGesture();  // keys in a row on another robot are another step back
-  refresh();
-  return true;
 }
 
 }  // namespace underact::gui

@@ -1,16 +1,11 @@
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "app/gui/kit/section.h"
-#include "app/gui/kit/value_row.h"
 #include "core/scene/description.h"
 #include "core/tick/report.h"
 
-class QComboBox;
-class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace underact::gui {
 
@@ -18,40 +13,6 @@ class EditTable;
 class Readout;
 
 // The sections of the Robot panel. Each shows a robot and says what is asked of it; the panel edits the scene.
-
-/// What the tip pulls with: the turning stiffness, what of the stylus's turn it follows, the force law.
-class PullSection : public Section {
-  Q_OBJECT
- public:
-  explicit PullSection(QWidget* parent = nullptr);
-  /// own_ko: the scene's value; none: it has none.
-  void present(const scene::VirtualManipulator& robot, const std::optional<double>& own_ko_N_mm_per_rad);
- signals:
-  void koAsked(double ko_N_mm_per_rad, bool fresh);
-  void orientationAsked(underact::manipulator::Orientation orientation);
-  void lawAsked(underact::manipulator::ForceLaw law);
-
- private:
-  ValueRow* ko_;
-  QComboBox *orientation_, *law_;
-};
-
-/// Which way the joints are found.
-class SolverSection : public Section {
-  Q_OBJECT
- public:
-  explicit SolverSection(QWidget* parent = nullptr);
-  void present(const scene::Solver& solver);
- signals:
-  void methodAsked(underact::scene::SolverMethod method);
-  void stepsAsked(int max_steps);
-  void toleranceAsked(const QString& text);
-
- private:
-  QComboBox* method_;
-  QSpinBox* steps_;
-  QLineEdit* tolerance_;
-};
 
 /// What the solver does in the tick that is shown.
 class RobotNowSection : public Section {
@@ -93,19 +54,13 @@ class HomeSection : public Section {
   Q_OBJECT
  public:
   explicit HomeSection(QWidget* parent = nullptr);
-  void present(const Eigen::Matrix4d& X_WV_home);
+  /// angles_deg: of the turn, about x, then y, then z.
+  void present(const Eigen::Matrix4d& X_WV_home, const Vec3& angles_deg);
  signals:
   void typed(int row, int axis, const QString& text);  // row 0: place, 1: turn
 
- public:
-  /// The three angles that are shown, degrees.
-  const Vec3& angles_deg() const { return angles_deg_; }
-  void keepAngles(const Vec3& angles_deg) { angles_deg_ = angles_deg; }
-
  private:
   EditTable* table_;
-  // As they were typed: at ry = 90 degrees others make the same turn.
-  Vec3 angles_deg_ = Vec3::Zero();
 };
 
 }  // namespace underact::gui

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/gui/kit/words.h"
+#include "app/gui/model/setting_words.h"
+#include "core/scene/fields.h"
 
 namespace underact::gui {
 namespace {
@@ -86,23 +88,13 @@ ShapeLines linesOf(const scene::VirtualManipulator& robot) {
   if (!springs.isEmpty()) lines.push_back({QObject::tr("Springs"), springs});
   const QString limits = jointsWith(robot, [](const scene::Joint& joint) { return joint.min || joint.max; });
   if (!limits.isEmpty()) lines.push_back({QObject::tr("Limits"), limits});
-  if (robot.force_law == manipulator::ForceLaw::Thesis52) {
-    lines.push_back({QObject::tr("Force law"), QObject::tr("thesis 5.2")});
+  if (robot.force_law != manipulator::ForceLaw::Energy) {
+    const char* const word = wordOf(scene::kForceLawWords, robot.force_law);
+    lines.push_back({QObject::tr("Force law"), settingChoice("/constraints/*/force_law", word)});
   }
   return lines;
 }
 
-QString searchText(mesh::Search search) {
-  switch (search) {
-    case mesh::Search::Hybrid:
-      return QObject::tr("nearest of all");
-    case mesh::Search::Global:
-      return QObject::tr("nearest of all, in the tree");
-    case mesh::Search::Local:
-      return QObject::tr("along the surface");
-  }
-  return {};
-}
 ShapeLines linesOf(const scene::Mesh& mesh) {
   ShapeLines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(mesh.file)).fileName()}};
   if (mesh.surface != nullptr) {
@@ -150,7 +142,8 @@ std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {
   const ShapeLines geometry = std::visit([](const auto& shape) { return linesOf(shape); }, constraint.shape);
   lines.insert(lines.end(), geometry.begin(), geometry.end());
   if (const auto* mesh = std::get_if<scene::Mesh>(&constraint.shape); mesh && constraint.side == target::Side::Both)
-    lines.push_back({QObject::tr("Held to"), searchText(mesh->search)});
+    lines.push_back(
+        {QObject::tr("Held to"), settingChoice("/constraints/*/search", wordOf(scene::kSearchWords, mesh->search))});
   if (constraint.friction) {
     lines.push_back({QObject::tr("Friction"), QObject::tr("%1 static, %2 dynamic")
                                                   .arg(numberText(constraint.friction->static_share, 2),

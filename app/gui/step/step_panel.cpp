@@ -1,51 +1,36 @@
 #include "app/gui/step/step_panel.h"
 
-#include <QBoxLayout>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/chooser.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/value_row.h"
+#include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_in_use.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/servo_rate.h"
+#include "app/gui/step/step_figures.h"
+#include "app/gui/step/step_foot.h"
 #include "app/gui/step/step_plot.h"
+#include "app/gui/step/step_rows.h"
 #include "core/base/units.h"
 #include "core/lab/thesis_steps.h"
 #include "core/scene/edit.h"
+#include "core/scene/fields.h"
 
 namespace underact::gui {
 namespace {
 
 using lab::Behaviour;
-
-enum Row { kFinal, kRise, kSettling, kPeak, kOvershoot, kOmega, kZeta, kError, kLeft, kRows };
-enum Column { kModel, kMeasured, kFitted, kColumns };
-
-const QString kNone(QChar(0x2013));
-
-QString figureText(double value) {
-  if (!std::isfinite(value)) return kNone;
-  const int before = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return numberText(value, std::clamp(3 - before, 0, 4));  // four digits that count, at most four behind the point
-}
-
-QString figureText(const std::optional<double>& value, const QString& none = kNone) {
-  return value ? figureText(*value) : none;
-}
-
-std::optional<double> percent(const std::optional<double>& share) {
-  return share ? std::optional(100.0 * *share) : std::nullopt;
-}
 
 QString sentenceOn(const lab::TransferFunction& transfer) {
   switch (lab::behaviourOf(transfer)) {
@@ -61,16 +46,6 @@ QString sentenceOn(const lab::TransferFunction& transfer) {
   return {};
 }
 
-QString polesText(const lab::TransferFunction& transfer) {
-  QStringList words;
-  for (const std::complex<double>& pole : lab::poles(transfer)) {
-    if (pole.imag() < 0.0) continue;  // told with its partner
-    const QString imaginary = pole.imag() > 0.0 ? StepPanel::tr(" ± %1i").arg(figureText(pole.imag())) : QString();
-    words << figureText(pole.real()) + imaginary;
-  }
-  return StepPanel::tr("Poles [rad/s]: %1").arg(words.join(",  "));
-}
-
 /// Of den = a s^2 + b s + c; none of another degree.
 lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
   if (transfer.den.size() != 3) return {kNotANumber, kNotANumber};
@@ -78,13 +53,70 @@ lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
   return naturalMotion(held, scene::LawType::P);
 }
 
+scene::Control withGains(scene::Control control, scene::LawType law, const lab::HeldMass& held) {
+  control.law = law;
+  control.gains.kp_N_per_mm.setConstant(held.kp_N_per_m / kNewtonPerMetre);
+  control.gains.kd_N_s_per_mm.setConstant(held.kd_N_s_per_m / kNewtonPerMetre);
+  control.gains.ki_N_per_mm_s.setConstant(held.ki_N_per_m_s / kNewtonPerMetre);
+  return control;
+}
+
 }  // namespace
 
 StepPanel::StepPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   held_.kp_N_per_m = 500.0;
   build();
+  connectParts();
   takeArm();
   addCommands();
+  sceneOpened();
+}
+
+void StepPanel::build() {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->setSpacing(0);
+  outer->addWidget(plot_ = new StepPlot(this), 1);  // stays in sight while what is below it scrolls
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  figure_choice_ = chooser("panel.step.figure", tr("What is shown"),
+                           tr("The arm under a law, or one of the figures of the thesis's appendix B."), this);
+  figure_choice_->addItem(tr("The arm under a law"));
+  for (const lab::ThesisStep& step : lab::thesisSteps())
+    figure_choice_->addItem(tr("%1  %2").arg(QString(step.key), QCoreApplication::translate("step", step.title)));
+  column->addWidget(figure_choice_);
+  column->addWidget(what_ = quietLabel("panel.step.what", {}, content));
+  column->addWidget(rows_ = new StepRows(content));
+  column->addWidget(figures_ = new StepFigures(content));
+  column->addStretch(1);
+  QScrollArea* scroll = panelScroll(content, this);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+  outer->addWidget(scroll, 2);
+  // Below what scrolls: a sentence is always seen, and its coming moves no slider from under the pointer.
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(8, 4, 8, 8);
+  foot->setSpacing(4);
+  note_ = quietLabel("panel.step.note", {}, this);
+  note_->setAccessibleName(tr("What there is to know of this response"));
+  foot->addWidget(note_);
+  foot->addWidget(foot_ = new StepFoot(this));
+  outer->addLayout(foot);
+}
+
+void StepPanel::connectParts() {
+  connect(figure_choice_, &QComboBox::currentIndexChanged, this, &StepPanel::showFigure);
+  connect(rows_, &StepRows::quantityChanged, this, &StepPanel::setQuantity);
+  connect(rows_, &StepRows::lawChosen, this, &StepPanel::setLaw);
+  connect(rows_, &StepRows::constraintChosen, this, [this](int row) {
+    index_ = static_cast<std::size_t>(row);
+    measured_.reset();
+    refresh();
+  });
+  connect(foot_, &StepFoot::takeAsked, this, &StepPanel::takeFromScene);
+  connect(foot_, &StepFoot::giveAsked, this, &StepPanel::giveToScene);
+  connect(foot_, &StepFoot::measureAsked, this, &StepPanel::measure);
   connect(&parts_.document, &Document::opened, this, &StepPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &StepPanel::sceneEdited);
   connect(&parts_.arm_in_use, &ArmInUse::changed, this, &StepPanel::takeArm);
@@ -92,13 +124,28 @@ StepPanel::StepPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts
     measured_.reset();
     refresh();
   });
-  sceneOpened();
 }
 
-double& StepPanel::valueOf(int quantity) {
-  double* const values[] = {&held_.kp_N_per_m, &held_.kd_N_s_per_m, &held_.ki_N_per_m_s, &held_.mass_kg,
-                            &held_.damping_N_s_per_m};
-  return *values[quantity];
+void StepPanel::addCommands() {
+  parts_.actions.addCommand("step.show", [this](const QVariantList& values) {  // 0: the arm; 1 to 5: B.1 to B.5
+    const int figure = values.value(0, -1).toInt();
+    if (figure < 0 || figure >= figure_choice_->count()) return false;
+    figure_choice_->setCurrentIndex(figure);
+    return true;
+  });
+  parts_.actions.addCommand("step.law", [this](const QVariantList& values) {
+    for (const auto& law : scene::kLawWords) {
+      if (values.value(0).toString() == law.word) return setLaw(law.value);
+    }
+    return false;
+  });
+  parts_.actions.addCommand("step.set", [this](const QVariantList& values) {
+    const int quantity = StepRows::quantityOf(values.value(0).toString());
+    return quantity >= 0 && setQuantity(quantity, values.value(1).toDouble());
+  });
+  parts_.actions.addCommand("step.take", [this](const QVariantList&) { return takeFromScene(); });
+  parts_.actions.addCommand("step.give", [this](const QVariantList&) { return giveToScene(); });
+  parts_.actions.addCommand("step.measure", [this](const QVariantList&) { return measure(); });
 }
 
 const scene::Control& StepPanel::control() const {
@@ -115,12 +162,8 @@ void StepPanel::takeArm() {
 
 void StepPanel::listConstraints() {
   const std::vector<scene::Constraint>& constraints = parts_.document.scene().constraints;
-  const QSignalBlocker silent(constraint_);
-  constraint_->clear();
-  for (const scene::Constraint& one : constraints) constraint_->addItem(QString::fromStdString(one.name));
   if (index_ >= constraints.size()) index_ = 0;
-  constraint_->setCurrentIndex(static_cast<int>(index_));
-  choices_->setRowVisible(constraint_, constraints.size() > 1);
+  rows_->list(constraints, index_);
 }
 
 void StepPanel::sceneOpened() {
@@ -150,35 +193,35 @@ bool StepPanel::setLaw(scene::LawType law) {
 
 bool StepPanel::setQuantity(int quantity, double value) {
   if (!(value >= 0.0 && std::isfinite(value))) return false;
-  valueOf(quantity) = quantity <= kKi ? kNewtonPerMetre * value : value;
+  StepRows::valueOf(held_, quantity) = StepRows::unitOf(quantity) * value;
   measured_.reset();
   refresh();
   return true;
+}
+
+lab::HeldMass StepPanel::own() const {
+  const bool open = !parts_.document.scene().constraints.empty();
+  const scene::Gains gains = open ? control().gains : scene::Gains{};
+  lab::HeldMass own;
+  own.kp_N_per_m = kNewtonPerMetre * gains.kp_N_per_mm.x();
+  own.kd_N_s_per_m = kNewtonPerMetre * gains.kd_N_s_per_mm.x();
+  own.ki_N_per_m_s = kNewtonPerMetre * gains.ki_N_per_mm_s.x();
+  own.mass_kg = parts_.arm_in_use.model().mass_kg;
+  own.damping_N_s_per_m = parts_.arm_in_use.model().damping_N_s_per_m;
+  return own;
 }
 
 bool StepPanel::takeFromScene() {
   if (parts_.document.scene().constraints.empty()) return false;
-  const scene::Gains& gains = control().gains;
+  const lab::HeldMass gains = own();
   law_ = control().law;
-  held_.kp_N_per_m = kNewtonPerMetre * gains.kp_N_per_mm.x();
-  held_.kd_N_s_per_m = kNewtonPerMetre * gains.kd_N_s_per_mm.x();
-  held_.ki_N_per_m_s = kNewtonPerMetre * gains.ki_N_per_mm_s.x();
+  held_.kp_N_per_m = gains.kp_N_per_m;
+  held_.kd_N_s_per_m = gains.kd_N_s_per_m;
+  held_.ki_N_per_m_s = gains.ki_N_per_m_s;
   measured_.reset();
   refresh();
   return true;
 }
-
-namespace {
-
-scene::Control withGains(scene::Control control, scene::LawType law, const lab::HeldMass& held) {
-  control.law = law;
-  control.gains.kp_N_per_mm.setConstant(held.kp_N_per_m / kNewtonPerMetre);
-  control.gains.kd_N_s_per_mm.setConstant(held.kd_N_s_per_m / kNewtonPerMetre);
-  control.gains.ki_N_per_mm_s.setConstant(held.ki_N_per_m_s / kNewtonPerMetre);
-  return control;
-}
-
-}  // namespace
 
 bool StepPanel::giveToScene() {
   if (parts_.document.scene().constraints.empty()) return false;
@@ -194,13 +237,13 @@ bool StepPanel::measure() {
   const scene::Description& scene = parts_.document.scene();
   if (scene.constraints.empty()) return false;
   lab::StepSetup setup;
-  setup.step_m = kMetrePerMillimetre * step_mm_->value();
+  setup.step_m = kMetrePerMillimetre * foot_->step_mm();
   setup.constraint = scene.constraints[index_].name;
   setup.arm = parts_.arm_in_use.model();
   setup.arm.mass_kg = held_.mass_kg;
   setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // a hand's, too: at rest it slows as the arm's own does
   setup.rate_hz = parts_.servo.rateHz();
-  setup.limits = limits_->isChecked();
+  setup.limits = foot_->hasLimits();
   Result<lab::ArmStep> step = lab::measureStep(withControl(scene, index_, withGains(control(), law_, held_)), setup);
   if (step) measured_ = std::move(step).value();
   figure_choice_->setCurrentIndex(0);
@@ -230,6 +273,7 @@ StepPicture StepPanel::pictureOfArm(QString& note) const {
   else
     picture.seconds = rest_s > 0.0 ? 1.5 * rest_s : length_s;
   picture.measured = std::move(share);
+  picture.steady_error_m = measured_->steady_error_m;
   picture.fit = measured_->fit;
   if (picture.fit) picture.fit->gain /= measured_->step_m;
   note = noteOnMeasured();
@@ -269,56 +313,18 @@ void StepPanel::refresh() {
     note = sentenceOn(step.responses.front().transfer);
     what_->setText(QCoreApplication::translate("step", step.what));
   }
-  arm_->setVisible(figure_ == 0);
-  measuring_->setVisible(figure_ == 0);
+  rows_->setVisible(figure_ == 0);
+  foot_->setVisible(figure_ == 0);
   what_->setVisible(figure_ != 0);
   static_cast<QBoxLayout*>(layout())->setStretch(0, figure_ == 0 ? 1 : 3);  // a figure leaves the plot more room
-  const QSignalBlocker silent_law(law_choice_), silent_figure(figure_choice_);
-  law_choice_->setCurrentIndex(static_cast<int>(law_));
+  const QSignalBlocker silent(figure_choice_);
   figure_choice_->setCurrentIndex(figure_);
-  const bool open = !parts_.document.scene().constraints.empty();
-  const scene::Gains gains = open ? control().gains : scene::Gains{};
-  const double own[] = {gains.kp_N_per_mm.x(), gains.kd_N_s_per_mm.x(), gains.ki_N_per_mm_s.x(),
-                        parts_.arm_in_use.model().mass_kg, parts_.arm_in_use.model().damping_N_s_per_m};
-  for (int quantity = 0; quantity < kQuantities; ++quantity) {
-    const double unit = quantity <= kKi ? kNewtonPerMetre : 1.0;
-    rows_[static_cast<std::size_t>(quantity)]->present(valueOf(quantity) / unit, own[quantity]);
-  }
-  rows_[kKd]->setVisible(law_ != scene::LawType::P);
-  rows_[kKi]->setVisible(law_ == scene::LawType::PID);
+  rows_->present(held_, law_, own());
   plot_->present(picture);
-  refreshTable(picture);
-  poles_->setText(picture.responses.empty() ? QString() : polesText(picture.responses.front().transfer));
+  const bool has_first = figure_ != 0 && !picture.responses.empty();
+  figures_->present(picture,
+                    has_first ? naturalMotionOf(picture.responses.front().transfer) : naturalMotion(held_, law_));
   note_->setText(note);
-}
-
-void StepPanel::refreshTable(const StepPicture& picture) {
-  for (int row = 0; row < kRows; ++row) {
-    for (int column = 0; column < kColumns; ++column) table_->set(row, column, {});
-  }
-  const auto tell = [this](int column, const lab::StepMetrics& metrics, const QString& never) {
-    table_->set(kFinal, column, figureText(metrics.final_value));
-    table_->set(kRise, column, figureText(metrics.rise_10_90_s));
-    table_->set(kSettling, column, figureText(metrics.settling_2pct_s, never));
-    table_->set(kPeak, column, figureText(metrics.peak_time_s));
-    table_->set(kOvershoot, column, figureText(percent(metrics.overshoot_fraction)));
-  };
-  if (picture.responses.empty()) return;
-  const lab::TransferFunction& first = picture.responses.front().transfer;
-  tell(kModel, picture.metrics, tr("never"));
-  const lab::NaturalMotion motion = figure_ == 0 ? naturalMotion(held_, law_) : naturalMotionOf(first);
-  table_->set(kOmega, kModel, figureText(motion.omega_n_rad_per_s));
-  table_->set(kZeta, kModel, figureText(motion.zeta));
-  if (!picture.measured) return;
-  tell(kMeasured, lab::metricsOf(*picture.measured), tr("never"));
-  table_->set(kError, kMeasured, figureText(kMillimetrePerMetre * measured_->steady_error_m));
-  if (!picture.fit) return;
-  lab::StepMetrics fit = lab::metricsOf(lab::secondOrder(picture.fit->omega_n_rad_per_s, picture.fit->zeta));
-  fit.final_value = picture.fit->gain;
-  tell(kFitted, fit, tr("never"));
-  table_->set(kOmega, kFitted, figureText(picture.fit->omega_n_rad_per_s));
-  table_->set(kZeta, kFitted, figureText(picture.fit->zeta));
-  table_->set(kLeft, kFitted, figureText(kMillimetrePerMetre * picture.fit->residual));
 }
 
 void StepPanel::setTheme(const Theme& theme) {

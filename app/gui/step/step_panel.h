@@ -1,22 +1,18 @@
 #pragma once
-#include <array>
 #include <optional>
 
 #include "app/gui/feature/panel.h"
 #include "core/lab/step_response.h"
 
-class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
-class QVBoxLayout;
 
 namespace underact::gui {
 
-class NumberTable;
+class StepFigures;
+class StepFoot;
 class StepPlot;
-class ValueRow;
+class StepRows;
 struct StepPicture;
 
 /// Step responses (appendix B of the thesis): of a mass that a law holds, with the simulated arm's measured one over
@@ -36,14 +32,9 @@ class StepPanel : public Panel {
   void setTheme(const Theme& theme) override;
 
  private:
-  enum Quantity { kKp, kKd, kKi, kMass, kDamping, kQuantities };
-
-  // step_panel_build.cpp
   void build();
-  void buildRows(QVBoxLayout* column);
-  void buildMeasuring(QWidget* foot);
+  void connectParts();
   void addCommands();
-
   void takeArm();
   void sceneOpened();
   void sceneEdited();
@@ -56,9 +47,8 @@ class StepPanel : public Panel {
   bool measure();
   void refresh();
   StepPicture pictureOfArm(QString& note) const;
-  void refreshTable(const StepPicture& picture);
   QString noteOnMeasured() const;
-  double& valueOf(int quantity);          // of held_, SI
+  lab::HeldMass own() const;              // the scene's gains on the arm's mass
   const scene::Control& control() const;  // of the constraint that is chosen
 
   Parts parts_;
@@ -71,15 +61,9 @@ class StepPanel : public Panel {
   StepPlot* plot_ = nullptr;
   QComboBox* figure_choice_ = nullptr;
   QLabel* what_ = nullptr;
-  NumberTable* table_ = nullptr;
-  QLabel* poles_ = nullptr;
-  QWidget *arm_ = nullptr, *measuring_ = nullptr;  // all that is about the arm
-  QFormLayout* choices_ = nullptr;
-  QComboBox* constraint_ = nullptr;
-  QComboBox* law_choice_ = nullptr;
-  std::array<ValueRow*, kQuantities> rows_{};
-  QDoubleSpinBox* step_mm_ = nullptr;
-  QCheckBox* limits_ = nullptr;
+  StepFigures* figures_ = nullptr;
+  StepRows* rows_ = nullptr;
+  StepFoot* foot_ = nullptr;
   QLabel* note_ = nullptr;
 };
 

@@ -21,6 +21,7 @@ struct StepPicture {
   lab::StepMetrics metrics;                 // of the first
   std::optional<lab::Curve> measured = {};  // a share of the step
   std::optional<lab::SecondOrderFit> fit = {};
+  double steady_error_m = 0.0;  // of what was measured
 };
 
 /// Step responses against time, and below them the poles and zeros of the first in the s-plane. It moves when asked.

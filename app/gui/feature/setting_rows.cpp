@@ -1,0 +1,155 @@
+#include "app/gui/feature/setting_rows.h"
+
+#include <QBoxLayout>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/arms/joint_fields.h"
+#include "app/gui/kit/chooser.h"
+#include "app/gui/kit/value_row.h"
+#include "app/gui/model/document.h"
+#include "app/gui/model/setting_words.h"
+
+namespace underact::gui {
+namespace {
+
+using scene::SettingValue;
+
+std::string inTable(const SettingLook& look) {
+  return std::string("/constraints/*") + look.path;
+}
+
+void describeWidget(QWidget* widget, const SettingLook& look) {
+  widget->setObjectName(look.name);
+  widget->setAccessibleName(look.spoken);
+  widget->setToolTip(settingTip(inTable(look)));
+}
+
+std::function<void(bool)> showsRow(QFormLayout* form, QWidget* widget) {
+  return [form, widget](bool on) { form->setRowVisible(widget, on); };
+}
+
+/// The wheel scrolls the panel until the number has the focus.
+class WholeBox : public QSpinBox {
+ public:
+  using QSpinBox::QSpinBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus())
+      QSpinBox::wheelEvent(event);
+    else
+      event->ignore();
+  }
+};
+
+}  // namespace
+
+ValueRow* SettingRows::makeNumber(const SettingLook& look, QWidget* parent) {
+  const std::string path = inTable(look);
+  auto* const row = new ValueRow({settingTip(path), settingUnit(path), look.steps_per_unit, look.slider_steps,
+                                  look.decimals, look.most > 0.0 ? look.most : settingMost(path)},
+                                 look.name, parent);
+  row->setLabel(look.label, look.spoken, look.widest);
+  connect(row, &ValueRow::changed, this,
+          [this, at = std::string(look.path)](double value, bool fresh) { emit asked(at, value, fresh); });
+  const auto show = [row](const SettingValue& now, const SettingValue& own) {
+    // By its size; where it may be below 0 there is something beside the row that says so.
+    const double* const marked = std::get_if<double>(&own);
+    row->present(std::abs(std::get<double>(now)), marked ? std::optional(std::abs(*marked)) : std::nullopt);
+  };
+  rows_.push_back({look.path, show, {}, row});
+  return row;
+}
+
+ValueRow* SettingRows::addNumber(const SettingLook& look, QBoxLayout* into, QWidget* parent) {
+  ValueRow* const row = makeNumber(look, parent);
+  rows_.back().show = [row](bool on) { row->setVisible(on); };
+  into->addWidget(row);
+  return row;
+}
+
+ValueRow* SettingRows::addNumber(const SettingLook& look, QFormLayout* into, QWidget* parent) {
+  ValueRow* const row = makeNumber(look, parent);
+  rows_.back().show = showsRow(into, row);
+  into->addRow(row);
+  return row;
+}
+
+QComboBox* SettingRows::addChoice(const SettingLook& look, QFormLayout* into, QWidget* parent) {
+  const std::string path = inTable(look);
+  auto* const box = chooser(look.name, look.spoken, settingTip(path), parent);
+  for (const std::string& word : look.order.empty() ? scene::findSetting(path)->words() : look.order)
+    box->addItem(settingChoice(path, word), QString::fromStdString(word));
+  connect(box, &QComboBox::currentIndexChanged, this, [this, box, at = std::string(look.path)](int row) {
+    emit asked(at, box->itemData(row).toString().toStdString(), true);
+  });
+  const auto show = [box](const SettingValue& now, const SettingValue&) {
+    const QSignalBlocker silent(box);  // to show a value is not to ask for it
+    box->setCurrentIndex(box->findData(QString::fromStdString(std::get<std::string>(now))));
+  };
+  into->addRow(look.label, box);
+  rows_.push_back({look.path, show, showsRow(into, box)});
+  return box;
+}
+
+QSpinBox* SettingRows::addWhole(const SettingLook& look, QFormLayout* into, QWidget* parent) {
+  const scene::Setting& setting = *scene::findSetting(inTable(look));
+  auto* const box = new WholeBox(parent);
+  describeWidget(box, look);
+  box->setRange(static_cast<int>(setting.least), static_cast<int>(setting.most));
+  box->setKeyboardTracking(false);
+  box->setFocusPolicy(Qt::StrongFocus);
+  connect(box, &QSpinBox::valueChanged, this,
+          [this, at = std::string(look.path)](int value) { emit asked(at, static_cast<double>(value), true); });
+  const auto show = [box](const SettingValue& now, const SettingValue&) {
+    const QSignalBlocker silent(box);
+    box->setValue(static_cast<int>(std::get<double>(now)));
+  };
+  into->addRow(look.label, box);
+  rows_.push_back({look.path, show, showsRow(into, box)});
+  return box;
+}
+
+QLineEdit* SettingRows::addText(const SettingLook& look, QFormLayout* into, QWidget* parent) {
+  auto* const line = new QLineEdit(parent);
+  describeWidget(line, look);
+  connect(line, &QLineEdit::editingFinished, this, [this, line, at = std::string(look.path)] {
+    if (!line->isModified()) return;
+    line->setModified(false);
+    const Result<double> number = typedNumber(line->text());
+    if (number)
+      emit asked(at, number.value(), true);
+    else
+      emit refused(number.problems());
+  });
+  const auto show = [line](const SettingValue& now, const SettingValue&) {
+    line->setText(exactNumber(std::get<double>(now)));
+  };
+  into->addRow(look.label, line);
+  rows_.push_back({look.path, show, showsRow(into, line)});
+  return line;
+}
+
+void SettingRows::present(const Document& document, std::size_t index,
+                          const std::function<bool(const std::string&)>& is_idle) {
+  for (const Row& row : rows_) {
+    const Result<SettingValue> now =
+        scene::valueAt(document.scene(), "/constraints/" + std::to_string(index) + row.path);
+    const bool is_there = now && !scene::isNone(now.value());
+    row.show(is_there && !(is_idle && is_idle(row.path)));
+    if (is_there) row.present(now.value(), document.own(index, row.path));
+  }
+}
+
+bool SettingRows::isHeld() const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [](const Row& row) { return row.slider != nullptr && row.slider->isHeld(); });
+}
+
+}  // namespace underact::gui

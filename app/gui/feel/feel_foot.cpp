@@ -1,0 +1,60 @@
+#include "app/gui/feel/feel_foot.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "app/gui/kit/actions.h"
+#include "app/gui/kit/told_label.h"
+
+namespace underact::gui {
+namespace {
+
+void tellFoot(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
+}  // namespace
+
+FeelFoot::FeelFoot(Actions& actions, QWidget* parent)
+    : QWidget(parent),
+      warning_(toldLabel("panel.feel.warning", tr("Warning"), "amber", this)),
+      refusal_(toldLabel("panel.feel.refusal", tr("Why the change was refused"), "alarm", this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  warning_->setToolTip(
+      tr("A sampled wall with one tick of delay stays calm for K < (b + B) / (1.5 T); b: the hand's damping, "
+         "B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly."));
+  for (QLabel* label : {warning_, refusal_}) {
+    label->hide();
+    column->addWidget(label);
+  }
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  const QStringList names{"edit.undo", "edit.redo", "gains.reset", "scene.save_as"};
+  for (int index = 0; index < names.size(); ++index) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(actions.find(names[index]));
+    button->setObjectName("panel.feel.button." + names[index]);
+    button->setAccessibleName(button->defaultAction()->iconText());
+    button->setIconSize(QSize(1, 1) * fontMetrics().height());
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+    grid->addWidget(button, index / 2, index % 2);
+  }
+  column->addLayout(grid);
+}
+
+void FeelFoot::warn(const QString& sentence) {
+  tellFoot(warning_, sentence);
+}
+
+void FeelFoot::refuse(const QString& sentences) {
+  tellFoot(refusal_, sentences);
+}
+
+}  // namespace underact::gui

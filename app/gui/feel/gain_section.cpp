@@ -1,0 +1,100 @@
+#include "app/gui/feel/gain_section.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/kit/told_label.h"
+#include "app/gui/model/setting_words.h"
+
+namespace underact::gui {
+namespace {
+
+using scene::Gains;
+
+constexpr Vec3 Gains::*kGains[] = {&Gains::kp_N_per_mm, &Gains::kd_N_s_per_mm, &Gains::ki_N_per_mm_s};
+
+bool areEqual(const Vec3& v) {
+  return v.x() == v.y() && v.y() == v.z();
+}
+bool areEqual(const Gains& gains) {
+  return std::all_of(std::begin(kGains), std::end(kGains), [&](auto gain) { return areEqual(gains.*gain); });
+}
+
+/// "x", or "q1" where the control works on the joints.
+QString axisName(const scene::Control& control, int axis) {
+  return control.space == tick::Space::Joint ? QString("q%1").arg(axis + 1) : QString(QChar('x' + axis));
+}
+
+}  // namespace
+
+GainSection::GainSection(QWidget* parent) : QWidget(parent), link_(new QCheckBox(tr("L&ink x, y and z"), this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  link_->setObjectName("panel.feel.link");
+  link_->setAccessibleName(tr("Link x, y and z"));
+  link_->setToolTip(tr("A change of one axis changes all three."));
+  column->addWidget(link_);
+  for (int gain = 0; gain < kGainKinds; ++gain) {
+    auto* part = new QWidget(this);
+    auto* rows = new QVBoxLayout(part);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(4);
+    QLabel* title = sectionTitle(
+        QString("%1 %2").arg(QCoreApplication::translate("gain", gainKind(gain).name), gainKind(gain).key), part);
+    title->setToolTip(settingTip(gainKind(gain).path));
+    rows->addWidget(title);
+    for (int axis = 0; axis < 3; ++axis) {
+      auto* row = new GainRow(gain, axis, part);
+      connect(row, &GainRow::changed, this,
+              [this, gain, axis](double value, bool fresh) { emit asked(gain, axis, value, fresh); });
+      rows->addWidget(row);
+      rows_[static_cast<std::size_t>(gain)][static_cast<std::size_t>(axis)] = row;
+    }
+    parts_[static_cast<std::size_t>(gain)] = part;
+    column->addWidget(part);
+  }
+}
+
+void GainSection::begin(const scene::Control& control) {
+  link_->setChecked(areEqual(control.gains));
+}
+
+void GainSection::present(const scene::Control& now, const scene::Control& own) {
+  for (std::size_t gain = 0; gain < kGainKinds; ++gain) {
+    for (int axis = 0; axis < 3; ++axis) {
+      GainRow* const row = rows_[gain][static_cast<std::size_t>(axis)];
+      row->setAxisName(axisName(now, axis));
+      row->present((now.gains.*kGains[gain])[axis], (own.gains.*kGains[gain])[axis]);
+    }
+  }
+  if (!areEqual(now.gains)) link_->setChecked(false);  // the next change of one axis must not wipe out the others
+  const bool in_joints = now.space == tick::Space::Joint;
+  link_->setText(in_joints ? tr("L&ink q1, q2 and q3") : tr("L&ink x, y and z"));
+  link_->setAccessibleName(link_->text().remove('&'));
+  parts_[1]->setVisible(now.law != scene::LawType::P);
+  parts_[2]->setVisible(now.law == scene::LawType::PID);
+}
+
+void GainSection::setWarning(int axis, const QString& reason) {
+  rows_[0][static_cast<std::size_t>(axis)]->setWarning(reason);
+}
+
+bool GainSection::isHeld() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const auto& axes) {
+    return std::any_of(axes.begin(), axes.end(), [](const GainRow* row) { return row->isHeld(); });
+  });
+}
+
+GainSection::Wanted GainSection::changed(const scene::Control& control, int gain, int axis, double value) const {
+  const QString what = settingLabel(gainKind(gain).path);
+  if (link_->isChecked()) return {Vec3::Constant(value), what};
+  Vec3 axes = control.gains.*kGains[gain];
+  axes[axis] = value;
+  return {axes, QString("%1 %2").arg(what, axisName(control, axis))};
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,61 @@
+#include "app/gui/step/step_foot.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QPushButton>
+
+#include "app/gui/kit/number_box.h"
+#include "app/gui/kit/push_button.h"
+
+namespace underact::gui {
+
+StepFoot::StepFoot(QWidget* parent)
+    : QWidget(parent), step_mm_(new NumberBox(this)), limits_(new QCheckBox(tr("With the &limits of the gate"), this)) {
+  auto* take = pushButton("panel.step.take", tr("&Take gains"),
+                          tr("Law and gains of the scene, those along x, into this panel."), this,
+                          tr("Take gains from the scene"));
+  auto* give = pushButton("panel.step.give", tr("&Give gains"),
+                          tr("Law and gains of this panel into the scene, along x, y and z; one step back undoes it."),
+                          this, tr("Give gains to the scene"));
+  auto* measuring =
+      pushButton("panel.step.measure", tr("&Measure the arm"),
+                 tr("Moves the target of the scene's constraint by a step, on a simulated arm of its own with "
+                    "these gains, and lays the tip's way over the model's. Nobody holds the stylus."),
+                 this, tr("Measure the simulated arm"));
+  step_mm_->setObjectName("panel.step.size");
+  step_mm_->setAccessibleName(tr("Length of the step, mm"));
+  step_mm_->setToolTip(tr("How far the target is moved for the measurement."));
+  step_mm_->setDecimals(2);
+  step_mm_->setRange(0.1, 100.0);
+  step_mm_->setValue(10.0);
+  step_mm_->setSuffix(tr(" mm"));
+  step_mm_->setKeyboardTracking(false);
+  step_mm_->setFocusPolicy(Qt::StrongFocus);
+  limits_->setObjectName("panel.step.limits");
+  limits_->setAccessibleName(tr("With the limits of the gate"));
+  limits_->setToolTip(
+      tr("The force is cut to what the arm bears, and to a speed. Off: the law alone, as the model has it."));
+  limits_->setChecked(true);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  grid->addWidget(take, 0, 0);
+  grid->addWidget(give, 0, 1);
+  grid->addWidget(step_mm_, 1, 0);
+  grid->addWidget(measuring, 1, 1);
+  grid->addWidget(limits_, 2, 0, 1, 2);
+  connect(take, &QPushButton::clicked, this, &StepFoot::takeAsked);
+  connect(give, &QPushButton::clicked, this, &StepFoot::giveAsked);
+  connect(measuring, &QPushButton::clicked, this, &StepFoot::measureAsked);
+}
+
+double StepFoot::step_mm() const {
+  return step_mm_->value();
+}
+
+bool StepFoot::hasLimits() const {
+  return limits_->isChecked();
+}
+
+}  // namespace underact::gui

@@ -1,0 +1,44 @@
+#pragma once
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "core/lab/transfer_function.h"
+#include "core/scene/description.h"
+
+class QComboBox;
+class QFormLayout;
+
+namespace underact::gui {
+
+class ValueRow;
+
+/// A mass that a law holds, and of which constraint the gains are: the numbers that make a response.
+class StepRows : public QWidget {
+  Q_OBJECT
+ public:
+  enum Quantity { kKp, kKd, kKi, kMass, kDamping, kQuantities };
+
+  explicit StepRows(QWidget* parent = nullptr);
+  void list(const std::vector<scene::Constraint>& constraints, std::size_t chosen);
+  /// own: what is marked, the scene's gains and the arm's mass.
+  void present(const lab::HeldMass& held, scene::LawType law, const lab::HeldMass& own);
+
+  /// In SI.
+  static double& valueOf(lab::HeldMass& held, int quantity);
+  /// A number in the row's unit, N/mm say, is so many of SI.
+  static double unitOf(int quantity);
+  static int quantityOf(const QString& key);  // "kp", "mass"; -1: there is none
+
+ signals:
+  void constraintChosen(int index);
+  void lawChosen(underact::scene::LawType law);
+  void quantityChanged(int quantity, double value);  // in the row's unit
+
+ private:
+  QFormLayout* choices_;
+  QComboBox *constraint_, *law_;
+  std::array<ValueRow*, kQuantities> rows_{};
+};
+
+}  // namespace underact::gui

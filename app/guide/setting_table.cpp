@@ -1,0 +1,126 @@
+#include "app/guide/setting_table.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "app/guide/markdown.h"
+#include "core/json/json.h"
+#include "core/scene/fields.h"
+#include "core/scene/settings.h"
+
+namespace underact::guide {
+namespace {
+
+using scene::Setting;
+using scene::SettingKind;
+
+/// A scene that has what its name says.
+struct Sample {
+  std::string name;
+  scene::Description scene;
+};
+
+/// Of each shape; or, for a filter's own settings, of each filter.
+std::vector<Sample> samplesFor(const std::string& path) {
+  std::vector<Sample> all;
+  const auto add = [&all](const std::string& name, scene::Shape shape, scene::Velocity velocity = {}) {
+    Sample sample{name, {}};
+    sample.scene.control.velocity = std::move(velocity);
+    scene::Constraint& constraint = sample.scene.constraints.emplace_back();
+    constraint.shape = std::move(shape);
+    // No two alike, so that what follows from it is seen to have no usual value.
+    if (takesFriction(constraint.shape)) constraint.friction = {{0.1 * static_cast<double>(all.size()), 0.0}};
+    all.push_back(std::move(sample));
+  };
+  if (path.starts_with("/control/velocity/")) {
+    for (const scene::Velocity& filter : std::initializer_list<scene::Velocity>{
+             scene::KalmanFilter{}, scene::LowPassFilter{}, scene::AdaptiveWindowFilter{}, scene::RawFilter{}})
+      add(scene::filterName(filter), scene::Point{}, filter);
+    return all;
+  }
+  const auto addShape = [&add](const scene::Shape& shape) { add(scene::typeName(shape), shape); };
+  addShape(scene::Point{});
+  addShape(scene::Sphere{});
+  addShape(scene::Line{});
+  addShape(scene::Plane{});
+  addShape(scene::Circle{});
+  addShape(scene::Cylinder{});
+  addShape(scene::Box{});
+  scene::VirtualManipulator turning, sliding;
+  turning.joints.emplace_back().type = chain::JointType::Revolute;
+  sliding.joints.emplace_back().type = chain::JointType::Prismatic;
+  const bool is_of_joint = path.find("/joints/") != std::string::npos;
+  add(is_of_joint ? "revolute" : scene::typeName(turning), turning);
+  if (is_of_joint) add("prismatic", sliding);
+  addShape(scene::Mesh{});
+  addShape(scene::Curve{});
+  return all;
+}
+
+std::string firstPlace(std::string path) {
+  for (std::size_t star = path.find('*'); star != std::string::npos; star = path.find('*')) path[star] = '0';
+  return path;
+}
+
+std::string shortNumber(double number) {
+  std::string text = json::numberText(number);
+  if (const std::size_t at = text.find("e+0"); at != std::string::npos) text.erase(at + 1, 2);  // 1e6, not 1e+06
+  if (const std::size_t at = text.find("e-0"); at != std::string::npos) text.erase(at + 2, 1);
+  return text;
+}
+
+std::string valuesOf(const Setting& setting) {
+  if (setting.kind == SettingKind::Choice) return listedInCode(setting.words());
+  if (setting.kind == SettingKind::Flag) return "`true`, `false`";
+  std::string text = setting.kind == SettingKind::Whole  ? "a whole number"
+                     : setting.kind == SettingKind::Gain ? "a number, or 3,"
+                                                         : "a number";
+  if (setting.least > -kInfinity) {
+    text += setting.is_above_least ? " above " + shortNumber(setting.least) + ", at most "
+                                   : " from " + shortNumber(setting.least) + " to ";
+    text += shortNumber(setting.most);
+  }
+  return setting.unit[0] == '\0' ? text : text + " " + cellText(setting.unit);
+}
+
+std::string rowOf(const Setting& setting) {
+  const std::string path = pathOf(setting), place = firstPlace(path);
+  std::vector<std::string> names, usual;
+  const std::vector<Sample> samples = samplesFor(path);
+  for (const Sample& one : samples) {
+    const Result<Setting> found = settingAt(one.scene, place);
+    if (!found || found.value().tip != setting.tip || found.value().unit != setting.unit) continue;
+    names.push_back(one.name);
+    const scene::SettingValue value = usualAt(one.scene, place).value();
+    const auto* const word = std::get_if<std::string>(&value);
+    usual.push_back(scene::isNone(value) ? std::string() : word != nullptr ? *word : scene::fileTextOf(value));
+  }
+  const bool has_usual = !usual.front().empty() && std::count(usual.begin(), usual.end(), usual.front()) ==
+                                                       static_cast<std::ptrdiff_t>(usual.size());
+  return "| " + inCode(path) + " | " + valuesOf(setting) + " | " + (has_usual ? inCode(usual.front()) : "") + " | " +
+         (names.size() == samples.size() ? "" : listedInCode(names)) + " | " + cellText(setting.tip) + " |\n";
+}
+
+}  // namespace
+
+std::string settingTable() {
+  std::ostringstream out;
+  out << "## Settings by path\n\n"
+         "All that can be changed while the scene runs, as `--set` takes it. A star stands for each constraint, or "
+         "joint, "
+         "or for the number of one, counted from 0; what `/control` has a constraint's own control has, too, as "
+         "`/constraints/0/control/law`.\n\n"
+         "| path | value | by itself | of | meaning |\n|---|---|---|---|---|\n";
+  std::vector<std::string> rows;
+  for (const Setting& setting : scene::settings()) {
+    // Those of meshes and of curves may be one and the same.
+    if (const std::string row = rowOf(setting); std::find(rows.begin(), rows.end(), row) == rows.end())
+      rows.push_back(row);
+  }
+  for (const std::string& row : rows) out << row;
+  return out.str();
+}
+
+}  // namespace underact::guide
