@@ -7,7 +7,6 @@
 
 #include "app/gui/files/load_strip.h"
 #include "app/gui/mesh/mesh_dialog.h"
-#include "app/gui/mesh/mesh_files.h"
 #include "core/mesh_file/load.h"
 #include "tests/gui/desk.h"
 
@@ -18,8 +17,8 @@ FeatureRow meshFeature();
 namespace underact::gui::test {
 
 TEST(MeshFiles, AFileIsAMeshByItsEndInWhateverCase) {
-  for (const char* name : {"a.stl", "a.STL", "b.obj", "c.ply", "d.off"}) EXPECT_TRUE(isMeshFile(name)) << name;
-  for (const char* name : {"a.json", "stl", "a.csv", "a.stl.json"}) EXPECT_FALSE(isMeshFile(name)) << name;
+  for (const char* name : {"a.stl", "a.STL", "b.obj", "c.ply", "d.off"}) EXPECT_TRUE(meshFeature().opens(name)) << name;
+  for (const char* name : {"a.json", "stl", "a.csv", "a.stl.json"}) EXPECT_FALSE(meshFeature().opens(name)) << name;
 }
 
 TEST(MeshFiles, ASceneWithoutAMeshHasNoReport) {
@@ -44,22 +43,22 @@ TEST(MeshDialog, AnOpenSurfaceIsNoWallAndAClosedOneIsOfferedAsOne) {
   loaded.facts.parts = loaded.facts.closed_parts = 1;
   const MeshDialog closed("closed.stl", loaded, {}, true, nullptr);
   EXPECT_EQ(closed.findChild<QComboBox*>("dialog.mesh.side")->count(), 3);
-  EXPECT_EQ(closed.wish().side, target::Side::Outside);
+  EXPECT_EQ(closed.constraint().side, target::Side::Outside);
   loaded.facts.closed_parts = 0;
   loaded.facts.borders = 1;
   loaded.facts.border_edges = 3;
   const MeshDialog open("open.stl", loaded, {}, true, nullptr);
   EXPECT_EQ(open.findChild<QComboBox*>("dialog.mesh.side")->count(), 1);
-  EXPECT_EQ(open.wish().side, target::Side::Both);
+  EXPECT_EQ(open.constraint().side, target::Side::Both);
 }
 
 TEST(MeshDialog, FrictionIsWishedOnlyWhereItIsTicked) {
   MeshDialog dialog("a.stl", {}, {}, true, nullptr);
-  EXPECT_FALSE(dialog.wish().friction.has_value());
+  EXPECT_FALSE(dialog.constraint().friction.has_value());
   dialog.findChild<QCheckBox*>("dialog.mesh.friction")->setChecked(true);
   dialog.findChild<QDoubleSpinBox*>("dialog.mesh.static")->setValue(0.8);
-  ASSERT_TRUE(dialog.wish().friction.has_value());
-  EXPECT_DOUBLE_EQ(dialog.wish().friction->static_share, 0.8);
+  ASSERT_TRUE(dialog.constraint().friction.has_value());
+  EXPECT_DOUBLE_EQ(dialog.constraint().friction->static_share, 0.8);
 }
 
 }  // namespace underact::gui::test
