@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string>
 
 #include "core/extremes/catalogue.h"
 #include "core/extremes/kept.h"
@@ -42,12 +43,13 @@ TEST(KeptCases, KeepTheirPromiseWithTheErrorTheyHad) {
 }
 
 TEST(Guide, HasARowForEachRowWithItsPromise) {
-  std::ifstream file(UNDERACT_SOURCE "/resources/guide/extremes.md");
+  std::ifstream file(UNDERACT_SOURCE "/resources/guide/measured_extremes.md");
   const std::string guide{std::istreambuf_iterator<char>(file), {}};
   for (const Row& row : catalogue()) {
     const std::size_t at = guide.find(std::string("| `") + row.key + "` | ");
     ASSERT_NE(at, std::string::npos) << row.key;
-    const std::string line = guide.substr(at, guide.find('\n', at) - at);
+    std::string line = guide.substr(at, guide.find('\n', at) - at);
+    std::erase(line, '\\');  // a bar in a cell is written \|
     EXPECT_NE(line.find(std::string("| ") + row.asked + " |"), std::string::npos) << line;
     EXPECT_NE(line.find("| " + textOf(row.promised_ulp) + " " + row.promise + " |"), std::string::npos) << line;
   }
