@@ -1,6 +1,7 @@
 #pragma once
 #include <QWidget>
 
+#include "core/lab/arm_model.h"
 #include "core/lab/transfer_function.h"
 
 class QLabel;

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/lab/transfer_function.h"
+#include "core/lab/arm_model.h"
 #include "core/scene/description.h"
 
 class QComboBox;
