@@ -9,7 +9,6 @@
 #include "app/gui/kit/words.h"
 #include "app/gui/model/limit_names.h"
 #include "app/gui/model/servo_rate.h"
-#include "app/gui/model/servo_words.h"
 
 namespace underact::gui {
 namespace {

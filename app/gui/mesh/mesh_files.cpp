@@ -10,7 +10,7 @@
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/file_question.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/view/drawn_mesh.h"
@@ -85,7 +85,7 @@ void MeshFiles::load(const QString& path, std::optional<double> mm_per_unit) {
   const auto loaded = std::make_shared<std::optional<Result<mesh_file::Loaded>>>();
   loads_.begin(
       tr("Loading %1").arg(QFileInfo(path).fileName()),
-      [loaded, file = path.toStdString()](const mesh::Watch& watch) {
+      [loaded, file = path.toStdString()](const Watch& watch) {
         *loaded = mesh_file::loadMesh(file, watch);
         if (!**loaded || watch.isCancelled()) return;
         watch.tell(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
