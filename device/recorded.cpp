@@ -94,7 +94,7 @@ std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t f
 
 /// A scene whose mesh is gone stays, and says so where it is run.
 void loadMeshes(scene::Description& scene, const LoadWatch& load, Problems& damage) {
-  mesh::Watch watch;
+  Watch watch;
   watch.cancelled = load.cancelled;
   const Problems problems = scene::loadRecordedMeshes(scene, load.files_in, watch);
   damage.insert(damage.end(), problems.begin(), problems.end());

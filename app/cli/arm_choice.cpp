@@ -4,6 +4,7 @@
 
 #include "app/cli/scene_file.h"
 #include "core/json/text.h"
+#include "core/sim/arm_model_file.h"
 
 namespace underact::cli {
 
@@ -42,6 +43,16 @@ std::string listOfArms() {
   std::string list = "Arms:";
   for (const arm::Model& model : arm::models()) list += "\n  " + model.name + ": " + model.title;
   return list;
+}
+
+void addArmModelOption(Command command, std::string& name) {
+  command.option("--arm-model", name, "What the simulated arm is made of: a name, or a file of a measured arm")
+      .showUsual()
+      .check([](const std::string& text) {
+        if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later
+        const Result<sim::ArmModel> model = sim::chooseArmModel(text);
+        return std::string(model ? Sentence() : model.problems().front().sentence);
+      });
 }
 
 }  // namespace underact::cli

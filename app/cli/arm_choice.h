@@ -30,4 +30,7 @@ void addArmOption(Command command, std::string& name);
 /// "name: title" of every shipped arm, for --help.
 std::string listOfArms();
 
+/// --arm-model: one of the simulated arm's models, or a file of one; name holds the default.
+void addArmModelOption(Command command, std::string& name);
+
 }  // namespace underact::cli

@@ -44,27 +44,18 @@ JsonObject summaryOf(const calibration::Measurement& run, const CalibrateOptions
   return summary;
 }
 
-/// Of a scene that was read, and is not one for this.
-Exit refused(const Problems& problems, const Streams& streams) {
-  print(problems, streams.err);
-  return Exit::BadInput;
-}
-
 Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
   const Result<LoadedScene> loaded = loadScene(options.scene, streams);
-  if (!loaded) {
-    print(loaded.problems(), streams.err);
-    return exitOf(loaded.problems());
-  }
+  if (!loaded) return fail(loaded.problems(), streams);
   const Result<double> reference = calibration::softerOf(loaded.value().description);
-  if (!reference) return refused(reference.problems(), streams);
+  if (!reference) return fail(reference.problems(), Exit::BadInput, streams);
   calibration::Measurement run = calibration::beginMeasurement(reference.value(), options.seed);
   device::SimulatedSubject subject{options.weber, options.seed + 1};
   while (!isDone(run)) {
     const auto scene = withStiffness(loaded.value().description, run.trial);
-    if (!scene) return refused(scene.problems(), streams);
+    if (!scene) return fail(scene.problems(), Exit::BadInput, streams);
     const auto answer = device::answerOf(subject, scene.value());
-    if (!answer) return refused(answer.problems(), streams);
+    if (!answer) return fail(answer.problems(), Exit::BadInput, streams);
     run = answered(std::move(run), answer.value());
   }
   streams.out << summaryOf(run, options).text() << '\n';

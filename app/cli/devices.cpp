@@ -52,10 +52,7 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
   constexpr int kRate_hz = 1000;
   const arm::Preset& preset = *arm::findPreset(arm::kDefaultArm);
   Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.report, {preset, {}, kRate_hz, {}});
-  if (!arm) {
-    print(arm.problems(), streams.err);
-    return Exit::Fault;
-  }
+  if (!arm) return fail(arm.problems(), Exit::Fault, streams);
   const system::Interrupt interrupt;
   streams.err << "Move the stylus about and press its buttons. No force is sent.\n";
   const device::Trial trial = device::tryOut(std::move(arm).value(), preset, kRate_hz, options.seconds,

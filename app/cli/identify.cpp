@@ -4,7 +4,7 @@
 #include <ostream>
 #include <utility>
 
-#include "app/cli/arm_models.h"
+#include "app/cli/arm_choice.h"
 #include "app/cli/command.h"
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
@@ -15,6 +15,7 @@
 #include "core/base/units.h"
 #include "core/identify/report.h"
 #include "core/json/json.h"
+#include "core/sim/arm_model_file.h"
 #include "core/system/signals.h"
 #include "device/measure_simulated.h"
 #include "underact/version.h"
@@ -102,11 +103,8 @@ Exit writeFiles(const IdentifyOptions& options, const identify::Identified& foun
 
 Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
   const arm::Preset* const preset = arm::findPreset(options.arm);
-  const Result<sim::ArmModel> model = armModelOf(options.arm_model);
-  if (!model) {
-    print(model.problems(), streams.err);
-    return exitOf(model.problems());
-  }
+  const Result<sim::ArmModel> model = sim::chooseArmModel(options.arm_model);
+  if (!model) return fail(model.problems(), streams);
   device::SimulatedArm::Options arm;
   arm.arm = *preset;
   arm.model = model.value();
@@ -122,10 +120,7 @@ Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
     progress.show(share);
     return !interrupt.came();
   });
-  if (!measured) {
-    print(measured.problems(), streams.err);
-    return Exit::BadInput;
-  }
+  if (!measured) return fail(measured.problems(), Exit::BadInput, streams);
   if (const Fault& fault = measured.value().fault; fault.kind != FaultKind::None) {
     print({{whatHappened(fault) + " The servo let go, and the measurement ended. A higher rate may help."}},
           streams.err);
@@ -133,10 +128,7 @@ Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
   }
   const auto found = identify::evaluate(measured.value().plan, measured.value().recorded, options.rate_hz,
                                         [&interrupt] { return interrupt.came(); });
-  if (!found) {
-    print(found.problems(), streams.err);
-    return Exit::BadInput;
-  }
+  if (!found) return fail(found.problems(), Exit::BadInput, streams);
   identify::Given given{model.value(), preset->counts_per_turn};
   if (given.model.counts_per_turn)
     given.counts_per_turn = sim::countsOf(*given.model.counts_per_turn, given.counts_per_turn);

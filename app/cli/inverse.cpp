@@ -133,10 +133,7 @@ Exit solvePoses(const InverseOptions& options, const Streams& streams) {
   if (!choice) return refuseArm(choice.problems(), streams.err);
   const ArmChoice& arm = choice.value();
   const Result<std::string> method = methodFor(arm, options.method);
-  if (!method) {
-    print(method.problems(), streams.err);
-    return Exit::Usage;
-  }
+  if (!method) return fail(method.problems(), Exit::Usage, streams);
   return answerLines(streams, [&](std::string_view text) -> Result<JsonObject> {
     const Result<json::Value> line = readLine(text, {"X_WT"}, "{\"X_WT\": 4x4 in mm}");
     if (!line) return line.problems();

@@ -1,5 +1,3 @@
-#include "app/cli/lab.h"
-
 #include "app/cli/command.h"
 
 namespace underact::cli {

@@ -7,8 +7,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "app/cli/command.h"
 #include "app/cli/json_object.h"
-#include "app/cli/lab.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/step_report.h"

@@ -33,8 +33,7 @@ std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::s
   for (const std::string& file : chosen.value()) {
     Result<LoadedScene> loaded = loadScene(file, streams);
     if (!loaded) {
-      print(loaded.problems(), streams.err);
-      exit = exitOf(loaded.problems());
+      exit = fail(loaded.problems(), streams);
       return {};
     }
     scenes.push_back({stemOf(file), std::move(loaded).value().description});
@@ -48,8 +47,7 @@ std::optional<std::vector<trade::NamedHand>> labHands(const std::vector<std::str
   for (const std::string& name : names.empty() ? builtInNames() : names) {
     Result<sim::HandScript> hand = findHand(name, seed);
     if (!hand) {
-      print(hand.problems(), streams.err);
-      exit = exitOfHand(name, hand.problems());
+      exit = fail(hand.problems(), exitOfHand(name, hand.problems()), streams);
       return {};
     }
     hands.push_back({stemOf(name), std::move(hand).value()});

@@ -1,7 +1,7 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/lab.h"
+#include "app/cli/command.h"
 #include "app/cli/lab_inputs.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
@@ -47,10 +47,7 @@ Exit models(const ModelOptions& options, const Streams& streams) {
   for (std::size_t index = 0; index < scenes->size() && !interrupt.came(); ++index) {
     const trade::NamedScene& scene = (*scenes)[index];
     const Result<trade::Model> model = trade::modelOf({scene.scene, hands->front().hand, options.seconds});
-    if (!model) {
-      print(model.problems(), streams.err);
-      return exitOf(model.problems());
-    }
+    if (!model) return fail(model.problems(), streams);
     addModel(scene.name, model.value(), table);
     progress.show(static_cast<double>(index + 1) / static_cast<double>(scenes->size()));
   }

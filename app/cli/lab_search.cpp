@@ -2,9 +2,9 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/command.h"
 #include "app/cli/hands.h"
 #include "app/cli/json_object.h"
-#include "app/cli/lab.h"
 #include "app/cli/scene_file.h"
 #include "core/base/units.h"
 #include "core/lab/search_trade.h"
@@ -49,15 +49,9 @@ void printTrade(const std::string& name, const lab::SearchTrade& trade, std::ost
 
 Exit searches(const SearchOptions& options, const Streams& streams) {
   const Result<LoadedScene> loaded = loadScene(options.scene, streams);
-  if (!loaded) {
-    print(loaded.problems(), streams.err);
-    return exitOf(loaded.problems());
-  }
+  if (!loaded) return fail(loaded.problems(), streams);
   const Result<sim::HandScript> hand = findHand(options.hand, options.seed);
-  if (!hand) {
-    print(hand.problems(), streams.err);
-    return exitOfHand(options.hand, hand.problems());
-  }
+  if (!hand) return fail(hand.problems(), exitOfHand(options.hand, hand.problems()), streams);
   const auto ticks = static_cast<int>(options.seconds * options.rate_hz);
   const std::vector<lab::SearchTrade> trades =
       lab::searchTrade(loaded.value().program, hand.value(), options.rate_hz, ticks);

@@ -4,8 +4,8 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/command.h"
 #include "app/cli/json_object.h"
-#include "app/cli/lab.h"
 #include "app/cli/lab_folder.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"

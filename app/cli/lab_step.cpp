@@ -3,14 +3,15 @@
 #include <memory>
 #include <ostream>
 
-#include "app/cli/arm_models.h"
-#include "app/cli/lab.h"
+#include "app/cli/arm_choice.h"
+#include "app/cli/command.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/setting_wishes.h"
 #include "app/cli/step_report.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/scene/settings.h"
+#include "core/sim/arm_model_file.h"
 
 namespace underact::cli {
 namespace {
@@ -39,10 +40,7 @@ Exit writeTable(const std::string& path, const std::string& text, const Streams&
 
 Exit stepFunction(const StepOptions& options, const Streams& streams) {
   const Result<lab::TransferFunction> transfer = lab::makeTransferFunction(options.num, options.den);
-  if (!transfer) {
-    print(transfer.problems(), streams.err);
-    return Exit::Usage;
-  }
+  if (!transfer) return fail(transfer.problems(), Exit::Usage, streams);
   const lab::StepMetrics metrics = lab::metricsOf(transfer.value());
   if (options.json)
     streams.out << metricsObject(metrics).text() << '\n';
@@ -88,22 +86,13 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
     return Exit::Usage;
   }
   const Result<LoadedScene> loaded = loadScene(options.scene, streams);
-  if (!loaded) {
-    print(loaded.problems(), streams.err);
-    return exitOf(loaded.problems());
-  }
-  const Result<sim::ArmModel> model = armModelOf(options.arm_model);
-  if (!model) {
-    print(model.problems(), streams.err);
-    return exitOf(model.problems());
-  }
+  if (!loaded) return fail(loaded.problems(), streams);
+  const Result<sim::ArmModel> model = sim::chooseArmModel(options.arm_model);
+  if (!model) return fail(model.problems(), streams);
   const Result<scene::Description> scene = retuned(loaded.value().description, options);
   if (!scene) return fail(scene.problems(), streams);
   const Result<lab::ArmStep> step = lab::measureStep(scene.value(), setupOf(options, model.value()));
-  if (!step) {
-    print(step.problems(), streams.err);
-    return Exit::BadInput;
-  }
+  if (!step) return fail(step.problems(), Exit::BadInput, streams);
   if (options.json)
     streams.out << stepObject(step.value()).text() << '\n';
   else

@@ -3,7 +3,7 @@
 #include <optional>
 #include <ostream>
 
-#include "app/cli/lab.h"
+#include "app/cli/command.h"
 #include "app/cli/lab_folder.h"
 #include "app/cli/lab_inputs.h"
 #include "app/cli/progress.h"

@@ -45,10 +45,7 @@ Exit list(bool json, const Streams& streams) {
   if (!paths) return fail(paths.problems(), Exit::File, streams);
   for (const std::string& path : paths.value()) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path);
-    if (!read) {
-      print(read.problems(), streams.err);
-      return exitOf(read.problems());
-    }
+    if (!read) return fail(read.problems(), streams);
     if (json) {
       streams.out << listed(path, read.value()).text() << '\n';
       continue;

@@ -77,10 +77,7 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
     attempt.settings.push_back({key, value});
   }
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
-  if (!hand) {
-    print(hand.problems(), streams.err);
-    return exitOfHand(options.hand, hand.problems());
-  }
+  if (!hand) return fail(hand.problems(), exitOfHand(options.hand, hand.problems()), streams);
   attempt.hand = std::move(hand).value();
   attempt.seconds = options.seconds, attempt.answers = options.answers, attempt.starts = !options.stopped;
   const Result<std::string> scenes = system::findResource(system::Resource::Scenes);

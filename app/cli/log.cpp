@@ -8,7 +8,7 @@
 #include "app/cli/python.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/session_table.h"
-#include "core/record/csv_export.h"
+#include "core/record/csv.h"
 #include "core/record/recorder.h"
 #include "core/record/session.h"
 #include "core/system/signals.h"
@@ -17,14 +17,9 @@ namespace underact::cli {
 namespace {
 
 /// A file that is not there or that cannot be opened is no input at all; one that is no session is bad input.
-Exit exitOfSession(const Problems& problems, const Streams& streams) {
-  print(problems, streams.err);
-  return exitOf(problems);
-}
-
 Exit showSession(const std::string& path, bool json, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
-  if (!session) return exitOfSession(session.problems(), streams);
+  if (!session) return fail(session.problems(), streams);
   json ? printAsJson(session.value(), streams.out) : printAsTable(session.value(), streams.out);
   print(session.value().info().damage, streams.err);
   return session.value().info().damage.empty() ? Exit::Well : Exit::BadInput;
@@ -36,12 +31,9 @@ struct ExportOptions {
 
 Exit exportCsv(const ExportOptions& options, const Streams& streams) {
   Result<record::Session> session = record::Session::open(options.file);
-  if (!session) return exitOfSession(session.problems(), streams);
+  if (!session) return fail(session.problems(), streams);
   Result<record::CsvWriter> csv = record::CsvWriter::open(options.out.empty() ? "/dev/stdout" : options.out);
-  if (!csv) {
-    print(csv.problems(), streams.err);
-    return Exit::File;
-  }
+  if (!csv) return fail(csv.problems(), Exit::File, streams);
   const system::Interrupt interrupt;
   Progress progress(streams);
   const record::CsvExport done = record::exportCsv(session.value(), csv.value(), [&](double share) {
@@ -67,7 +59,7 @@ Exit exportSession(const ExportOptions& options, const Streams& streams) {
 
 Exit verifyBlocks(const std::string& path, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
-  if (!session) return exitOfSession(session.problems(), streams);
+  if (!session) return fail(session.problems(), streams);
   Progress progress(streams);
   Problems problems = session.value().info().damage;
   const Problems unread = session.value().eachBlock(
@@ -92,10 +84,7 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
 
 Exit recover(const std::string& path, const Streams& streams) {
   const Result<std::int64_t> ticks = record::recover(path);
-  if (!ticks) {
-    print(ticks.problems(), streams.err);
-    return Exit::File;
-  }
+  if (!ticks) return fail(ticks.problems(), Exit::File, streams);
   streams.out << ticks.value() << " ticks; every program can open the file.\n";
   return Exit::Well;
 }

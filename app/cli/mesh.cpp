@@ -134,7 +134,7 @@ Exit showMeshes(const MeshOptions& options, const Streams& streams) {
   std::atomic<bool> cancelled = false;
   for (const std::string& path : options.files) {
     Progress progress(streams);
-    mesh::Watch watch;
+    Watch watch;
     watch.cancelled = &cancelled;
     watch.progress = [&](const char* /*step*/, double share) {
       progress.show(share);

@@ -120,10 +120,7 @@ Exit registerIt(const RegisterOptions& options, const Streams& streams) {
   }
   Registration registration = std::move(touched).value();
   const Result<registration::Fit> fit = fitTouches(registration.touches);
-  if (!fit) {
-    print(fit.problems(), streams.err);
-    return Exit::BadInput;
-  }
+  if (!fit) return fail(fit.problems(), Exit::BadInput, streams);
   registration.fit = fit.value();
   if (!options.of.empty()) registration.arm = options.of;
   if (registration.date.empty()) registration.date = today();

@@ -160,10 +160,7 @@ Exit compare(record::Session& session, const ReplayOptions& options, const Strea
   std::optional<record::CsvWriter> csv;
   if (!options.record.empty()) {
     Result<record::CsvWriter> opened = record::CsvWriter::create(options.record, options.existing());
-    if (!opened) {
-      print(opened.problems(), streams.err);
-      return Exit::File;
-    }
+    if (!opened) return fail(opened.problems(), Exit::File, streams);
     csv = std::move(opened).value();
   }
   const system::Interrupt interrupt;

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/cli/arm_models.h"
+#include "app/cli/arm_choice.h"
 #include "app/cli/command.h"
 #include "app/cli/hands.h"
 #include "app/cli/progress.h"
@@ -23,6 +23,7 @@
 #include "core/scene/mirror.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
+#include "core/sim/arm_model_file.h"
 #include "core/sim/hand_script.h"
 #include "core/system/signals.h"
 #include "device/catalogue.h"
@@ -170,27 +171,23 @@ Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
   Result<LoadedScene> scene = loadScene(options.scene, streams);
   if (!scene) {
-    print(scene.problems(), streams.err);
-    exit = exitOf(scene.problems());
+    exit = fail(scene.problems(), streams);
     return {};
   }
   Result<LoadedScene> asked = asAsked(std::move(scene).value(), options);
   if (!asked) {
-    print(asked.problems(), streams.err);
-    exit = Exit::BadInput;
+    exit = fail(asked.problems(), Exit::BadInput, streams);
     return {};
   }
   if (!options.isSimulated()) return Prepared{std::move(asked).value(), {}, {}};
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) {
-    print(hand.problems(), streams.err);
-    exit = exitOfHand(options.hand, hand.problems());
+    exit = fail(hand.problems(), exitOfHand(options.hand, hand.problems()), streams);
     return {};
   }
-  Result<sim::ArmModel> model = armModelOf(options.arm_model);
+  Result<sim::ArmModel> model = sim::chooseArmModel(options.arm_model);
   if (!model) {
-    print(model.problems(), streams.err);
-    exit = exitOf(model.problems());
+    exit = fail(model.problems(), streams);
     return {};
   }
   return Prepared{std::move(asked).value(), std::move(hand).value(), std::move(model).value()};
@@ -264,10 +261,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
                                             .scheduling = options.scheduling,
                                             .max_late = options.max_late});
   const Problems problems = host.load(prepared->scene.description);
-  if (!problems.empty()) {
-    print(problems, streams.err);
-    return Exit::BadInput;
-  }
+  if (!problems.empty()) return fail(problems, Exit::BadInput, streams);
   host.start();
   std::optional<Recording> recording;
   std::optional<stream::LiveStream> live;

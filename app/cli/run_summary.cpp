@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/percentiles_json.h"
 #include "core/base/units.h"
 
 namespace underact::cli {
@@ -65,6 +64,15 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addObject("tick_us", percentilesObject(tick_time_.percentiles()));
   object.addText("scheduling", setting.scheduling);
   if (!setting.guard.empty()) object.addText("guard", setting.guard);
+  return object;
+}
+
+JsonObject percentilesObject(const servo::Percentiles& values) {
+  JsonObject object;
+  object.addNumber("p50", values.p50_us);
+  object.addNumber("p99", values.p99_us);
+  object.addNumber("p99.9", values.p999_us);
+  object.addNumber("max", values.max_us);
   return object;
 }
 

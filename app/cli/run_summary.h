@@ -46,4 +46,7 @@ class RunSummary {
   servo::Histogram tick_time_;
 };
 
+/// {"p50", "p99", "p99.9", "max"}, us; null where a number is not finite.
+JsonObject percentilesObject(const servo::Percentiles& values);
+
 }  // namespace underact::cli

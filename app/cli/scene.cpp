@@ -106,10 +106,7 @@ void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
 
 Exit showScene(const std::string& path, bool json, const Streams& streams) {
   const Result<LoadedScene> loaded = loadScene(path, streams);
-  if (!loaded) {
-    print(loaded.problems(), streams.err);
-    return exitOf(loaded.problems());
-  }
+  if (!loaded) return fail(loaded.problems(), streams);
   if (json) {
     streams.out << describedAsJson(loaded.value()).text() << '\n';
   } else {

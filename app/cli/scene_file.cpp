@@ -14,7 +14,7 @@ Result<LoadedScene> loadScene(const std::string& path, const Streams& streams) {
   Result<scene::Description> description = scene::readSceneFile(path);
   if (!description) return description.problems();
   Progress progress(streams);
-  mesh::Watch watch;
+  Watch watch;
   watch.progress = [&progress](const char*, double share) { progress.show(share); };
   Result<tick::TickProgram> program = scene::loadAndCompile(description.value(), watch);
   if (!program) return program.problems();

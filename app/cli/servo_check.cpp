@@ -5,14 +5,15 @@
 #include <ostream>
 #include <utility>
 
-#include "app/cli/arm_models.h"
+#include "app/cli/arm_choice.h"
 #include "app/cli/command.h"
-#include "app/cli/percentiles_json.h"
+#include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
 #include "app/options/scheduling_options.h"
 #include "core/arm/preset.h"
 #include "core/scene/compile.h"
 #include "core/servo/check.h"
+#include "core/sim/arm_model_file.h"
 #include "core/sim/hand_script.h"
 #include "core/system/signals.h"
 #include "device/simulated_arm.h"
@@ -134,15 +135,9 @@ std::function<bool(double)> reporter(const Streams& streams, const system::Inter
 
 Exit checkIt(const ServoCheckOptions& options, const Streams& streams) {
   Result<LoadedScene> scene = sceneOf(options, streams);
-  if (!scene) {
-    print(scene.problems(), streams.err);
-    return exitOf(scene.problems());
-  }
-  const Result<sim::ArmModel> model = armModelOf(options.arm_model);
-  if (!model) {
-    print(model.problems(), streams.err);
-    return exitOf(model.problems());
-  }
+  if (!scene) return fail(scene.problems(), streams);
+  const Result<sim::ArmModel> model = sim::chooseArmModel(options.arm_model);
+  if (!model) return fail(model.problems(), streams);
   sim::HandScript hand = sim::builtInHand("sweep", 1).value();
   device::SimulatedArm arm(armOf(options, model.value(), scene.value().description, hand));
   arm.follow(std::move(hand));

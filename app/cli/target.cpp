@@ -74,10 +74,7 @@ JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
 
 Exit answerPoses(const std::string& path, const Streams& streams) {
   const Result<LoadedScene> loaded = loadScene(path, streams);
-  if (!loaded) {
-    print(loaded.problems(), streams.err);
-    return exitOf(loaded.problems());
-  }
+  if (!loaded) return fail(loaded.problems(), streams);
   return answerLines(streams, [&](std::string_view line) -> Result<JsonObject> {
     const Result<PoseLine> pose = readPoseLine(line);
     if (!pose) return pose.problems();

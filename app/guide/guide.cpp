@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/json/object_reader.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 
 namespace underact::guide {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/guide/markdown.h"
 #include "app/guide/setting_table.h"
 #include "core/json/json.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 
 namespace underact::guide {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/page/html.h"
 #include "app/page/style.h"
 #include "core/json/json.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 
 namespace underact::guide {
 namespace {

@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/sweeper/extremes.h"
-#include "app/sweeper/hands.h"
-#include "app/sweeper/stability.h"
-
 namespace underact::sweep {
 
 std::span<const Kind> kinds() {

@@ -12,4 +12,14 @@ std::span<const Kind> kinds();
 /// The kind of that key, or null.
 const Kind* findKind(std::string_view key);
 
+/// The rows of `lab extremes`, each with as many seeds as one likes.
+Kind extremesKind();
+
+/// Scenes on the simulated arm, in hands that differ in mass, damping, stiffness and tremor. Each cell is what
+/// `underact-cli run --fast` does with the same scene, hand, rate and seed, to the bit.
+Kind handsKind();
+
+/// How stiff walls may be against their damping: the cells of the lab's maps, and of walls that are drawn.
+Kind stabilityKind();
+
 }  // namespace underact::sweep

@@ -1,7 +1,6 @@
-#include "app/sweeper/extremes.h"
-
 #include <memory>
 
+#include "app/sweeper/catalogue.h"
 #include "core/extremes/catalogue.h"
 #include "core/json/text.h"
 

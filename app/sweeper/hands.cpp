@@ -1,4 +1,4 @@
-#include "app/sweeper/hands.h"
+#include "app/cli/hands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,20 +6,19 @@
 #include <optional>
 #include <utility>
 
-#include "app/cli/hands.h"
+#include "app/sweeper/catalogue.h"
 #include "core/arm/preset.h"
 #include "core/base/fault.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/json/text.h"
-#include "core/json/text_file.h"
 #include "core/mesh/surface.h"
 #include "core/record/tick_figures.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
-#include "core/sweep/checksum.h"
+#include "core/sweep/build.h"
 #include "device/simulated_arm.h"
 
 namespace underact::sweep {

@@ -4,7 +4,7 @@
 #include "app/sweeper/catalogue.h"
 #include "app/sweeper/request.h"
 #include "core/json/object_reader.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 
 namespace underact::sweep {
 namespace {

@@ -1,9 +1,8 @@
-#include "app/sweeper/stability.h"
-
 #include <algorithm>
 #include <memory>
 #include <utility>
 
+#include "app/sweeper/catalogue.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/json/text.h"

@@ -4,7 +4,7 @@
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/object_reader.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 
 namespace underact::arm {
 namespace {

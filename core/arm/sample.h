@@ -2,6 +2,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/real_time.h"
+
 namespace underact::arm {
 
 /// The six joint angles, rad, in the DH convention (thesis table 3.1), whatever the device's own convention is.
@@ -14,5 +16,16 @@ struct Sample {
   std::uint32_t buttons = 0;  // bit 0: the stylus button nearer to the tip
   std::uint32_t epoch = 0;    // counts up where the arm begins anew (a replay jumps): what was before says nothing
 };
+
+/// The device's own angles (turret, thigh, shin; gimbal 1 to 3), rad, and the DH angles. The shin is measured from the
+/// base. Source: Beckman 2007, figure 3.5: q1 = -q1p, q2 = q2p, q3 = q3p - q2p; the gimbal: q4 = -g1, q5 = g2 + pi/2,
+/// q6 = -g3 - pi/2, which reproduces a public recording. The signs on hardware are not verified.
+JointAngles dhFromDevice(const JointAngles& device_rad) noexcept UNDERACT_REAL_TIME;
+JointAngles deviceFromDh(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+
+/// The joints at a share of the way from one posture to another, 0 to 1 (beyond: held there). Every joint turns evenly
+/// and through the angles between, never the other way round past half a turn: a joint with limits cannot go there.
+/// Not finite in, not finite out. Cost: constant.
+JointAngles onTheWay(const JointAngles& from_rad, const JointAngles& to_rad, double share) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::arm

@@ -7,7 +7,6 @@
 
 #include "core/base/translate.h"
 #include "core/json/text.h"
-#include "core/json/text_file.h"
 
 namespace underact::curve {
 namespace {

@@ -9,12 +9,11 @@ namespace underact::extremes {
 const std::vector<Row>& catalogue() {
   static const std::vector<Row> kAll = [] {
     std::vector<Row> all;
-    for (const auto& part : {baseRows, shapeRows, weightedShapeRows, meshRows, meshWalkRows, curveRows, influenceRows,
-                             armRows, armSolverRows, chainRows, chainSolverRows, manipulatorRows, angleRows, lawRows,
-                             filterRows, gateRows, plantRows, tickRows, driftRows}) {
-      const std::span<const Row> rows = part();
+    for (const std::span<const Row> rows :
+         {kBaseRows, kShapeRows, kWeightedShapeRows, kMeshRows, kMeshWalkRows, kCurveRows, kInfluenceRows, kArmRows,
+          kArmSolverRows, kChainRows, kChainSolverRows, kManipulatorRows, kAngleRows, kLawRows, kFilterRows, kGateRows,
+          kPlantRows, kTickRows, kDriftRows})
       all.insert(all.end(), rows.begin(), rows.end());
-    }
     return all;
   }();
   return kAll;

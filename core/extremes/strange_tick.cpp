@@ -7,7 +7,7 @@
 
 #include "core/base/denormals.h"
 #include "core/base/trig.h"
-#include "core/extremes/rows/odd_numbers.h"
+#include "core/extremes/rows/draws.h"
 
 namespace underact::extremes {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arm/conventions.h"
+#include "core/arm/sample.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 

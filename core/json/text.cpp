@@ -10,6 +10,7 @@
 #include "core/base/translate.h"
 #include "core/base/types.h"
 #include "core/json/json.h"
+#include "core/system/named_file.h"
 
 namespace underact::json {
 namespace {
@@ -134,6 +135,11 @@ Sentence listed(const std::vector<std::string>& words, const char* last) {
   return said(
       last == std::string_view("or") ? TRANSLATE_NOOP("problem", "%1 or %2") : TRANSLATE_NOOP("problem", "%1 and %2"),
       {before, quotedText(words.back())});
+}
+
+Result<std::string> readTextFile(const std::string& path, const Sentence& what, std::size_t largest) {
+  const Result<system::NamedFile> file = system::NamedFile::open(path, what);
+  return file ? file.value().readAll(largest) : file.problems();
 }
 
 }  // namespace underact::json

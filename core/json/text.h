@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/sentence.h"
 
 namespace underact::json {
@@ -26,5 +27,11 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& k
 
 /// "a", "b" or "c"; last: the word before the last of them, "or" or "and".
 Sentence listed(const std::vector<std::string>& words, const char* last = "or");
+
+inline constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+
+/// All of a file of at most `largest` bytes. what: for the sentence, as "a scene". Problems: one, without a line: those
+/// of NamedFile::open() and readAll(). Never waits: a pipe is refused.
+Result<std::string> readTextFile(const std::string& path, const Sentence& what, std::size_t largest = kLargestFile);
 
 }  // namespace underact::json

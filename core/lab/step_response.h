@@ -6,6 +6,7 @@
 #include "core/lab/arm_model.h"
 #include "core/lab/curve.h"
 #include "core/lab/second_order_fit.h"
+#include "core/scene/description.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/hand.h"
 
@@ -58,5 +59,8 @@ struct ArmStep {
 /// does not reach; a constraint that does not hold along the axis; nothing that has mass or damping. Cost: some 25 us
 /// a tick with its fit, so half a second for 20,000.
 Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& setup);
+
+/// The scene with all that it holds the stylus to moved by by_mm, in W; what robots turn about and slide along, too.
+scene::Description withTargetsMoved(scene::Description scene, const Vec3& by_mm);
 
 }  // namespace underact::lab

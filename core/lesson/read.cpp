@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/translate.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/lesson/read_parts.h"
 #include "core/lesson/window_names.h"
 

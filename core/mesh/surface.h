@@ -4,9 +4,9 @@
 
 #include "core/base/real_time.h"
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/mesh/node.h"
 #include "core/mesh/triangles.h"
-#include "core/mesh/watch.h"
 
 namespace underact::mesh {
 

@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/watch.h"
 #include "core/mesh/node.h"
 #include "core/mesh/triangles.h"
-#include "core/mesh/watch.h"
 
 namespace underact::mesh {
 

@@ -52,7 +52,7 @@ bool isName(const std::string& key) {
 
 class Writing {
  public:
-  Writing(const fs::path& path, const mesh::Watch& watch) : file_(path, std::ios::binary), watch_(watch) {}
+  Writing(const fs::path& path, const Watch& watch) : file_(path, std::ios::binary), watch_(watch) {}
   bool add(std::span<const std::byte> bytes) {
     while (!bytes.empty() && file_ && !watch_.isCancelled()) {
       const std::span<const std::byte> block = bytes.first(std::min(bytes.size(), kBlock));
@@ -68,7 +68,7 @@ class Writing {
 
  private:
   std::ofstream file_;
-  const mesh::Watch& watch_;
+  const Watch& watch_;
 };
 
 /// Whether the file has so many bytes more.
@@ -77,7 +77,7 @@ bool fills(const system::NamedFile& file, std::span<std::byte> into) {
   return count && count.value() == into.size();
 }
 
-bool digestAll(Digest& digest, std::span<const std::byte> bytes, const mesh::Watch& watch) {
+bool digestAll(Digest& digest, std::span<const std::byte> bytes, const Watch& watch) {
   for (; !bytes.empty() && !watch.isCancelled(); bytes = bytes.subspan(std::min(bytes.size(), kBlock))) {
     digest.add(bytes.first(std::min(bytes.size(), kBlock)));
   }
@@ -89,7 +89,7 @@ bool digestAll(Digest& digest, std::span<const std::byte> bytes, const mesh::Wat
 Cache::Cache(std::string folder, std::uint64_t most_bytes)
     : folder_(folder.empty() ? defaultFolder().string() : std::move(folder)), most_bytes_(most_bytes) {}
 
-std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const mesh::Watch& watch) const {
+std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const Watch& watch) const {
   if (folder_.empty() || !isName(key)) return {};
   const fs::path path = fs::path(folder_) / (key + kExtension);
   const Result<system::NamedFile> file = system::NamedFile::open(path.string(), "a kept mesh");
@@ -111,8 +111,7 @@ std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const m
   return bytes;
 }
 
-bool Cache::put(const std::string& key, std::span<const std::span<const std::byte>> parts,
-                const mesh::Watch& watch) const {
+bool Cache::put(const std::string& key, std::span<const std::span<const std::byte>> parts, const Watch& watch) const {
   if (folder_.empty() || !isName(key)) return false;
   CacheHead head;
   Digest digest;

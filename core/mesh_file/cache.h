@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/watch.h"
+#include "core/base/watch.h"
 
 namespace underact::mesh_file {
 
@@ -22,11 +22,10 @@ class Cache {
   const std::string& folder() const { return folder_; }
 
   /// What was put under the key; none where it is not there, not whole, or where it was cancelled.
-  std::optional<std::vector<std::byte>> get(const std::string& key, const mesh::Watch& watch = {}) const;
+  std::optional<std::vector<std::byte>> get(const std::string& key, const Watch& watch = {}) const;
 
   /// parts: one after the other, as one. false: not kept.
-  bool put(const std::string& key, std::span<const std::span<const std::byte>> parts,
-           const mesh::Watch& watch = {}) const;
+  bool put(const std::string& key, std::span<const std::span<const std::byte>> parts, const Watch& watch = {}) const;
 
  private:
   void makeRoom() const;

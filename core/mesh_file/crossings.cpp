@@ -105,7 +105,7 @@ bool overlap(const Box& a, const Box& b) {
 
 }  // namespace
 
-Crossings crossingsOf(const mesh::Triangles& triangles, const mesh::Watch& watch) {
+Crossings crossingsOf(const mesh::Triangles& triangles, const Watch& watch) {
   Crossings found;
   if (triangles.faces.size() > kMostFacesForCrossings) return found;
   Eigen::Index axis = 0;

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "core/base/watch.h"
 #include "core/mesh/triangles.h"
-#include "core/mesh/watch.h"
 
 namespace underact::mesh_file {
 
@@ -17,6 +17,6 @@ inline constexpr std::size_t kMostFacesForCrossings = 200'000;
 /// Pairs of faces, without a corner in common, that go through each other: an edge of one through the
 /// other. In doubles, without exact arithmetic: a touch may count either way. Faces in one plane that overlap count
 /// where an edge of one crosses an edge of the other. Work bounded.
-Crossings crossingsOf(const mesh::Triangles& triangles, const mesh::Watch& watch);
+Crossings crossingsOf(const mesh::Triangles& triangles, const Watch& watch);
 
 }  // namespace underact::mesh_file

@@ -32,7 +32,7 @@ std::vector<Key> keysOf(const mesh::Triangles& triangles) {
 }
 
 /// In blocks that are merged, so that cancelling need not wait for all of it. false: cancelled.
-bool sortKeys(std::vector<Key>& keys, const mesh::Watch& watch) {
+bool sortKeys(std::vector<Key>& keys, const Watch& watch) {
   constexpr std::size_t kBlock = std::size_t{1} << 18;
   const auto at = [&keys](std::size_t place) {
     return keys.begin() + static_cast<std::ptrdiff_t>(std::min(place, keys.size()));
@@ -52,7 +52,7 @@ bool sortKeys(std::vector<Key>& keys, const mesh::Watch& watch) {
 
 }  // namespace
 
-std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const mesh::Watch& watch) {
+std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const Watch& watch) {
   std::vector<Key> keys = keysOf(triangles);
   if (!sortKeys(keys, watch)) return {};
   std::vector<std::uint8_t> is_twice(keys.size(), 0);

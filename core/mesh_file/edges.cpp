@@ -53,7 +53,7 @@ void join(const Entry* first, const Entry* last, Edges& edges) {
 
 }  // namespace
 
-std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const mesh::Watch& watch) {
+std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const Watch& watch) {
   Edges edges;
   edges.across.assign(3 * triangles.faces.size(), kBorder);
   Sorted all = sorted(triangles);

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/watch.h"
 #include "core/mesh/triangles.h"
-#include "core/mesh/watch.h"
 
 namespace underact::mesh_file {
 
@@ -31,6 +31,6 @@ inline std::int32_t endOf(const mesh::Triangles& triangles, Side side) {
 }
 
 /// Which sides lie together. Faces of three different corners that are there. None: cancelled.
-std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const mesh::Watch& watch);
+std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const Watch& watch);
 
 }  // namespace underact::mesh_file

@@ -42,7 +42,7 @@ int Input::rewound() const {
   return file_.descriptor();
 }
 
-Result<std::string> Input::checksum(const mesh::Watch& watch) const {
+Result<std::string> Input::checksum(const Watch& watch) const {
   file_.rewind();
   Digest digest;
   std::vector<char> block(kBlock);

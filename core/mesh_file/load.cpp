@@ -32,7 +32,7 @@ Problems problemOf(const Input& input, const Sentence& sentence) {
   return {{sentence, {input.path()}}};
 }
 
-std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, const mesh::Watch& watch) {
+std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, const Watch& watch) {
   const std::optional<std::vector<std::byte>> bytes = cache.get(key, watch);
   if (!bytes || bytes->size() < sizeof(Facts)) return {};
   Loaded loaded;
@@ -59,7 +59,7 @@ Sentence nothingLeft(const Facts& facts) {
   return sentence;
 }
 
-Result<Loaded> build(const Input& input, const mesh::Watch& watch) {
+Result<Loaded> build(const Input& input, const Watch& watch) {
   Result<Raw> raw = readFile(input, partOf(watch, kHashed, kRead));
   if (!raw) return raw.problems();
   std::optional<Repaired> repaired = repair(std::move(raw.value().triangles), partOf(watch, kRead, kRepaired));
@@ -78,7 +78,7 @@ Result<Loaded> build(const Input& input, const mesh::Watch& watch) {
 
 }  // namespace
 
-Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch, const Cache& cache) {
+Result<Loaded> loadMesh(const std::string& path, const Watch& watch, const Cache& cache) {
   const Result<Input> input = Input::open(path);
   if (!input) return input.problems();
   const Result<std::string> checksum = input.value().checksum(partOf(watch, 0.0, kHashed));

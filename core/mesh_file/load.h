@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/mesh/surface.h"
-#include "core/mesh/watch.h"
 #include "core/mesh_file/cache.h"
 #include "core/mesh_file/facts.h"
 #include "core/mesh_file/format.h"
@@ -23,6 +23,6 @@ struct Loaded {
 /// From a file, or from the cache where the same bytes were loaded before: reads, repairs, builds, keeps. Any thread
 /// but the servo's. Tells its steps with a share that only grows; a cancelled one ends within 0.2 s, with kCancelled.
 /// Problems: the file is none, is damaged, or has no face that can be felt.
-Result<Loaded> loadMesh(const std::string& path, const mesh::Watch& watch = {}, const Cache& cache = Cache());
+Result<Loaded> loadMesh(const std::string& path, const Watch& watch = {}, const Cache& cache = Cache());
 
 }  // namespace underact::mesh_file

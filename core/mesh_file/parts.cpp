@@ -14,7 +14,7 @@ constexpr std::size_t kMostNested = 1000;
 
 class Finding {
  public:
-  Finding(const mesh::Triangles& triangles, const Edges& edges, const mesh::Watch& watch)
+  Finding(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch)
       : triangles_(triangles), edges_(edges), steps_(watch) {
     found_.part_of.assign(triangles.faces.size(), -1);
     found_.is_against.assign(triangles.faces.size(), 0);
@@ -138,7 +138,7 @@ class Finding {
 
 }  // namespace
 
-std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const mesh::Watch& watch) {
+std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch) {
   return Finding(triangles, edges, watch).all();
 }
 

@@ -35,6 +35,6 @@ inline bool isClosed(const Part& part) {
 /// Which faces hang together and how each stands, and which must be turned: in a closed part, so that the outside is
 /// out; a part within another may be the wall of a hollow, so it stands as the file has most of it, and so does an open
 /// part. None: cancelled.
-std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const mesh::Watch& watch);
+std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch);
 
 }  // namespace underact::mesh_file

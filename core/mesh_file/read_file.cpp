@@ -43,7 +43,7 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
 
 }  // namespace
 
-Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
+Result<Raw> readFile(const Input& input, const Watch& watch) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
   const Result<std::string> reader = system::findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
@@ -72,7 +72,7 @@ Result<Raw> readFile(const Input& input, const mesh::Watch& watch) {
   return std::move(message->raw);
 }
 
-Result<Raw> readFile(const std::string& path, const mesh::Watch& watch) {
+Result<Raw> readFile(const std::string& path, const Watch& watch) {
   const Result<Input> input = Input::open(path);
   if (!input) return input.problems();
   return readFile(input.value(), watch);

@@ -10,7 +10,7 @@ inline constexpr const char* kCancelled = "Cancelled.";
 /// Reads a mesh in a process of its own, underact-mesh-reader, which is shut off from all else: whatever the file does
 /// to the reader, it ends there. Bounded by limits.h in memory and time. Problems: one, with the file; also where the
 /// reader was not found (UNDERACT_MESH_READER says where it is), crashed, took too long, or was cancelled.
-Result<Raw> readFile(const Input& input, const mesh::Watch& watch = {});
-Result<Raw> readFile(const std::string& path, const mesh::Watch& watch = {});
+Result<Raw> readFile(const Input& input, const Watch& watch = {});
+Result<Raw> readFile(const std::string& path, const Watch& watch = {});
 
 }  // namespace underact::mesh_file

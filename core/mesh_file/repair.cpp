@@ -66,7 +66,7 @@ void setBounds(const Triangles& triangles, Facts& facts) {
   }
 }
 
-bool weldAll(Triangles& triangles, Facts& facts, const mesh::Watch& watch) {
+bool weldAll(Triangles& triangles, Facts& facts, const Watch& watch) {
   const Eigen::Map<const Vec3> low(facts.low.data()), high(facts.high.data());
   facts.weld_tolerance = kWeldShare * (high - low).norm();
   const auto firsts = weld(triangles.p_MV, facts.weld_tolerance, watch);
@@ -156,7 +156,7 @@ void countFlat(const Triangles& triangles, Facts& facts) {
 
 }  // namespace
 
-std::optional<Repaired> repair(Triangles triangles, const mesh::Watch& watch) {
+std::optional<Repaired> repair(Triangles triangles, const Watch& watch) {
   constexpr const char* kStep = "Repairing";
   Facts facts;
   facts.file_faces = static_cast<std::int64_t>(triangles.faces.size());

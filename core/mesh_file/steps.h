@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/mesh/watch.h"
+#include "core/base/watch.h"
 
 namespace underact::mesh_file {
 
 /// Looks at the watch now and then within a loop, so that asking costs nothing.
 class Steps {
  public:
-  explicit Steps(const mesh::Watch& watch) : watch_(watch) {}
+  explicit Steps(const Watch& watch) : watch_(watch) {}
   /// true: give up.
   bool isCancelled() {
     if ((++count_ & 0x3FFFU) == 0) is_cancelled_ = is_cancelled_ || watch_.isCancelled();
@@ -17,14 +17,14 @@ class Steps {
   }
 
  private:
-  const mesh::Watch& watch_;
+  const Watch& watch_;
   std::uint32_t count_ = 0;
   bool is_cancelled_ = false;
 };
 
 /// A part of a work as a work of its own, whose shares are those of the part.
-inline mesh::Watch partOf(const mesh::Watch& watch, double from, double to) {
-  mesh::Watch part;
+inline Watch partOf(const Watch& watch, double from, double to) {
+  Watch part;
   part.cancelled = watch.cancelled;
   if (watch.progress) {
     part.progress = [&watch, from, to](const char* step, double share) {

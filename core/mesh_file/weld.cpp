@@ -89,7 +89,7 @@ class Welding {
 }  // namespace
 
 std::optional<std::vector<std::int32_t>> weld(const std::vector<Eigen::Vector3f>& p_MV, double tolerance,
-                                              const mesh::Watch& watch) {
+                                              const Watch& watch) {
   Welding welding(p_MV, tolerance);
   Steps steps(watch);
   std::vector<std::int32_t> firsts(p_MV.size());

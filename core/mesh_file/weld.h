@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/watch.h"
 #include "core/mesh/triangles.h"
-#include "core/mesh/watch.h"
 
 namespace underact::mesh_file {
 
@@ -12,6 +12,6 @@ namespace underact::mesh_file {
 /// tolerance of a first one are one with it; with the nearest of several, the first of equally near ones. tolerance: 0
 /// welds equal corners alone. p_MV: finite. None: cancelled.
 std::optional<std::vector<std::int32_t>> weld(const std::vector<Eigen::Vector3f>& p_MV, double tolerance,
-                                              const mesh::Watch& watch);
+                                              const Watch& watch);
 
 }  // namespace underact::mesh_file

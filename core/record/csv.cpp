@@ -5,10 +5,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <string_view>
 
 #include "core/base/translate.h"
 #include "core/record/columns.h"
+#include "core/record/tick_table.h"
 #include "core/system/file.h"
 
 namespace underact::record {
@@ -86,6 +86,21 @@ Problems CsvWriter::close() {
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
   return {{said(TRANSLATE_NOOP("problem", "The recording is not whole: %1."), {std::strerror(error_)}), {path_}}};
+}
+
+CsvExport exportCsv(Session& session, CsvWriter& csv, const std::function<bool(double share)>& goes_on) {
+  CsvExport done;
+  done.unread = session.eachBlock(
+      [&](const Block& block, std::int64_t) {
+        for (const servo::TickRecord& record : unpackTicks(block)) csv.add(record);
+        done.rows += block.rows;
+        const auto seen = static_cast<double>(done.rows + done.missing);
+        done.is_stopped = !goes_on(seen / static_cast<double>(session.info().ticks));
+        return !done.is_stopped && !csv.hasFailed();
+      },
+      [&done](const Gap& gap) { done.missing += gap.rows; });
+  done.unwritten = csv.close();
+  return done;
 }
 
 }  // namespace underact::record

@@ -1,10 +1,13 @@
 #pragma once
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/record/session.h"
 #include "core/servo/snapshot.h"
 #include "core/system/private_file.h"
 
@@ -39,5 +42,19 @@ class CsvWriter {
   std::string path_;
   int error_ = 0;  // errno of the first failure
 };
+
+/// What came of an export.
+struct CsvExport {
+  std::int64_t rows = 0;     // written
+  std::int64_t missing = 0;  // that are damaged in the session
+  bool is_stopped = false;   // before its end, as was asked
+  Problems unread;           // why no more was read
+  Problems unwritten;        // what is there is whole up to a line
+  bool isWhole() const { return missing == 0 && !is_stopped && unread.empty() && unwritten.empty(); }
+};
+
+/// Writes the ticks of a session as CSV and closes the file. goes_on: asked after each block, told the share that is
+/// done; false ends the export there.
+CsvExport exportCsv(Session& session, CsvWriter& csv, const std::function<bool(double share)>& goes_on);
 
 }  // namespace underact::record

@@ -75,7 +75,7 @@ Problems checked(Mesh& mesh, const Place& place) {
        place}};
 }
 
-Problems load(Mesh& mesh, const Description& scene, const Place& place, const mesh::Watch& watch) {
+Problems load(Mesh& mesh, const Description& scene, const Place& place, const Watch& watch) {
   const std::string path = pathOf(mesh.file, scene);
   if (surfacesInUse().find(path, mesh)) return checked(mesh, place);
   InUse stamp = SurfacesInUse::stampOf(path);  // before: a file that changes meanwhile is read again next time
@@ -95,7 +95,7 @@ Problems load(Mesh& mesh, const Description& scene, const Place& place, const me
   return checked(mesh, place);
 }
 
-Problems load(Curve& curve, const Description& scene, const Place&, const mesh::Watch& watch) {
+Problems load(Curve& curve, const Description& scene, const Place&, const Watch& watch) {
   Result<std::vector<Vec3>> points = curve::readPoints(pathOf(curve.file, scene), watch);
   if (!points) return points.problems();  // each with its line
   curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
@@ -136,7 +136,7 @@ Problems notFound(const std::string& name, const Description& scene, const std::
 
 template <class FromFile>
 Problems loadFound(FromFile& shape, const Description& scene, const Place& place,
-                   const std::vector<std::string>& folders, const mesh::Watch& watch) {
+                   const std::vector<std::string>& folders, const Watch& watch) {
   const std::string name = shape.file;
   Problems first = notFound(name, scene, folders);
   bool any = false;
@@ -158,7 +158,7 @@ bool lacksFile(const Shape& shape) {
 
 /// load(shape, place, watch) of each mesh and each curve that lacks its file, with its share of the whole.
 template <class Load>
-Problems loadEach(Description& scene, const mesh::Watch& watch, const Load& load_one) {
+Problems loadEach(Description& scene, const Watch& watch, const Load& load_one) {
   Problems problems;
   double count = 0.0, done = 0.0;
   for (const Constraint& constraint : scene.constraints) {
@@ -168,7 +168,7 @@ Problems loadEach(Description& scene, const mesh::Watch& watch, const Load& load
     if (!lacksFile(constraint.shape)) continue;
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);
-    mesh::Watch part = watch;
+    Watch part = watch;
     part.progress = [&](const char* step, double share) { watch.tell(step, (done + share) / count); };
     const Problems found =
         mesh != nullptr ? load_one(*mesh, constraint.place, part) : load_one(*curve, constraint.place, part);
@@ -197,19 +197,18 @@ bool lacksMeshes(const Description& scene) {
                      [](const Constraint& constraint) { return lacksFile(constraint.shape); });
 }
 
-Problems loadMeshes(Description& scene, const mesh::Watch& watch) {
-  return loadEach(scene, watch, [&](auto& shape, const Place& place, const mesh::Watch& part) {
-    return load(shape, scene, place, part);
-  });
+Problems loadMeshes(Description& scene, const Watch& watch) {
+  return loadEach(scene, watch,
+                  [&](auto& shape, const Place& place, const Watch& part) { return load(shape, scene, place, part); });
 }
 
-Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const mesh::Watch& watch) {
-  return loadEach(scene, watch, [&](auto& shape, const Place& place, const mesh::Watch& part) {
+Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const Watch& watch) {
+  return loadEach(scene, watch, [&](auto& shape, const Place& place, const Watch& part) {
     return loadFound(shape, scene, place, folders, part);
   });
 }
 
-Result<tick::TickProgram> loadAndCompile(Description& scene, const mesh::Watch& watch) {
+Result<tick::TickProgram> loadAndCompile(Description& scene, const Watch& watch) {
   Problems problems = loadMeshes(scene, watch);
   if (!problems.empty()) return problems;
   return compile(scene);

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/base/translate.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/scene/read.h"
 #include "core/scene/write.h"
 #include "core/system/file.h"

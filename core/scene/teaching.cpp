@@ -1,7 +1,7 @@
 #include "core/scene/teaching.h"
 
 #include "core/base/translate.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/scene/read_parts.h"
 
 namespace underact::scene {

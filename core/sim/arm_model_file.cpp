@@ -7,7 +7,6 @@
 #include "core/json/json.h"
 #include "core/json/object_reader.h"
 #include "core/json/text.h"
-#include "core/json/text_file.h"
 
 namespace underact::sim {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/arm/conventions.h"
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
 #include "core/arm/jacobian.h"

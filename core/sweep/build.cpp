@@ -1,12 +1,13 @@
 #include "core/sweep/build.h"
 
 #include <algorithm>
-#include <string_view>
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include "core/json/text_file.h"
-#include "core/sweep/checksum.h"
-#include "core/system/loaded.h"
+#include "core/json/text.h"
+#include "core/mesh_file/digest.h"
+#include "core/system/library.h"
 
 namespace underact::sweep {
 namespace {
@@ -40,6 +41,12 @@ const std::string& buildOf() {
     return checksumOf(all);
   }();
   return kBuild;
+}
+
+std::string checksumOf(std::string_view bytes) {
+  mesh_file::Digest digest;
+  digest.add(std::as_bytes(std::span(bytes.data(), bytes.size())));
+  return digest.text();
 }
 
 }  // namespace underact::sweep

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 namespace underact::sweep {
 
@@ -7,5 +8,8 @@ namespace underact::sweep {
 /// with. Another build has others, also where its version is the same. By the linker's build ids, which neither strip
 /// nor an installation changes; of a program without one, by its bytes.
 const std::string& buildOf();
+
+/// 32 hexadecimal digits that tell contents apart, also those that differ by damage; no defence against forgery.
+std::string checksumOf(std::string_view bytes);
 
 }  // namespace underact::sweep

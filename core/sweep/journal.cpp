@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/json/text_file.h"
-#include "core/sweep/checksum.h"
+#include "core/json/text.h"
+#include "core/sweep/build.h"
 #include "core/system/file.h"
 #include "underact/version.h"
 

@@ -16,7 +16,7 @@ namespace underact::sweep {
 struct Cells {
   std::size_t count = 0;
   std::vector<std::string> columns;  // of a row, without the cell's number and seed, which every result begins with
-  /// The files that were read and a checksum of what was in each, as checksumOf() gives it (core/sweep/checksum.h): a
+  /// The files that were read and a checksum of what was in each, as checksumOf() gives it (core/sweep/build.h): a
   /// sweep that goes on with other content would mix two.
   std::vector<std::pair<std::string, std::string>> files;
   /// Runs one cell. A function of index (below count) and seed alone: no clock, thread, rank or order of calls may have

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/system/file.h"
 
 namespace underact::sweep {

@@ -7,7 +7,6 @@
 
 #include "core/base/random.h"
 #include "core/sweep/build.h"
-#include "core/sweep/checksum.h"
 
 namespace underact::sweep {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace underact::system {
 
@@ -8,5 +9,14 @@ void* openLibrary(const std::string& name, std::string& why);
 
 /// Of what it exports; an address of a function is one of these, too. null: there is none of that name.
 void* addressIn(void* library, const char* name);
+
+/// The program or a library, as it is in memory.
+struct Loaded {
+  std::string path;
+  std::string build_id;  // bytes with which the linker told builds apart; empty: there are none
+};
+
+/// The program first, then what was loaded with it and since.
+std::vector<Loaded> loadedHere();
 
 }  // namespace underact::system

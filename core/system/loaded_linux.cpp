@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/system/loaded.h"
+#include "core/system/library.h"
 
 namespace underact::system {
 namespace {

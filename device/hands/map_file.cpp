@@ -9,7 +9,7 @@
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/json/object_reader.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 
 namespace underact::device::hands {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/arm/conventions.h"
 #include "core/arm/forward.h"
+#include "core/arm/sample.h"
 #include "core/base/units.h"
 
 namespace underact::device::openhaptics {

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <thread>
 
-#include "core/arm/conventions.h"
 #include "core/arm/forward.h"
+#include "core/arm/sample.h"
 #include "core/base/units.h"
 #include "core/safety/gate.h"
 #include "core/system/clock.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "tests/cli/session.h"
 
 namespace underact::test {

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 
-#include "core/record/csv_export.h"
+#include "core/record/csv.h"
 #include "core/record/recorder.h"
 #include "core/record/replay.h"
 #include "device/recorded.h"

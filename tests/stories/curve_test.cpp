@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/gui/model/made_curves.h"
+#include "app/gui/model/scene_loading.h"
 #include "core/base/units.h"
 #include "core/scene/read.h"
 #include "tests/stories/mesh_desk.h"

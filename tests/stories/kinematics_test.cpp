@@ -11,9 +11,9 @@
 
 #include "app/gui/kit/theme.h"
 #include "app/gui/model/kinematics_now.h"
-#include "core/arm/conventions.h"
 #include "core/arm/forward.h"
 #include "core/arm/model.h"
+#include "core/arm/sample.h"
 #include "core/base/units.h"
 #include "tests/stories/picture_difference.h"
 #include "tests/stories/story.h"

@@ -18,8 +18,7 @@ namespace {
 
 QWidget* commandField(const QString& name, const QString& command, QWidget* parent) {
   auto* field = new QPlainTextEdit(command, parent);
-  field->setObjectName(name);
-  field->setAccessibleName(FixDialog::tr("Command for a terminal"));
+  nameWidget(field, name, FixDialog::tr("Command for a terminal"));
   field->setReadOnly(true);
   field->setTabChangesFocus(true);
   field->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

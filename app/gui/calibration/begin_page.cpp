@@ -11,6 +11,7 @@
 
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 
@@ -49,13 +50,11 @@ BeginPage::BeginPage(QWidget* parent)
          tr("What the simulated hand feels scatters by this share of the stiffness (Weber's law)."));
   addRow(form, tr("See&d"), seed_, "seed",
          tr("Of the stiffer side of each trial and of the simulated hand: the same seed, the same measurement."));
-  feedback_->setObjectName("panel.calibration.feedback");
-  feedback_->setAccessibleName(tr("Say whether each answer was right"));
-  feedback_->setToolTip(tr("For practice. A measurement is made without: whoever is told learns."));
+  nameWidget(feedback_, "panel.calibration.feedback", tr("Say whether each answer was right"),
+             tr("For practice. A measurement is made without: whoever is told learns."));
   auto* begin_button = new QPushButton(tr("&Begin"), this);
-  begin_button->setObjectName("panel.calibration.begin");
-  begin_button->setAccessibleName(tr("Begin the measurement"));
-  begin_button->setToolTip(tr("Two right answers in a row make it harder, a wrong one easier (Levitt 1971)."));
+  nameWidget(begin_button, "panel.calibration.begin", tr("Begin the measurement"),
+             tr("Two right answers in a row make it harder, a wrong one easier (Levitt 1971)."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
@@ -76,9 +75,7 @@ BeginPage::BeginPage(QWidget* parent)
 
 void BeginPage::addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& key,
                        const QString& tip) {
-  field->setObjectName("panel.calibration." + key);
-  field->setAccessibleName(QString(label).remove('&'));
-  field->setToolTip(tip);
+  nameWidget(field, "panel.calibration." + key, QString(label).remove('&'), tip);
   field->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel
   auto* name = new QLabel(label, this);
   name->setToolTip(tip);

@@ -15,6 +15,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/scene_library.h"
@@ -47,9 +48,7 @@ CalibrationPanel::CalibrationPanel(const Parts& parts, QWidget* parent)
 QWidget* CalibrationPanel::makeNoBeamsPage() {
   auto* page = new QWidget;
   auto* open = new QPushButton(tr("&Open the two beams"), page);
-  open->setObjectName("panel.calibration.open");
-  open->setAccessibleName(tr("Open the two beams"));
-  open->setToolTip(tr("Opens the scene “Two beams, one softer”."));
+  nameWidget(open, "panel.calibration.open", tr("Open the two beams"), tr("Opens the scene “Two beams, one softer”."));
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);

@@ -8,6 +8,7 @@
 #include "app/gui/calibration/staircase_chart.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/readout.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -40,13 +41,11 @@ ResultPage::ResultPage(QWidget* parent)
   numbers_->addRow(tr("Weber share"), tr("What one press scatters by, if two are compared: ln(1 + JND) = 0.771 w."));
   numbers_->addRow(tr("Answered by"), tr("A person, or the simulated hand with its own Weber share."));
   auto* save = new QPushButton(tr("&Save…"), this);
-  save->setObjectName("panel.calibration.save");
-  save->setAccessibleName(tr("Save the trials"));
-  save->setToolTip(tr("Writes every trial and the result as a CSV file."));
+  nameWidget(save, "panel.calibration.save", tr("Save the trials"),
+             tr("Writes every trial and the result as a CSV file."));
   auto* again = new QPushButton(tr("A&gain"), this);
-  again->setObjectName("panel.calibration.again");
-  again->setAccessibleName(tr("Measure again"));
-  again->setToolTip(tr("Back to the beginning; this result is forgotten unless it is saved."));
+  nameWidget(again, "panel.calibration.again", tr("Measure again"),
+             tr("Back to the beginning; this result is forgotten unless it is saved."));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(save);

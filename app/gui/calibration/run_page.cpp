@@ -12,6 +12,7 @@
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {
@@ -48,9 +49,8 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
   trial_->setObjectName("panel.calibration.trial");
   trial_->setProperty("role", "section");
   trial_->setWordWrap(true);
-  progress_->setObjectName("panel.calibration.progress");
-  progress_->setAccessibleName(tr("Reversals"));
-  progress_->setToolTip(
+  nameWidget(
+      progress_, "panel.calibration.progress", tr("Reversals"),
       tr("A reversal is where the way turns between harder and easier. The first two are a run-in; the just-noticeable "
          "difference is the geometric mean of the others (Levitt 1971)."));
   auto* grid = new QGridLayout(answers_);
@@ -72,9 +72,8 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
     connect(arrow, &QShortcut::activated, actions_[index], &QAction::trigger);
   }
   auto* cancel = new QPushButton(tr("&Cancel"), this);
-  cancel->setObjectName("panel.calibration.cancel");
-  cancel->setAccessibleName(tr("Cancel the measurement"));
-  cancel->setToolTip(tr("The beams are again as stiff as the scene says; nothing is kept."));
+  nameWidget(cancel, "panel.calibration.cancel", tr("Cancel the measurement"),
+             tr("The beams are again as stiff as the scene says; nothing is kept."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
@@ -92,9 +91,7 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
 QToolButton* RunPage::answerButton(const QString& key, const QString& name) {
   const QAction* action = actions_[key == "left" ? 0 : 1];
   auto* button = new QToolButton(answers_);
-  button->setObjectName("panel.calibration." + key);
-  button->setAccessibleName(tr("%1 is stiffer").arg(name));
-  button->setToolTip(action->toolTip());
+  nameWidget(button, "panel.calibration." + key, tr("%1 is stiffer").arg(name), action->toolTip());
   button->setText(tr("%1\n%2").arg(name, action->shortcut().toString(QKeySequence::NativeText)));
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setIconSize(QSize(5, 3) * (fontMetrics().lineSpacing() / 2));  // grows with the words below it

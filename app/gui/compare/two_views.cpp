@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 
 TwoViews::TwoViews(SceneView& left, QWidget* parent) : QWidget(parent), left_(left) {
@@ -31,8 +33,7 @@ TwoViews::TwoViews(SceneView& left, QWidget* parent) : QWidget(parent), left_(le
 
 QLabel* TwoViews::head(const char* name, const QString& spoken, QVBoxLayout* column) {
   auto* made = new QLabel(this);
-  made->setObjectName(name);
-  made->setAccessibleName(spoken);
+  nameWidget(made, name, spoken);
   made->setTextFormat(Qt::PlainText);
   made->setWordWrap(true);
   made->setMargin(6);
@@ -42,8 +43,7 @@ QLabel* TwoViews::head(const char* name, const QString& spoken, QVBoxLayout* col
 
 void TwoViews::makeRight() {
   right_ = new SceneView(right_half_);
-  right_->setObjectName("view.beside");
-  right_->setAccessibleName(tr("3D view of what is not felt"));
+  nameWidget(right_, "view.beside", tr("3D view of what is not felt"));
   right_->setAccessibleDescription(tr("The scene that is compared, with the same hand. Arrow keys turn both views."));
   right_->setMinimumSize(left_.minimumSize());
   right_->setTheme(theme_);

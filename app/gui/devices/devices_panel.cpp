@@ -90,8 +90,7 @@ QWidget* DevicesPanel::buildChosen() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(sectionTitle(tr("Plugged in"), box));
   list_ = new QListWidget(box);
-  list_->setObjectName("panel.devices.list");
-  list_->setAccessibleName(tr("Arms"));
+  nameWidget(list_, "panel.devices.list", tr("Arms"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -123,8 +122,7 @@ QWidget* DevicesPanel::buildOther() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(sectionTitle(tr("Another one"), box));
   other_ = new QLineEdit(box);
-  other_->setObjectName("panel.devices.other");
-  other_->setAccessibleName(tr("An arm by its name"));
+  nameWidget(other_, "panel.devices.other", tr("An arm by its name"));
   other_->setPlaceholderText(tr("KIND:ADDRESS"));
   other_->setToolTip(
       tr("As “underact-cli devices” lists it, with a serial number, a path or an address after the "
@@ -164,8 +162,7 @@ QWidget* DevicesPanel::buildRegistration() {
 QWidget* DevicesPanel::buildOpening() {
   opening_ = toldLabel("panel.devices.opening", tr("What is being opened"), "quiet", this);
   bar_ = new QProgressBar(this);
-  bar_->setObjectName("panel.devices.bar");
-  bar_->setAccessibleName(tr("Opening"));
+  nameWidget(bar_, "panel.devices.bar", tr("Opening"));
   bar_->setRange(0, 0);  // nobody knows how long an arm takes
   bar_->setTextVisible(false);
   cancel_ = pushButton("panel.devices.cancel", tr("Cancel"), tr("The simulated arm stays."), this);

@@ -61,9 +61,8 @@ void DhPanel::build() {
   column->addWidget(table_);
   buildButtons(column);
   follows_ = new QCheckBox(tr("&Joints follow the arm"), content);
-  follows_->setObjectName("panel.dh.follow");
-  follows_->setAccessibleName(tr("Joints follow the arm"));
-  follows_->setToolTip(tr("Turning joints 1 to 6 stand as those of the arm do: move the stylus, and the table moves."));
+  nameWidget(follows_, "panel.dh.follow", tr("Joints follow the arm"),
+             tr("Turning joints 1 to 6 stand as those of the arm do: move the stylus, and the table moves."));
   follows_->setChecked(true);
   connect(follows_, &QCheckBox::toggled, this, &DhPanel::follow);
   column->addWidget(follows_);

@@ -39,8 +39,7 @@ FaultDialog::FaultDialog(QWidget* parent)
   setAttribute(Qt::WA_ShowWithoutActivating);
   setWindowTitle(tr("The servo has stopped"));
   resize(600, 460);
-  list_->setObjectName("dialog.fault.list");
-  list_->setAccessibleName(tr("Faults"));
+  nameWidget(list_, "dialog.fault.list", tr("Faults"));
   list_->setMaximumHeight(5 * fontMetrics().lineSpacing());
   list_->setTabKeyNavigation(false);
   what_->setProperty("role", "alarm");

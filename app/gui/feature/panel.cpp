@@ -2,6 +2,8 @@
 
 #include <QDockWidget>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 namespace {
 
@@ -23,8 +25,7 @@ bool Panel::isSeen() const {
 
 QDockWidget* makeDock(const QString& key, const QString& title, Qt::DockWidgetArea home, QMainWindow* window) {
   auto* dock = new QDockWidget(title, window);
-  dock->setObjectName(kDock + key);
-  dock->setAccessibleName(title);
+  nameWidget(dock, kDock + key, title);
   dock->setProperty(kHome, home);
   window->addDockWidget(home, dock);
   return dock;

@@ -9,7 +9,6 @@
 #include "app/gui/kit/words.h"
 #include "app/gui/model/limit_names.h"
 #include "app/gui/model/servo_rate.h"
-#include "app/gui/model/servo_words.h"
 
 namespace underact::gui {
 namespace {
@@ -56,8 +55,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
   live_ = field("status.live", tr("Live data"), {}, {});
   live_->hide();
   tip_ = new QLabel(this);
-  tip_->setObjectName("status.tip");
-  tip_->setAccessibleName(tr("Hint"));
+  nameWidget(tip_, "status.tip", tr("Hint"));
   tip_->setProperty("role", "quiet");
   tip_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   tip_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -66,9 +64,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
 
 QLabel* StatusLine::field(const char* name, const QString& spoken, const QString& tip, const QString& widest) {
   auto* label = new QLabel(this);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
-  label->setToolTip(tip);
+  nameWidget(label, name, spoken, tip);
   label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that numbers move nothing
   layout()->addWidget(label);
   return label;

@@ -9,7 +9,7 @@
 #include "app/gui/files/load_strip.h"
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/file_question.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "core/scene/edit.h"

@@ -22,7 +22,7 @@ struct LoadStrip::Load {
       : what(std::move(what_is_loaded)),
         done(std::move(when_done)),
         background([this, work = std::move(work)](WorkState& state) {
-          mesh::Watch watch;
+          Watch watch;
           watch.cancelled = &state.cancelled;
           watch.progress = [this, &state](const char* now, double share) {
             step = now;
@@ -33,7 +33,7 @@ struct LoadStrip::Load {
         }) {}
   QString what;
   Done done;
-  std::atomic<const char*> step{""};  // the words of a mesh::Watch stay where they are
+  std::atomic<const char*> step{""};  // the words of a Watch stay where they are
   Background<bool> background;
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/kit/background.h"
-#include "core/mesh/watch.h"
+#include "core/base/watch.h"
 
 class QLabel;
 class QProgressBar;
@@ -20,7 +20,7 @@ class LoadStrip : public QWidget {
   Q_OBJECT
  public:
   /// In a thread of its own.
-  using Work = std::function<void(const mesh::Watch& watch)>;
+  using Work = std::function<void(const Watch& watch)>;
   /// In the window's thread, when the work has come to its end; not where it was cancelled.
   using Done = std::function<void()>;
 

@@ -15,8 +15,8 @@
 #include "app/gui/kit/shipped.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
-#include "app/gui/model/made_curves.h"
 #include "app/gui/model/scene_library.h"
+#include "app/gui/model/scene_loading.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/mirror.h"
@@ -79,7 +79,7 @@ void SceneFiles::loadAndPut(scene::Description scene) {
   const QString path = QString::fromStdString(loaded->scene.file);
   loads_.begin(
       tr("Loading the files of %1").arg(QFileInfo(path).fileName()),
-      [loaded, is_mirrored = document_.opensMirrored()](const mesh::Watch& watch) {
+      [loaded, is_mirrored = document_.opensMirrored()](const Watch& watch) {
         loaded->problems = scene::loadMeshes(loaded->scene, watch);
         if (!loaded->problems.empty()) return;
         loaded->curves = madeCurves(is_mirrored ? scene::mirrored(loaded->scene) : loaded->scene, watch);

@@ -31,7 +31,7 @@ bool GhostHand::open(const QString& path) {
   const auto read = std::make_shared<Result<LoadedGhost>>(Problems{});
   loads_.begin(
       tr("Reading %1").arg(QFileInfo(file).fileName()),
-      [read, file](const mesh::Watch& watch) { *read = loadGhost(file.toStdString(), watch); },
+      [read, file](const Watch& watch) { *read = loadGhost(file.toStdString(), watch); },
       [this, read, file] {
         reading_.clear();
         *read ? begin(std::move(*read).value()) : emit failed(file, read->problems());

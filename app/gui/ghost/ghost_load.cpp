@@ -39,7 +39,7 @@ void takeNames(scene::Shape& shape, const scene::Shape& recorded) {
 
 }  // namespace
 
-Result<LoadedGhost> loadGhost(const std::string& path, const mesh::Watch& watch) {
+Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch) {
   device::LoadWatch reading;
   reading.cancelled = watch.cancelled;
   reading.files_in = recordedFilesFolders();

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/follow/way.h"
-#include "core/mesh/watch.h"
 #include "core/scene/description.h"
 
 namespace underact::gui {
@@ -19,7 +19,7 @@ struct LoadedGhost {
 };
 
 /// Reads a session whole, in any thread. Problems: as device::loadRecorded(); an arm that is not known; one tick.
-Result<LoadedGhost> loadGhost(const std::string& path, const mesh::Watch& watch);
+Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch);
 
 /// Whether a hand meets the same in both; how hard it is pulled may differ.
 bool meetsTheSame(const scene::Description& recorded, scene::Description other);

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "app/gui/ghost/ghost_hand.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {

@@ -5,6 +5,8 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 
 constexpr int kPlace = Qt::UserRole;
@@ -12,8 +14,7 @@ constexpr int kPlace = Qt::UserRole;
 GuideList::GuideList(const guide::Guide& guide, QWidget* parent)
     : QStackedWidget(parent), contents_(new QTreeWidget(this)), hits_(new QListWidget(this)) {
   setObjectName("guide.list");
-  contents_->setObjectName("guide.contents");
-  contents_->setAccessibleName(tr("Contents of the guide"));
+  nameWidget(contents_, "guide.contents", tr("Contents of the guide"));
   contents_->setHeaderHidden(true);
   contents_->setRootIsDecorated(false);
   contents_->setTextElideMode(Qt::ElideNone);
@@ -30,8 +31,7 @@ GuideList::GuideList(const guide::Guide& guide, QWidget* parent)
     }
     heading->setExpanded(true);
   }
-  hits_->setObjectName("guide.hits");
-  hits_->setAccessibleName(tr("What was found"));
+  nameWidget(hits_, "guide.hits", tr("What was found"));
   hits_->setWordWrap(true);
   hits_->setResizeMode(QListView::Adjust);
   hits_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -7,7 +7,7 @@
 
 #include "app/gui/guide/guide_window.h"
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/settings.h"
 #include "core/system/places.h"

@@ -12,6 +12,7 @@
 #include "app/gui/guide/guide_list.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {
@@ -30,8 +31,7 @@ GuideWindow::GuideWindow(guide::Guide guide, int zoom, QWidget* parent)
   setObjectName("guide");
   setWindowTitle(tr("Guide"));
   resize(1040, 720);
-  page_->setObjectName("guide.page");
-  page_->setAccessibleName(tr("Page of the guide"));
+  nameWidget(page_, "guide.page", tr("Page of the guide"));
   page_->setZoom(zoom);
   auto* halves = new QSplitter(this);
   halves->addWidget(list_);
@@ -64,8 +64,7 @@ QWidget* GuideWindow::buildBar() {
   };
   back_ = add("guide.back", tr("Back"), tr("The page before (Alt+Left)"), [this] { go(-1); });
   forward_ = add("guide.forward", tr("Forward"), tr("The page after (Alt+Right)"), [this] { go(1); });
-  field_->setObjectName("guide.search");
-  field_->setAccessibleName(tr("Search the guide"));
+  nameWidget(field_, "guide.search", tr("Search the guide"));
   field_->setPlaceholderText(tr("Search the guide (Ctrl+F)"));
   field_->setToolTip(tr("Enter opens what is chosen in the list, F3 goes to the next place on the page."));
   field_->setClearButtonEnabled(true);

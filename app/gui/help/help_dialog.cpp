@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "underact/version.h"
 
@@ -55,8 +56,7 @@ QString keyTable(const Actions& actions) {
 void addCloseButton(QDialog* dialog, QVBoxLayout* column) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
   QPushButton* close = buttons->button(QDialogButtonBox::Close);
-  close->setObjectName(dialog->objectName() + ".close");
-  close->setAccessibleName(QObject::tr("Close"));
+  nameWidget(close, dialog->objectName() + ".close", QObject::tr("Close"));
   close->setIcon({});
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   column->addWidget(buttons);
@@ -69,8 +69,7 @@ HelpDialog::HelpDialog(const Actions& actions, QWidget* parent) : QDialog(parent
   setWindowTitle(tr("Mouse and keys"));
   resize(640, 560);
   auto* page = new QTextBrowser(this);
-  page->setObjectName("dialog.help.page");
-  page->setAccessibleName(tr("What the mouse and the keys do"));
+  nameWidget(page, "dialog.help.page", tr("What the mouse and the keys do"));
   page->setHtml(
       QString("<p>%1</p><h3>%2</h3>%3<h3>%4</h3>%5")
           .arg(tr("What you see is the hand's world: the constraint in blue, the stylus, the point it is drawn to "
@@ -90,8 +89,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
                              "<p>No part of it was tried on a real arm yet: what is shown is simulated.</p>")
                               .arg(kVersion, qVersion()),
                           this);
-  text->setObjectName("dialog.about.text");
-  text->setAccessibleName(tr("About Underact"));
+  nameWidget(text, "dialog.about.text", tr("About Underact"));
   text->setWordWrap(true);
   text->setMinimumWidth(380);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

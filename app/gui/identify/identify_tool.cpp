@@ -7,7 +7,7 @@
 #include "app/gui/identify/identify_wizard.h"
 #include "app/gui/identify/pages.h"
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/model/arm_choice.h"
 
 namespace underact::gui {

@@ -16,6 +16,7 @@
 #include "app/gui/identify/swing_plot.h"
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/number_box.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_in_use.h"
 #include "underact/version.h"
@@ -42,8 +43,7 @@ FoundPage::FoundPage(IdentifyRun& run, QWidget* parent)
   setTitle(tr("What was found"));
   what_->setObjectName("identify.found.what");
   what_->setWordWrap(true);
-  table_->setObjectName("identify.table");
-  table_->setAccessibleName(tr("What was found"));
+  nameWidget(table_, "identify.table", tr("What was found"));
   table_->setHorizontalHeaderLabels(
       {tr("quantity"), tr("value"), tr("uncertainty"), tr("unit"), tr("given"), tr("difference")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -113,15 +113,10 @@ KeepPage::KeepPage(IdentifyRun& run, const PlacePage& place, ArmInUse& in_use, Q
       told_(new QLabel(this)) {
   setObjectName("identify.keep");
   setTitle(tr("Keep it"));
-  name_->setObjectName("identify.name");
-  name_->setAccessibleName(tr("Name"));
-  name_->setToolTip(tr("A short name, as it stands in the status line."));
-  title_->setObjectName("identify.title");
-  title_->setAccessibleName(tr("Title"));
-  provenance_->setObjectName("identify.provenance");
-  provenance_->setAccessibleName(tr("Provenance"));
-  told_->setObjectName("identify.told");
-  told_->setAccessibleName(tr("What was done"));
+  nameWidget(name_, "identify.name", tr("Name"), tr("A short name, as it stands in the status line."));
+  nameWidget(title_, "identify.title", tr("Title"));
+  nameWidget(provenance_, "identify.provenance", tr("Provenance"));
+  nameWidget(told_, "identify.told", tr("What was done"));
   for (QLabel* label : {provenance_, told_}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
@@ -154,9 +149,7 @@ KeepPage::KeepPage(IdentifyRun& run, const PlacePage& place, ArmInUse& in_use, Q
 
 QPushButton* KeepPage::button(const char* name, const QString& text, const QString& tip) {
   auto* made = new QPushButton(text, this);
-  made->setObjectName(name);
-  made->setAccessibleName(QString(text).remove('&'));
-  made->setToolTip(tip);
+  nameWidget(made, name, QString(text).remove('&'), tip);
   return made;
 }
 

@@ -10,6 +10,7 @@
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
 #include "app/gui/kit/number_box.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -79,17 +80,12 @@ PlacePage::PlacePage(int rate_hz, const QString& device, QWidget* parent)
     at_mm_[axis]->setToolTip(tr("The tip swings about this place, in the workspace frame W."));
     form->addRow(labels[axis], at_mm_[axis]);
   }
-  more_->setObjectName("identify.places");
-  more_->setAccessibleName(tr("Also at two more places"));
-  more_->setToolTip(tr("Tells whether the arm is the same everywhere; takes three times as long."));
+  nameWidget(more_, "identify.places", tr("Also at two more places"),
+             tr("Tells whether the arm is the same everywhere; takes three times as long."));
   form->addRow(more_);
-  device_->setObjectName("identify.device");
-  device_->setAccessibleName(tr("Arm"));
-  device_->setToolTip(tr("Which arm this is; stands in the file."));
+  nameWidget(device_, "identify.device", tr("Arm"), tr("Which arm this is; stands in the file."));
   form->addRow(tr("&Arm"), device_);
-  serial_->setObjectName("identify.serial");
-  serial_->setAccessibleName(tr("Serial number"));
-  serial_->setToolTip(tr("As it stands on the arm; may stay empty."));
+  nameWidget(serial_, "identify.serial", tr("Serial number"), tr("As it stands on the arm; may stay empty."));
   form->addRow(tr("&Serial number"), serial_);
   QVBoxLayout* column = columnOf(this);
   column->addLayout(form);
@@ -131,12 +127,10 @@ MeasurePage::MeasurePage(IdentifyRun& run, const PlacePage& place, QWidget* pare
   stage_->setAccessibleName(tr("What is measured"));
   why_->setAccessibleName(tr("Why it stands still"));
   why_->setProperty("role", "warning");
-  progress_->setObjectName("identify.progress");
-  progress_->setAccessibleName(tr("Progress"));
+  nameWidget(progress_, "identify.progress", tr("Progress"));
   progress_->setRange(0, 1000);
   for (const auto& [button, name] : {std::pair{go_, "identify.go"}, {repeat_, "identify.repeat"}}) {
-    button->setObjectName(name);
-    button->setAccessibleName(button->text().remove('&'));
+    nameWidget(button, name, button->text().remove('&'));
   }
   go_->setToolTip(tr("The hand does what is asked."));
   repeat_->setToolTip(tr("Starts the servo again, and measures the part that was stopped from its beginning."));

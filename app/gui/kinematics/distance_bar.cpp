@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -20,12 +21,10 @@ DistanceBar::DistanceBar(const QString& object_name, const QString& name, const 
       word_(new QLabel(this)) {
   auto* label = new QLabel(name, this);
   label->setFixedWidth(fontMetrics().horizontalAdvance("q6 gimbal 3") + 4);
-  value_->setObjectName(object_name + ".value");
-  value_->setAccessibleName(name);
+  nameWidget(value_, object_name + ".value", name);
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   value_->setFixedSize(fontMetrics().horizontalAdvance("000.0 mm") + 4, fontMetrics().lineSpacing());
-  word_->setObjectName(object_name + ".word");
-  word_->setAccessibleName(tr("%1, near or not").arg(name));
+  nameWidget(word_, object_name + ".word", tr("%1, near or not").arg(name));
   word_->setProperty("role", "amber-text");
   word_->setFixedSize(fontMetrics().horizontalAdvance(tr("near")) + 12, fontMetrics().lineSpacing());
   track_->setObjectName(object_name + ".bar");

@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -72,14 +73,12 @@ JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* 
   auto* label = new QLabel(QString("q%1 %2").arg(joint + 1).arg(name), this);
   label->setBuddy(number_);
   label->setFixedWidth(fontMetrics().horizontalAdvance("q6 gimbal 3") + 4);
-  slider_->setObjectName(object_name + ".slider");
-  slider_->setAccessibleName(tr("Joint %1, %2, slider").arg(joint + 1).arg(name));
+  nameWidget(slider_, object_name + ".slider", tr("Joint %1, %2, slider").arg(joint + 1).arg(name));
   slider_->setFocusPolicy(Qt::StrongFocus);
   slider_->setSingleStep(kStepsPerDegree);
   slider_->setPageStep(5 * kStepsPerDegree);
   slider_->setMinimumSize(64, 24);
-  number_->setObjectName(object_name + ".number");
-  number_->setAccessibleName(tr("Joint %1, %2, degrees").arg(joint + 1).arg(name));
+  nameWidget(number_, object_name + ".number", tr("Joint %1, %2, degrees").arg(joint + 1).arg(name));
   number_->setDecimals(1);
   number_->setRange(-360.0, 360.0);
   number_->setSingleStep(1.0);
@@ -89,8 +88,7 @@ JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* 
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   number_->setFixedWidth(fontMetrics().horizontalAdvance("−000.0°") + 20);
-  state_->setObjectName(object_name + ".state");
-  state_->setAccessibleName(tr("Joint %1, limits").arg(joint + 1));
+  nameWidget(state_, object_name + ".state", tr("Joint %1, limits").arg(joint + 1));
   state_->setFixedSize(fontMetrics().horizontalAdvance(tr("outside")) + 12, fontMetrics().lineSpacing());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

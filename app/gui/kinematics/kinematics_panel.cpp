@@ -13,6 +13,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/model/arm_choice.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/player.h"
@@ -80,9 +81,8 @@ void KinematicsPanel::buildSwitches(QVBoxLayout* column) {
   for (int index = 0; index < 4; ++index) {
     QAction* action = parts_.actions.find(kLayers[index]);
     auto* box = new QCheckBox(action->text(), this);
-    box->setObjectName(QString("panel.kinematics.%1").arg(kLayers[index]));
-    box->setAccessibleName(tr("%1, in the view").arg(action->text().remove('&')));
-    box->setToolTip(action->toolTip());
+    nameWidget(box, QString("panel.kinematics.%1").arg(kLayers[index]),
+               tr("%1, in the view").arg(action->text().remove('&')), action->toolTip());
     box->setChecked(action->isChecked());
     connect(box, &QCheckBox::toggled, this, [this, index](bool on) { parts_.actions.perform(kLayers[index], on); });
     connect(action, &QAction::toggled, box, &QCheckBox::setChecked);

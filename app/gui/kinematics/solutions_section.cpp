@@ -10,6 +10,7 @@
 
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -73,12 +74,10 @@ SolutionsSection::SolutionsSection(QWidget* parent)
   angles_->setFixedHeight(2 * fontMetrics().lineSpacing());
   angles_->setAlignment(Qt::AlignTop);
   buildTable();
-  again_->setObjectName("panel.kinematics.solutions.again");
-  again_->setAccessibleName(tr("Let the ghost go to the chosen solution"));
-  again_->setToolTip(tr("A ghost of the arm turns evenly from the joints of now to those of the chosen solution."));
-  none_->setObjectName("panel.kinematics.solutions.none");
-  none_->setAccessibleName(tr("Show no chosen solution"));
-  none_->setToolTip(tr("Takes the ghost of the chosen solution away."));
+  nameWidget(again_, "panel.kinematics.solutions.again", tr("Let the ghost go to the chosen solution"),
+             tr("A ghost of the arm turns evenly from the joints of now to those of the chosen solution."));
+  nameWidget(none_, "panel.kinematics.solutions.none", tr("Show no chosen solution"),
+             tr("Takes the ghost of the chosen solution away."));
   column().addWidget(status_);
   column().addWidget(table_);
   column().addWidget(angles_);
@@ -103,8 +102,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
 }
 
 void SolutionsSection::buildTable() {
-  table_->setObjectName("panel.kinematics.solutions");
-  table_->setAccessibleName(tr("Inverse solutions"));
+  nameWidget(table_, "panel.kinematics.solutions", tr("Inverse solutions"));
   table_->setHorizontalHeaderLabels({tr("no."), tr("shoulder"), tr("elbow"), tr("wrist"), tr("limits")});
   const std::array<QString, 5> tips{
       tr("The number that the ghosts in the view have."),

@@ -5,6 +5,7 @@
 
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -122,10 +123,8 @@ JacobianSection::JacobianSection(QWidget* parent)
   upper_column->addStretch(1);
   tables_->addWidget(upper);
   auto* only_position = new QCheckBox(tr("&Position only, J_p (3 × 3)"), this);
-  only_position->setObjectName("panel.kinematics.jacobian.position_only");
-  only_position->setAccessibleName(tr("Only the position part of the Jacobian"));
-  only_position->setToolTip(
-      tr("Joints 4 to 6 turn the stylus about its tip and do not move it: v = J_p (q1, q2, q3)'."));
+  nameWidget(only_position, "panel.kinematics.jacobian.position_only", tr("Only the position part of the Jacobian"),
+             tr("Joints 4 to 6 turn the stylus about its tip and do not move it: v = J_p (q1, q2, q3)'."));
   connect(only_position, &QCheckBox::toggled, this, [this](bool on) { tables_->setCurrentIndex(on ? 1 : 0); });
   figures_ = new NumberTable("panel.kinematics.figures", {{{}, "0.000, 0.000, 0.000 m/rad", true}}, this);
   figures_->addRow(tr("det J_p"), tr("L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)), per rad³; 0 at a singularity."));

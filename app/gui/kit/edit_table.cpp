@@ -8,6 +8,8 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 namespace {
 
@@ -39,8 +41,7 @@ class Typing : public QStyledItemDelegate {
       });
       editor = box;
     }
-    editor->setObjectName(table_->objectName() + ".editor");
-    editor->setAccessibleName(spoken);
+    nameWidget(editor, table_->objectName() + ".editor", spoken);
     return editor;
   }
   void setEditorData(QWidget* editor, const QModelIndex& index) const override {

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QStyleOption>
 
-#include "app/gui/kit/contrast.h"
+#include "app/gui/kit/theme.h"
 
 namespace underact::gui {
 namespace {

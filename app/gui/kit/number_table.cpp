@@ -2,6 +2,8 @@
 
 #include <QGridLayout>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 
 NumberTable::NumberTable(const QString& object_name, std::vector<Column> columns, QWidget* parent)
@@ -29,8 +31,8 @@ void NumberTable::addRow(const QString& head, const QString& tip) {
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     auto* cell = new QLabel(this);
     const auto number = static_cast<int>(column) + 1;
-    cell->setObjectName(QString("%1.%2.%3").arg(objectName()).arg(row).arg(number));
-    cell->setAccessibleName(QString("%1 %2").arg(head, columns_[column].head));
+    nameWidget(cell, QString("%1.%2.%3").arg(objectName()).arg(row).arg(number),
+               QString("%1 %2").arg(head, columns_[column].head));
     cell->setAlignment((columns_[column].words ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     cell->setFixedSize(fontMetrics().horizontalAdvance(columns_[column].widest) + 4, fontMetrics().lineSpacing());
     cell->setToolTip(tip);

@@ -6,11 +6,13 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -28,11 +30,9 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   setModal(false);  // a broken file must not keep anybody from the arm
   setWindowTitle(tr("Scene not opened"));
   resize(720, 360);
-  heading_->setObjectName("dialog.problems.heading");
-  heading_->setAccessibleName(tr("What happened"));
+  nameWidget(heading_, "dialog.problems.heading", tr("What happened"));
   heading_->setWordWrap(true);
-  table_->setObjectName("dialog.problems.table");
-  table_->setAccessibleName(tr("Problems of the file"));
+  nameWidget(table_, "dialog.problems.table", tr("Problems of the file"));
   table_->setColumnCount(4);
   table_->setHorizontalHeaderLabels({tr("Line"), tr("Column"), tr("Key"), tr("Problem")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -98,6 +98,21 @@ QString ProblemsDialog::text() const {
     lines << QString::fromStdString(describe(shown));
   }
   return lines.join('\n');
+}
+
+void showProblemsBox(const QString& name, const QString& title, const QString& what, const Problems& problems,
+                     QWidget* window) {
+  QStringList sentences;
+  for (const Problem& problem : problems) {
+    const QString sentence = sentenceText(problem.sentence);
+    sentences << (problem.place.line > 0 ? QObject::tr("Line %1: %2").arg(problem.place.line).arg(sentence) : sentence);
+  }
+  auto* box = new QMessageBox(QMessageBox::Warning, title, what, QMessageBox::Ok, window);
+  box->setObjectName(name);
+  box->setInformativeText(sentences.join("\n"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->show();
 }
 
 }  // namespace underact::gui

@@ -26,8 +26,7 @@ int Readout::addRow(const QString& label, const QString& tip) {
   left->setProperty("role", "quiet");
   left->setToolTip(tip);
   auto* right = new QLabel(this);
-  right->setObjectName(QString("%1.%2").arg(objectName()).arg(row));
-  right->setAccessibleName(label);
+  nameWidget(right, QString("%1.%2").arg(objectName()).arg(row), label);
   right->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   right->setToolTip(tip);
   right->setTextInteractionFlags(Qt::TextSelectableByMouse);

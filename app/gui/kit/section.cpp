@@ -3,13 +3,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 
 Section::Section(const QString& key, const QString& title, const QString& tip, QWidget* parent, const QString& panel)
     : QWidget(parent), fold_(new QToolButton(this)), content_(new QWidget(this)), column_(new QVBoxLayout(content_)) {
-  fold_->setObjectName(QString("panel.%1.%2.fold").arg(panel, key));
-  fold_->setAccessibleName(tr("%1, show or hide").arg(title));
-  fold_->setToolTip(tip);
+  nameWidget(fold_, QString("panel.%1.%2.fold").arg(panel, key), tr("%1, show or hide").arg(title), tip);
   fold_->setText(title);
   fold_->setProperty("role", "fold");
   fold_->setCheckable(true);

@@ -1,6 +1,5 @@
 #include "app/gui/kit/style.h"
 
-#include "app/gui/kit/contrast.h"
 #include "app/gui/kit/icons.h"
 
 namespace underact::gui {

@@ -4,10 +4,15 @@
 
 namespace underact::gui {
 
+void nameWidget(QWidget* widget, const QString& name, const QString& spoken, const QString& tip) {
+  widget->setObjectName(name);
+  widget->setAccessibleName(spoken);
+  if (!tip.isEmpty()) widget->setToolTip(tip);
+}
+
 QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent) {
   auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
+  nameWidget(label, name, spoken);
   label->setProperty("role", role);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);

@@ -1,10 +1,13 @@
 #pragma once
+#include <QString>
 
 class QLabel;
-class QString;
 class QWidget;
 
 namespace underact::gui {
+
+/// name: of the object, for stories and style sheets; spoken: what a screen reader calls it; tip: empty: it has none.
+void nameWidget(QWidget* widget, const QString& name, const QString& spoken, const QString& tip = {});
 
 /// A label for sentences that come later: they wrap, stand as they are (no markup) and can be selected.
 /// spoken: what a screen reader calls it; role: of the style sheet, "" for plain words.

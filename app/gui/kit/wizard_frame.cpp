@@ -2,14 +2,15 @@
 
 #include <QAbstractButton>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 
 void frameWizard(QWizard& wizard, std::span<const std::pair<QWizard::WizardButton, const char*>> names,
                  int wide_lines) {
   for (const auto& [which, name] : names) {
     QAbstractButton* const button = wizard.button(which);
-    button->setObjectName(name);
-    button->setAccessibleName(wizard.buttonText(which).remove('&').remove('<').remove('>').trimmed());
+    nameWidget(button, name, wizard.buttonText(which).remove('&').remove('<').remove('>').trimmed());
     button->setIcon({});
   }
   constexpr int kHighLines = 46;

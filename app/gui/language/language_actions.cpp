@@ -4,7 +4,7 @@
 #include <QActionGroup>
 
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/language.h"
 

@@ -42,9 +42,8 @@ CheckRow::CheckRow(const lesson::Check& check, std::size_t number, QWidget* pare
 void CheckRow::addNumber(const lesson::AskNumber& ask) {
   const QString unit = QString::fromStdString(ask.unit);
   number_ = new QLineEdit(this);
-  number_->setObjectName(name_ + ".number");
-  number_->setAccessibleName(tr("Answer to: %1").arg(QString::fromStdString(ask.question)));
-  number_->setToolTip(tr("A number; Enter gives it."));
+  nameWidget(number_, name_ + ".number", tr("Answer to: %1").arg(QString::fromStdString(ask.question)),
+             tr("A number; Enter gives it."));
   number_->setMaximumWidth(kLettersOfNumber * fontMetrics().averageCharWidth() + 24);
   auto* const line = new QHBoxLayout;
   line->setSpacing(8);
@@ -64,9 +63,8 @@ void CheckRow::addChoices(const lesson::AskChoice& ask) {
   for (std::size_t index = 0; index < ask.choices.size(); ++index) {
     const QString text = QString::fromStdString(ask.choices[index]);
     auto* const button = new QRadioButton(QString(text).replace('&', "&&"), this);
-    button->setObjectName(QString("%1.choice%2").arg(name_).arg(index + 1));
-    button->setAccessibleName(text);
-    button->setToolTip(tr("An answer to: %1").arg(QString::fromStdString(ask.question)));
+    nameWidget(button, QString("%1.choice%2").arg(name_).arg(index + 1), text,
+               tr("An answer to: %1").arg(QString::fromStdString(ask.question)));
     choices_->addButton(button, static_cast<int>(index) + 1);
     column->addWidget(button);
   }

@@ -8,7 +8,7 @@
 
 #include "app/gui/kit/shipped.h"
 #include "app/gui/model/data_words.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {

@@ -30,9 +30,8 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
       list_(new QListWidget(this)),
       about_(toldLabel("panel.lessons.about", tr("About the selected lesson"), "quiet", this)),
       note_(toldLabel("panel.lessons.why", tr("Why the lesson was not begun"), "amber", this)) {
-  list_->setObjectName("panel.lessons.list");
-  list_->setAccessibleName(tr("Lessons"));
-  list_->setToolTip(tr("Enter or a click begins a lesson; the scene and panels of now come back after it."));
+  nameWidget(list_, "panel.lessons.list", tr("Lessons"),
+             tr("Enter or a click begins a lesson; the scene and panels of now come back after it."));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setWordWrap(true);
@@ -41,8 +40,7 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
   note_->hide();
   auto* const open = new QToolButton(this);
   open->setDefaultAction(actions_.find("lesson.open"));
-  open->setObjectName("panel.lessons.open");
-  open->setAccessibleName(tr("Open a lesson file"));
+  nameWidget(open, "panel.lessons.open", tr("Open a lesson file"));
   open->setToolButtonStyle(Qt::ToolButtonTextOnly);
   open->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   open->setFocusPolicy(Qt::StrongFocus);

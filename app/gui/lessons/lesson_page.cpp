@@ -38,11 +38,9 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
       servo_(toldLabel("panel.lessons.servo", tr("Servo"), "amber", this)),
       name_(new QLineEdit(this)),
       note_(toldLabel("panel.lessons.note", tr("Report"), "quiet", this)) {
-  text_->setObjectName("panel.lessons.text");
-  text_->setAccessibleName(tr("Text of the step"));
+  nameWidget(text_, "panel.lessons.text", tr("Text of the step"));
   text_->setFrameShape(QFrame::NoFrame);
-  name_->setObjectName("panel.lessons.name");
-  name_->setAccessibleName(tr("Name in the report"));
+  nameWidget(name_, "panel.lessons.name", tr("Name in the report"));
   name_->setPlaceholderText(tr("Name in the report (may stay empty)"));
   name_->setToolTip(tr("It is written into the report alone, and kept nowhere else."));
   note_->hide();
@@ -78,8 +76,7 @@ void LessonPage::addButtons(QVBoxLayout* column, Actions& actions) {
     QAction* const action = actions.find(name);
     auto* const button = new QToolButton(this);
     button->setDefaultAction(action);
-    button->setObjectName(QString("panel.%1").arg(name));
-    button->setAccessibleName(action->text().remove('&'));
+    nameWidget(button, QString("panel.%1").arg(name), action->text().remove('&'));
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::StrongFocus);

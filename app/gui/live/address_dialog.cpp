@@ -26,18 +26,15 @@ AddressDialog::AddressDialog(const QString& address, QWidget* parent)
                                .arg(stream::kPort),
                            this);
   about->setWordWrap(true);
-  address_->setObjectName("dialog.live.address");
-  address_->setAccessibleName(tr("Address"));
-  address_->setToolTip(tr("A port, a host by its number, or both: 9870, 192.168.1.20, 192.168.1.20:9870."));
+  nameWidget(address_, "dialog.live.address", tr("Address"),
+             tr("A port, a host by its number, or both: 9870, 192.168.1.20, 192.168.1.20:9870."));
   address_->selectAll();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   send_ = buttons->addButton(tr("&Send"), QDialogButtonBox::ActionRole);
-  send_->setObjectName("dialog.live.send");
-  send_->setAccessibleName(tr("Send"));
+  nameWidget(send_, "dialog.live.send", tr("Send"));
   send_->setDefault(true);
   QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);
-  cancel->setObjectName("dialog.live.cancel");
-  cancel->setAccessibleName(tr("Cancel"));
+  nameWidget(cancel, "dialog.live.cancel", tr("Cancel"));
   cancel->setIcon({});
   auto* form = new QFormLayout;
   form->addRow(tr("&Address"), address_);

@@ -1,6 +1,6 @@
 #include "app/gui/model/kinematics_now.h"
 
-#include "core/arm/conventions.h"
+#include "core/arm/sample.h"
 
 namespace underact::gui {
 

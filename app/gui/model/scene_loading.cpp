@@ -1,8 +1,10 @@
 #include "app/gui/model/scene_loading.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <utility>
 
+#include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 
@@ -30,6 +32,18 @@ std::optional<SceneLoading::Loaded> SceneLoading::take() {
 
 void SceneLoading::cancel() {
   if (load_ != nullptr) leaving_.push_back(std::move(load_));
+}
+
+std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch) {
+  std::vector<target::CurvePath> made;
+  for (const scene::Constraint& constraint : scene.constraints) {
+    const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
+    if (curve == nullptr || curve->points == nullptr || watch.isCancelled()) continue;
+    watch.tell(QT_TRANSLATE_NOOP("step of work", "Joining the points"), 1.0);
+    auto path = scene::makeCurvePath(*curve, constraint.place);
+    if (path) made.push_back(std::move(path).value());  // else compile() says what is wrong with it
+  }
+  return made;
 }
 
 }  // namespace underact::gui

@@ -6,7 +6,9 @@
 
 #include "app/gui/kit/background.h"
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/scene/description.h"
+#include "core/target/curve_target.h"
 
 namespace underact::gui {
 
@@ -30,5 +32,9 @@ class SceneLoading {
   std::unique_ptr<Background<Loaded>> load_;
   std::vector<std::unique_ptr<Background<Loaded>>> leaving_;  // nobody waits for them
 };
+
+/// All curves of a scene that are loaded, so that whoever compiles it finds them made as long as they are held. A
+/// spline of a million points takes a second. Any thread.
+std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch);
 
 }  // namespace underact::gui

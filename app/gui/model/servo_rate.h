@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QString>
 #include <optional>
 
 #include "core/servo/host.h"
@@ -29,5 +30,8 @@ class ServoRate : public QObject {
   servo::Host& host_;
   std::optional<int> chosen_;
 };
+
+/// "real time: FIFO 80"
+QString schedulingText(const system::Scheduling& scheduling);
 
 }  // namespace underact::gui

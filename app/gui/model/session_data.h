@@ -3,12 +3,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gui/model/path_point.h"
 #include "app/gui/model/plot_history.h"
 #include "app/gui/model/spectrum.h"
+#include "core/base/types.h"
 #include "core/servo/histogram.h"
 
 namespace underact::gui {
+
+/// A place of a recorded tip and the force sent there.
+struct PathPoint {
+  Vec3 p_mm = Vec3::Zero();
+  double force_N = 0.0;
+};
 
 /// What the charts keep of a recorded tick.
 struct SessionRow {

@@ -18,7 +18,7 @@ Result<LoadedSession> loadSession(const std::string& path, const PrepareScene& p
   watch.files_in = recordedFilesFolders();
   Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(session.value(), watch);
   if (!recorded) return recorded.problems();
-  mesh::Watch pictures;
+  Watch pictures;
   pictures.cancelled = &state.cancelled;
   for (const device::RecordedScene& one : recorded.value()->scenes) prepare(one.scene, pictures);
   data->finish(rate_hz);

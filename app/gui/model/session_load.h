@@ -5,7 +5,7 @@
 
 #include "app/gui/kit/background.h"
 #include "app/gui/model/session_data.h"
-#include "core/mesh/watch.h"
+#include "core/base/watch.h"
 #include "device/recorded.h"
 
 namespace underact::gui {
@@ -17,7 +17,7 @@ struct LoadedSession {
 };
 
 /// What is made of each scene of a recording in the thread that reads it, so that the view finds it made.
-using PrepareScene = std::function<void(const scene::Description& scene, const mesh::Watch& watch)>;
+using PrepareScene = std::function<void(const scene::Description& scene, const Watch& watch)>;
 
 /// Reads a session whole, in one pass. Problems: as device::loadRecorded().
 Result<LoadedSession> loadSession(const std::string& path, const PrepareScene& prepare, WorkState& state);

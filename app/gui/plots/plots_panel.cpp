@@ -9,6 +9,7 @@
 
 #include "app/gui/feature/parts.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/player.h"
 #include "app/gui/model/settings.h"
@@ -25,17 +26,14 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
       plot_(new LivePlot(this)),
       axis_(new QComboBox(this)),
       energy_(new QCheckBox(tr("Ener&gy"), this)) {
-  plot_->setObjectName("panel.plots.plot");
-  plot_->setAccessibleName(tr("Error and force over the last 10 s, and displacement against force"));
+  nameWidget(plot_, "panel.plots.plot", tr("Error and force over the last 10 s, and displacement against force"));
   plot_->setMinimumHeight(96);
-  axis_->setObjectName("panel.plots.axis");
-  axis_->setAccessibleName(tr("Axis of displacement against force"));
-  axis_->setToolTip(tr("Which axis of W the plot of displacement against force shows (thesis figure 4.3)."));
+  nameWidget(axis_, "panel.plots.axis", tr("Axis of displacement against force"),
+             tr("Which axis of W the plot of displacement against force shows (thesis figure 4.3)."));
   axis_->addItems({tr("x"), tr("y"), tr("z")});
   axis_->setFocusPolicy(Qt::StrongFocus);
-  energy_->setObjectName("panel.plots.energy");
-  energy_->setAccessibleName(tr("Energy plot"));
-  energy_->setToolTip(
+  nameWidget(
+      energy_, "panel.plots.energy", tr("Energy plot"),
       tr("The energy that the stylus has put into the constraints and not got back, E = Σ −f·Δp; below zero they give "
          "more than they got: they are active."));
   auto* label = new QLabel(tr("&Displacement against force, axis"), this);

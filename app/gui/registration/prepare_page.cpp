@@ -33,8 +33,7 @@ constexpr double kFarthest_mm = 1000.0;
 
 QTableWidget* pageTable(const char* name, const QString& spoken, const QStringList& columns, QWidget* parent) {
   auto* table = new QTableWidget(0, static_cast<int>(columns.size()), parent);
-  table->setObjectName(name);
-  table->setAccessibleName(spoken);
+  nameWidget(table, name, spoken);
   table->setHorizontalHeaderLabels(columns);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->verticalHeader()->hide();
@@ -86,9 +85,8 @@ QWidget* PreparePage::buildMarks() {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   count_ = new QSpinBox(box);
-  count_->setObjectName("registration.count");
-  count_->setAccessibleName(tr("How many marks"));
-  count_->setToolTip(tr("More marks: a smaller error, and it is better known. Puts the sheet's own places back."));
+  nameWidget(count_, "registration.count", tr("How many marks"),
+             tr("More marks: a smaller error, and it is better known. Puts the sheet's own places back."));
   count_->setRange(static_cast<int>(registration::kFewestMarks), static_cast<int>(registration::kMostMarks));
   count_->setSuffix(tr(" marks"));
   paper_ = chooser("registration.paper", tr("Paper"), tr("What the sheet is printed on."), box);

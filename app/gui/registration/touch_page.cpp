@@ -44,8 +44,7 @@ void TouchPage::build() {
   QFont large = prompt_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
   prompt_->setFont(large);
-  progress_->setObjectName("registration.progress");
-  progress_->setAccessibleName(tr("How long it was held"));
+  nameWidget(progress_, "registration.progress", tr("How long it was held"));
   progress_->setRange(0, 100);
   progress_->setTextVisible(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

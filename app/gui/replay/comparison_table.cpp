@@ -36,8 +36,7 @@ ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent), stretch_(ne
     grid->addWidget(recorded_[static_cast<std::size_t>(at)], 1, at + 1, Qt::AlignRight);
     grid->addWidget(now_[static_cast<std::size_t>(at)], 2, at + 1, Qt::AlignRight);
   }
-  stretch_->setObjectName("panel.replay.stretch");
-  stretch_->setAccessibleName(tr("Compared over"));
+  nameWidget(stretch_, "panel.replay.stretch", tr("Compared over"));
   stretch_->setProperty("role", "quiet");
   grid->addWidget(stretch_, 0, 0);
   grid->setColumnStretch(4, 1);
@@ -45,8 +44,7 @@ ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent), stretch_(ne
 
 QLabel* ComparisonTable::cell(const char* name, const QString& spoken) {
   auto* label = new QLabel(this);
-  label->setObjectName(name);
-  label->setAccessibleName(spoken);
+  nameWidget(label, name, spoken);
   return label;
 }
 

@@ -73,12 +73,10 @@ void ReplayBar::buildLoading(QVBoxLayout* column) {
   row->setSpacing(12);
   reading_ = new QLabel(tr("Reading the session"), loading_);
   progress_ = new QProgressBar(loading_);
-  progress_->setObjectName("panel.replay.progress");
-  progress_->setAccessibleName(tr("How much of the session is read"));
+  nameWidget(progress_, "panel.replay.progress", tr("How much of the session is read"));
   progress_->setRange(0, 1000);
   auto* cancel = new QPushButton(tr("Cancel"), loading_);
-  cancel->setObjectName("panel.replay.cancel");
-  cancel->setAccessibleName(tr("Do not open the session"));
+  nameWidget(cancel, "panel.replay.cancel", tr("Do not open the session"));
   connect(cancel, &QPushButton::clicked, &player_, &Player::cancelLoading);
   row->addWidget(reading_);
   row->addWidget(progress_, 1);
@@ -93,9 +91,7 @@ QToolButton* ReplayBar::button(const char* action, const QString& spoken) {
 QCheckBox* ReplayBar::box(const char* action, const QString& words) {
   auto* made = new QCheckBox(words, replay_);
   QAction* does = actions_.find(QString("replay.") + action);
-  made->setObjectName(QString("panel.replay.") + action);
-  made->setAccessibleName(words);
-  made->setToolTip(does->toolTip());
+  nameWidget(made, QString("panel.replay.") + action, words, does->toolTip());
   connect(made, &QCheckBox::clicked, this,
           [this, action](bool on) { actions_.perform(QString("replay.") + action, on); });
   connect(does, &QAction::toggled, made, &QCheckBox::setChecked);
@@ -109,14 +105,12 @@ void ReplayBar::buildTransport(QVBoxLayout* column) {
   row->addWidget(play_ = button("play", tr("Play")));
   row->addWidget(forward_ = button("forward", tr("One tick further")));
   scrub_ = new ScrubSlider(replay_);
-  scrub_->setObjectName("panel.replay.scrub");
-  scrub_->setAccessibleName(tr("Place in the recording"));
-  scrub_->setToolTip(tr("Where the recording is. Ticks above the line are markers, crosses are faults."));
+  nameWidget(scrub_, "panel.replay.scrub", tr("Place in the recording"),
+             tr("Where the recording is. Ticks above the line are markers, crosses are faults."));
   connect(scrub_, &QSlider::valueChanged, this, [this](int to) { player_.seek(to); });
   row->addWidget(scrub_, 1);
   time_ = new QLabel(replay_);
-  time_->setObjectName("panel.replay.time");
-  time_->setAccessibleName(tr("Time in the recording"));
+  nameWidget(time_, "panel.replay.time", tr("Time in the recording"));
   row->addWidget(time_);
   column->addLayout(row);
 }
@@ -142,15 +136,12 @@ void ReplayBar::buildChoices(QVBoxLayout* column) {
   }
   row->addWidget(box("what_if", tr("What if")));
   here_ = new QLabel(replay_);
-  here_->setObjectName("panel.replay.here");
-  here_->setAccessibleName(tr("Recorded here"));
+  nameWidget(here_, "panel.replay.here", tr("Recorded here"));
   here_->setProperty("role", "quiet");
   here_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(here_, 1);
   auto* close = new QPushButton(tr("Close"), replay_);
-  close->setObjectName("panel.replay.close");
-  close->setAccessibleName(tr("Close session"));
-  close->setToolTip(actions_.find("replay.close")->toolTip());
+  nameWidget(close, "panel.replay.close", tr("Close session"), actions_.find("replay.close")->toolTip());
   connect(close, &QPushButton::clicked, actions_.find("replay.close"), &QAction::trigger);
   row->addWidget(close);
   column->addLayout(row);

@@ -5,7 +5,7 @@
 
 #include "app/gui/feature/parts.h"
 #include "app/gui/feature/status_line.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/player.h"
 #include "app/gui/view/hand.h"

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/model/player.h"
 #include "app/gui/plot/lateness_chart.h"
 #include "app/gui/replay/session_plot.h"
@@ -28,9 +29,8 @@ SessionPanel::SessionPanel(const Parts& parts, QWidget* parent)
       nothing_(new QLabel(this)),
       plot_(new SessionPlot(this)),
       lateness_(new LatenessChart(this)) {
-  kind_->setObjectName("panel.session.kind");
-  kind_->setAccessibleName(tr("What is plotted"));
-  kind_->setToolTip(tr("Which plot of the whole session is shown. A click into a plot against time goes there."));
+  nameWidget(kind_, "panel.session.kind", tr("What is plotted"),
+             tr("Which plot of the whole session is shown. A click into a plot against time goes there."));
   kind_->addItems({tr("Error and force"), tr("Force against displacement"), tr("Angles of influence"), tr("Energy"),
                    tr("Spectrum"), tr("Lateness")});
   kind_->setFocusPolicy(Qt::StrongFocus);

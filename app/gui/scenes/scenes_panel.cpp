@@ -17,6 +17,7 @@
 #include "app/gui/kit/icons.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/shipped.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"
 
 namespace underact::gui {
@@ -66,27 +67,23 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
       filter_(new QLineEdit(this)),
       list_(new QListWidget(this)),
       about_(new PageView(this)) {
-  filter_->setObjectName("panel.scenes.filter");
-  filter_->setAccessibleName(tr("Filter the scenes"));
+  nameWidget(filter_, "panel.scenes.filter", tr("Filter the scenes"));
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setClearButtonEnabled(true);
-  list_->setObjectName("panel.scenes.list");
-  list_->setAccessibleName(tr("Scenes"));
+  nameWidget(list_, "panel.scenes.list", tr("Scenes"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
   const int high = qMax(kPicture_px, qRound(2.4 * fontMetrics().height()));
   list_->setIconSize({high * 4 / 3, high});
-  about_->setObjectName("panel.scenes.about");
-  about_->setAccessibleName(tr("About the selected scene"));
+  nameWidget(about_, "panel.scenes.about", tr("About the selected scene"));
   about_->setFrameShape(QFrame::NoFrame);
   about_->document()->setDocumentMargin(0);
   about_->viewport()->setBackgroundRole(QPalette::Window);  // a part of the panel, no sheet of paper
   about_->setMinimumHeight(6 * fontMetrics().lineSpacing());
   auto* open = new QToolButton(this);
   open->setDefaultAction(parts_.actions.find("scene.open"));
-  open->setObjectName("panel.scenes.open");
-  open->setAccessibleName(tr("Open a scene file"));
+  nameWidget(open, "panel.scenes.open", tr("Open a scene file"));
   open->setIconSize(QSize(1, 1) * fontMetrics().height());
   open->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   open->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

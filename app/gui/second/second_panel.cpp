@@ -48,9 +48,7 @@ SecondPanel::SecondPanel(const Parts& parts, QWidget* parent)
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
   on_ = new QCheckBox(tr("A second arm"), content);
-  on_->setObjectName("panel.second.on");
-  on_->setAccessibleName(tr("A second arm"));
-  on_->setToolTip(parts_.actions.find("second.on")->toolTip());
+  nameWidget(on_, "panel.second.on", tr("A second arm"), parts_.actions.find("second.on")->toolTip());
   connect(on_, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("second.on", on); });
   column->addWidget(on_);
   column->addWidget(told_ = toldLabel("panel.second.told", tr("What happened to the second arm"), "alarm", content));
@@ -122,9 +120,8 @@ QWidget* SecondPanel::buildChoices() {
   for (const SceneEntry& entry : shippedScenes()) scene_->addItem(entry.title, entry.path);
   file_ = pushButton("panel.second.file", tr("Another scene file…"), tr("Opens a scene file for the second arm."), box);
   mirrors_ = new QCheckBox(tr("Mirrors my hand"), box);
-  mirrors_->setObjectName("panel.second.mirror");
-  mirrors_->setAccessibleName(tr("Mirrors my hand"));
-  mirrors_->setToolTip(tr("A simulated second arm is moved as the first hand is, in a mirror."));
+  nameWidget(mirrors_, "panel.second.mirror", tr("Mirrors my hand"),
+             tr("A simulated second arm is moved as the first hand is, in a mirror."));
   opening_ = toldLabel("panel.second.opening", tr("What is being opened"), "quiet", box);
   form->addRow(tr("Arm"), arm_);
   form->addRow(tr("Scene"), scene_);

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -59,24 +60,20 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QW
   setModal(false);
   const QSize wished(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
   resize(wished.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
-  message_->setObjectName("dialog.check.message");
-  message_->setAccessibleName(tr("Result"));
+  nameWidget(message_, "dialog.check.message", tr("Result"));
   message_->setWordWrap(true);
   message_->setText(
       tr("Measures how late the servo's ticks start at %1 Hz, and in turn how late a loop starts that does "
          "nothing else. It runs on a simulated arm of its own; yours and the window go on.")
           .arg(rate_hz));
-  seconds_->setObjectName("dialog.check.seconds");
-  seconds_->setAccessibleName(tr("Duration in seconds"));
+  nameWidget(seconds_, "dialog.check.seconds", tr("Duration in seconds"));
   seconds_->setRange(kLeastSeconds, kMostSeconds);
   seconds_->setValue(kSeconds);
   seconds_->setSuffix(tr(" s"));
   load_->setObjectName("dialog.check.load");
-  progress_->setObjectName("dialog.check.progress");
-  progress_->setAccessibleName(tr("Progress"));
+  nameWidget(progress_, "dialog.check.progress", tr("Progress"));
   progress_->setRange(0, 1000);
-  table_->setObjectName("dialog.check.table");
-  table_->setAccessibleName(tr("Lateness and tick time"));
+  nameWidget(table_, "dialog.check.table", tr("Lateness and tick time"));
   table_->setHorizontalHeaderLabels({tr("median"), tr("p99"), tr("p99.9"), tr("most")});
   table_->setVerticalHeaderLabels({tr("bare loop, late [µs]"), tr("servo, late [µs]"), tr("servo's tick takes [µs]")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

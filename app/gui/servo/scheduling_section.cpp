@@ -2,7 +2,7 @@
 
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/words.h"
-#include "app/gui/model/servo_words.h"
+#include "app/gui/model/servo_rate.h"
 #include "app/gui/servo/sections.h"
 
 namespace underact::gui {

@@ -72,9 +72,7 @@ void ServoPanel::addActions() {
 
 QPushButton* ServoPanel::buttonFor(const QString& action, const QString& words) {
   auto* button = new QPushButton(words, this);
-  button->setObjectName(QString(action).replace("servo.", "panel.servo."));
-  button->setAccessibleName(words);
-  button->setToolTip(parts_.actions.find(action)->toolTip());
+  nameWidget(button, QString(action).replace("servo.", "panel.servo."), words, parts_.actions.find(action)->toolTip());
   connect(button, &QPushButton::clicked, this, [this, action] { parts_.actions.perform(action); });
   return button;
 }
@@ -82,12 +80,11 @@ QPushButton* ServoPanel::buttonFor(const QString& action, const QString& words) 
 void ServoPanel::buildSwitches(QVBoxLayout* column) {
   QAction* hold = parts_.actions.find("session.hold_to_run");
   auto* box = new QCheckBox(tr("Hold to run"), this);
-  box->setObjectName("panel.servo.hold_to_run");
-  box->setAccessibleName(tr("Hold to run"));
-  box->setToolTip(parts_.arms.simulated() == nullptr
-                      ? hold->toolTip()
-                      : tr("The servo pushes only while the stylus button is held: here the Space key, with the focus "
-                           "in the view (F2)."));
+  nameWidget(box, "panel.servo.hold_to_run", tr("Hold to run"),
+             parts_.arms.simulated() == nullptr
+                 ? hold->toolTip()
+                 : tr("The servo pushes only while the stylus button is held: here the Space key, with the focus "
+                      "in the view (F2)."));
   connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
   connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
   parts_.actions.perform("session.hold_to_run", parts_.settings.hold_to_run);

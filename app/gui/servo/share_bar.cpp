@@ -6,6 +6,8 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "app/gui/kit/told_label.h"
+
 namespace underact::gui {
 
 ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_note, QWidget* parent)
@@ -15,8 +17,7 @@ ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_not
   track_->setObjectName(object_name + ".bar");
   track_->setMinimumWidth(32);
   track_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  value_->setObjectName(object_name + ".value");
-  value_->setAccessibleName(words.name);
+  nameWidget(value_, object_name + ".value", words.name);
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   QFont bold = font();
   bold.setBold(true);
@@ -31,8 +32,7 @@ ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_not
   grid->setColumnStretch(1, 1);
   if (!with_note) return;
   note_ = new QLabel(this);
-  note_->setObjectName(object_name + ".note");
-  note_->setAccessibleName(tr("%1, when it acted last").arg(words.name));
+  nameWidget(note_, object_name + ".note", tr("%1, when it acted last").arg(words.name));
   note_->setProperty("role", "quiet");
   note_->setMinimumHeight(fontMetrics().lineSpacing());
   grid->addWidget(note_, 1, 0, 1, 3);

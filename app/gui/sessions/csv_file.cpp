@@ -3,7 +3,7 @@
 #include <QtGlobal>
 #include <filesystem>
 
-#include "core/record/csv_export.h"
+#include "core/record/csv.h"
 
 namespace underact::gui {
 

@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
 }
 
 /// Corners that are near each other become one, at the place that fits their faces best.
-vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const mesh::Watch& watch, std::size_t most) {
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const Watch& watch, std::size_t most) {
   vtkSmartPointer<vtkPolyData> data = fine;
   for (int boxes = kFinest; boxes >= kCoarsest && !watch.isCancelled(); boxes = boxes * 3 / 4) {
     const vtkNew<vtkQuadricClustering> clusters;
@@ -103,7 +103,7 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
   return edges;
 }
 
-std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const mesh::Watch& watch, std::size_t most) {
+std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const Watch& watch, std::size_t most) {
   DrawnMesh drawn;
   vtkSmartPointer<vtkPolyData> data = copyOf(surface);
   drawn.is_coarser = surface.triangles.faces.size() > most;
@@ -127,8 +127,8 @@ struct Kept {
 
 }  // namespace
 
-std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const mesh::Watch& watch, std::size_t most) {
+std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface, const Watch& watch,
+                                           std::size_t most) {
   static std::mutex mutex;
   static std::map<const mesh::Surface*, Kept> kept;
   {
@@ -153,7 +153,7 @@ vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body) {
   return turned->GetOutput();
 }
 
-void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch) {
+void makeDrawnMeshes(const scene::Description& scene, const Watch& watch) {
   for (const scene::Constraint& constraint : scene.constraints) {
     const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
     if (mesh == nullptr || mesh->surface == nullptr || watch.isCancelled()) continue;

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "core/base/watch.h"
 #include "core/mesh/surface.h"
-#include "core/mesh/watch.h"
 #include "core/scene/description.h"
 
 namespace underact::gui {
@@ -25,14 +25,14 @@ struct DrawnMesh {
 
 /// Made once for each surface, and kept as long as that is there. Takes a second for millions of triangles. Any thread.
 /// null: it was cancelled. most: triangles, of what is not made coarser; where it is made already, as it was then.
-std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const mesh::Watch& watch = {}, std::size_t most = kMostDrawn);
+std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface, const Watch& watch = {},
+                                           std::size_t most = kMostDrawn);
 
 /// A body whose faces' corners go round the other way; for one that a placement mirrors, so that its outside is its
 /// front. Normals stay: those are mirrored right. Some milliseconds.
 vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body);
 
 /// Of all meshes of a scene that are loaded, so that the view finds them made.
-void makeDrawnMeshes(const scene::Description& scene, const mesh::Watch& watch);
+void makeDrawnMeshes(const scene::Description& scene, const Watch& watch);
 
 }  // namespace underact::gui

@@ -10,7 +10,7 @@
 
 #include "app/gui/model/kinematics_now.h"
 #include "app/gui/view/hand_picture.h"
-#include "core/arm/way.h"
+#include "core/arm/sample.h"
 #include "core/base/units.h"
 
 namespace underact::gui {

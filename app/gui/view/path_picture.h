@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/kit/theme.h"
-#include "app/gui/model/path_point.h"
+#include "app/gui/model/session_data.h"
 #include "app/gui/view/pieces.h"
 
 namespace underact::gui {

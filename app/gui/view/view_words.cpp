@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/gui/kit/contrast.h"
 #include "app/gui/kit/larger_font.h"
 #include "app/gui/kit/number_box.h"
 

@@ -19,8 +19,7 @@ namespace {
 
 QSpinBox* number(const char* name, const QString& spoken, int least, int most, int value, QWidget* parent) {
   auto* box = new QSpinBox(parent);
-  box->setObjectName(name);
-  box->setAccessibleName(spoken);
+  nameWidget(box, name, spoken);
   box->setRange(least, most);
   box->setValue(value);
   box->setKeyboardTracking(false);
@@ -40,8 +39,7 @@ DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* windo
   setObjectName("demonstrator");
   setWindowTitle(tr("Demonstrator"));
   setAttribute(Qt::WA_DeleteOnClose);
-  scenes_->setObjectName("demonstrator.scenes");
-  scenes_->setAccessibleName(tr("Scenes for visitors"));
+  nameWidget(scenes_, "demonstrator.scenes", tr("Scenes for visitors"));
   scenes_->setProperty("role", "ticks");
   for (const QString& path : wishes.scenes) addScene(path, true);
   for (const SceneEntry& entry : shippedScenes()) {

@@ -3,7 +3,7 @@
 #include <QFileInfo>
 
 #include "app/gui/model/data_words.h"
-#include "app/gui/model/made_curves.h"
+#include "app/gui/model/scene_loading.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"

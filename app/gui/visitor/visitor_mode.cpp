@@ -8,7 +8,7 @@
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/larger_font.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/view/hand.h"

@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {
@@ -55,8 +56,7 @@ Docks::Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts)
     const QString title = QCoreApplication::translate("panel", row.title);
     QDockWidget* made = makeDock(row.key, title, row.area, window_);
     Panel* panel = row.make(parts, made);
-    panel->setObjectName(QString("panel.%1").arg(row.key));
-    panel->setAccessibleName(title);
+    nameWidget(panel, QString("panel.%1").arg(row.key), title);
     made->setWidget(panel);
     addDockAction(parts.actions, row, made);
     docks_.insert(row.key, made);

@@ -6,7 +6,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/frame_pacer.h"
 #include "app/gui/kit/late_sheets.h"
-#include "app/gui/kit/problems_box.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/stop_key.h"
 #include "app/gui/kit/tab_order.h"
 #include "app/gui/model/arm_choice.h"

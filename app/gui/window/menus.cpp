@@ -12,6 +12,7 @@
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
 #include "core/lesson/layers.h"
@@ -31,8 +32,7 @@ void fillMenu(QMenu* menu, const Actions& actions, const QStringList& names) {
 }
 
 QMenu* named(QMenu* menu, const char* name) {
-  menu->setObjectName(name);
-  menu->setAccessibleName(menu->title().remove('&'));
+  nameWidget(menu, name, menu->title().remove('&'));
   return menu;
 }
 
@@ -70,8 +70,7 @@ QStringList layerNames() {
 
 void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   QMenuBar* bar = window->menuBar();
-  bar->setObjectName("menubar");
-  bar->setAccessibleName(tr("Menu"));
+  nameWidget(bar, "menubar", tr("Menu"));
   QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
   fillMenu(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
   QMenu* recent_menu = named(file->addMenu(tr("Open rece&nt")), "menu.recent");
@@ -118,8 +117,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
 
 void buildToolBar(QMainWindow* window, Actions& actions) {
   auto* bar = new QToolBar(tr("Tool bar"), window);
-  bar->setObjectName("toolbar");
-  bar->setAccessibleName(tr("Tool bar"));
+  nameWidget(bar, "toolbar", tr("Tool bar"));
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   const int icon = qRound(1.2 * window->fontMetrics().height());  // icons grow with the words beside them
@@ -130,8 +128,7 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
     if (actions.find(name) == nullptr) return;
     bar->addAction(actions.find(name));
     auto* made = qobject_cast<QToolButton*>(bar->widgetForAction(actions.find(name)));
-    made->setObjectName("button." + name);
-    made->setAccessibleName(actions.find(name)->iconText());
+    nameWidget(made, "button." + name, actions.find(name)->iconText());
     made->setProperty("role", role);
     made->setFocusPolicy(Qt::TabFocus);
   };

@@ -12,6 +12,7 @@
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/remark.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_in_use.h"
 #include "app/gui/model/player.h"
@@ -66,8 +67,7 @@ void Services::buildMiddle() {
 }
 
 void Services::buildStatus(const WindowParts& given) {
-  status->setObjectName("status");
-  status->setAccessibleName(QObject::tr("Status"));
+  nameWidget(status, "status", QObject::tr("Status"));
   if (given.arm != nullptr) {
     const auto tell = [says = status, in_use = arm_in_use] {
       const sim::ArmModel& model = in_use->model();

@@ -3,8 +3,7 @@
 
 #include "core/base/norms.h"
 #include "core/extremes/oracle/energy.h"
-#include "core/extremes/rows/chain_draws.h"
-#include "core/extremes/rows/manipulator_draws.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 #include "core/manipulator/energy.h"
 #include "core/manipulator/thesis_law.h"
@@ -172,8 +171,6 @@ constexpr std::array<Row, 2> kRows{{
 
 }  // namespace angles_rows
 
-std::span<const Row> angleRows() {
-  return angles_rows::kRows;
-}
+constinit const std::span<const Row> kAngleRows = angles_rows::kRows;
 
 }  // namespace underact::extremes

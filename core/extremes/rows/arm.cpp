@@ -6,7 +6,7 @@
 #include "core/arm/jacobian.h"
 #include "core/arm/statics.h"
 #include "core/base/norms.h"
-#include "core/extremes/rows/arm_draws.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
@@ -134,8 +134,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace arm_rows
 
-std::span<const Row> armRows() {
-  return arm_rows::kRows;
-}
+constinit const std::span<const Row> kArmRows = arm_rows::kRows;
 
 }  // namespace underact::extremes

@@ -7,7 +7,7 @@
 #include "core/base/trig.h"
 #include "core/base/units.h"
 #include "core/extremes/oracle/arm.h"
-#include "core/extremes/rows/arm_draws.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
@@ -184,8 +184,6 @@ constexpr std::array<Row, 3> kRows{{
 
 }  // namespace arm_solvers_rows
 
-std::span<const Row> armSolverRows() {
-  return arm_solvers_rows::kRows;
-}
+constinit const std::span<const Row> kArmSolverRows = arm_solvers_rows::kRows;
 
 }  // namespace underact::extremes

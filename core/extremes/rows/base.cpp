@@ -104,8 +104,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace base_rows
 
-std::span<const Row> baseRows() {
-  return base_rows::kRows;
-}
+constinit const std::span<const Row> kBaseRows = base_rows::kRows;
 
 }  // namespace underact::extremes

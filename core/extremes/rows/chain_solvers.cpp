@@ -5,7 +5,7 @@
 #include "core/chain/closed_form.h"
 #include "core/chain/numeric_inverse.h"
 #include "core/extremes/oracle/chain.h"
-#include "core/extremes/rows/chain_draws.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
@@ -107,8 +107,6 @@ constexpr std::array<Row, 2> kRows{{
 
 }  // namespace chain_solvers_rows
 
-std::span<const Row> chainSolverRows() {
-  return chain_solvers_rows::kRows;
-}
+constinit const std::span<const Row> kChainSolverRows = chain_solvers_rows::kRows;
 
 }  // namespace underact::extremes

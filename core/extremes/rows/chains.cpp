@@ -4,7 +4,7 @@
 #include "core/chain/dh.h"
 #include "core/chain/kinematics.h"
 #include "core/extremes/oracle/chain.h"
-#include "core/extremes/rows/chain_draws.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 
 namespace underact::extremes {
@@ -89,8 +89,6 @@ constexpr std::array<Row, 3> kRows{{
 
 }  // namespace chains_rows
 
-std::span<const Row> chainRows() {
-  return chains_rows::kRows;
-}
+constinit const std::span<const Row> kChainRows = chains_rows::kRows;
 
 }  // namespace underact::extremes

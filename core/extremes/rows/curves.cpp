@@ -195,8 +195,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace curves_rows
 
-std::span<const Row> curveRows() {
-  return curves_rows::kRows;
-}
+constinit const std::span<const Row> kCurveRows = curves_rows::kRows;
 
 }  // namespace underact::extremes

@@ -202,8 +202,6 @@ constexpr std::array<Row, 6> kRows{{
 
 }  // namespace drifts_rows
 
-std::span<const Row> driftRows() {
-  return drifts_rows::kRows;
-}
+constinit const std::span<const Row> kDriftRows = drifts_rows::kRows;
 
 }  // namespace underact::extremes

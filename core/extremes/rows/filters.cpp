@@ -2,8 +2,8 @@
 
 #include "core/control/velocity.h"
 #include "core/extremes/oracle/real.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
-#include "core/extremes/rows/sequences.h"
 
 namespace underact::extremes {
 namespace filters_rows {
@@ -188,8 +188,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace filters_rows
 
-std::span<const Row> filterRows() {
-  return filters_rows::kRows;
-}
+constinit const std::span<const Row> kFilterRows = filters_rows::kRows;
 
 }  // namespace underact::extremes

@@ -2,7 +2,7 @@
 
 #include "core/base/norms.h"
 #include "core/extremes/oracle/real.h"
-#include "core/extremes/rows/odd_numbers.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 #include "core/safety/gate.h"
 #include "core/safety/stages.h"
@@ -132,8 +132,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace gates_rows
 
-std::span<const Row> gateRows() {
-  return gates_rows::kRows;
-}
+constinit const std::span<const Row> kGateRows = gates_rows::kRows;
 
 }  // namespace underact::extremes

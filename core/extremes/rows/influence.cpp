@@ -165,8 +165,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace influence_rows
 
-std::span<const Row> influenceRows() {
-  return influence_rows::kRows;
-}
+constinit const std::span<const Row> kInfluenceRows = influence_rows::kRows;
 
 }  // namespace underact::extremes

@@ -4,8 +4,8 @@
 #include "core/control/law.h"
 #include "core/control/passivity.h"
 #include "core/extremes/oracle/real.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
-#include "core/extremes/rows/sequences.h"
 
 namespace underact::extremes {
 namespace laws_rows {
@@ -199,8 +199,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace laws_rows
 
-std::span<const Row> lawRows() {
-  return laws_rows::kRows;
-}
+constinit const std::span<const Row> kLawRows = laws_rows::kRows;
 
 }  // namespace underact::extremes

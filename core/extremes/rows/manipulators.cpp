@@ -2,8 +2,7 @@
 
 #include "core/base/norms.h"
 #include "core/extremes/oracle/energy.h"
-#include "core/extremes/rows/chain_draws.h"
-#include "core/extremes/rows/manipulator_draws.h"
+#include "core/extremes/rows/draws.h"
 #include "core/extremes/rows/rows.h"
 #include "core/manipulator/closed_form.h"
 #include "core/manipulator/descend.h"
@@ -185,8 +184,6 @@ constexpr std::array<Row, 3> kRows{{
 
 }  // namespace manipulators_rows
 
-std::span<const Row> manipulatorRows() {
-  return manipulators_rows::kRows;
-}
+constinit const std::span<const Row> kManipulatorRows = manipulators_rows::kRows;
 
 }  // namespace underact::extremes

@@ -317,8 +317,6 @@ constexpr std::array<Row, 2> kRows{{
 
 }  // namespace mesh_walks_rows
 
-std::span<const Row> meshWalkRows() {
-  return mesh_walks_rows::kRows;
-}
+constinit const std::span<const Row> kMeshWalkRows = mesh_walks_rows::kRows;
 
 }  // namespace underact::extremes

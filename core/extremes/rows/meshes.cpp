@@ -122,8 +122,6 @@ constexpr std::array<Row, 2> kRows{{
 
 }  // namespace meshes_rows
 
-std::span<const Row> meshRows() {
-  return meshes_rows::kRows;
-}
+constinit const std::span<const Row> kMeshRows = meshes_rows::kRows;
 
 }  // namespace underact::extremes

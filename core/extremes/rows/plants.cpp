@@ -105,8 +105,6 @@ constexpr std::array<Row, 2> kRows{{
 
 }  // namespace plants_rows
 
-std::span<const Row> plantRows() {
-  return plants_rows::kRows;
-}
+constinit const std::span<const Row> kPlantRows = plants_rows::kRows;
 
 }  // namespace underact::extremes

@@ -7,24 +7,24 @@ namespace underact::extremes {
 
 // The parts of the catalogue, each in the source file that its name says. A new part is a line here and in
 // catalogue.cpp.
-std::span<const Row> baseRows();
-std::span<const Row> shapeRows();
-std::span<const Row> weightedShapeRows();
-std::span<const Row> meshRows();
-std::span<const Row> meshWalkRows();
-std::span<const Row> curveRows();
-std::span<const Row> influenceRows();
-std::span<const Row> armRows();
-std::span<const Row> armSolverRows();
-std::span<const Row> chainRows();
-std::span<const Row> chainSolverRows();
-std::span<const Row> manipulatorRows();
-std::span<const Row> angleRows();
-std::span<const Row> lawRows();
-std::span<const Row> filterRows();
-std::span<const Row> gateRows();
-std::span<const Row> plantRows();
-std::span<const Row> tickRows();
-std::span<const Row> driftRows();
+extern const std::span<const Row> kBaseRows;
+extern const std::span<const Row> kShapeRows;
+extern const std::span<const Row> kWeightedShapeRows;
+extern const std::span<const Row> kMeshRows;
+extern const std::span<const Row> kMeshWalkRows;
+extern const std::span<const Row> kCurveRows;
+extern const std::span<const Row> kInfluenceRows;
+extern const std::span<const Row> kArmRows;
+extern const std::span<const Row> kArmSolverRows;
+extern const std::span<const Row> kChainRows;
+extern const std::span<const Row> kChainSolverRows;
+extern const std::span<const Row> kManipulatorRows;
+extern const std::span<const Row> kAngleRows;
+extern const std::span<const Row> kLawRows;
+extern const std::span<const Row> kFilterRows;
+extern const std::span<const Row> kGateRows;
+extern const std::span<const Row> kPlantRows;
+extern const std::span<const Row> kTickRows;
+extern const std::span<const Row> kDriftRows;
 
 }  // namespace underact::extremes

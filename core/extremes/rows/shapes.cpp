@@ -179,8 +179,6 @@ constexpr std::array<Row, 7> kRows{{
 
 }  // namespace shapes_rows
 
-std::span<const Row> shapeRows() {
-  return shapes_rows::kRows;
-}
+constinit const std::span<const Row> kShapeRows = shapes_rows::kRows;
 
 }  // namespace underact::extremes

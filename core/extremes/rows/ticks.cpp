@@ -65,8 +65,6 @@ constexpr std::array<Row, 1> kRows{{
 
 }  // namespace ticks_rows
 
-std::span<const Row> tickRows() {
-  return ticks_rows::kRows;
-}
+constinit const std::span<const Row> kTickRows = ticks_rows::kRows;
 
 }  // namespace underact::extremes

@@ -159,8 +159,6 @@ constexpr std::array<Row, 4> kRows{{
 
 }  // namespace weighted_shapes_rows
 
-std::span<const Row> weightedShapeRows() {
-  return weighted_shapes_rows::kRows;
-}
+constinit const std::span<const Row> kWeightedShapeRows = weighted_shapes_rows::kRows;
 
 }  // namespace underact::extremes

@@ -1,5 +1,4 @@
-#include "core/arm/conventions.h"
-
+#include "core/arm/sample.h"
 #include "tests/core/arm/golden.h"
 #include "tests/support/property.h"
 

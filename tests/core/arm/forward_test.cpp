@@ -1,6 +1,6 @@
 #include "core/arm/forward.h"
 
-#include "core/arm/conventions.h"
+#include "core/arm/sample.h"
 #include "tests/core/arm/golden.h"
 #include "tests/core/arm/thesis.h"
 #include "tests/support/property.h"

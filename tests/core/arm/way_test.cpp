@@ -1,7 +1,6 @@
-#include "core/arm/way.h"
-
 #include <gtest/gtest.h>
 
+#include "core/arm/sample.h"
 #include "core/base/types.h"
 
 namespace underact::arm {

@@ -7,7 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/json/json.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/lab/unit_step.h"
 #include "tests/support/property.h"
 

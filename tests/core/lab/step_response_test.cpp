@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/lab/moved_target.h"
 #include "core/lab/unit_step.h"
 #include "core/scene/read.h"
 

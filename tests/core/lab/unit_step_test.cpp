@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/json/json.h"
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "core/lab/step_metrics.h"
 #include "core/lab/thesis_steps.h"
 

@@ -90,7 +90,7 @@ TEST(LoadMesh, ToldSharesGrowToTheWhole) {
   const test::ScratchFolder folder;
   double last = 0.0;
   std::vector<std::string> steps;
-  mesh::Watch watch;
+  Watch watch;
   watch.progress = [&](const char* step, double share) {
     EXPECT_GE(share, last) << step;
     last = share;
@@ -132,7 +132,7 @@ TEST(LoadMesh, AFileThatIsWrittenMeanwhileIsNotKept) {
   const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
   const std::string path = folder.write("m.obj", test::obj(test::ball(1.0F, 5)));
-  mesh::Watch watch;
+  Watch watch;
   bool is_written = false;
   watch.progress = [&](const char* step, double /*share*/) {
     if (is_written || std::string(step) != "Reading the mesh") return;

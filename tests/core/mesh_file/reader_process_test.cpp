@@ -23,7 +23,7 @@ class InPlaceOfTheReader {
   }
   ~InPlaceOfTheReader() { ::unsetenv("UNDERACT_MESH_READER"); }
 
-  std::string problem(const mesh::Watch& watch = {}) {
+  std::string problem(const Watch& watch = {}) {
     const Result<Raw> raw = readFile(folder_.write("m.obj", test::obj(test::cube(1.0F))), watch);
     EXPECT_FALSE(raw);
     return raw ? "" : raw.problems()[0].sentence;
@@ -102,7 +102,7 @@ TEST(ReaderProcess, TellsHowFarItIs) {
   const test::ScratchFolder folder;
   double last = 0.0;
   int told = 0;
-  mesh::Watch watch;
+  Watch watch;
   watch.progress = [&](const char* /*step*/, double share) {
     EXPECT_GT(share, last);
     EXPECT_LE(share, 1.0);

@@ -356,7 +356,7 @@ TEST(Repair, EndsSoonWhereItIsCancelled) {
       since = std::chrono::steady_clock::now();
       cancelled = true;
     });
-    mesh::Watch watch;
+    Watch watch;
     watch.cancelled = &cancelled;
     const bool is_cancelled = !repair(triangles, watch);
     const auto end = std::chrono::steady_clock::now();

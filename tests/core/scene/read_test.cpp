@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-#include "core/json/text_file.h"
+#include "core/json/text.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::scene {

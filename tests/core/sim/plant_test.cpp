@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/arm/conventions.h"
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
+#include "core/arm/sample.h"
 #include "core/base/units.h"
 #include "tests/support/property.h"
 

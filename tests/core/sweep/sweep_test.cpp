@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/sweep/build.h"
-#include "core/sweep/checksum.h"
 #include "tests/core/sweep/some_sweep.h"
 
 namespace underact::sweep {

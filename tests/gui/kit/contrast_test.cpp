@@ -7,10 +7,10 @@
 #include <QRegularExpression>
 #include <map>
 
-#include "app/gui/kit/contrast.h"
 #include "app/gui/kit/icons.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/style.h"
+#include "app/gui/kit/theme.h"
 #include "app/page/style.h"
 
 namespace underact::gui {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/arm/conventions.h"
+#include "core/arm/sample.h"
 #include "tests/openhaptics/hd/library.h"
 
 namespace underact::test::hd {

@@ -1,6 +1,6 @@
-#include "core/extremes/rows/manipulator_draws.h"
+#include "core/extremes/rows/draws.h"
 
-#include "core/extremes/rows/chain_draws.h"
+#include "core/base/norms.h"
 
 namespace underact::extremes {
 namespace {
@@ -26,6 +26,60 @@ void drawGains(Input& input, double size_m, manipulator::Wanted& wanted) {
 }
 
 }  // namespace
+
+chain::Chain drawChain(Input& input, std::size_t most, int size) {
+  const std::size_t count = 1 + input.choice("joints", most);
+  const double size_m = input.number("size_m", [&](Dice& dice) { return dice.power(-size, size); });
+  chain::Chain chain;
+  for (std::size_t i = 0; i < count; ++i) {
+    chain::Joint joint;
+    joint.type = input.choice("slides", 2, [](Dice& dice) { return dice.one(4) ? 1U : 0U; }) == 1
+                     ? chain::JointType::Prismatic
+                     : chain::JointType::Revolute;
+    joint.axis_W = input.vector("axis_W", [&](Dice& dice) {
+      return i > 0 && dice.one(3) ? Vec3(dice.sign() * chain.joints[i - 1].axis_W) : dice.direction();
+    });
+    joint.p_WJ = input.vector("p_WJ", [&](Dice& dice) {
+      if (i > 0 && dice.one(4)) return chain.joints[i - 1].p_WJ;
+      return Vec3(size_m * dice.inBox(dice.one(4) ? dice.power(-20, 1) : 1.0));
+    });
+    chain.joints.push_back(joint);
+  }
+  chain.X_WT_home.translation() = input.vector("p_WT", [&](Dice& dice) { return dice.inBox(size_m); });
+  chain.X_WT_home.linear() = input.matrix("R_WT", [](Dice& dice) { return dice.turn(); });
+  return chain;
+}
+
+std::vector<double> drawJoints(Input& input, const chain::Chain& chain) {
+  double size_m = largestOf(chain.X_WT_home.translation());
+  for (const chain::Joint& joint : chain.joints) size_m = std::max(size_m, largestOf(joint.p_WJ));
+  std::vector<double> q;
+  for (const chain::Joint& joint : chain.joints) {
+    const bool slides = joint.type == chain::JointType::Prismatic;
+    q.push_back(
+        input.number("q", [&](Dice& dice) { return slides ? size_m * dice.between(-1.0, 1.0) : dice.angle(); }));
+  }
+  return q;
+}
+
+arm::Geometry drawArm(Input& input, int size) {
+  arm::Geometry geometry;
+  geometry.upper_m =
+      input.number("upper_m", [&](Dice& dice) { return dice.one(2) ? 0.127508 : dice.power(-size, size); });
+  geometry.fore_m = input.number("fore_m", [&](Dice& dice) {
+    return dice.one(2) ? geometry.upper_m * dice.between(0.5, 1.5) : geometry.upper_m * dice.ratio();
+  });
+  geometry.p_WB = input.vector("p_WB", [&](Dice& dice) {
+    return dice.one(2) ? Vec3(Vec3::Zero()) : dice.inBox(2.0 * geometry.upper_m * dice.ratio());
+  });
+  return geometry;
+}
+
+arm::JointAngles drawJoints(Input& input) {
+  arm::JointAngles q_rad{};
+  for (double& angle_rad : q_rad) angle_rad = input.number("q_rad", [](Dice& dice) { return dice.angle(); });
+  return q_rad;
+}
 
 Manipulator drawManipulator(Input& input, int size) {
   manipulator::Wanted wanted;
@@ -96,6 +150,27 @@ manipulator::Values drawTheta(Input& input, const Manipulator& m) {
   const std::vector<double> q = drawJoints(input, m.chain);
   std::copy(q.begin(), q.end(), theta.begin());
   return theta;
+}
+
+Signal drawSignal(Input& input, int count) {
+  const double rate_hz = input.number("rate_hz", [](Dice& dice) { return std::min(dice.power(0, 17), 1e5); });
+  const double size = input.number("size", [](Dice& dice) { return dice.one(2) ? dice.power(-14, -3) : dice.scale(); });
+  const double offset =
+      input.number("offset", [&](Dice& dice) { return dice.one(2) ? 0.0 : size * dice.power(0, 20); });
+  const double tremble = input.number("tremble", [](Dice& dice) { return dice.one(2) ? 0.0 : dice.between(0.0, 0.5); });
+  const bool stands = input.choice("stands", 4) == 0;
+  Dice dice(static_cast<std::uint64_t>(
+      input.number("walk", [](Dice& drawn) { return static_cast<double>(drawn.below(std::size_t{1} << 40U)); })));
+  Signal signal;
+  Vec3 e_W = Vec3::Constant(offset);
+  for (int i = 0; i < count; ++i) {
+    if (!(stands && dice.one(2))) e_W += size * dice.inBox(dice.one(16) ? 16.0 : 1.0);
+    if (dice.one(32)) e_W[static_cast<Eigen::Index>(dice.below(3))] = offset == 0.0 ? 5e-324 : offset;
+    const double dt_s = (1.0 + tremble * dice.between(-1.0, 1.0)) / rate_hz;
+    signal.dt_s.push_back(i == 0 || dice.one(64) ? 0.0 : dt_s);
+    signal.e_W.push_back(e_W);
+  }
+  return signal;
 }
 
 }  // namespace underact::extremes

@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/arm/branches.h"
+#include "core/arm/forward.h"
+#include "core/arm/jacobian.h"
+#include "core/arm/sample.h"
+#include "core/arm/statics.h"
+#include "core/base/translate.h"
+#include "core/base/units.h"
+#include "core/lesson/quantity.h"
+
+namespace underact::lesson {
+namespace {
+
+constexpr double kCubicCentimetres = 1e6;  // of a cubic metre
+constexpr double kMillijoules = 1e3;       // of a joule
+constexpr double kLeastError_m = 0.2e-3;   // below it friction and encoder steps decide what a quotient says
+constexpr double kNoForce_N = 1e-3;
+
+Values unknown() {
+  Values values;
+  values.fill(kNotANumber);
+  return values;
+}
+
+Values one(double value) {
+  Values values = unknown();
+  values[0] = value;
+  return values;
+}
+
+Values three(const Vec3& vector) {
+  Values values = unknown();
+  std::copy_n(vector.data(), 3, values.begin());
+  return values;
+}
+
+Values inDegrees(const arm::JointAngles& angles_rad) {
+  Values values = unknown();
+  std::transform(angles_rad.begin(), angles_rad.end(), values.begin(), [](double a) { return a / kRadPerDegree; });
+  return values;
+}
+
+arm::Solutions solutionsOf(const Seen& seen) {
+  const arm::Geometry& geometry = seen.arm.geometry;
+  return arm::solveAll(geometry, seen.arm.limits, arm::tipPose(geometry, seen.tick.q_rad));
+}
+
+arm::Dexterity dexterityOf(const Seen& seen) {
+  return arm::dexterity(seen.arm.geometry, seen.tick.q_rad);
+}
+
+arm::SingularityDistances distancesOf(const Seen& seen) {
+  return arm::singularityDistances(seen.arm.geometry, seen.tick.q_rad);
+}
+
+/// From the target to the tip; not a number where no target acts.
+Vec3 offset_m(const Seen& seen) {
+  return seen.tick.p_WT - seen.tick.p_WP;
+}
+
+/// How far apart two sets of joint angles are: the largest of their differences, each the short way round.
+double turnBetween(const arm::JointAngles& a_rad, const arm::JointAngles& b_rad) {
+  double largest_rad = 0.0;
+  for (std::size_t i = 0; i < a_rad.size(); ++i) {
+    largest_rad = std::max(largest_rad, std::abs(std::remainder(a_rad[i] - b_rad[i], 2.0 * kPi)));
+  }
+  return largest_rad;
+}
+
+const scene::Control& control(const Seen& seen) {
+  return scene::controlOf(seen.scene, 0);
+}
+
+const scene::VirtualManipulator* robotOf(const scene::Description& scene) {
+  for (const scene::Constraint& constraint : scene.constraints) {
+    if (const auto* robot = std::get_if<scene::VirtualManipulator>(&constraint.shape)) return robot;
+  }
+  return nullptr;
+}
+
+Values tipInBase_mm(const Seen& seen) {
+  const Vec3 p_BT_W = seen.tick.p_WT - seen.arm.geometry.p_WB;
+  return three(kMillimetrePerMetre * (arm::workspaceFromBase().transpose() * p_BT_W));
+}
+
+// In the order in which the solutions are numbered everywhere: shoulder, elbow, wrist, + before -.
+Values branch(const Seen& seen) {
+  const arm::Solutions all = solutionsOf(seen);
+  const arm::Solution* const nearest =
+      std::min_element(all.begin(), all.end(), [&seen](const arm::Solution& a, const arm::Solution& b) {
+        return turnBetween(a.q_rad, seen.tick.q_rad) < turnBetween(b.q_rad, seen.tick.q_rad);
+      });
+  if (nearest == all.end()) return unknown();
+  const arm::Branch& is = nearest->branch;
+  return one(1.0 + (is.shoulder < 0 ? 4.0 : 0.0) + (is.elbow < 0 ? 2.0 : 0.0) + (is.wrist < 0 ? 1.0 : 0.0));
+}
+
+Values solutionsWithin(const Seen& seen) {
+  const arm::Solutions all = solutionsOf(seen);
+  return one(static_cast<double>(
+      std::count_if(all.begin(), all.end(), [](const arm::Solution& one) { return one.within_limits; })));
+}
+
+Values limit_deg(const Seen& seen) {
+  double least_rad = kInfinity;
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const double q_rad = seen.tick.q_rad[joint];
+    least_rad = std::min({least_rad, q_rad - seen.arm.limits.min_rad[joint], seen.arm.limits.max_rad[joint] - q_rad});
+  }
+  return one(std::max(least_rad, 0.0) / kRadPerDegree);
+}
+
+Values stiffness_N_per_mm(const Seen& seen) {
+  if (seen.tick.error_m < kLeastError_m) return unknown();
+  return one(seen.tick.f_asked_T_W.norm() / (kMillimetrePerMetre * seen.tick.error_m));
+}
+
+Values lean_deg(const Seen& seen) {
+  const Vec3 way_m = -offset_m(seen);
+  const Vec3& f_N = seen.tick.f_asked_T_W;
+  if (!(way_m.norm() >= kLeastError_m && f_N.norm() >= kNoForce_N)) return unknown();
+  return one(std::atan2(way_m.cross(f_N).norm(), way_m.dot(f_N)) / kRadPerDegree);
+}
+
+Values kd_N_s_per_mm(const Seen& seen) {
+  if (control(seen).law == scene::LawType::P) return three(Vec3::Zero());
+  return three(control(seen).gains.kd_N_s_per_mm);
+}
+
+Values influence_t(const Seen& seen) {
+  for (const scene::Constraint& constraint : seen.scene.constraints) {
+    if (constraint.influence) return one(constraint.influence->t);
+  }
+  return one(1.0);  // switched off: position only
+}
+
+Values influence_deg(const Seen& seen) {
+  const target::Angles& angles = seen.tick.angles;
+  return three(Vec3(angles.alpha_rad, angles.beta_rad, angles.theta_rad) / kRadPerDegree);
+}
+
+Values robotJoints(const Seen& seen) {
+  const scene::VirtualManipulator* const robot = robotOf(seen.scene);
+  Values values = unknown();
+  if (robot == nullptr || robot->joints.size() != seen.robot.joints) return values;  // just edited
+  for (std::size_t joint = 0; joint < robot->joints.size(); ++joint) {
+    const bool turns = robot->joints[joint].type == chain::JointType::Revolute;
+    values[joint] = seen.robot.theta[joint] * (turns ? 1.0 / kRadPerDegree : kMillimetrePerMetre);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::span<const Quantity> quantities() {
+  using enum Apart;
+  using enum Needs;
+  static constexpr Quantity kAll[] = {
+      {"tip_mm", TRANSLATE_NOOP("problem", "The tip"), "mm", 1, 3, Way, Nothing,
+       "The place of the tip in the workspace W.",
+       [](const Seen& seen) { return three(kMillimetrePerMetre * seen.tick.p_WT); }},
+      {"tip_in_base_mm", TRANSLATE_NOOP("problem", "The tip in B"), "mm", 1, 3, Way, Nothing,
+       "The same in B, frame 0 of the DH table.", tipInBase_mm},
+      {"velocity_mm_per_s", TRANSLATE_NOOP("problem", "The velocity"), "mm/s", 1, 3, Way, Nothing,
+       "The tip's velocity in W, filtered.",
+       [](const Seen& seen) { return three(kMillimetrePerMetre * seen.tick.v_WT); }},
+      {"speed_mm_per_s", TRANSLATE_NOOP("problem", "The speed"), "mm/s", 1, 1, Way, Nothing,
+       "The size of the velocity.", [](const Seen& seen) { return one(kMillimetrePerMetre * seen.tick.v_WT.norm()); }},
+      {"stylus", TRANSLATE_NOOP("problem", "The stylus' direction"), "", 2, 3, Turn, Nothing,
+       "Where the stylus points: z of frame 6 in W; how far it is from another direction is an angle.",
+       [](const Seen& seen) { return three(arm::tipPose(seen.arm.geometry, seen.tick.q_rad).linear().col(2)); }},
+      {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 6, Largest, Nothing,
+       "The angles of the DH table.", [](const Seen& seen) { return inDegrees(seen.tick.q_rad); }},
+      {"device_deg", TRANSLATE_NOOP("problem", "The device's angle"), "°", 1, 6, Largest, Nothing,
+       "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.",
+       [](const Seen& seen) { return inDegrees(arm::deviceFromDh(seen.tick.q_rad)); }},
+      {"branch", TRANSLATE_NOOP("problem", "The solution"), "", 0, 1, Way, Nothing,
+       "Which of the eight inverse solutions the arm is on, as the panel Kinematics numbers them.", branch},
+      {"solutions", TRANSLATE_NOOP("problem", "The number of inverse solutions"), "", 0, 1, Way, Nothing,
+       "How many inverse solutions the pose has.",
+       [](const Seen& seen) { return one(static_cast<double>(solutionsOf(seen).count)); }},
+      {"solutions_within", TRANSLATE_NOOP("problem", "The number of solutions within limits"), "", 0, 1, Way, Nothing,
+       "How many of them keep every joint within its limits.", solutionsWithin},
+      {"det_Jp_cm3", TRANSLATE_NOOP("problem", "The determinant of J_p"), "cm³", 1, 1, Way, Nothing,
+       "The determinant of the 3x3 Jacobian.",
+       [](const Seen& seen) { return one(kCubicCentimetres * dexterityOf(seen).det_m3); }},
+      {"manipulability_cm3", TRANSLATE_NOOP("problem", "The manipulability"), "cm³", 1, 1, Way, Nothing,
+       "Its size (Yoshikawa).",
+       [](const Seen& seen) { return one(kCubicCentimetres * dexterityOf(seen).manipulability_m3); }},
+      {"gains_mm", TRANSLATE_NOOP("problem", "The gain of J_p"), "mm", 1, 3, Way, Nothing,
+       "The singular values of J_p: how far the tip goes for a radian, largest first.",
+       [](const Seen& seen) { return three(kMillimetrePerMetre * dexterityOf(seen).gain_m); }},
+      {"shoulder_mm", TRANSLATE_NOOP("problem", "The distance from axis 1"), "mm", 1, 1, Way, Nothing,
+       "Of the wrist centre; 0 is the shoulder singularity.",
+       [](const Seen& seen) { return one(kMillimetrePerMetre * distancesOf(seen).shoulder_m); }},
+      {"elbow_deg", TRANSLATE_NOOP("problem", "The distance from a stretched or folded elbow"), "°", 1, 1, Largest,
+       Nothing, "Of q3 from 90 or -90 degrees; 0 is the elbow singularity.",
+       [](const Seen& seen) { return one(distancesOf(seen).elbow_rad / kRadPerDegree); }},
+      {"wrist_deg", TRANSLATE_NOOP("problem", "The distance from axes 4 and 6 in line"), "°", 1, 1, Largest, Nothing,
+       "Of q5 from 0 or 180 degrees; 0 is the wrist singularity.",
+       [](const Seen& seen) { return one(distancesOf(seen).wrist_rad / kRadPerDegree); }},
+      {"limit_deg", TRANSLATE_NOOP("problem", "The distance to the nearest joint limit"), "°", 1, 1, Largest, Nothing,
+       "The least of joints 1 to 3.", limit_deg},
+      {"force_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 1, Way, Nothing,
+       "The size of the force that is sent.", [](const Seen& seen) { return one(seen.tick.f_sent_T_W.norm()); }},
+      {"force_vector_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 3, Way, Nothing,
+       "The force that is sent, in W.", [](const Seen& seen) { return three(seen.tick.f_sent_T_W); }},
+      {"asked_N", TRANSLATE_NOOP("problem", "The force asked for"), "N", 2, 1, Way, Nothing,
+       "The size of the law's force, before the limits.",
+       [](const Seen& seen) { return one(seen.tick.f_asked_T_W.norm()); }},
+      {"torque_N_mm", TRANSLATE_NOOP("problem", "The joint torque"), "N mm", 1, 3, Way, Nothing,
+       "The torques of joints 1 to 3 that hold the force sent: J_p transposed times f.",
+       [](const Seen& seen) {
+         return three(kMillimetrePerMetre * arm::torqueOf(seen.arm.geometry, seen.tick.q_rad, seen.tick.f_sent_T_W));
+       }},
+      {"error_mm", TRANSLATE_NOOP("problem", "The error"), "mm", 1, 1, Way, Nothing,
+       "From the tip to the target, over all that act.",
+       [](const Seen& seen) { return one(kMillimetrePerMetre * seen.tick.error_m); }},
+      {"offset_mm", TRANSLATE_NOOP("problem", "The way from target to tip"), "mm", 1, 3, Way, Nothing,
+       "Of the first constraint that acts, in W.",
+       [](const Seen& seen) { return three(kMillimetrePerMetre * offset_m(seen)); }},
+      {"stiffness_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness felt"), "N/mm", 2, 1, Way, Nothing,
+       "The force asked for over the error, from 0.2 mm on.", stiffness_N_per_mm},
+      {"lean_deg", TRANSLATE_NOOP("problem", "The angle between force and way to the target"), "°", 1, 1, Largest,
+       Nothing, "0: straight to the target.", lean_deg},
+      {"cut_N", TRANSLATE_NOOP("problem", "What the limits take off"), "N", 2, 1, Way, Nothing,
+       "Of the force asked for.", [](const Seen& seen) { return one(seen.tick.cut_N); }},
+      {"energy_mJ", TRANSLATE_NOOP("problem", "The energy"), "mJ", 2, 1, Way, Energy,
+       "What the stylus has put in and not got back; below 0 the scene is active.",
+       [](const Seen& seen) { return one(kMillijoules * seen.tick.energy_J); }},
+      {"passive_N", TRANSLATE_NOOP("problem", "The controller's damping force"), "N", 2, 1, Way, Energy,
+       "What the passivity controllers add.", [](const Seen& seen) { return one(seen.tick.passive_N); }},
+      {"kp_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness kp"), "N/mm", 2, 3, Way, Nothing,
+       "Of the first constraint, along x, y, z.",
+       [](const Seen& seen) { return three(control(seen).gains.kp_N_per_mm); }},
+      {"kd_N_s_per_mm", TRANSLATE_NOOP("problem", "The damping kd"), "N s/mm", 4, 3, Way, Nothing,
+       "The same of the damping; 0 where the law has none.", kd_N_s_per_mm},
+      {"influence_t", TRANSLATE_NOOP("problem", "The influence t"), "", 2, 1, Way, Influence,
+       "0: orientation only, 1: position only.", influence_t},
+      {"influence_deg", TRANSLATE_NOOP("problem", "The angle about the shape's axis"), "°", 1, 3, Largest, Influence,
+       "Of the stylus (alpha), the tip (beta) and the target (theta).", influence_deg},
+      {"robot", TRANSLATE_NOOP("problem", "The virtual robot's joint"), "°", 1, 8, Largest, Robot,
+       "The joints of the first virtual manipulator; those that slide in mm.", robotJoints},
+      {"robot_energy_mJ", TRANSLATE_NOOP("problem", "The robot's energy"), "mJ", 2, 1, Way, Robot,
+       "That its springs hold.",
+       [](const Seen& seen) { return seen.robot.joints == 0 ? unknown() : one(kMillijoules * seen.robot.energy_J); }},
+      {"moment_N_mm", TRANSLATE_NOOP("problem", "The moment that is not sent"), "N mm", 1, 1, Way, Robot, "Its size.",
+       [](const Seen& seen) {
+         return seen.robot.joints == 0 ? unknown() : one(kMillimetrePerMetre * seen.robot.moment_W.norm());
+       }},
+      {"button", TRANSLATE_NOOP("problem", "The stylus button"), "", 0, 1, Way, Nothing, "1 while it is held.",
+       [](const Seen& seen) { return one((seen.tick.buttons & 1U) != 0 ? 1.0 : 0.0); }},
+  };
+  return kAll;
+}
+
+}  // namespace underact::lesson
