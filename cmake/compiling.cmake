@@ -6,8 +6,8 @@ include_guard()
 
 if(UNDERACT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(UNDERACT_CCACHE_PROGRAM ccache)
-  if(UNDERACT_CCACHE_PROGRAM)  # it takes precompiled headers where it is told that a change of macros is no matter
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${UNDERACT_CCACHE_PROGRAM})
+  if(UNDERACT_CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_CURRENT_LIST_DIR}/with_ccache ${UNDERACT_CCACHE_PROGRAM})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
     endif()
