@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/readout.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -42,8 +43,7 @@ QString faultText(FaultKind kind) {
 }  // namespace
 
 ArmPanel::ArmPanel(QWidget* parent) : Panel(parent), readout_(new Readout("panel.arm.value", this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(this);
   column->addWidget(readout_);
   column->addStretch(1);
   tip_ = readout_->addRow(tr("Tip"), tr("Position of the stylus tip in the workspace frame W: p_WT (x, y, z)."));

@@ -11,6 +11,7 @@
 
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
@@ -55,9 +56,7 @@ BeginPage::BeginPage(QWidget* parent)
   auto* begin_button = new QPushButton(tr("&Begin"), this);
   nameWidget(begin_button, "panel.calibration.begin", tr("Begin the measurement"),
              tr("Two right answers in a row make it harder, a wrong one easier (Levitt 1971)."));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(this, 8);
   column->addWidget(quietLabel("panel.calibration.about",
                                tr("How small a difference of stiffness can be felt (just-noticeable difference, JND)? "
                                   "Two beams are pressed, and the stiffer one is told, again and again."),
@@ -95,8 +94,7 @@ void BeginPage::setReference(double reference_N_per_mm) {
 }
 
 void BeginPage::setNote(const QString& note) {
-  note_->setText(note);
-  note_->setVisible(!note.isEmpty());
+  tellIn(note_, note);
 }
 
 CalibrationSetup BeginPage::setup() const {

@@ -2,19 +2,19 @@
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include "app/gui/calibration/begin_page.h"
 #include "app/gui/calibration/result_page.h"
 #include "app/gui/calibration/run_page.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
@@ -49,9 +49,7 @@ QWidget* CalibrationPanel::makeNoBeamsPage() {
   auto* page = new QWidget;
   auto* open = new QPushButton(tr("&Open the two beams"), page);
   nameWidget(open, "panel.calibration.open", tr("Open the two beams"), tr("Opens the scene “Two beams, one softer”."));
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(page, 8);
   column->addWidget(quietLabel("panel.calibration.no_beams",
                                tr("A calibration needs a scene of two beams whose stiffness can be set. "
                                   "This scene has none."),
@@ -143,16 +141,8 @@ bool CalibrationPanel::save(const QString& path) {
 }
 
 void CalibrationPanel::chooseAndSave() {
-  const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-  auto* dialog =
-      new QFileDialog(this, tr("Save the trials"), documents.filePath("jnd.csv"), tr("Tables (*.csv);;All files (*)"));
-  dialog->setObjectName("dialog.save_calibration");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("csv");
-  dialog->selectFile("jnd.csv");
-  connect(dialog, &QFileDialog::fileSelected, this, &CalibrationPanel::save);
-  dialog->open();
+  askWhereToSave(this, "dialog.save_calibration", tr("Save the trials"), "jnd.csv", tr("Tables (*.csv);;All files (*)"),
+                 [this](const QString& path) { save(path); });
 }
 
 }  // namespace underact::gui

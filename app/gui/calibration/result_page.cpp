@@ -8,6 +8,7 @@
 #include "app/gui/calibration/staircase_chart.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/readout.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
@@ -50,9 +51,7 @@ ResultPage::ResultPage(QWidget* parent)
   buttons->setSpacing(8);
   buttons->addWidget(save);
   buttons->addWidget(again);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(this, 8);
   column->addWidget(none_);
   column->addWidget(numbers_);
   column->addWidget(chart_, 1);
@@ -85,8 +84,7 @@ void ResultPage::setTheme(const Theme& theme) {
 }
 
 void ResultPage::setNote(const QString& note) {
-  note_->setText(note);
-  note_->setVisible(!note.isEmpty());
+  tellIn(note_, note);
 }
 
 }  // namespace underact::gui

@@ -12,6 +12,7 @@
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
@@ -53,9 +54,7 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
       progress_, "panel.calibration.progress", tr("Reversals"),
       tr("A reversal is where the way turns between harder and easier. The first two are a run-in; the just-noticeable "
          "difference is the geometric mean of the others (Levitt 1971)."));
-  auto* grid = new QGridLayout(answers_);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(8);
+  auto* grid = tight<QGridLayout>(answers_, 8);
   const QString names[] = {tr("Left beam"), tr("Right beam")};
   const Qt::Key keys[] = {Qt::Key_Left, Qt::Key_Right};
   for (int side = 0; side < 2; ++side) {
@@ -74,9 +73,7 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
   auto* cancel = new QPushButton(tr("&Cancel"), this);
   nameWidget(cancel, "panel.calibration.cancel", tr("Cancel the measurement"),
              tr("The beams are again as stiff as the scene says; nothing is kept."));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(this, 8);
   column->addWidget(trial_);
   column->addWidget(note_);
   column->addWidget(answers_);

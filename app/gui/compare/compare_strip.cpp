@@ -59,8 +59,7 @@ void CompareStrip::setDifference(const QString& words, const QString& all) {
 }
 
 void CompareStrip::tell(const QString& sentence) {
-  told_->setText(sentence);
-  told_->setVisible(!sentence.isEmpty());
+  tellIn(told_, sentence);
 }
 
 void CompareStrip::present(const record::TickFigures& felt, const record::TickFigures& beside) {

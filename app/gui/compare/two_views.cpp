@@ -4,20 +4,17 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 
 TwoViews::TwoViews(SceneView& left, QWidget* parent) : QWidget(parent), left_(left) {
   setObjectName("compare.views");
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(1);
+  auto* row = tight<QHBoxLayout>(this, 1);
   const auto half = [&] {
     auto* made = new QWidget(this);
-    auto* column = new QVBoxLayout(made);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    tight<QVBoxLayout>(made, 0);
     row->addWidget(made, 1);
     return made;
   };

@@ -14,6 +14,7 @@
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/remark.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_choice.h"
@@ -86,8 +87,7 @@ void DevicesPanel::addActions() {
 
 QWidget* DevicesPanel::buildChosen() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(box);
   column->addWidget(sectionTitle(tr("Plugged in"), box));
   list_ = new QListWidget(box);
   nameWidget(list_, "panel.devices.list", tr("Arms"));
@@ -118,8 +118,7 @@ QWidget* DevicesPanel::buildChosen() {
 
 QWidget* DevicesPanel::buildOther() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(box);
   column->addWidget(sectionTitle(tr("Another one"), box));
   other_ = new QLineEdit(box);
   nameWidget(other_, "panel.devices.other", tr("An arm by its name"));
@@ -142,8 +141,7 @@ QWidget* DevicesPanel::buildOther() {
 
 QWidget* DevicesPanel::buildRegistration() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(box);
   column->addWidget(sectionTitle(tr("Where it stands"), box));
   registered_ = toldLabel("panel.devices.registration", tr("Where the arm stands on the desk"), "quiet", box);
   const QAction* const action = parts_.actions.find("registration.open");
@@ -168,8 +166,7 @@ QWidget* DevicesPanel::buildOpening() {
   cancel_ = pushButton("panel.devices.cancel", tr("Cancel"), tr("The simulated arm stays."), this);
   connect(cancel_, &QPushButton::clicked, this, [this] { parts_.actions.perform("devices.cancel"); });
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(box);
   for (QWidget* widget : {static_cast<QWidget*>(opening_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
     column->addWidget(widget);
   return box;
@@ -232,8 +229,7 @@ void DevicesPanel::describe() {
       has_command |= !one.command.empty();
     }
   }
-  about_->setText(sentences.join("\n"));
-  about_->setVisible(!sentences.isEmpty());
+  tellIn(about_, sentences.join("\n"));
   use_->setEnabled(entry != nullptr && !entry->name.isEmpty() && entry->name != parts_.arms.name());
   fix_->setEnabled(has_command);
   report_->setEnabled(entry != nullptr && entry->isUsable() && entry->kind != "simulated");

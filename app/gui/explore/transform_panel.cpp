@@ -157,8 +157,7 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
   if (number && !(std::abs(number.value()) <= most))
     refused = chain::isTurn(step.kind) ? tr("A turn is from −360 to 360 degrees.")
                                        : tr("A shift is from −200 to 200 mm: the picture is as wide.");
-  told_->setText(refused);
-  told_->setVisible(!refused.isEmpty());
+  tellIn(told_, refused);
   if (!refused.isEmpty()) return false;
   step.amount = number.value() / stepUnit(step.kind);
   return change(state);

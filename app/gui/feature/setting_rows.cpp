@@ -5,12 +5,13 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "app/gui/arms/joint_fields.h"
 #include "app/gui/kit/chooser.h"
+#include "app/gui/kit/focus_wheel.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/setting_words.h"
@@ -24,29 +25,9 @@ std::string inTable(const SettingLook& look) {
   return std::string("/constraints/*") + look.path;
 }
 
-void describeWidget(QWidget* widget, const SettingLook& look) {
-  widget->setObjectName(look.name);
-  widget->setAccessibleName(look.spoken);
-  widget->setToolTip(settingTip(inTable(look)));
-}
-
 std::function<void(bool)> showsRow(QFormLayout* form, QWidget* widget) {
   return [form, widget](bool on) { form->setRowVisible(widget, on); };
 }
-
-/// The wheel scrolls the panel until the number has the focus.
-class WholeBox : public QSpinBox {
- public:
-  using QSpinBox::QSpinBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QSpinBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
 
 }  // namespace
 
@@ -100,8 +81,8 @@ QComboBox* SettingRows::addChoice(const SettingLook& look, QFormLayout* into, QW
 
 QSpinBox* SettingRows::addWhole(const SettingLook& look, QFormLayout* into, QWidget* parent) {
   const scene::Setting& setting = *scene::findSetting(inTable(look));
-  auto* const box = new WholeBox(parent);
-  describeWidget(box, look);
+  auto* const box = new FocusWheel<QSpinBox>(parent);
+  nameWidget(box, look.name, look.spoken, settingTip(inTable(look)));
   box->setRange(static_cast<int>(setting.least), static_cast<int>(setting.most));
   box->setKeyboardTracking(false);
   box->setFocusPolicy(Qt::StrongFocus);
@@ -118,7 +99,7 @@ QSpinBox* SettingRows::addWhole(const SettingLook& look, QFormLayout* into, QWid
 
 QLineEdit* SettingRows::addText(const SettingLook& look, QFormLayout* into, QWidget* parent) {
   auto* const line = new QLineEdit(parent);
-  describeWidget(line, look);
+  nameWidget(line, look.name, look.spoken, settingTip(inTable(look)));
   connect(line, &QLineEdit::editingFinished, this, [this, line, at = std::string(look.path)] {
     if (!line->isModified()) return;
     line->setModified(false);
@@ -139,11 +120,10 @@ QLineEdit* SettingRows::addText(const SettingLook& look, QFormLayout* into, QWid
 void SettingRows::present(const Document& document, std::size_t index,
                           const std::function<bool(const std::string&)>& is_idle) {
   for (const Row& row : rows_) {
-    const Result<SettingValue> now =
-        scene::valueAt(document.scene(), "/constraints/" + std::to_string(index) + row.path);
-    const bool is_there = now && !scene::isNone(now.value());
+    const SettingValue now = document.value(index, row.path);
+    const bool is_there = !scene::isNone(now);
     row.show(is_there && !(is_idle && is_idle(row.path)));
-    if (is_there) row.present(now.value(), document.own(index, row.path));
+    if (is_there) row.present(now, document.own(index, row.path));
   }
 }
 

@@ -9,14 +9,6 @@
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
-namespace {
-
-void tellFoot(QLabel* label, const QString& text) {
-  label->setText(text);
-  label->setVisible(!text.isEmpty());
-}
-
-}  // namespace
 
 FeelFoot::FeelFoot(Actions& actions, QWidget* parent)
     : QWidget(parent),
@@ -50,11 +42,11 @@ FeelFoot::FeelFoot(Actions& actions, QWidget* parent)
 }
 
 void FeelFoot::warn(const QString& sentence) {
-  tellFoot(warning_, sentence);
+  tellIn(warning_, sentence);
 }
 
 void FeelFoot::refuse(const QString& sentences) {
-  tellFoot(refusal_, sentences);
+  tellIn(refusal_, sentences);
 }
 
 }  // namespace underact::gui

@@ -19,6 +19,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/servo_rate.h"
@@ -47,9 +48,7 @@ FeelPanel::FeelPanel(const Parts& parts, QWidget* parent)
   addActions();
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
+  auto* outer = tight<QVBoxLayout>(this, 0);
   outer->addWidget(scroll, 1);
   outer->addWidget(foot_ = new FeelFoot(parts_.actions, this));
   connect(rows_, &SettingRows::asked, this, &FeelPanel::set);
@@ -86,7 +85,7 @@ void FeelPanel::buildSections(QVBoxLayout* column) {
   }
   column->addWidget(makeRate(*rows_, this));
   connect(backwards_, &QCheckBox::toggled, this, [this] {
-    const scene::SettingValue speed = valueOf(kGuideSpeed);
+    const scene::SettingValue speed = parts_.document.value(index_, kGuideSpeed);
     if (scene::isNone(speed)) return;
     setAll(tr("way of the guide"), {{kGuideSpeed, -std::get<double>(speed)}}, true);
   });
@@ -133,7 +132,7 @@ void FeelPanel::addActions() {
 void FeelPanel::addCommand(const QString& name, const std::string& path) {
   parts_.actions.addCommand(name, [this, path](const QVariantList& values) {
     if (values.size() != 1 || !hasScene()) return false;
-    const scene::SettingValue now = valueOf(path);
+    const scene::SettingValue now = parts_.document.value(index_, path);
     if (scene::isNone(now)) return false;
     const bool is_word = std::holds_alternative<std::string>(now);
     return set(path, is_word ? scene::SettingValue(values[0].toString().toStdString()) : values[0].toDouble(), true);
@@ -163,16 +162,10 @@ bool FeelPanel::set(const std::string& path, const scene::SettingValue& value, b
   return setAll(settingLabel("/constraints/*" + path), withCompany(path, value), fresh);
 }
 
-/// Of the constraint shown; none: it has none.
-scene::SettingValue FeelPanel::valueOf(const std::string& path) const {
-  const Result<scene::SettingValue> value =
-      scene::valueAt(parts_.document.scene(), "/constraints/" + std::to_string(index_) + path);
-  return value ? value.value() : scene::SettingValue();
-}
-
 std::vector<SettingWish> FeelPanel::withCompany(const std::string& path, const scene::SettingValue& value) const {
   const double* const number = std::get_if<double>(&value);
-  const scene::SettingValue fixed = valueOf("/friction/static"), slides = valueOf("/friction/dynamic");
+  const scene::SettingValue fixed = parts_.document.value(index_, "/friction/static"),
+                            slides = parts_.document.value(index_, "/friction/dynamic");
   // The dynamic share is never above the static one: one takes the other along.
   if (path == "/friction/static" && number != nullptr && !scene::isNone(slides))
     return {{path, value}, {"/friction/dynamic", std::min(*number, std::get<double>(slides))}};
@@ -227,7 +220,7 @@ bool FeelPanel::sendScene(const scene::Description& edited, const QString& what,
 
 bool FeelPanel::refuse(const Problems& problems) {
   stale_ = true;  // refused? the next snapshot puts it back
-  foot_->refuse(problems.empty() ? QString() : sentencesOf(problems));
+  foot_->refuse(sentencesOf(problems));
   return problems.empty();
 }
 
@@ -299,7 +292,7 @@ void FeelPanel::refresh() {
   for (OptionalSection* const section : {influence_, surface_, guide_}) section->present(parts_.document, index_);
   rows_->present(parts_.document, index_, [this](const std::string& path) { return isIdle(path); });
   // A speed of 0 has no sign of its own; which way it will go is what was chosen last.
-  const scene::SettingValue speed = valueOf(kGuideSpeed);
+  const scene::SettingValue speed = parts_.document.value(index_, kGuideSpeed);
   const QSignalBlocker silent(backwards_);  // to show a value is not to ask for it
   if (const double* one = std::get_if<double>(&speed); one && *one != 0.0) backwards_->setChecked(*one < 0.0);
   refreshWarnings(control);

@@ -49,7 +49,6 @@ class FeelPanel : public Panel {
   void begin();
   void refresh();
   void refreshWarnings(const scene::Control& control);
-  scene::SettingValue valueOf(const std::string& path) const;
   bool isIdle(const std::string& path) const;
   std::vector<SettingWish> withCompany(const std::string& path, const scene::SettingValue& value) const;
   scene::Description asWritten() const;

@@ -11,6 +11,7 @@
 #include "app/gui/feel/optional_section.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/section.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/value_row.h"
 
 namespace underact::gui {
@@ -116,8 +117,7 @@ OptionalSection* makeGuide(SettingRows& rows, QCheckBox*& backwards, QWidget* pa
 QWidget* makeRate(SettingRows& rows, QWidget* parent) {
   auto* const made = new QWidget(parent);
   made->setObjectName("panel.rate");
-  auto* const outer = new QVBoxLayout(made);
-  outer->setContentsMargins(0, 0, 0, 0);
+  auto* const outer = tight<QVBoxLayout>(made);
   auto* const section = new Section(
       "rate", FeelPanel::tr("Rate and energy"),
       FeelPanel::tr(

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/setting_words.h"
 
@@ -31,18 +32,14 @@ QString axisName(const scene::Control& control, int axis) {
 }  // namespace
 
 GainSection::GainSection(QWidget* parent) : QWidget(parent), link_(new QCheckBox(tr("L&ink x, y and z"), this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(this, 8);
   link_->setObjectName("panel.feel.link");
   link_->setAccessibleName(tr("Link x, y and z"));
   link_->setToolTip(tr("A change of one axis changes all three."));
   column->addWidget(link_);
   for (int gain = 0; gain < kGainKinds; ++gain) {
     auto* part = new QWidget(this);
-    auto* rows = new QVBoxLayout(part);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(4);
+    auto* rows = tight<QVBoxLayout>(part, 4);
     QLabel* title = sectionTitle(
         QString("%1 %2").arg(QCoreApplication::translate("gain", gainKind(gain).name), gainKind(gain).key), part);
     title->setToolTip(settingTip(gainKind(gain).path));

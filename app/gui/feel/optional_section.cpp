@@ -5,29 +5,19 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"
 
 namespace underact::gui {
-namespace {
-
-QVBoxLayout* plainColumn(QWidget* widget) {
-  auto* const column = new QVBoxLayout(widget);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  return column;
-}
-
-}  // namespace
-
 OptionalSection::OptionalSection(Looks looks, QWidget* parent)
     : QWidget(parent),
       looks_(std::move(looks)),
       last_(looks_.easy),
-      column_(plainColumn(this)),
+      column_(tight<QVBoxLayout>(this, 4)),
       on_(new QCheckBox(looks_.switch_text, this)),
       details_(new QWidget(this)),
-      rows_(plainColumn(details_)) {
+      rows_(tight<QVBoxLayout>(details_, 4)) {
   setObjectName(looks_.name);
   QLabel* const title = sectionTitle(looks_.title, this);
   title->setToolTip(looks_.title_tip);
@@ -46,9 +36,7 @@ void OptionalSection::begin(const Document& document, std::size_t index) {
 }
 
 bool OptionalSection::isOn(const Document& document, std::size_t index) const {
-  const Result<scene::SettingValue> value =
-      scene::valueAt(document.scene(), "/constraints/" + std::to_string(index) + last_.front().path);
-  return value && !scene::isNone(value.value());
+  return !scene::isNone(document.value(index, last_.front().path));
 }
 
 void OptionalSection::present(const Document& document, std::size_t index) {
@@ -57,8 +45,7 @@ void OptionalSection::present(const Document& document, std::size_t index) {
   on_->setChecked(is_on);
   details_->setVisible(is_on);
   if (!is_on) return;
-  const std::string constraint = "/constraints/" + std::to_string(index);
-  for (SettingWish& one : last_) one.value = scene::valueAt(document.scene(), constraint + one.path).value();
+  for (SettingWish& one : last_) one.value = document.value(index, one.path);
 }
 
 std::vector<SettingWish> OptionalSection::switched(bool on) const {

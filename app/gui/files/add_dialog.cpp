@@ -57,8 +57,7 @@ void AddDialog::layFoot(bool can_add, const QString& add, const QString& fresh) 
 }
 
 void AddDialog::setRefusal(const QString& sentences) {
-  refusal_->setText(sentences);
-  refusal_->setVisible(!sentences.isEmpty());
+  tellIn(refusal_, sentences);
 }
 
 Eigen::Matrix4d AddDialog::placeWithin(const Vec3& middle_mm) {

@@ -1,11 +1,9 @@
 #include "app/gui/files/scene_files.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <memory>
 #include <utility>
 
@@ -37,9 +35,7 @@ QString placeToSave(const Document& document) {
       document.showsRecorded() ? QObject::tr("/recorded.underact.json") : QObject::tr("/new.underact.json");
   const QFileInfo file(has_file ? document.path() : sceneFolder() + unnamed);
   const bool shipped = !has_file || file.absolutePath() == sceneFolder();
-  const QString folder =
-      shipped ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : file.absolutePath();
-  return QDir(folder).filePath(shipped ? file.baseName() + "-tuned.underact.json" : file.fileName());
+  return shipped ? file.baseName() + "-tuned.underact.json" : file.absoluteFilePath();
 }
 
 }  // namespace
@@ -131,14 +127,8 @@ bool SceneFiles::saveAs(const QString& path) {
 }
 
 void SceneFiles::chooseAndSave() {
-  auto* dialog = new QFileDialog(window_, tr("Save the tuned scene"), placeToSave(document_), filterText());
-  dialog->setObjectName("dialog.save");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("json");
-  dialog->selectFile(QFileInfo(placeToSave(document_)).fileName());
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { saveAs(path); });
-  dialog->open();
+  askWhereToSave(window_, "dialog.save", tr("Save the tuned scene"), placeToSave(document_), filterText(),
+                 [this](const QString& path) { saveAs(path); });
 }
 
 bool SceneFiles::settleEdits() {

@@ -2,14 +2,12 @@
 
 #include <QDesktopServices>
 #include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QSplitter>
-#include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,12 +15,21 @@
 #include "app/gui/gallery/figure_chooser.h"
 #include "app/gui/gallery/figure_pdf.h"
 #include "app/gui/gallery/figure_sheet.h"
+#include "app/gui/kit/file_question.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "underact/version.h"
 
 namespace underact::gui {
+namespace {
+
+QPushButton* button(const char* name, const QString& text, const QString& tip, QWidget* parent) {
+  return pushButton(QString("dialog.figures.") + name, text, tip, parent);
+}
+
+}  // namespace
 
 GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* parent)
     : QDialog(parent),
@@ -57,12 +64,11 @@ GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* par
 
 QWidget* GalleryDialog::buildActions() {
   auto* strip = new QWidget(this);
-  auto* row = new QHBoxLayout(strip);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
+  auto* row = tight<QHBoxLayout>(strip, 8);
   scene_ = button("scene", tr("&Open the scene"), tr("Opens the figure's scene in the window, to be felt."), strip);
   session_ = button("session", tr("Open the s&ession"), tr("Replays the run that the figure was drawn from."), strip);
   pdf_ = button("pdf", tr("Save as &PDF…"), tr("Keeps the figure as it was drawn for print."), strip);
+  for (QPushButton* one : {scene_, session_, pdf_}) row->addWidget(one);
   row->addStretch(1);
   connect(scene_, &QPushButton::clicked, this, [this] { ways_.open_scene(shown()->scene); });
   connect(session_, &QPushButton::clicked, this, [this] { ways_.open_session(shown()->session); });
@@ -85,9 +91,7 @@ QWidget* GalleryDialog::buildMaking() {
   row->addWidget(progress_, 1);
   row->addStretch(0);
   row->addWidget(close);
-  auto* column = new QVBoxLayout(strip);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(strip, 8);
   column->addWidget(message_);
   column->addLayout(row);
   connect(make_, &QPushButton::clicked, this, &GalleryDialog::make);
@@ -98,12 +102,6 @@ QWidget* GalleryDialog::buildMaking() {
   });
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   return strip;
-}
-
-QPushButton* GalleryDialog::button(const char* name, const QString& text, const QString& tip, QWidget* parent) {
-  QPushButton* made = pushButton(QString("dialog.figures.") + name, text, tip, parent);
-  if (parent->layout() != nullptr) parent->layout()->addWidget(made);
-  return made;
 }
 
 GalleryDialog::~GalleryDialog() = default;
@@ -188,16 +186,9 @@ void GalleryDialog::showFigure() {
 }
 
 void GalleryDialog::choosePdf() {
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   const QString name = QString("figure_%1.pdf").arg(QString(shown()->key).replace('.', '_'));
-  auto* dialog = new QFileDialog(this, tr("Save the figure"), documents, tr("PDF (*.pdf)"));
-  dialog->setObjectName("dialog.figures.save");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("pdf");
-  dialog->selectFile(name);
-  connect(dialog, &QFileDialog::fileSelected, this, &GalleryDialog::savePdf);
-  dialog->open();
+  askWhereToSave(this, "dialog.figures.save", tr("Save the figure"), name, tr("PDF (*.pdf)"),
+                 [this](const QString& path) { savePdf(path); });
 }
 
 void GalleryDialog::savePdf(const QString& path) {

@@ -38,7 +38,6 @@ class GalleryDialog : public QDialog {
  private:
   QWidget* buildActions();
   QWidget* buildMaking();
-  QPushButton* button(const char* name, const QString& text, const QString& tip, QWidget* parent);
   void make();
   void ended(FiguresRun::End end, const QString& why_not);
   void readFolder();

@@ -12,6 +12,7 @@
 #include "app/gui/guide/guide_list.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
@@ -54,8 +55,7 @@ GuideWindow::GuideWindow(guide::Guide guide, int zoom, QWidget* parent)
 
 QWidget* GuideWindow::buildBar() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = tight<QHBoxLayout>(bar);
   const auto add = [&](const char* name, const QString& text, const QString& tip, auto&& run) {
     QPushButton* button = pushButton(name, text, tip, bar);
     connect(button, &QPushButton::clicked, this, run);

@@ -32,11 +32,6 @@ QString titleOf(const HandEntry& entry) {
   return QString("%1 – %2").arg(sentenceText(entry.seen.name), stateOf(entry));
 }
 
-void say(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-  label->setVisible(!text.isEmpty());
-}
-
 }  // namespace
 
 HandsPanel::HandsPanel(const Parts& parts, QWidget* parent)
@@ -144,13 +139,13 @@ void HandsPanel::describe() {
   const bool lacks = entry != nullptr && !entry->seen.missing.empty();
   fix_->setVisible(lacks && !entry->seen.missing.front().command.empty());
   if (lacks)
-    say(about_, sentenceText(entry->seen.missing.front().sentence));
+    tellIn(about_, sentenceText(entry->seen.missing.front().sentence));
   else if (entry == nullptr)
-    say(about_,
-        tr("Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A "
-           "controller or 3D mouse that is plugged in comes into this list."));
+    tellIn(about_,
+           tr("Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A "
+              "controller or 3D mouse that is plugged in comes into this list."));
   else
-    say(about_, tr("A %1, untested. Its mapping is kept.").arg(kindText(entry->seen.kind)));
+    tellIn(about_, tr("A %1, untested. Its mapping is kept.").arg(kindText(entry->seen.kind)));
   editor_->setDevice(entry == nullptr ? QString() : entry->id());
   editor_->rebuild();
 }
@@ -162,8 +157,8 @@ void HandsPanel::before() {
 void HandsPanel::present(const servo::Snapshot&) {
   if (!isSeen()) return;
   const QString rest = hands_.whyAtRest();
-  say(state_, rest.isEmpty() ? tr("Whatever is moved moves the simulated hand.") : rest);
-  say(trouble_, hands_.trouble());
+  tellIn(state_, rest.isEmpty() ? tr("Whatever is moved moves the simulated hand.") : rest);
+  tellIn(trouble_, hands_.trouble());
   const QSignalBlocker quiet(list_);
   for (int row = 1; row < list_->count(); ++row) {
     const HandEntry* const entry = hands_.find(list_->item(row)->data(kId).toString());

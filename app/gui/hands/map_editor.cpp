@@ -18,6 +18,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/kit/words.h"
@@ -40,9 +41,7 @@ MapEditor::MapEditor(MovingHands& hands, Actions& actions, QWidget* parent)
     : QWidget(parent), hands_(hands), actions_(actions), title_(sectionTitle({}, this)) {
   setObjectName("panel.hands.editor");
   setAccessibleName(tr("What moves what"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = tight<QVBoxLayout>(this, 8);
   title_->setWordWrap(true);
   column->addWidget(title_);
   auto* grid = new QGridLayout;
@@ -85,9 +84,7 @@ void MapEditor::buildWays(QGridLayout* grid) {
 
 QWidget* MapEditor::buildOne() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(box, 4);
   column->addWidget(way_title_ = sectionTitle({}, box));
   source_ = chooser("panel.hands.source", tr("Moved by"), tr("The stick, buttons or triggers that move it."), box);
   learn_ = pushButton("panel.hands.learn", tr("Learn…"), tr("Takes the stick that you push next."), box);
@@ -133,9 +130,7 @@ QWidget* MapEditor::buildOne() {
 
 QWidget* MapEditor::buildFoot() {
   auto* box = new QWidget(this);
-  auto* line = new QHBoxLayout(box);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(8);
+  auto* line = tight<QHBoxLayout>(box, 8);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     auto* made = pushButton(QString("panel.hands.") + name, text, tip, box);
     connect(made, &QPushButton::clicked, this, [this, name] { actions_.perform(QString("hands.") + name); });
@@ -222,8 +217,7 @@ void MapEditor::fillSources(const HandEntry& now) {
 
 void MapEditor::presentLearning() {
   const QString learning = hands_.learning();
-  asked_->setText(hands_.asked());
-  asked_->setVisible(!learning.isEmpty());
+  tellIn(asked_, hands_.asked());
   learn_->setText(learning == hands::wayName(static_cast<hands::Way>(way_)) ? tr("Cancel") : tr("Learn…"));
   presses_->presentLearning(learning);
 }

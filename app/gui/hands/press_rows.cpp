@@ -11,6 +11,7 @@
 #include "app/gui/hands/moving_hands.h"
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "device/hands/map_file.h"
 
@@ -19,8 +20,7 @@ namespace underact::gui {
 namespace hands = device::hands;
 
 PressRows::PressRows(QWidget* parent) : QWidget(parent) {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = tight<QGridLayout>(this);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
   grid->addWidget(sectionTitle(tr("Buttons"), this), 0, 0, 1, 3);

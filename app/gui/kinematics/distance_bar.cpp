@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
@@ -30,9 +31,7 @@ DistanceBar::DistanceBar(const QString& object_name, const QString& name, const 
   track_->setObjectName(object_name + ".bar");
   track_->setMinimumWidth(64);
   track_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = tight<QHBoxLayout>(this, 4);
   row->addWidget(label);
   row->addWidget(track_, 1);
   row->addWidget(value_);

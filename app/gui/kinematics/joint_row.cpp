@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
@@ -47,22 +48,8 @@ void LimitSlider::paintEvent(QPaintEvent* event) {
   }
 }
 
-void LimitSlider::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
-    QSlider::wheelEvent(event);
-  else
-    event->ignore();
-}
-
 QString AngleBox::textFromValue(double value) const {
   return numberText(value, decimals());
-}
-
-void AngleBox::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
-    QDoubleSpinBox::wheelEvent(event);
-  else
-    event->ignore();
 }
 
 JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* parent)
@@ -90,9 +77,7 @@ JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* 
   number_->setFixedWidth(fontMetrics().horizontalAdvance("−000.0°") + 20);
   nameWidget(state_, object_name + ".state", tr("Joint %1, limits").arg(joint + 1));
   state_->setFixedSize(fontMetrics().horizontalAdvance(tr("outside")) + 12, fontMetrics().lineSpacing());
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = tight<QHBoxLayout>(this, 4);
   row->addWidget(label);
   row->addWidget(slider_, 1);
   row->addWidget(number_);

@@ -2,39 +2,36 @@
 #include <QSlider>
 #include <QWidget>
 
+#include "app/gui/kit/focus_wheel.h"
 #include "app/gui/kit/number_box.h"
 
 class QLabel;
 
 namespace underact::gui {
 
-/// A slider of tenths of a degree that marks the joint's limits. The wheel turns it only once it has the focus.
-class LimitSlider : public QSlider {
+/// A slider of tenths of a degree that marks the joint's limits.
+class LimitSlider : public FocusWheel<QSlider> {
   Q_OBJECT
  public:
-  explicit LimitSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {}
+  explicit LimitSlider(QWidget* parent) : FocusWheel(Qt::Horizontal, parent) {}
   void setLimits(double min_deg, double max_deg);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
 
  private:
   double min_deg_ = 0.0, max_deg_ = 0.0;
 };
 
 /// A number whose steps are told apart from what is typed.
-class AngleBox : public NumberBox {
+class AngleBox : public FocusWheel<NumberBox> {
   Q_OBJECT
  public:
-  using NumberBox::NumberBox;
+  using FocusWheel::FocusWheel;
   void stepBy(int steps) override { emit stepped(steps * singleStep()); }
   QString textFromValue(double value) const override;  // with the minus sign of all other numbers
  signals:
   void stepped(double by_deg);
-
- protected:
-  void wheelEvent(QWheelEvent* event) override;
 };
 
 /// One joint: its name, a slider between marks at its limits, the angle, and a word where it is at a limit or beyond.

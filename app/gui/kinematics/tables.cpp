@@ -5,6 +5,7 @@
 
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
@@ -117,8 +118,7 @@ JacobianSection::JacobianSection(QWidget* parent)
   }
   tables_->addWidget(whole_);
   auto* upper = new QWidget(this);  // the small one stands at the top, where the large one begins
-  auto* upper_column = new QVBoxLayout(upper);
-  upper_column->setContentsMargins(0, 0, 0, 0);
+  auto* upper_column = tight<QVBoxLayout>(upper);
   upper_column->addWidget(position_);
   upper_column->addStretch(1);
   tables_->addWidget(upper);

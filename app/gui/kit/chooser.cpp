@@ -1,15 +1,8 @@
 #include "app/gui/kit/chooser.h"
 
-#include <QWheelEvent>
+#include "app/gui/kit/focus_wheel.h"
 
 namespace underact::gui {
-
-void PanelChooser::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
-    QComboBox::wheelEvent(event);
-  else
-    event->ignore();
-}
 
 void nameChooser(QComboBox* box, const QString& spoken, const QString& tip) {
   box->setAccessibleName(spoken);
@@ -18,7 +11,7 @@ void nameChooser(QComboBox* box, const QString& spoken, const QString& tip) {
 }
 
 QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, QWidget* parent) {
-  auto* box = new PanelChooser(parent);
+  auto* box = new FocusWheel<QComboBox>(parent);
   box->setObjectName(name);
   nameChooser(box, spoken, tip);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

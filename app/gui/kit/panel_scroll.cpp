@@ -3,6 +3,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/tight.h"
+
 namespace underact::gui {
 
 QScrollArea* panelScroll(QWidget* content, QWidget* parent) {
@@ -18,8 +20,7 @@ QScrollArea* panelScroll(QWidget* content, QWidget* parent) {
 void fillWithScroll(QWidget* panel, QWidget* content) {
   QScrollArea* scroll = panelScroll(content, panel);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
-  auto* outer = new QVBoxLayout(panel);
-  outer->setContentsMargins(0, 0, 0, 0);
+  auto* outer = tight<QVBoxLayout>(panel);
   outer->addWidget(scroll);
 }
 

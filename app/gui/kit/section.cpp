@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
@@ -25,9 +26,7 @@ Section::Section(const QString& key, const QString& title, const QString& tip, Q
   });
   column_->setContentsMargins(4, 0, 0, 4);
   column_->setSpacing(4);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(4);
+  auto* outer = tight<QVBoxLayout>(this, 4);
   outer->addWidget(fold_);
   outer->addWidget(content_);
 }

@@ -22,8 +22,7 @@ QString whyNotFound(system::Resource resource) {
 
 QLabel* notFoundLabel(system::Resource resource, const char* name, const QString& spoken, QWidget* parent) {
   QLabel* const label = toldLabel(name, spoken, "amber", parent);
-  label->setText(whyNotFound(resource));
-  label->setVisible(!label->text().isEmpty());
+  tellIn(label, whyNotFound(resource));
   return label;
 }
 

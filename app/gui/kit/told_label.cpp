@@ -24,6 +24,11 @@ void putText(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
 
+void tellIn(QLabel* label, const QString& text) {
+  putText(label, text);
+  label->setVisible(!text.isEmpty());
+}
+
 QLabel* sectionTitle(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setProperty("role", "section");

@@ -16,6 +16,9 @@ QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWi
 /// The text, where it is another one: a label that is told the same draws itself all the same.
 void putText(QLabel* label, const QString& text);
 
+/// The same, and the label is there only while there is a text.
+void tellIn(QLabel* label, const QString& text);
+
 /// What stands above the rows of a part of a panel.
 QLabel* sectionTitle(const QString& text, QWidget* parent);
 

@@ -48,14 +48,6 @@ void MarkedSlider::mouseDoubleClickEvent(QMouseEvent* event) {
   emit resetAsked();
 }
 
-void MarkedSlider::wheelEvent(QWheelEvent* event) {
-  // Scrolling the panel past a slider must not change what a hand feels: first the focus, then the wheel.
-  if (hasFocus())
-    QSlider::wheelEvent(event);
-  else
-    event->ignore();
-}
-
 ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
     : QWidget(parent),
       kind_(kind),

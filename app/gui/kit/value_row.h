@@ -4,6 +4,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "app/gui/kit/focus_wheel.h"
+
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
@@ -22,10 +24,10 @@ struct ValueKind {
 };
 
 /// A slider that marks the scene's own value; a double click asks for it back.
-class MarkedSlider : public QSlider {
+class MarkedSlider : public FocusWheel<QSlider> {
   Q_OBJECT
  public:
-  explicit MarkedSlider(QWidget* parent = nullptr) : QSlider(Qt::Horizontal, parent) {}
+  explicit MarkedSlider(QWidget* parent = nullptr) : FocusWheel(Qt::Horizontal, parent) {}
   void setMark(double position);  // outside the range: none
  signals:
   void resetAsked();
@@ -33,7 +35,6 @@ class MarkedSlider : public QSlider {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
 
  private:
   double mark_ = -1.0;

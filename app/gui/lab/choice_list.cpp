@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/lab/lab_words.h"
 
@@ -34,11 +35,6 @@ void mark(const trade::Standing& standing, const trade::Summary* now, ChoiceWord
                              .arg(QString::fromStdString(best->option), timeText(best->cost_us_per_s),
                                   errorText(best->error, choice.unit));
   words.mark = words.is_beyond ? words.mark + ' ' + better : better;
-}
-
-void setText(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-  label->setVisible(!text.isEmpty());
 }
 
 }  // namespace
@@ -80,9 +76,7 @@ ChoiceList::Row ChoiceList::makeRow(const ChoiceWords& words) {
   row.all->setToolTip(words.tip);
   row.all->setAccessibleName(words.name);
   row.all->setAccessibleDescription(words.tip);
-  auto* column = new QVBoxLayout(row.all);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = tight<QVBoxLayout>(row.all, 0);
   row.value = toldLabel((name + ".value").constData(), words.name, "section", row.all);
   row.figures = toldLabel((name + ".figures").constData(), tr("%1: cost and error").arg(words.name), "quiet", row.all);
   row.mark = toldLabel((name + ".mark").constData(), tr("%1: advice").arg(words.name), "", row.all);
@@ -101,9 +95,9 @@ void ChoiceList::present(const std::vector<ChoiceWords>& words) {
   }
   for (std::size_t index = 0; index < words.size(); ++index) {
     const Row& row = rows_[index];
-    setText(row.value, tr("%1: %2").arg(words[index].name, words[index].value));
-    setText(row.figures, words[index].figures);
-    setText(row.mark, words[index].mark);
+    tellIn(row.value, tr("%1: %2").arg(words[index].name, words[index].value));
+    tellIn(row.figures, words[index].figures);
+    tellIn(row.mark, words[index].mark);
     const QString role = words[index].is_beyond ? "amber-text" : "";
     if (row.mark->property("role").toString() == role) continue;
     row.mark->setProperty("role", role);

@@ -13,6 +13,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "core/sim/hand_script.h"
 
@@ -24,9 +25,7 @@ constexpr int kProgressSteps = 1000;
 }  // namespace
 
 MeasuringPart::MeasuringPart(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(this, 4);
   hands_ = chooser("panel.lab.hands", tr("Hands that hold the stylus"),
                    tr("Who moves the simulated stylus while it is measured."), this);
   hands_->addItem(tr("All hands"), "");

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/lab/front_chart.h"
@@ -24,9 +25,7 @@ int stopBefore(const std::vector<std::size_t>& front, std::size_t point) {
 }  // namespace
 
 WalkPart::WalkPart(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(this, 4);
   column->addWidget(chart_ = frontChart(this));
   walk_ = new MarkedSlider(this);
   walk_->setObjectName("panel.lab.walk");

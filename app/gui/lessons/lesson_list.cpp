@@ -115,8 +115,7 @@ void LessonList::open(QListWidgetItem* item) {
 }
 
 void LessonList::setNote(const QString& text) {
-  note_->setText(text);
-  note_->setVisible(!text.isEmpty());
+  tellIn(note_, text);
 }
 
 }  // namespace underact::gui

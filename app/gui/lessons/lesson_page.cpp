@@ -15,6 +15,7 @@
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/tab_order.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/lessons/check_row.h"
 #include "app/gui/lessons/lesson_run.h"
@@ -58,9 +59,7 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
 
 QWidget* LessonPage::makeChecks() {
   auto* const content = new QWidget(this);
-  auto* const column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* const column = tight<QVBoxLayout>(content, 4);
   column->setAlignment(Qt::AlignTop);
   return content;
 }
@@ -163,8 +162,7 @@ QString LessonPage::typedName() const {
 }
 
 void LessonPage::setNote(const QString& text) {
-  note_->setText(text);
-  note_->setVisible(!text.isEmpty());
+  tellIn(note_, text);
 }
 
 }  // namespace underact::gui

@@ -4,12 +4,10 @@
 #include <QAction>
 #include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -17,6 +15,7 @@
 #include "app/gui/kit/file_question.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/problems_dialog.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lesson_list.h"
 #include "app/gui/lessons/lesson_page.h"
@@ -42,8 +41,7 @@ LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
   addStepActions();
   pages_->addWidget(list_ = new LessonList(*recent_, parts_.actions, pages_));
   pages_->addWidget(page_ = new LessonPage(*run_, parts_.actions, pages_));
-  auto* const column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* const column = tight<QVBoxLayout>(this);
   column->addWidget(pages_);
   connect(recent_, &RecentFiles::changed, this, [this] { QSettings().setValue(kRecent, recent_->paths()); });
   connect(run_, &LessonRun::changed, this, &LessonsPanel::showState);
@@ -184,16 +182,8 @@ bool LessonsPanel::saveReport(const QString& path) {
 
 void LessonsPanel::chooseReport() {
   const QString name = QFileInfo(run_->path()).completeBaseName() + "-report.html";
-  const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-  auto* const dialog =
-      new QFileDialog(this, tr("Save the report"), documents.filePath(name), tr("Web pages (*.html);;All files (*)"));
-  dialog->setObjectName("dialog.save_lesson_report");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("html");
-  dialog->selectFile(name);
-  connect(dialog, &QFileDialog::fileSelected, this, &LessonsPanel::saveReport);
-  dialog->open();
+  askWhereToSave(this, "dialog.save_lesson_report", tr("Save the report"), name,
+                 tr("Web pages (*.html);;All files (*)"), [this](const QString& path) { saveReport(path); });
 }
 
 void LessonsPanel::chooseLesson() {

@@ -53,8 +53,7 @@ AddressDialog::AddressDialog(const QString& address, QWidget* parent)
 }
 
 void AddressDialog::refuse(const QString& sentence) {
-  refusal_->setText(sentence);
-  refusal_->setVisible(!sentence.isEmpty());
+  tellIn(refusal_, sentence);
   fit();
 }
 

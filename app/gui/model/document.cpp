@@ -11,6 +11,14 @@
 #include "core/scene/write.h"
 
 namespace underact::gui {
+namespace {
+
+scene::SettingValue valueIn(const scene::Description& scene, std::size_t index, const std::string& path) {
+  const Result<scene::SettingValue> value = scene::valueAt(scene, "/constraints/" + std::to_string(index) + path);
+  return value ? value.value() : scene::SettingValue();
+}
+
+}  // namespace
 
 Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(host), undo_(this) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(modified()); });
@@ -131,8 +139,11 @@ scene::SettingValue Document::own(std::size_t index, const std::string& path) co
   scene::Description alone;
   alone.control = original_.control;
   alone.constraints.push_back(written(index));
-  const Result<scene::SettingValue> value = scene::valueAt(alone, "/constraints/0" + path);
-  return value ? value.value() : scene::SettingValue();
+  return valueIn(alone, 0, path);
+}
+
+scene::SettingValue Document::value(std::size_t index, const std::string& path) const {
+  return valueIn(scene(), index, path);
 }
 
 }  // namespace underact::gui

@@ -69,6 +69,8 @@ class Document : public QObject {
   const scene::Constraint& written(std::size_t index) const;
   /// A setting of it, by its path from there on, "/influence/t"; none: it has none.
   scene::SettingValue own(std::size_t index, const std::string& path) const;
+  /// As it holds.
+  scene::SettingValue value(std::size_t index, const std::string& path) const;
   bool isOpen() const { return is_open_ || own_; }
   bool modified() const;
   QString path() const { return path_; }  // empty: it has no file

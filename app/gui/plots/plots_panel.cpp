@@ -9,6 +9,7 @@
 
 #include "app/gui/feature/parts.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/player.h"
@@ -46,9 +47,7 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
   strip->addStretch(1);
   strip->addWidget(label);
   strip->addWidget(axis_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = tight<QVBoxLayout>(this, 0);
   column->addLayout(strip);
   column->addWidget(plot_, 1);
   connect(axis_, &QComboBox::currentIndexChanged, plot_, &LivePlot::setAxis);

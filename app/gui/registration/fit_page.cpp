@@ -60,8 +60,7 @@ void FitPage::initializePage() {
                          .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
   QStringList sentences;
   for (const registration::Warning& warning : warningsOf(touches, fit)) sentences << sentenceText(warning.sentence);
-  warnings_->setText(sentences.join('\n'));
-  warnings_->setVisible(!sentences.isEmpty());
+  tellIn(warnings_, sentences.join('\n'));
   table_->setRowCount(static_cast<int>(touches.size()));
   std::vector<ShownMark> shown;
   for (std::size_t at = 0; at < touches.size(); ++at) {

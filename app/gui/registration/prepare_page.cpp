@@ -1,5 +1,4 @@
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -12,8 +11,10 @@
 #include <algorithm>
 
 #include "app/gui/kit/chooser.h"
+#include "app/gui/kit/file_question.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/registration/marks_picture.h"
@@ -64,8 +65,7 @@ PreparePage::PreparePage(RegistrationTool& tool, QWidget* parent) : QWizardPage(
 
 QWidget* PreparePage::buildArm() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(box);
   arm_ = chooser("registration.arm", tr("Arm"), tr("Which arm is registered."), box);
   state_ = toldLabel("registration.state", tr("Whether the arm is registered"), "quiet", box);
   calibration_ = toldLabel("registration.calibration", tr("Whether the arm is calibrated"), "", box);
@@ -82,8 +82,7 @@ QWidget* PreparePage::buildArm() {
 
 QWidget* PreparePage::buildMarks() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(box);
   count_ = new QSpinBox(box);
   nameWidget(count_, "registration.count", tr("How many marks"),
              tr("More marks: a smaller error, and it is better known. Puts the sheet's own places back."));
@@ -170,8 +169,7 @@ void PreparePage::showMarks() {
     for (const registration::Warning& warning : warningsOf(touches, fit.value()))
       sentences << sentenceText(warning.sentence);
   }
-  layout_->setText(sentences.join('\n'));
-  layout_->setVisible(!sentences.isEmpty());
+  tellIn(layout_, sentences.join('\n'));
   sheet_->setEnabled(marks_are_good_);
   picture_->present(shown, {});
   emit completeChanged();
@@ -224,13 +222,8 @@ bool PreparePage::saveSheet(const QString& path) {
 }
 
 void PreparePage::chooseSheet() {
-  auto* dialog = new QFileDialog(this, tr("Save the sheet"), "underact_marks.pdf", tr("PDF (*.pdf)"));
-  dialog->setObjectName("dialog.registration_sheet");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("pdf");
-  connect(dialog, &QFileDialog::fileSelected, this, &PreparePage::saveSheet);
-  dialog->open();
+  askWhereToSave(this, "dialog.registration_sheet", tr("Save the sheet"), "underact_marks.pdf", tr("PDF (*.pdf)"),
+                 [this](const QString& path) { saveSheet(path); });
 }
 
 }  // namespace underact::gui

@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
@@ -15,8 +16,7 @@ ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent), stretch_(ne
   setAccessibleName(tr("Recorded and now"));
   setToolTip(
       tr("Over the ticks since the last jump or edit in which both times the servo let the whole force through."));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = tight<QGridLayout>(this);
   grid->setHorizontalSpacing(20);
   grid->setVerticalSpacing(2);
   int column = 1;

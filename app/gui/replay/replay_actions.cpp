@@ -1,7 +1,6 @@
 #include "app/gui/replay/replay_actions.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <functional>
 
@@ -74,14 +73,8 @@ void addPlaying(Actions& actions, Player& player) {
 }
 
 void chooseFolder(Actions& actions, QWidget* window) {
-  auto* dialog = new QFileDialog(window, tr("Folder of the recordings' meshes and curves"));
-  dialog->setObjectName("dialog.replay_files");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
-  QObject::connect(dialog, &QFileDialog::fileSelected, &actions,
-                   [&actions](const QString& path) { actions.perform("replay.files", path); });
-  dialog->open();
+  askForFolder(window, "dialog.replay_files", tr("Folder of the recordings' meshes and curves"), {},
+               [&actions](const QString& path) { actions.perform("replay.files", path); });
 }
 
 /// Remembers the folder, and opens the session again that asked for it.

@@ -19,6 +19,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/icons.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/player.h"
@@ -48,9 +49,7 @@ ReplayBar::ReplayBar(Player& player, Actions& actions, QWidget* parent)
   column->setSpacing(2);
   buildLoading(column);
   replay_ = new QWidget(this);
-  auto* rows = new QVBoxLayout(replay_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(4);
+  auto* rows = tight<QVBoxLayout>(replay_, 4);
   column->addWidget(replay_);
   buildTransport(rows);
   buildChoices(rows);
@@ -68,9 +67,7 @@ ReplayBar::ReplayBar(Player& player, Actions& actions, QWidget* parent)
 
 void ReplayBar::buildLoading(QVBoxLayout* column) {
   loading_ = new QWidget(this);
-  auto* row = new QHBoxLayout(loading_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(12);
+  auto* row = tight<QHBoxLayout>(loading_, 12);
   reading_ = new QLabel(tr("Reading the session"), loading_);
   progress_ = new QProgressBar(loading_);
   nameWidget(progress_, "panel.replay.progress", tr("How much of the session is read"));

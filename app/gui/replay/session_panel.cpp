@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/player.h"
 #include "app/gui/plot/lateness_chart.h"
@@ -51,9 +52,7 @@ SessionPanel::SessionPanel(const Parts& parts, QWidget* parent)
   strip->addWidget(label);
   strip->addWidget(kind_);
   strip->addStretch(1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = tight<QVBoxLayout>(this, 0);
   column->addLayout(strip);
   column->addWidget(pages_, 1);
   connect(kind_, &QComboBox::currentIndexChanged, this, &SessionPanel::show);

@@ -18,6 +18,7 @@
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/kit/words.h"
@@ -56,9 +57,7 @@ void RobotPanel::build() {
                            48);
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(std::max(content->minimumWidth(), content->minimumSizeHint().width()) + 16);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
+  auto* outer = tight<QVBoxLayout>(this, 0);
   outer->addWidget(scroll, 1);
   // Below what scrolls: a sentence is always seen, and its coming moves nothing from under the pointer.
   auto* foot = new QVBoxLayout;
@@ -82,9 +81,7 @@ void RobotPanel::build() {
 
 QWidget* RobotPanel::makeEditor(QWidget* parent) {
   auto* const made = new QWidget(parent);
-  auto* column = new QVBoxLayout(made);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(made, 4);
   choices_ = panelForm();
   chooser_ =
       chooser("panel.robot.constraint", tr("Robot that is shown"), tr("Which robot of the scene is shown."), this);
@@ -196,8 +193,7 @@ void RobotPanel::present(const servo::Snapshot& snapshot) {
 
 void RobotPanel::tell(const Problems& problems) {
   refresh();  // refused? what holds is back
-  refusal_->setText(problems.empty() ? QString() : sentencesOf(problems));
-  refusal_->setVisible(!problems.empty());
+  tellIn(refusal_, sentencesOf(problems));
 }
 
 }  // namespace underact::gui

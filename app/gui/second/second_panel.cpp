@@ -16,6 +16,7 @@
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/readout.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
@@ -110,8 +111,7 @@ void SecondPanel::addActions() {
 
 QWidget* SecondPanel::buildChoices() {
   auto* box = new QWidget(this);
-  auto* form = new QFormLayout(box);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = tight<QFormLayout>(box);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   arm_ = chooser("panel.second.arm", tr("Second arm"), tr("Which arm it is; others are in the panel Devices."), box);
   scene_ = chooser("panel.second.scene", tr("Scene of the second arm"), tr("What it is held to."), box);

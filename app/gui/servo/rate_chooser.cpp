@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/kit/chooser.h"
+#include "app/gui/kit/tight.h"
 
 namespace underact::gui {
 
@@ -16,9 +17,7 @@ RateChooser::RateChooser(QWidget* parent)
                    tr("Ticks a second. A change lets the force go for a moment; where the servo ran it starts again, "
                       "softly."),
                    this)) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
+  auto* row = tight<QHBoxLayout>(this, 8);
   auto* label = new QLabel(tr("Rate"), this);
   label->setBuddy(box_);
   label->setToolTip(box_->toolTip());

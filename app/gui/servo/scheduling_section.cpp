@@ -1,6 +1,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/servo_rate.h"
 #include "app/gui/servo/sections.h"
@@ -26,8 +27,7 @@ void SchedulingSection::present(const system::Scheduling& scheduling) {
   const QString name = schedulingText(scheduling);
   if (name_->text() != name) name_->setText(name);
   const QString also = phrasesOf(scheduling.also);
-  if (also_->text() != also) also_->setText(also);
-  also_->setVisible(!also.isEmpty());
+  tellIn(also_, also);
   const QString hint = scheduling.hint.empty() ? tr("It is as good as it gets.") : sentenceText(scheduling.hint);
   if (hint_->text() != hint) hint_->setText(hint);
 }

@@ -6,6 +6,7 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
@@ -22,8 +23,7 @@ ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_not
   QFont bold = font();
   bold.setBold(true);
   value_->setFixedSize(QFontMetrics(bold).horizontalAdvance(words.widest_value) + 4, fontMetrics().lineSpacing());
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = tight<QGridLayout>(this);
   grid->setHorizontalSpacing(4);
   grid->setVerticalSpacing(0);
   grid->addWidget(label, 0, 0);

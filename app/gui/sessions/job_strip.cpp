@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QStyle>
 
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/sessions/plots_run.h"
@@ -38,9 +39,7 @@ JobStrip::JobStrip(QWidget* parent)
   cancel_->setObjectName("panel.sessions.cancel");
   cancel_->setAccessibleName(tr("Cancel the work on the session"));
   cancel_->setToolTip(tr("Ends the work."));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = tight<QGridLayout>(this, 4);
   grid->addWidget(told_, 0, 0, 1, 2);
   grid->addWidget(bar_, 1, 0);
   grid->addWidget(cancel_, 1, 1);

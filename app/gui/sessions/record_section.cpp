@@ -14,6 +14,7 @@
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/readout.h"
 #include "app/gui/kit/section.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/recording.h"
@@ -67,9 +68,7 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
   auto* section = new Section("words", tr("Words"), tr("What the file says of the session; they can be changed later."),
                               this, "sessions");
   section->column().addWidget(words_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(this, 4);
   column->addWidget(record_);
   column->addWidget(buildMark());
   column->addWidget(notice_);
@@ -87,9 +86,7 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
 
 QWidget* RecordSection::buildMark() {
   auto* strip = new QWidget(this);
-  auto* row = new QHBoxLayout(strip);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = tight<QHBoxLayout>(strip, 4);
   mark_->setObjectName("panel.sessions.mark");
   mark_->setAccessibleName(tr("Set a marker"));
   mark_->setToolTip(actions_.find("session.mark")->toolTip());
@@ -124,8 +121,7 @@ void RecordSection::present() {
   const QString warning = warningOf(status, runs);
   const bool alarming = !runs && !recording_.notice().isEmpty();
   const QString said = alarming ? recording_.notice() : warning;
-  notice_->setText(said);
-  notice_->setVisible(!said.isEmpty());
+  tellIn(notice_, said);
   const char* role = alarming ? "alarm" : "amber";
   if (notice_->property("role") != role) {
     notice_->setProperty("role", role);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/sessions/session_lines.h"
 
 namespace underact::gui {
@@ -47,9 +48,7 @@ SessionList::SessionList(QWidget* parent)
   details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   details_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   details_->setMinimumHeight(kLinesOfDetails * fontMetrics().lineSpacing());
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(this, 4);
   column->addWidget(search_);
   column->addWidget(count_);
   column->addWidget(list_, 1);

@@ -2,8 +2,8 @@
 
 #include <QAction>
 #include <QDesktopServices>
+#include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/sessions/delete_question.h"
 #include "app/gui/sessions/job_strip.h"
@@ -88,9 +90,7 @@ void SessionTools::buildMenu() {
 }
 
 void SessionTools::buildButtons() {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = tight<QHBoxLayout>(this, 4);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     QPushButton* made = pushButton(QString("panel.sessions.") + name, text, tip, this);
     made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // all four may stand there
@@ -136,17 +136,10 @@ bool SessionTools::write(const QString& path, Begin begin) {
 
 void SessionTools::chooseFile(const QString& title, const QString& suffix, const QString& action) {
   const QFileInfo session(list_.chosen()->path);
-  auto* dialog = new QFileDialog(window(), title, session.absolutePath(), QString("*.%1").arg(suffix));
-  dialog->setObjectName("dialog.save_session");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(suffix);
   QString stem = session.completeBaseName();
   if (stem.endsWith(".underact")) stem.chop(9);
-  dialog->selectFile(stem + "." + suffix);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, action](const QString& path) { actions_.perform(action, path); });
-  dialog->open();
+  askWhereToSave(window(), "dialog.save_session", title, session.absoluteDir().filePath(stem + "." + suffix),
+                 QString("*.%1").arg(suffix), [this, action](const QString& path) { actions_.perform(action, path); });
 }
 
 bool SessionTools::edit() {

@@ -1,7 +1,6 @@
 #include "app/gui/sessions/sessions_panel.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -10,6 +9,7 @@
 #include "app/gui/feature/parts.h"
 #include "app/gui/feature/status_line.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/file_question.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/told_label.h"
 #include "app/gui/model/recording.h"
@@ -99,14 +99,8 @@ QAction* SessionsPanel::addFolderAction() {
 }
 
 void SessionsPanel::chooseFolder() {
-  auto* dialog = new QFileDialog(window(), tr("Folder of the recordings"), recording_->folder());
-  dialog->setObjectName("dialog.session_folder");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& path) { parts_.actions.perform("sessions.folder", path); });
-  dialog->open();
+  askForFolder(window(), "dialog.session_folder", tr("Folder of the recordings"), recording_->folder(),
+               [this](const QString& path) { parts_.actions.perform("sessions.folder", path); });
 }
 
 bool SessionsPanel::setFolder(const QString& folder) {

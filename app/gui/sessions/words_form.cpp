@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/tight.h"
 
 namespace underact::gui {
 
@@ -19,9 +20,7 @@ WordsForm::WordsForm(const QString& prefix, QWidget* parent)
       tags_(new QLineEdit(this)),
       subject_(new QLineEdit(this)),
       consent_(new QLineEdit(this)) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
-  form->setSpacing(4);
+  auto* form = tight<QFormLayout>(this, 4);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   addRow(form, tr("&Name"), name_, prefix + "name", tr("What the session is called in the list."));
   addRow(form, tr("No&tes"), notes_, prefix + "notes", tr("Anything worth knowing when it is read again."));

@@ -9,6 +9,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/readout.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/shape/shape_text.h"
@@ -34,11 +35,9 @@ QString heldText(const tick::Held& held) {
 
 ShapePanel::ShapePanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), readout_(new Readout("panel.shape.value")) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = tight<QVBoxLayout>(this);
   auto* content = new QWidget;
-  auto* inner = new QVBoxLayout(content);
-  inner->setContentsMargins(0, 0, 0, 0);
+  auto* inner = tight<QVBoxLayout>(content);
   inner->addWidget(readout_);
   edit_ = addButton("panel.shape.edit_robot", tr("Edit its joints"),
                     tr("Opens the Robot panel: joints, springs, turning stiffness and solver."));

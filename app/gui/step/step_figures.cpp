@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/gui/kit/number_table.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/step/step_plot.h"
 #include "core/base/units.h"
@@ -51,9 +52,7 @@ StepFigures::StepFigures(QWidget* parent)
                              {{tr("model"), "000.0000"}, {tr("measured"), "000.0000"}, {tr("its fit"), "000.0000"}},
                              this)),
       poles_(quietLabel("panel.step.poles", {}, this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = tight<QVBoxLayout>(this, 4);
   table_->addRow(tr("Final value"), tr("Where it ends, a share of the step; of an undamped one what it swings about."));
   table_->addRow(tr("Rise [s]"), tr("From 10 % of the final value to 90 %, each first passed."));
   table_->addRow(tr("Settling [s]"), tr("From then on it stays within 2 % of the final value."));

@@ -7,6 +7,7 @@
 
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tight.h"
 
 namespace underact::gui {
 
@@ -37,9 +38,7 @@ StepFoot::StepFoot(QWidget* parent)
   limits_->setToolTip(
       tr("The force is cut to what the arm bears, and to a speed. Off: the law alone, as the model has it."));
   limits_->setChecked(true);
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = tight<QGridLayout>(this, 4);
   grid->addWidget(take, 0, 0);
   grid->addWidget(give, 0, 1);
   grid->addWidget(step_mm_, 1, 0);

@@ -14,6 +14,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_in_use.h"
 #include "app/gui/model/document.h"
@@ -73,9 +74,7 @@ StepPanel::StepPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts
 }
 
 void StepPanel::build() {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
+  auto* outer = tight<QVBoxLayout>(this, 0);
   outer->addWidget(plot_ = new StepPlot(this), 1);  // stays in sight while what is below it scrolls
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);

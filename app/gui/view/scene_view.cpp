@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/gui/kit/spoken.h"
+#include "app/gui/kit/tight.h"
 #include "app/gui/view/scene_view_impl.h"
 #include "core/base/units.h"
 #include "core/scene/edit.h"
@@ -18,8 +19,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(160, 120);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = tight<QVBoxLayout>(this);
   layout->addWidget(impl_->surface);
   connect(impl_->surface, &GlSurface::drawn, this, &SceneView::drawn);
   setTheme(Theme::light());

@@ -91,8 +91,7 @@ VisitorWishes DemonstratorPanel::wishes() const {
 }
 
 void DemonstratorPanel::tell(const QString& sentence) {
-  told_->setText(sentence);
-  told_->setVisible(!sentence.isEmpty());
+  tellIn(told_, sentence);
 }
 
 }  // namespace underact::gui

@@ -61,8 +61,7 @@ void TitleCard::setScene(const QString& title, const QString& feel, const QStrin
 
 void TitleCard::setState(bool can_start, const QString& trouble) {
   start_->setVisible(can_start);
-  if (trouble_->text() != trouble) trouble_->setText(trouble);
-  trouble_->setVisible(!trouble.isEmpty());
+  tellIn(trouble_, trouble);
   try_->setVisible(trouble.isEmpty());  // in its place: what is wrong goes first
 }
 
