@@ -39,6 +39,7 @@ int run(const std::string& what, const std::string& name) {
   }
   std::cerr << "underact-describe man|bash|zsh|fish underact|underact-cli|underact-sweep\n"
                "underact-describe commands\n"
+               "underact-describe scene-schema SCHEMA\n"
                "underact-describe scene-keys SCHEMA\n"
                "underact-describe scene-list FOLDER\n"
                "underact-describe guide FOLDER OUT\n";
@@ -51,6 +52,7 @@ int run(const std::vector<std::string>& words) {
               << std::flush;
     return std::cout ? 0 : 4;
   }
+  if (words.size() == 2 && words[0] == "scene-schema") return guide::printSceneSchema(words[1], std::cout, std::cerr);
   if (words.size() == 2 && words[0] == "scene-keys") return guide::printSceneKeys(words[1], std::cout, std::cerr);
   if (words.size() == 2 && words[0] == "scene-list") return guide::printSceneList(words[1], std::cout, std::cerr);
   if (words.size() == 3 && words[0] == "guide") return guide::makeSite(words[1], words[2], std::cerr);

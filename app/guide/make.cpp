@@ -1,6 +1,7 @@
 #include "app/guide/make.h"
 
 #include "app/guide/scene_page.h"
+#include "app/guide/scene_schema.h"
 #include "app/guide/site.h"
 
 namespace underact::guide {
@@ -18,6 +19,10 @@ int print(const Result<std::string>& page, std::ostream& out, std::ostream& erro
 }
 
 }  // namespace
+
+int printSceneSchema(const std::string& schema_file, std::ostream& out, std::ostream& errors) {
+  return print(sceneSchema(schema_file), out, errors);
+}
 
 int printSceneKeys(const std::string& schema_file, std::ostream& out, std::ostream& errors) {
   return print(scenePage(schema_file), out, errors);

@@ -7,6 +7,7 @@ namespace underact::guide {
 // What underact-describe does: exit status 0; 1, and problems on `errors`, where something is wrong with what it reads;
 // 4 where the output could not be written.
 
+int printSceneSchema(const std::string& schema_file, std::ostream& out, std::ostream& errors);
 int printSceneKeys(const std::string& schema_file, std::ostream& out, std::ostream& errors);
 int printSceneList(const std::string& folder, std::ostream& out, std::ostream& errors);
 int makeSite(const std::string& folder, const std::string& out_folder, std::ostream& errors);

@@ -86,24 +86,32 @@ std::string valuesOf(const Setting& setting) {
 }
 
 std::string rowOf(const Setting& setting) {
+  const SettingUse use = useOf(setting);
+  const auto* const word = std::get_if<std::string>(&use.usual);
+  const std::string usual = word != nullptr ? *word : scene::fileTextOf(use.usual);
+  return "| " + inCode(pathOf(setting)) + " | " + valuesOf(setting) + " | " +
+         (scene::isNone(use.usual) ? "" : inCode(usual)) + " | " + (use.is_of_all ? "" : listedInCode(use.of)) + " | " +
+         cellText(setting.tip) + " |\n";
+}
+
+}  // namespace
+
+SettingUse useOf(const Setting& setting) {
   const std::string path = pathOf(setting), place = firstPlace(path);
-  std::vector<std::string> names, usual;
+  SettingUse use;
+  std::vector<scene::SettingValue> usual;
   const std::vector<Sample> samples = samplesFor(path);
   for (const Sample& one : samples) {
     const Result<Setting> found = settingAt(one.scene, place);
     if (!found || found.value().tip != setting.tip || found.value().unit != setting.unit) continue;
-    names.push_back(one.name);
-    const scene::SettingValue value = usualAt(one.scene, place).value();
-    const auto* const word = std::get_if<std::string>(&value);
-    usual.push_back(scene::isNone(value) ? std::string() : word != nullptr ? *word : scene::fileTextOf(value));
+    use.of.push_back(one.name);
+    usual.push_back(usualAt(one.scene, place).value());
   }
-  const bool has_usual = !usual.front().empty() && std::count(usual.begin(), usual.end(), usual.front()) ==
-                                                       static_cast<std::ptrdiff_t>(usual.size());
-  return "| " + inCode(path) + " | " + valuesOf(setting) + " | " + (has_usual ? inCode(usual.front()) : "") + " | " +
-         (names.size() == samples.size() ? "" : listedInCode(names)) + " | " + cellText(setting.tip) + " |\n";
+  use.is_of_all = use.of.size() == samples.size();
+  const bool is_one = std::count(usual.begin(), usual.end(), usual.front()) == static_cast<std::ptrdiff_t>(usual.size());
+  if (is_one) use.usual = usual.front();
+  return use;
 }
-
-}  // namespace
 
 std::string settingTable() {
   std::ostringstream out;

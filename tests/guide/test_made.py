@@ -36,6 +36,25 @@ class Made(unittest.TestCase):
                 f"{page}.md is old: cmake --build build/release --target guide_pages",
             )
 
+    def test_the_schema_has_the_settings_as_their_table(self):
+        path = ROOT / "scenes/scene.schema.json"
+        whole = path.read_text(encoding="utf-8")
+        schema = json.loads(whole)
+        del schema["$defs"]["friction"]["properties"]["dynamic"]
+        schema["$defs"]["curve_guide"]["properties"]["lead_mm"]["maximum"] = 7
+        schema["$defs"]["side"]["description"] = "Another."
+        with tempfile.TemporaryDirectory() as folder:
+            old = pathlib.Path(folder) / "schema.json"
+            old.write_text(json.dumps(schema))
+            for source in (path, old):
+                done = describe("scene-schema", str(source))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(
+                    whole, done.stdout, "It is old: cmake --build build/release --target guide_pages"
+                )
+            old.write_text("{}")
+            self.assertEqual(describe("scene-schema", str(old)).returncode, 1)
+
     def test_every_key_of_the_schema_is_in_the_reference(self):
         page = (GUIDE / "scene_reference.md").read_text(encoding="utf-8")
         schema = json.loads((ROOT / "scenes/scene.schema.json").read_text(encoding="utf-8"))

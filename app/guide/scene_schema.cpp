@@ -1,0 +1,170 @@
+#include "app/guide/scene_schema.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "app/guide/json_page.h"
+#include "app/guide/setting_table.h"
+#include "core/json/json.h"
+#include "core/json/text.h"
+
+namespace underact::guide {
+namespace {
+
+using json::Kind;
+using json::Value;
+using scene::Setting;
+using scene::SettingKind;
+
+constexpr std::string_view kDefs = "#/$defs/";
+
+Value textValue(const std::string& text) {
+  return {.kind = Kind::String, .text = text};
+}
+Value numberValue(double number) {
+  return {.kind = Kind::Number, .number = number};
+}
+Value asJson(const scene::SettingValue& value) {
+  if (const auto* const flag = std::get_if<bool>(&value)) return {.kind = Kind::Bool, .boolean = *flag};
+  if (const auto* const number = std::get_if<double>(&value)) return numberValue(*number);
+  return textValue(std::get<std::string>(value));
+}
+
+Value* member(Value& object, std::string_view key) {
+  return const_cast<Value*>(std::as_const(object).find(key));
+}
+void set(Value& object, const std::string& key, Value value) {
+  if (Value* const there = member(object, key)) {
+    *there = std::move(value);
+    return;
+  }
+  object.keys.push_back(key);
+  object.items.push_back(std::move(value));
+}
+
+/// What a choice's words mean, where panels say them otherwise, and the tip.
+std::string descriptionOf(const Setting& setting) {
+  std::string text;
+  if (setting.shown != nullptr) {
+    const std::vector<std::string> words = setting.words();
+    for (std::size_t i = 0; i < words.size(); ++i) text += words[i] + ": " + setting.shown[i] + ". ";
+  }
+  return text + setting.tip;
+}
+
+/// The schema of its value.
+Value schemaOf(const Setting& setting, const scene::SettingValue& usual) {
+  Value made{.kind = Kind::Object};
+  switch (setting.kind) {
+    case SettingKind::Choice: {
+      Value words{.kind = Kind::Array};
+      for (const std::string& word : setting.words()) words.items.push_back(textValue(word));
+      set(made, "enum", std::move(words));
+      break;
+    }
+    case SettingKind::Flag:
+      set(made, "type", textValue("boolean"));
+      break;
+    case SettingKind::Gain:
+      set(made, "$ref", textValue(std::string(kDefs) + "gains"));
+      break;
+    case SettingKind::Number:
+    case SettingKind::Whole:
+      set(made, "type", textValue(setting.kind == SettingKind::Whole ? "integer" : "number"));
+      if (setting.least > -kInfinity)
+        set(made, setting.is_above_least ? "exclusiveMinimum" : "minimum", numberValue(setting.least));
+      if (setting.most < kInfinity) set(made, "maximum", numberValue(setting.most));
+      break;
+  }
+  if (setting.said != scene::Said::Required && !scene::isNone(usual)) set(made, "default", asJson(usual));
+  set(made, "description", textValue(descriptionOf(setting)));
+  return made;
+}
+
+/// A schema of scenes that is being brought up to the table.
+class Schema {
+ public:
+  explicit Schema(Value root) : root_(std::move(root)), defs_(member(root_, "$defs")) {}
+
+  /// False: it is no schema of scenes.
+  bool take(const Setting& setting) {
+    const SettingUse use = useOf(setting);
+    const std::vector<Value*> objects = objectsOf(setting, use);
+    if (objects.empty()) return false;
+    for (Value* const object : objects) {
+      Value* const keys = object == nullptr ? nullptr : member(*object, "properties");
+      if (keys == nullptr) return false;
+      if (std::string_view(setting.key) == "filter") continue;  // what tells the filters apart: a constant of each
+      // What many types have stands in a part of its own, "side"; a type may add to the description.
+      Value* const shared = defs_->find(setting.key) == nullptr ? nullptr : member(*defs_, setting.key);
+      if (shared != nullptr) *shared = schemaOf(setting, use.usual);
+      if (shared == nullptr) set(*keys, setting.key, schemaOf(setting, use.usual));
+      if (shared != nullptr && member(*keys, setting.key) == nullptr) {
+        Value ref{.kind = Kind::Object};
+        set(ref, "$ref", textValue(std::string(kDefs) + setting.key));
+        set(*keys, setting.key, std::move(ref));
+      }
+      if (setting.said == scene::Said::Required) require(*object, setting.key);
+    }
+    return true;
+  }
+  const Value& root() const { return root_; }
+
+ private:
+  Value* part(const std::string& name) { return defs_ == nullptr ? nullptr : member(*defs_, name); }
+
+  std::vector<Value*> objectsOf(const Setting& setting, const SettingUse& use) {
+    const std::string object = setting.object;
+    const std::string last = object.substr(object.rfind('/') + 1);
+    if (object.empty()) return {&root_};
+    if (object == "/simulation") return {member(*member(root_, "properties"), last)};
+    if (object == "/constraints/*") {
+      std::vector<Value*> found;
+      for (const std::string& type : use.of) found.push_back(part(type));
+      return found;
+    }
+    if (last == "velocity") return filtersOf(use);
+    if (object.ends_with("/joints/*")) return {part("joint")};
+    return {part(last == "guide" ? "curve_guide" : last)};
+  }
+
+  std::vector<Value*> filtersOf(const SettingUse& use) {
+    Value* const velocity = part("velocity");
+    if (velocity == nullptr) return {};
+    std::vector<Value*> found;
+    for (Value& one : member(*velocity, "oneOf")->items) {
+      const std::string& name = one.find("properties")->find("filter")->find("const")->text;
+      if (std::find(use.of.begin(), use.of.end(), name) != use.of.end()) found.push_back(&one);
+    }
+    return found;
+  }
+
+  static void require(Value& object, const std::string& key) {
+    if (member(object, "required") == nullptr) set(object, "required", {.kind = Kind::Array});
+    std::vector<Value>& keys = member(object, "required")->items;
+    if (std::none_of(keys.begin(), keys.end(), [&](const Value& one) { return one.text == key; }))
+      keys.push_back(textValue(key));
+  }
+
+  Value root_;
+  Value* defs_;
+};
+
+}  // namespace
+
+Result<std::string> sceneSchema(const std::string& schema_file) {
+  const Result<std::string> text = json::readTextFile(schema_file, "a schema");
+  if (!text) return text.problems();
+  Result<Value> read = json::parse(text.value(), schema_file);
+  if (!read) return read.problems();
+  const Problems wrong{{"This is no schema of scenes.", {schema_file}}};
+  if (read.value().find("$defs") == nullptr || read.value().find("properties") == nullptr) return wrong;
+  Schema schema(std::move(read.value()));
+  for (const Setting& setting : scene::settings()) {
+    if (!schema.take(setting)) return wrong;
+  }
+  return jsonPage(schema.root());
+}
+
+}  // namespace underact::guide
