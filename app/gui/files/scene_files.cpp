@@ -135,10 +135,10 @@ bool SceneFiles::settleEdits() {
   if (!document_.modified()) return true;
   const QString title = QString::fromStdString(document_.scene().title);
   const bool is_new = document_.path().isEmpty() && !document_.showsRecorded();
-  QMessageBox box(
-      QMessageBox::Question, is_new ? tr("New scene") : tr("Tuned gains"),
-      is_new ? tr("The scene “%1” was never saved.").arg(title) : tr("The gains of “%1” were changed.").arg(title),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  QMessageBox box(QMessageBox::Question, is_new ? tr("New scene") : tr("Unsaved changes"),
+                  is_new ? tr("The scene “%1” has not been saved.").arg(title)
+                         : tr("The scene “%1” has unsaved changes.").arg(title),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   box.setObjectName("dialog.unsaved");
   box.setInformativeText(is_new ? tr("Save it as a scene file, or discard it?")
                                 : tr("Save them as a scene file, or discard them?"));

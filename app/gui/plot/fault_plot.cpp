@@ -31,14 +31,14 @@ double greatestY(std::span<const PlotPoint> points) {
 struct FaultPlot::Impl {
   Chart force{FaultPlot::tr("Force [N]"),
               FaultPlot::tr("time [s]"),
-              {{FaultPlot::tr("asked"), 1.0F}, {FaultPlot::tr("sent"), 2.0F}}};
-  Chart lateness{FaultPlot::tr("Lateness [µs]"), FaultPlot::tr("time [s]"), {{QString(), 1.5F}}};
+              {{FaultPlot::tr("commanded"), 1.0F}, {FaultPlot::tr("sent"), 2.0F}}};
+  Chart lateness{FaultPlot::tr("Latency [µs]"), FaultPlot::tr("time [s]"), {{QString(), 1.5F}}};
 };
 
 FaultPlot::FaultPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>()) {
   setObjectName("dialog.fault.plot");
   setAccessibleName(tr("The second before the fault"));
-  setToolTip(tr("Force and lateness of the ticks before the fault, which is at the right edge."));
+  setToolTip(tr("Force and latency of the ticks before the fault, which is at the right edge."));
   setMinimumSize(240, 140);
   setTheme(Theme::light());
 }

@@ -144,7 +144,7 @@ struct LivePlot::Impl {
   Chart force{LivePlot::tr("Force [N]"),
               LivePlot::tr("time [s]"),
               {{LivePlot::tr("limit"), 1.0F},
-               {LivePlot::tr("asked"), 1.0F},
+               {LivePlot::tr("commanded"), 1.0F},
                {LivePlot::tr("sent"), 2.0F},
                {LivePlot::tr("passive"), 1.5F},
                {LivePlot::tr("recorded"), 1.5F, true}}};

@@ -206,7 +206,7 @@ struct SessionPlot::Impl {
   Chart error{SessionPlot::tr("Error [mm]"), SessionPlot::tr("time [s]"), {{QString(), 1.5F}, {QString(), 1.0F}}};
   Chart force{SessionPlot::tr("Force [N]"),
               SessionPlot::tr("time [s]"),
-              {{SessionPlot::tr("asked"), 1.0F}, {SessionPlot::tr("sent"), 2.0F}, {QString(), 1.0F}}};
+              {{SessionPlot::tr("commanded"), 1.0F}, {SessionPlot::tr("sent"), 2.0F}, {QString(), 1.0F}}};
   std::array<Chart, 3> along{Chart{SessionPlot::tr("Force along x [N]"),
                                    SessionPlot::tr("displacement [mm]"),
                                    {{QString(), 1.5F}, {QString(), 2.0F}}},
@@ -225,14 +225,15 @@ struct SessionPlot::Impl {
   Chart energy{SessionPlot::tr("Energy [mJ]"),
                SessionPlot::tr("time [s]"),
                {{QString(), 1.0F}, {SessionPlot::tr("stored"), 2.0F}, {QString(), 1.0F}}};
-  Chart force_lines{SessionPlot::tr("Force [dB over 1 mN]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
-  Chart error_lines{SessionPlot::tr("Error [dB over 1 µm]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
+  Chart force_lines{SessionPlot::tr("Force [dB re 1 mN]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
+  Chart error_lines{SessionPlot::tr("Error [dB re 1 µm]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
 };
 
 SessionPlot::SessionPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName("panel.session.plot");
   setAccessibleName(tr("Plots of the whole session"));
-  setAccessibleDescription(tr("Force and error, displacement, angles, energy or spectrum, as chosen above."));
+  setAccessibleDescription(
+      tr("Error and force, force against displacement, angles, energy or spectrum, as selected above."));
   setMinimumSize(240, 96);
   setTheme(Theme::light());
 }

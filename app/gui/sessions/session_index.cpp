@@ -63,8 +63,8 @@ SessionEntry readSessionEntry(const QString& path) {
     readInto(entry);
   } catch (const std::bad_alloc&) {  // whatever somebody's file asks for, neither the list nor the window ends by it
     entry.wrong = SessionIndex::tr(
-        "This computer has too little memory left to read the file. Close other programs, then choose another folder "
-        "and this one again.");
+        "There is not enough free memory to read the file. Close other programs, choose another folder, then choose "
+        "this one again.");
   }
   return entry;
 }

@@ -63,7 +63,7 @@ void SessionsPanel::addRecordActions() {
   parts_.actions.add({"session.record",
                       tr("&Record"),
                       QKeySequence("Ctrl+Shift+R"),
-                      tr("Begins a recording at once, or ends it."),
+                      tr("Starts recording immediately, or stops it."),
                       "record",
                       {},
                       true},
@@ -80,7 +80,7 @@ void SessionsPanel::addRecordActions() {
            })
       ->setEnabled(false);
   parts_.actions.add({"sessions.find", tr("&Find a session"), QKeySequence("Ctrl+Shift+F"),
-                      tr("Puts the cursor into the search field.")},
+                      tr("Puts the cursor in the search field.")},
                      [this](const QVariantList&) {
                        bringForward();
                        list_->focusSearch();
@@ -90,7 +90,7 @@ void SessionsPanel::addRecordActions() {
 
 QAction* SessionsPanel::addFolderAction() {
   return parts_.actions.add({"sessions.folder", tr("C&hoose folder…"), QKeySequence("Ctrl+Alt+C"),
-                             tr("Where recordings go, and which are listed.")},
+                             tr("Sets the folder in which sessions are saved and listed.")},
                             [this](const QVariantList& path) {
                               if (!path.isEmpty()) return setFolder(path.first().toString());
                               chooseFolder();
@@ -99,7 +99,7 @@ QAction* SessionsPanel::addFolderAction() {
 }
 
 void SessionsPanel::chooseFolder() {
-  askForFolder(window(), "dialog.session_folder", tr("Folder of the recordings"), recording_->folder(),
+  askForFolder(window(), "dialog.session_folder", tr("Folder for sessions"), recording_->folder(),
                [this](const QString& path) { parts_.actions.perform("sessions.folder", path); });
 }
 
