@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::int64_t kBeforeJudged = 1000;  // ticks whose time is averaged
+constexpr std::int64_t kBeforeJudged = 1000;  // ticks over which the time is averaged
 
 std::int64_t periodOf(ServoFacts servo) {
   return 1'000'000'000 / servo.rateHz();

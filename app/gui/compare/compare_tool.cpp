@@ -42,7 +42,7 @@ CompareTool::CompareTool(const FeatureParts& parts)
       beside_(parts.servo) {
   addActions();
   strip_ = new CompareStrip(parts_.actions, parts.middle.parentWidget());
-  parts.middle.insertWidget(0, views_, 1);  // the view is in it from now on
+  parts.middle.insertWidget(0, views_, 1);  // now contains the view
   parts.middle.addWidget(strip_);
   connect(&parts.actions, &Actions::locked, this, [this] { setOn(false); });
   const auto show = [this] {
@@ -50,7 +50,7 @@ CompareTool::CompareTool(const FeatureParts& parts)
     if (parts_.document.isMirrored() == is_mirrored_)
       showScenes();
     else
-      compareWith(scene::mirrored(beside_.scene()));  // both are for the same hand
+      compareWith(scene::mirrored(beside_.scene()));  // both scenes are for the same hand
   };
   connect(&parts_.document, &Document::opened, this, show);
   connect(&parts_.document, &Document::edited, this, show);
@@ -117,7 +117,7 @@ bool CompareTool::compareWith(const scene::Description& scene) {
   return true;
 }
 
-/// Of one file: an edit, with a way back. Another file: it is opened, with the questions that go with it.
+/// Same file: an edit that can be undone. Another file: it is opened, with the question about unsaved changes.
 bool CompareTool::swap() {
   if (!isOn()) return false;
   const scene::Description felt = parts_.document.scene(), other = beside_.scene();

@@ -71,7 +71,7 @@ void TwoViews::setTheme(const Theme& theme) {
   if (right_ != nullptr) right_->setTheme(theme);
 }
 
-/// The right one sees what the left one does.
+/// The right view takes over camera and layers of the left one.
 void TwoViews::follow() {
   if (!(right_->layers() == left_.layers())) right_->setLayers(left_.layers());
   seen_ = {left_.viewpoint().camera, false};
@@ -81,7 +81,7 @@ void TwoViews::follow() {
 void TwoViews::present() {
   if (!showsRight()) return;
   const OrbitCamera there = right_->viewpoint().camera;
-  if (!(there == seen_.camera)) {  // somebody moved it
+  if (!(there == seen_.camera)) {  // the user moved it
     seen_ = {there, false};
     left_.setViewpoint(seen_);
   }

@@ -22,7 +22,7 @@ AddDialog::AddDialog(const QString& name, const QString& title, const QString& p
       foot_(new QHBoxLayout) {
   setObjectName(name);
   setAttribute(Qt::WA_DeleteOnClose);
-  setModal(false);  // nothing keeps anybody from the arm
+  setModal(false);  // the arm stays usable
   setWindowTitle(title.arg(QFileInfo(path).fileName()));
   column_->setContentsMargins(16, 16, 16, 16);
   column_->setSpacing(12);

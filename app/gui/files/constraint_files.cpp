@@ -90,7 +90,7 @@ void ConstraintFiles::take(const QString& name, AddDialog* dialog, const Use& us
         *made = make(shape);
       },
       [made, constraint, use, asked = QPointer<AddDialog>(dialog)] {
-        if (asked == nullptr) return;  // closed meanwhile: it is not wanted any more
+        if (asked == nullptr) return;  // closed meanwhile: no longer wanted
         if (!**made)
           asked->setRefusal(sentencesOf((**made).problems()));
         else if (use(*asked, constraint))

@@ -33,7 +33,7 @@ struct LoadStrip::Load {
         }) {}
   QString what;
   Done done;
-  std::atomic<const char*> step{""};  // the words of a Watch stay where they are
+  std::atomic<const char*> step{""};  // a Watch's texts are static
   Background<bool> background;
 };
 
@@ -96,7 +96,7 @@ void LoadStrip::look() {
   if (!load_->background.take()) return;
   const std::unique_ptr<Load> ready = std::move(load_);
   hide();
-  ready->done();  // it may begin another one
+  ready->done();  // it may begin another load
 }
 
 }  // namespace underact::gui

@@ -27,8 +27,8 @@ QString filterText() {
   return QObject::tr("Scenes (*.json);;All files (*)");
 }
 
-// Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program. By its
-// double ending the desktop knows it for a scene; any JSON file can be opened.
+// The suggested path for a tuned scene: in its own folder, unless it came with the program. The double ending tells the
+// desktop that it is a scene; any JSON file can be opened.
 QString placeToSave(const Document& document) {
   const bool has_file = !document.path().isEmpty();
   const QString unnamed =
@@ -52,7 +52,7 @@ SceneFiles::SceneFiles(Document& document, RecentFiles& recent, LoadStrip& loads
 
 bool SceneFiles::open(const QString& path) {
   if (!settleEdits()) return false;
-  loads_.cancel();  // the last one that was asked for is meant
+  loads_.cancel();  // only the last request counts
   const QString file = QFileInfo(path).absoluteFilePath();
   Result<scene::Description> read = scene::readSceneFile(file.toStdString());
   if (!read) {
@@ -84,7 +84,7 @@ void SceneFiles::loadAndPut(scene::Description scene) {
       [this, loaded, path] {
         if (!loaded->problems.empty()) {
           problems_->show(path, loaded->problems);
-        } else if (settleEdits()) {  // those from while it was loaded
+        } else if (settleEdits()) {  // edits made during loading
           static_cast<void>(put(std::move(loaded->scene)));
         }
       });

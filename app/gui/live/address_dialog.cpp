@@ -62,7 +62,7 @@ void AddressDialog::showEvent(QShowEvent* event) {
   fit();  // the style is known only now
 }
 
-// A layout makes no room for lines that wrap.
+// A layout does not make room for wrapped lines by itself.
 void AddressDialog::fit() {
   layout()->activate();
   resize(width(), layout()->totalHeightForWidth(width()));

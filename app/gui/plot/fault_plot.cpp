@@ -11,7 +11,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kFaultLeastForce_N = 0.2, kLeastLateness_us = 100.0;
-constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: what was asked may be anything
+constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: the commanded force has no limit
 constexpr double kFaultRoom = 1.05;
 
 float finiteOrNone(double value) {

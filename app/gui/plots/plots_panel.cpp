@@ -18,7 +18,7 @@
 
 namespace underact::gui {
 
-// The eye follows a hand at 60 pictures a second and reads a plot at 20: the rest of the time belongs to the servo.
+// A moving hand needs 60 frames per second, a plot is readable at 20: the rest of the time is left to the servo.
 constexpr int kFramesAPlot = 3;
 
 PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)

@@ -75,7 +75,7 @@ void chooseFolder(Actions& actions, QWidget* window) {
                [&actions](const QString& path) { actions.perform("replay.files", path); });
 }
 
-/// Remembers the folder, and opens the session again that asked for it.
+/// Saves the folder, and opens again the session that needed it.
 bool setFolder(Player& player, const QString& folder) {
   if (!QFileInfo(folder).isDir()) return false;
   rememberRecordedFiles(QFileInfo(folder).absoluteFilePath());
@@ -113,7 +113,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                   chooseSession(actions, window);
                   return true;
                 }
-                if (player.isOpen() && !files.settleEdits()) return false;  // what was tried in the one before
+                if (player.isOpen() && !files.settleEdits()) return false;  // edits made to the previous one
                 actions.perform("calibration.cancel");
                 return player.open(path.first().toString());
               });

@@ -29,7 +29,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kFramesAPlace = 3;  // while it plays: numbers that change more often cannot be read
+constexpr int kFramesAPlace = 3;  // while playing: numbers that change more often cannot be read
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 /// "1:02.345"

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kLeastError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
 constexpr double kSessionRoom = 1.05;
-constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: what was asked may be anything
-constexpr double kMostFrequency_hz = 250.0;  // a hand ends at some 20 Hz, a buzz of a stiff scene below this
+constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: the commanded force has no limit
+constexpr double kMostFrequency_hz = 250.0;  // a hand reaches some 20 Hz, the buzzing of a stiff scene stays below this
 constexpr double kLeast_dB = -20.0, kStep_dB = 20.0;
-constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB over a thousandth
+constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB re a thousandth
 constexpr std::size_t kPathGroups = 500;
 constexpr float kNoBreak = std::numeric_limits<float>::infinity();
 
@@ -122,7 +122,7 @@ struct SessionPlot::Impl {
     force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kLeastForce_N));
   }
 
-  /// One scale for all three axes: which of them is stiff is seen at once.
+  /// One scale for all three axes, so that their stiffnesses can be compared.
   void fillAlong() {
     double away_mm = kLeastAway_mm, along_N = kLeastForce_N;
     for (std::size_t axis = 0; axis < along.size(); ++axis) {

@@ -50,7 +50,7 @@ ButtonsSection::ButtonsSection(QWidget* parent)
     uses_[static_cast<std::size_t>(button)] = box;
   }
   column().addLayout(form);
-  setOpen(false);  // chosen once
+  setOpen(false);  // set once and rarely changed
 }
 
 ButtonUse ButtonsSection::use(int button) const {

@@ -65,7 +65,7 @@ bool JobStrip::beginCsv(const QString& session, const QString& out) {
 
 bool JobStrip::beginPlots(const QString& session, const QString& out) {
   if (isBusy()) return false;
-  begin(tr("Drawing the plots of %1").arg(QFileInfo(session).fileName()), 0);  // nobody knows how far it is
+  begin(tr("Drawing the plots of %1").arg(QFileInfo(session).fileName()), 0);  // indeterminate progress
   plots_ = new PlotsRun(session, out, this);
   connect(plots_, &PlotsRun::finished, this, [this](bool done, const QString& sentence) {
     plots_->deleteLater();

@@ -26,7 +26,7 @@ namespace {
 
 enum Row { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 
-/// What is worth a word while it records: what is lost, and what will soon be.
+/// Warnings during a recording: ticks that were lost, and a disk that is nearly full.
 QString warningOf(const record::RecorderStatus& status, bool runs) {
   QStringList lines;
   if (status.dropped > 0)
@@ -116,7 +116,7 @@ void RecordSection::present() {
   record_->setText(runs ? tr("Stop &recording") : tr("&Record"));
   record_->setAccessibleName(runs ? tr("Stop recording") : tr("Record"));
   mark_->setEnabled(runs);
-  if (was_running_ && !runs) words_->setWords(recording_.words());  // what was about that one is gone
+  if (was_running_ && !runs) words_->setWords(recording_.words());  // the metadata of the last session were cleared
   was_running_ = runs;
   const bool any = runs || !recording_.path().isEmpty();
   readout_->setVisible(any);

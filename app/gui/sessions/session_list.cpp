@@ -73,7 +73,7 @@ void SessionList::setTools(QWidget* tools) {
 void SessionList::setFolder(const QString& folder) {
   folder_ = folder;
   index_.setFolder(folder);
-  rebuild();  // what stood there is of another folder
+  rebuild();  // its entries are of another folder
 }
 
 void SessionList::refresh() {

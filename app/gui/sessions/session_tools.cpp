@@ -24,7 +24,7 @@
 
 namespace underact::gui {
 
-constexpr int kMargins = 24;  // of a button, beside its words
+constexpr int kMargins = 24;  // of a button, beside its text
 
 SessionTools::SessionTools(Actions& actions, SessionList& list, JobStrip& job, QWidget* parent)
     : QWidget(parent), actions_(actions), list_(list), job_(job) {
@@ -93,7 +93,7 @@ void SessionTools::buildButtons() {
   auto* row = tight<QHBoxLayout>(this, 4);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     QPushButton* made = pushButton(QString("panel.sessions.") + name, text, tip, this);
-    made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // all four may stand there
+    made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // up to four fit
     row->addWidget(made);
     return made;
   };
@@ -103,7 +103,7 @@ void SessionTools::buildButtons() {
   export_->setAccessibleName(tr("Export as CSV"));
   row->addStretch(1);
   QPushButton* more = button("more", tr("More"), tr("More commands for the selected session and the folder."));
-  more->setMinimumWidth(more->minimumWidth() + kMargins);  // and the arrow
+  more->setMinimumWidth(more->minimumWidth() + kMargins);  // for the arrow
   more->setMenu(menu_);
   connect(replay_, &QPushButton::clicked, this, [this] { actions_.perform("replay.open", list_.chosen()->path); });
   connect(recover_, &QPushButton::clicked, this, [this] { actions_.perform("sessions.recover"); });
@@ -121,7 +121,7 @@ void SessionTools::presentChosen() {
   allow("sessions.edit", closed);
   allow("sessions.recover", readable && !closed);
   allow("sessions.delete", any);
-  // A button comes together with what it does.
+  // A button is shown only together with its action.
   replay_->setVisible(actions_.find("replay.open") != nullptr);
   replay_->setEnabled(readable);
   recover_->setVisible(readable && !closed);

@@ -46,13 +46,13 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     connect(hold, &QAction::toggled, buttons_, &ButtonsSection::setHoldToRun);
     buttons_->setHoldToRun(hold->isChecked());
   }
-  // What a button of the stylus asks for is done when the ticks of this frame are all seen.
+  // The action of a stylus button is performed when all ticks of this frame have been handled.
   connect(buttons_, &ButtonsSection::pressed, this, &SessionsPanel::press, Qt::QueuedConnection);
   connect(recording_, &Recording::changed, this, &SessionsPanel::presentRecording);
   connect(recording_, &Recording::ended, this, [this](const QString& path) {
     list_->setBusy({});
     list_->chooseLater(path);
-    if (!recording_->notice().isEmpty()) bringForward();  // where it stands why
+    if (!recording_->notice().isEmpty()) bringForward();  // it shows the reason
     if (seen_) list_->refresh();
   });
   record_->present();
@@ -70,7 +70,7 @@ void SessionsPanel::addRecordActions() {
                      [this](const QVariantList& on) {
                        if (!on.value(0).toBool()) return recording_->stop();
                        const bool begun = recording_->start();
-                       if (!begun) bringForward();  // where it stands why
+                       if (!begun) bringForward();  // it shows the reason
                        return begun;
                      });
   parts_.actions
