@@ -128,8 +128,8 @@ Problems notFound(const std::string& name, const Description& scene, const std::
   return {{said(TRANSLATE_NOOP("problem",
                                "The file %1 was not found. A recording keeps the names of its meshes and curves and "
                                "not their folders; it was looked for in %2. Put it beside the session, or name its "
-                               "folder: in the window with Replay, Folder of its files; on the command line with "
-                               "--files FOLDER."),
+                               "folder: in the window with Replay, Folder with meshes and curves; on the command line "
+                               "with --files FOLDER."),
                 {json::shown(name), json::listed(looked, "and")}),
            {scene.file}}};
 }

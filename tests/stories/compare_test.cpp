@@ -58,7 +58,7 @@ TEST(CompareStory, TheSameSceneGivesTheSameForceToTheLastBit) {
   EXPECT_GT(desk.feltForce_N(), 0.2);
   EXPECT_EQ(desk.tool.beside().snapshot().report.force.f_T_W(), desk.story.snapshot().report.force.f_T_W());
   EXPECT_EQ(desk.tool.beside().snapshot().report.p_WT, desk.story.snapshot().report.p_WT);
-  EXPECT_TRUE(desk.text("compare.difference").startsWith("Both are the same"));
+  EXPECT_TRUE(desk.text("compare.difference").startsWith("The two scenes are the same"));
 }
 
 TEST(CompareStory, OtherGainsActOnTheSameMotion) {
@@ -70,9 +70,9 @@ TEST(CompareStory, OtherGainsActOnTheSameMotion) {
   EXPECT_LT(desk.besideForce_N(), 0.8) << "a clamped force is not twice another";
   // Half the stiffness on the same error: half the force, but for what is left of the fading of the old one.
   EXPECT_NEAR(desk.besideForce_N(), 2.0 * desk.feltForce_N(), 1e-3);
-  EXPECT_TRUE(desk.text("compare.difference").contains("control.kp_N_per_mm: 0.25 felt, 0.5 beside it"))
+  EXPECT_TRUE(desk.text("compare.difference").contains("control.kp_N_per_mm: felt 0.25, other 0.5"))
       << desk.text("compare.difference").toStdString();
-  EXPECT_TRUE(desk.text("compare.figures").contains("beside it")) << desk.text("compare.figures").toStdString();
+  EXPECT_TRUE(desk.text("compare.figures").contains("Other scene:")) << desk.text("compare.figures").toStdString();
 }
 
 TEST(CompareStory, SwappedTheOtherOneIsFeltAndUndoGivesItBack) {
@@ -94,7 +94,7 @@ TEST(CompareStory, SameAsFeltTakesTheEditsOver) {
   desk.feel(0.25);
   ASSERT_TRUE(desk.story.perform("compare.same"));
   desk.story.run(2000);
-  EXPECT_TRUE(desk.text("compare.difference").startsWith("Both are the same"));
+  EXPECT_TRUE(desk.text("compare.difference").startsWith("The two scenes are the same"));
   EXPECT_NEAR(desk.besideForce_N(), desk.feltForce_N(), 1e-6);
 }
 
@@ -124,7 +124,7 @@ TEST(CompareStory, WhatCannotBeComparedIsSaid) {
   EXPECT_FALSE(desk.text("compare.told").isEmpty());
   EXPECT_FALSE(desk.story.find("compare.told")->isHidden());
   desk.story.perform("compare.open", sceneOfAnotherArm());
-  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("another arm"); };
+  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("different arms"); };
   EXPECT_TRUE(QTest::qWaitFor(isSaid, 10'000)) << desk.text("compare.told").toStdString();
   desk.story.run(200);
   EXPECT_NEAR(desk.besideForce_N(), desk.feltForce_N(), 1e-6);  // the one before stays
@@ -133,7 +133,7 @@ TEST(CompareStory, WhatCannotBeComparedIsSaid) {
 TEST(CompareStory, WhenTheFeltSceneIsForAnotherArmNothingStandsBesideIt) {
   CompareDesk desk;
   ASSERT_TRUE(desk.story.perform("scene.open", sceneOfAnotherArm()));
-  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("another arm"); };
+  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("different arms"); };
   EXPECT_TRUE(QTest::qWaitFor(isSaid, kLong_ms)) << desk.text("compare.told").toStdString();
   EXPECT_FALSE(desk.tool.beside().isOn());
 }

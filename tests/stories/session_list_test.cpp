@@ -118,7 +118,7 @@ TEST(SessionListStory, DeletingSaysThatTheBinKeepsItAndOffersToRemoveForGoodWhic
   ASSERT_TRUE(desk.choose(path));
   ASSERT_TRUE(desk.story->perform("sessions.delete"));
   auto* first = desk.story->find<QMessageBox>("dialog.delete_session");
-  EXPECT_TRUE(first->informativeText().contains("The bin keeps it until it is emptied"));
+  EXPECT_TRUE(first->informativeText().contains("It stays in the bin until the bin is emptied"));
   EXPECT_EQ(first->defaultButton()->objectName(), "dialog.delete_session.cancel");
   desk.story->click(desk.story->find("dialog.delete_session.remove"));
   desk.story->settle();
@@ -180,7 +180,7 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
   EXPECT_TRUE(desk.story->find("panel.sessions.cancel")->isVisible());
   EXPECT_FALSE(desk.story->perform("sessions.export", desk.file("meanwhile.csv")));
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return desk.text("panel.sessions.told") == "2 plots are drawn: plots_*.pdf"; }, kLong_ms));
+      QTest::qWaitFor([&] { return desk.text("panel.sessions.told") == "2 plots saved: plots_*.pdf"; }, kLong_ms));
   EXPECT_TRUE(QFile::exists(desk.file("plots_error.pdf")));
   ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("bad.pdf")));
   EXPECT_TRUE(QTest::qWaitFor(
@@ -190,7 +190,7 @@ TEST(SessionListStory, PlotsAreDrawnByThePythonPackageAndItsLastSentenceIsSaidWh
   ASSERT_TRUE(desk.story->perform("sessions.plots", desk.file("slow.pdf")));
   desk.story->find<QPushButton>("panel.sessions.cancel")->click();
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return desk.text("panel.sessions.told") == "Cancelled: the plots are not all drawn."; }, kLong_ms))
+      [&] { return desk.text("panel.sessions.told") == "Cancelled: not all plots were drawn."; }, kLong_ms))
       << desk.text("panel.sessions.told").toStdString();
   qputenv("UNDERACT_DATA_DIR", before);
 }

@@ -111,7 +111,7 @@ TEST(StreamStory, TheDialogWarnsOfAnotherMachineAndRefusesWhatIsNoAddress) {
   address->setText("192.168.1.20");
   EXPECT_FALSE(refusal->isVisible());
   EXPECT_TRUE(warning->isVisible());
-  EXPECT_TRUE(warning->text().contains("not this machine"));
+  EXPECT_TRUE(warning->text().contains("not this computer"));
   story.settle();
   EXPECT_TRUE(dialog->grab().toImage().save(QString(UNDERACT_BINARY) + "/pictures/dialog_live.png"));
   address->setText(addressOf(listener));

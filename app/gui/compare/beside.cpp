@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::int64_t kBeforeJudged = 1000;  // ticks whose time is averaged
+constexpr std::int64_t kBeforeJudged = 1000;  // ticks over which the time is averaged
 
 std::int64_t periodOf(ServoFacts servo) {
   return 1'000'000'000 / servo.rateHz();
@@ -17,9 +17,11 @@ Problems refused(const char* sentence) {
   return {{QCoreApplication::translate("Beside", sentence).toStdString(), {}}};
 }
 
-const char* const kOtherArm = QT_TRANSLATE_NOOP("Beside", "That scene is for another arm than the one that is felt.");
-const char* const kTooSlow =
-    QT_TRANSLATE_NOOP("Beside", "The other scene takes more time a tick than the window has for it.");
+const char* const kOtherArm =
+    QT_TRANSLATE_NOOP("Beside", "The two scenes are for different arms and cannot be compared.");
+const char* const kTooSlow = QT_TRANSLATE_NOOP("Beside",
+                                               "The comparison has ended: each tick of the other scene takes too long. "
+                                               "Choose a simpler scene or a lower servo rate.");
 
 }  // namespace
 

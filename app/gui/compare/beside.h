@@ -8,28 +8,28 @@
 
 namespace underact::gui {
 
-/// Another scene fed with the ticks of the one in effect: the same motion, with other gains or another method. The arm
-/// gets nothing of its force. It reckons in the window's thread, so it has half of each tick's time at most.
+/// Another scene that receives the ticks of the one in effect: the same motion, with other gains or another method. Its
+/// force is not sent to the arm. It runs in the window's thread, so it may take half of a servo period at most.
 class Beside {
  public:
   static constexpr double kMostOfAPeriod = 0.5;
 
-  /// most_of_a_period: a tick's time beyond which, on average, it ends.
+  /// most_of_a_period: the comparison ends when a tick takes longer than this share of a period, on average.
   explicit Beside(ServoFacts servo, double most_of_a_period = kMostOfAPeriod)
       : servo_(servo), most_of_a_period_(most_of_a_period) {}
-  /// Problems: another arm than that of the scene in effect; it does not compile. Then the one before it stays.
+  /// Problems: it is for another arm than the scene in effect, or does not compile; then the previous one is kept.
   Problems setScene(const scene::Description& scene);
   void end() { rerun_.reset(); }
   bool isOn() const { return rerun_.has_value(); }
   const scene::Description& scene() const { return scene_; }  // the last one
 
-  /// Every tick of the scene in effect, in order. Problems: it goes on no longer, because it takes too much time, or
-  /// because the scene in effect is for another arm now.
+  /// Call with every tick of the scene in effect, in order. Problems: the comparison has ended, because a tick takes
+  /// too long, or because the scene in effect is now for another arm.
   Problems add(const servo::TickRecord& felt);
 
-  // Where it is on.
+  // Only while it is on.
   const servo::Snapshot& snapshot() const { return rerun_->snapshot(); }
-  /// Since either scene was changed last; of ticks in which the ramps of both let the whole force through.
+  /// Since the last change of either scene; over ticks in which both sent the whole force.
   const record::TickFigures& feltFigures() const { return felt_; }
   const record::TickFigures& figures() const { return beside_; }
 
@@ -44,7 +44,7 @@ class Beside {
   std::uint64_t revision_ = 0;  // of the scene in effect
   record::TickFigures felt_, beside_;
   std::int64_t ticks_ = 0;
-  double spent_s_ = 0.0;  // on so many ticks
+  double spent_s_ = 0.0;  // on ticks_ ticks
 };
 
 }  // namespace underact::gui

@@ -16,7 +16,7 @@ namespace underact::gui {
 namespace {
 
 QString figuresText(const record::TickFigures& figures) {
-  return CompareStrip::tr("%1 N on average, %2 N at most, %3 mm away")
+  return CompareStrip::tr("mean %1 N, maximum %2 N, RMS error %3 mm")
       .arg(numberText(figures.meanForce_N(), 2), numberText(figures.peakForce_N(), 2),
            numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
 }
@@ -29,9 +29,9 @@ CompareStrip::CompareStrip(Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 4, 12, 6);
   column->setSpacing(4);
-  told_ = toldLabel("compare.told", tr("What happened to the comparison"), "alarm", this);
-  difference_ = toldLabel("compare.difference", tr("What the two scenes do not share"), "", this);
-  figures_ = toldLabel("compare.figures", tr("Forces of both scenes"), "quiet", this);
+  told_ = toldLabel("compare.told", tr("Message about the comparison"), "alarm", this);
+  difference_ = toldLabel("compare.difference", tr("Differences between the two scenes"), "", this);
+  figures_ = toldLabel("compare.figures", tr("Force and error of both scenes"), "quiet", this);
   column->addWidget(told_);
   column->addWidget(difference_);
   column->addWidget(figures_);
@@ -65,8 +65,8 @@ void CompareStrip::tell(const QString& sentence) {
 void CompareStrip::present(const record::TickFigures& felt, const record::TickFigures& beside) {
   const QString text =
       felt.ticks() == 0
-          ? tr("Forces of both come here when the servo runs.")
-          : tr("Since the last change: felt %1; beside it %2.").arg(figuresText(felt), figuresText(beside));
+          ? tr("Start the servo to compare the forces.")
+          : tr("Since the last change. Felt scene: %1. Other scene: %2.").arg(figuresText(felt), figuresText(beside));
   if (figures_->text() != text) figures_->setText(text);
 }
 

@@ -9,14 +9,14 @@ namespace underact::gui {
 
 class Actions;
 
-/// Below the two views: what the scenes do not share, the forces of both, and what can be done with them.
+/// Below the two views: the differences between the scenes, the forces of both, and the actions.
 class CompareStrip : public QWidget {
   Q_OBJECT
  public:
-  /// actions: with those of the comparison.
+  /// actions: include those of the comparison.
   CompareStrip(Actions& actions, QWidget* parent);
   void setDifference(const QString& words, const QString& all);
-  /// A sentence that should be seen; empty: none.
+  /// A message; empty: none.
   void tell(const QString& sentence);
   void present(const record::TickFigures& felt, const record::TickFigures& beside);
 

@@ -27,9 +27,9 @@ constexpr qsizetype kMostShown = 3;  // differences; the rest is in the tool tip
 
 QString wordsOf(const scene::Difference& difference) {
   const auto value = [](const std::string& text) {
-    return text.empty() ? CompareTool::tr("nothing") : QString::fromStdString(text);
+    return text.empty() ? CompareTool::tr("not set") : QString::fromStdString(text);
   };
-  return CompareTool::tr("%1: %2 felt, %3 beside it")
+  return CompareTool::tr("%1: felt %2, other %3")
       .arg(QString::fromStdString(difference.key), value(difference.one), value(difference.other));
 }
 
@@ -42,7 +42,7 @@ CompareTool::CompareTool(const FeatureParts& parts)
       beside_(parts.servo) {
   addActions();
   strip_ = new CompareStrip(parts_.actions, parts.middle.parentWidget());
-  parts.middle.insertWidget(0, views_, 1);  // the view is in it from now on
+  parts.middle.insertWidget(0, views_, 1);  // now contains the view
   parts.middle.addWidget(strip_);
   connect(&parts.actions, &Actions::locked, this, [this] { setOn(false); });
   const auto show = [this] {
@@ -50,7 +50,7 @@ CompareTool::CompareTool(const FeatureParts& parts)
     if (parts_.document.isMirrored() == is_mirrored_)
       showScenes();
     else
-      compareWith(scene::mirrored(beside_.scene()));  // both are for the same hand
+      compareWith(scene::mirrored(beside_.scene()));  // both scenes are for the same hand
   };
   connect(&parts_.document, &Document::opened, this, show);
   connect(&parts_.document, &Document::edited, this, show);
@@ -60,10 +60,10 @@ CompareTool::~CompareTool() = default;
 
 void CompareTool::addActions() {
   parts_.actions.add({"compare.on",
-                      tr("&Compare two"),
+                      tr("&Compare two scenes"),
                       QKeySequence("Ctrl+Alt+Shift+C"),
-                      tr("A second view with the scene as it is now: change gains, and see what the ones before would "
-                         "do with the same motion."),
+                      tr("Opens a second view with the scene as it is now. Change gains, and compare the forces before "
+                         "and after the change on the same motion."),
                       {},
                       {},
                       true},
@@ -71,14 +71,14 @@ void CompareTool::addActions() {
                        setOn(on.value(0).toBool());
                        return isOn() == on.value(0).toBool();
                      });
-  parts_.actions.add({"compare.swap", tr("S&wap the compared"), QKeySequence("Ctrl+Alt+Shift+X"),
-                      tr("What was beside is felt from now on, and what was felt stands beside it.")},
+  parts_.actions.add({"compare.swap", tr("S&wap compared scenes"), QKeySequence("Ctrl+Alt+Shift+X"),
+                      tr("Makes the other scene the one that is felt; the felt scene moves to the second view.")},
                      [this](const QVariantList&) { return swap(); });
-  parts_.actions.add({"compare.same", tr("Compare with what is felt &now"), QKeySequence("Ctrl+Alt+Shift+N"),
-                      tr("The scene as it is now stands beside it from now on.")},
+  parts_.actions.add({"compare.same", tr("Compare with the scene as it is &now"), QKeySequence("Ctrl+Alt+Shift+N"),
+                      tr("Copies the felt scene, as it is now, to the second view.")},
                      [this](const QVariantList&) { return isOn() && compareWith(parts_.document.scene()); });
   parts_.actions.add({"compare.open", tr("Compar&e with another scene…"), QKeySequence("Ctrl+Alt+Shift+F"),
-                      tr("Opens a scene file to stand beside what is felt.")},
+                      tr("Opens a scene file in the second view.")},
                      [this](const QVariantList& path) {
                        if (!path.isEmpty()) return open(path.first().toString());
                        chooseAndOpen();
@@ -117,12 +117,12 @@ bool CompareTool::compareWith(const scene::Description& scene) {
   return true;
 }
 
-/// Of one file: an edit, with a way back. Another file: it is opened, with the questions that go with it.
+/// Same file: an edit that can be undone. Another file: it is opened, with the question about unsaved changes.
 bool CompareTool::swap() {
   if (!isOn()) return false;
   const scene::Description felt = parts_.document.scene(), other = beside_.scene();
   if (other.file == felt.file) {
-    const Problems problems = parts_.document.edit(other, tr("swap of the compared"), parts_.document.newGesture());
+    const Problems problems = parts_.document.edit(other, tr("swap of compared scenes"), parts_.document.newGesture());
     tell(sentencesOf(problems));
     if (!problems.empty()) return false;
   } else if (!parts_.files.openLoaded(parts_.document.throughMirror(other))) {
@@ -141,7 +141,7 @@ bool CompareTool::open(const QString& path) {
 }
 
 void CompareTool::chooseAndOpen() {
-  askForFile(views_->window(), "dialog.compare_scene", tr("A scene to compare with"), sceneFolder(),
+  askForFile(views_->window(), "dialog.compare_scene", tr("Scene to compare with"), sceneFolder(),
              tr("Scenes (*.json);;All files (*)"),
              [this](const QString& path) { parts_.actions.perform("compare.open", path); });
 }
@@ -157,13 +157,12 @@ void CompareTool::takeLoaded() {
 
 void CompareTool::showScenes() {
   const scene::Description &felt = parts_.document.scene(), &other = beside_.scene();
-  views_->setHeads(tr("Felt: %1").arg(sceneText(felt.title)),
-                   tr("Beside it, not felt: %1").arg(sceneText(other.title)));
+  views_->setHeads(tr("Felt: %1").arg(sceneText(felt.title)), tr("Not felt: %1").arg(sceneText(other.title)));
   QStringList words;
   for (const scene::Difference& one : scene::differencesBetween(felt, other)) words << wordsOf(one);
   const QString shown = QStringList(words.mid(0, kMostShown)).join("\n");
   const qsizetype more = words.size() - kMostShown;
-  strip_->setDifference(words.isEmpty() ? tr("Both are the same. Change what is felt: gains, shape, method.")
+  strip_->setDifference(words.isEmpty() ? tr("The two scenes are the same. Change the felt one: gains, shape, method.")
                         : more > 0      ? tr("%1\nand %2 more").arg(shown).arg(more)
                                         : shown,
                         words.join("\n"));

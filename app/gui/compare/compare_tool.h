@@ -11,8 +11,8 @@ namespace underact::gui {
 class CompareStrip;
 class TwoViews;
 
-/// Two scenes, or one with two sorts of gains, compared on one motion: to the left what is felt, to the right what the
-/// other one would do. What is felt is edited as always; the other one stays as it was, until they are swapped.
+/// Compares two scenes, or one scene with two sets of gains, on one motion: the felt scene on the left, the other one
+/// on the right. The felt scene is edited as usual; the other one does not change until they are swapped.
 class CompareTool : public QObject, public Follower {
   Q_OBJECT
  public:
@@ -42,7 +42,7 @@ class CompareTool : public QObject, public Follower {
   CompareStrip* strip_ = nullptr;
   Beside beside_;
   SceneLoading loading_;
-  bool is_mirrored_ = false;  // the scene beside
+  bool is_mirrored_ = false;  // the other scene
   int frames_ = 0;
 };
 

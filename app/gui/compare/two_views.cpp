@@ -21,9 +21,9 @@ TwoViews::TwoViews(SceneView& left, QWidget* parent) : QWidget(parent), left_(le
   auto* left_half = half();
   right_half_ = half();
   auto* const left_column = static_cast<QVBoxLayout*>(left_half->layout());
-  left_head_ = head("compare.left", tr("What is felt"), left_column);
+  left_head_ = head("compare.left", tr("Felt scene"), left_column);
   left_column->addWidget(&left_, 1);
-  right_head_ = head("compare.right", tr("What it is compared with"), static_cast<QVBoxLayout*>(right_half_->layout()));
+  right_head_ = head("compare.right", tr("Other scene"), static_cast<QVBoxLayout*>(right_half_->layout()));
   left_head_->hide();
   right_half_->hide();
 }
@@ -40,8 +40,9 @@ QLabel* TwoViews::head(const char* name, const QString& spoken, QVBoxLayout* col
 
 void TwoViews::makeRight() {
   right_ = new SceneView(right_half_);
-  nameWidget(right_, "view.beside", tr("3D view of what is not felt"));
-  right_->setAccessibleDescription(tr("The scene that is compared, with the same hand. Arrow keys turn both views."));
+  nameWidget(right_, "view.beside", tr("3D view of the other scene"));
+  right_->setAccessibleDescription(
+      tr("The scene that is not felt, with the same motion of the hand. The arrow keys rotate both views."));
   right_->setMinimumSize(left_.minimumSize());
   right_->setTheme(theme_);
   right_half_->layout()->addWidget(right_);
@@ -70,7 +71,7 @@ void TwoViews::setTheme(const Theme& theme) {
   if (right_ != nullptr) right_->setTheme(theme);
 }
 
-/// The right one sees what the left one does.
+/// The right view takes over camera and layers of the left one.
 void TwoViews::follow() {
   if (!(right_->layers() == left_.layers())) right_->setLayers(left_.layers());
   seen_ = {left_.viewpoint().camera, false};
@@ -80,7 +81,7 @@ void TwoViews::follow() {
 void TwoViews::present() {
   if (!showsRight()) return;
   const OrbitCamera there = right_->viewpoint().camera;
-  if (!(there == seen_.camera)) {  // somebody moved it
+  if (!(there == seen_.camera)) {  // the user moved it
     seen_ = {there, false};
     left_.setViewpoint(seen_);
   }

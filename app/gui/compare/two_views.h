@@ -9,15 +9,15 @@ class QVBoxLayout;
 
 namespace underact::gui {
 
-/// The view, and a second one to its right where two scenes are compared: seen from the same place, with the same
-/// layers and letters. Who moves one camera moves the other.
+/// The view, and to its right a second one while two scenes are compared: with the same camera, layers and font. Moving
+/// one camera moves the other.
 class TwoViews : public QWidget {
   Q_OBJECT
  public:
   TwoViews(SceneView& left, QWidget* parent);
   void showRight(bool on);
   bool showsRight() const;
-  /// Where it shows.
+  /// Only while it is shown.
   SceneView& right() { return *right_; }
   void setHeads(const QString& left, const QString& right);
   /// Each frame.
@@ -31,9 +31,9 @@ class TwoViews : public QWidget {
 
   SceneView& left_;
   QWidget* right_half_;
-  SceneView* right_ = nullptr;  // made when it is first asked for: it costs time and memory
+  SceneView* right_ = nullptr;  // created when first needed: it costs time and memory
   QLabel *left_head_, *right_head_;
-  Viewpoint seen_;  // from where both are seen
+  Viewpoint seen_;  // of both views
   Theme theme_ = Theme::light();
 };
 

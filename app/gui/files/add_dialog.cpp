@@ -22,7 +22,7 @@ AddDialog::AddDialog(const QString& name, const QString& title, const QString& p
       foot_(new QHBoxLayout) {
   setObjectName(name);
   setAttribute(Qt::WA_DeleteOnClose);
-  setModal(false);  // nothing keeps anybody from the arm
+  setModal(false);  // the arm stays usable
   setWindowTitle(title.arg(QFileInfo(path).fileName()));
   column_->setContentsMargins(16, 16, 16, 16);
   column_->setSpacing(12);
@@ -44,14 +44,14 @@ void AddDialog::layFoot(bool can_add, const QString& add, const QString& fresh) 
   foot_->addStretch(1);
   if (!add.isEmpty()) {
     QPushButton* adds = footButton("add", tr("&Add to the scene"), add);
-    QPushButton* opens = footButton("new", tr("&New scene of it"), fresh);
+    QPushButton* opens = footButton("new", tr("&New scene from it"), fresh);
     adds->setEnabled(can_add);
     (can_add ? adds : opens)->setDefault(true);
     connect(adds, &QPushButton::clicked, this, &AddDialog::addAsked);
     connect(opens, &QPushButton::clicked, this, &AddDialog::newSceneAsked);
   }
-  QPushButton* close =
-      footButton("close", add.isEmpty() ? tr("&Close") : tr("&Cancel"), tr("Closes this. The scene stays."));
+  QPushButton* close = footButton("close", add.isEmpty() ? tr("&Close") : tr("&Cancel"),
+                                  tr("Closes this dialog. The scene is not changed."));
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   column_->addLayout(foot_);
 }

@@ -12,14 +12,14 @@ class QVBoxLayout;
 
 namespace underact::gui {
 
-/// What a file holds and how it is to become a part of a scene: of the one that is there, or of a new one. It stays
-/// beside the window until it is added or closed.
+/// Shows the content of a file and asks how to add it to a scene: to the present one, or to a new one. It stays open
+/// beside the window until the content is added or the dialog is closed.
 class AddDialog : public QDialog {
   Q_OBJECT
  public:
-  /// As it is asked for now.
+  /// As chosen in the dialog.
   virtual scene::Constraint constraint() const = 0;
-  /// Why it was not added; the dialog stays.
+  /// Why it was not added; the dialog stays open.
   void setRefusal(const QString& sentences);
 
  signals:
@@ -27,11 +27,11 @@ class AddDialog : public QDialog {
   void newSceneAsked();
 
  protected:
-  /// name: "dialog.mesh", of whose parts the names begin with it. title: "Mesh %1". counts: what a screen reader calls
-  /// the first line.
+  /// name: "dialog.mesh", the prefix of the names of its widgets. title: "Mesh %1". counts: the accessible name of the
+  /// first line.
   AddDialog(const QString& name, const QString& title, const QString& path, const QString& counts, QWidget* parent);
-  /// By the file's name: where the file has it, or, where its middle would be outside the workspace, with the middle in
-  /// that of the workspace. middle: in units of the file.
+  /// A constraint named after the file: with the coordinates of the file or, if its middle would be outside the
+  /// workspace, moved to the middle of the workspace. middle: in units of the file.
   template <class Shape>
   scene::Constraint fromFile(Shape shape, double mm_per_unit, const Vec3& middle) const {
     shape.file = path_.toStdString();
@@ -44,10 +44,10 @@ class AddDialog : public QDialog {
   }
   QVBoxLayout* column() { return column_; }
   QLabel* counts() const { return counts_; }
-  /// "dialog.mesh.NAME", the next one in the row at the foot.
+  /// Adds the button "dialog.mesh.NAME" to the row at the bottom.
   QPushButton* footButton(const char* name, const QString& text, const QString& tip);
-  /// The refusal, and the row with its last buttons. can_add: there is a scene. add, fresh: what those buttons do, in a
-  /// sentence; empty: there is nothing to add.
+  /// Lays out the refusal and the row of buttons. can_add: there is a scene. add, fresh: the tool tips of those
+  /// buttons; empty: there is nothing to add.
   void layFoot(bool can_add, const QString& add, const QString& fresh);
 
  private:

@@ -48,7 +48,7 @@ void ConstraintFiles::load(const QString& path, const ConstraintFileKind::Read& 
       tr("Loading %1").arg(name), [outcome, path, read](const Watch& watch) { *outcome = read(path, watch); },
       [this, outcome, name] {
         if (**outcome) return ask(name, (**outcome).value()(document_.isOpen(), window_));
-        const QString what = tr("“%1” was not loaded. The scene stays as it is.").arg(name);
+        const QString what = tr("“%1” was not loaded. The scene is unchanged.").arg(name);
         showProblemsBox(QString("dialog.%1_problems").arg(kind_.key), kind_.not_loaded, what, (**outcome).problems(),
                         window_);
       });
@@ -90,7 +90,7 @@ void ConstraintFiles::take(const QString& name, AddDialog* dialog, const Use& us
         *made = make(shape);
       },
       [made, constraint, use, asked = QPointer<AddDialog>(dialog)] {
-        if (asked == nullptr) return;  // closed meanwhile: it is not wanted any more
+        if (asked == nullptr) return;  // closed meanwhile: no longer wanted
         if (!**made)
           asked->setRefusal(sentencesOf((**made).problems()));
         else if (use(*asked, constraint))

@@ -15,12 +15,12 @@ class Document;
 class LoadStrip;
 class SceneFiles;
 
-/// By the end of its name; what is in it is seen when it is loaded.
+/// By the ending of its name; its content is checked when it is loaded.
 bool endsWithOne(const QStringList& suffixes, const QString& path);
 
-/// What sets one kind of file whose content becomes a constraint apart from the others.
+/// What distinguishes the kinds of files whose content becomes a constraint.
 struct ConstraintFileKind {
-  /// Makes the dialog that asks about what was read.
+  /// Makes the dialog about the content.
   using Ask = std::function<AddDialog*(bool can_add, QWidget* parent)>;
   using Read = std::function<Result<Ask>(const QString& path, const Watch& watch)>;
   using Made = std::shared_ptr<const void>;
@@ -30,22 +30,22 @@ struct ConstraintFileKind {
   QString choose, filter, not_loaded;  // titles; filter: %1 for the patterns
   QString edit, about;                 // "mesh %1" to undo, "The mesh %1." of a new scene
   Read read;                           // in another thread
-  /// In another thread: what the scene's compilation finds made as long as it is held. None: nothing takes long.
+  /// In another thread: prepares what compiling the scene needs, kept as long as it is held. None: nothing takes long.
   std::function<Result<Made>(const scene::Shape& shape)> make = {};
 };
 
-/// Files whose content becomes a constraint: read in another thread, asked about, and put into a scene.
+/// Files whose content becomes a constraint: read in another thread, shown in a dialog, and added to a scene.
 class ConstraintFiles : public QObject {
   Q_OBJECT
  public:
   ConstraintFiles(ConstraintFileKind kind, Document& document, SceneFiles& scenes, LoadStrip& loads, QWidget* window);
-  /// "mesh.add": a file that is given, or asked for.
+  /// "mesh.add": loads the given file, or asks for one.
   void addAction(Actions& actions, const ActionInfo& info);
-  /// Reads a file and opens the dialog on it; in another way than that of its kind where it is only looked at.
+  /// Reads a file and opens the dialog on it; read: another reader than that of its kind if it is only shown.
   void load(const QString& path, const ConstraintFileKind::Read& read);
 
  private:
-  /// What a button of the dialog does with the constraint; false: the dialog stays.
+  /// What a button of the dialog does with the constraint; false: the dialog stays open.
   using Use = std::function<bool(AddDialog& dialog, const scene::Constraint& constraint)>;
   void choose();
   void ask(const QString& name, AddDialog* dialog);

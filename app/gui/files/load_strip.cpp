@@ -33,13 +33,13 @@ struct LoadStrip::Load {
         }) {}
   QString what;
   Done done;
-  std::atomic<const char*> step{""};  // the words of a Watch stay where they are
+  std::atomic<const char*> step{""};  // a Watch's texts are static
   Background<bool> background;
 };
 
 LoadStrip::LoadStrip(QWidget* parent)
     : QWidget(parent),
-      told_(toldLabel("load.told", tr("What is loaded"), "quiet", this)),
+      told_(toldLabel("load.told", tr("File that is being loaded"), "quiet", this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName("load");
@@ -48,8 +48,8 @@ LoadStrip::LoadStrip(QWidget* parent)
   bar_->setRange(0, kSteps);
   bar_->setMaximumWidth(28 * fontMetrics().averageCharWidth());
   cancel_->setObjectName("load.cancel");
-  cancel_->setAccessibleName(tr("Cancel the loading"));
-  cancel_->setToolTip(tr("Ends the loading. The scene stays as it is."));
+  cancel_->setAccessibleName(tr("Cancel loading"));
+  cancel_->setToolTip(tr("Cancels loading. The scene is not changed."));
   cancel_->setFocusPolicy(Qt::StrongFocus);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 4, 12, 4);
@@ -96,7 +96,7 @@ void LoadStrip::look() {
   if (!load_->background.take()) return;
   const std::unique_ptr<Load> ready = std::move(load_);
   hide();
-  ready->done();  // it may begin another one
+  ready->done();  // it may begin another load
 }
 
 }  // namespace underact::gui

@@ -14,19 +14,19 @@ class QPushButton;
 
 namespace underact::gui {
 
-/// Below the view while meshes are loaded in another thread: what is loaded, how far it is, and a button to end it. The
-/// arm, and everything in the window, goes on meanwhile.
+/// Below the view while files are loaded in another thread: the file, the progress, and a button to cancel. The arm and
+/// the window stay usable meanwhile.
 class LoadStrip : public QWidget {
   Q_OBJECT
  public:
-  /// In a thread of its own.
+  /// Called in a thread of its own.
   using Work = std::function<void(const Watch& watch)>;
-  /// In the window's thread, when the work has come to its end; not where it was cancelled.
+  /// Called in the window's thread when the work is done; not if it was cancelled.
   using Done = std::function<void()>;
 
   explicit LoadStrip(QWidget* parent = nullptr);
   ~LoadStrip() override;
-  /// what: "Loading bunny.stl". A load that goes on is cancelled.
+  /// what: "Loading bunny.stl". A load in progress is cancelled.
   void begin(const QString& what, Work work, Done done);
   void cancel();
   bool isBusy() const { return load_ != nullptr; }
@@ -40,7 +40,7 @@ class LoadStrip : public QWidget {
   void show(const QString& step, double share);
 
   std::unique_ptr<Load> load_;
-  std::vector<std::unique_ptr<Load>> leaving_;  // cancelled: nobody waits for them
+  std::vector<std::unique_ptr<Load>> leaving_;  // cancelled, not waited for
   QLabel* told_;
   QProgressBar* bar_;
   QPushButton* cancel_;

@@ -27,8 +27,8 @@ QString filterText() {
   return QObject::tr("Scenes (*.json);;All files (*)");
 }
 
-// Where a tuned scene is offered to be kept: its own folder, but never the one that came with the program. By its
-// double ending the desktop knows it for a scene; any JSON file can be opened.
+// The suggested path for a tuned scene: in its own folder, unless it came with the program. The double ending tells the
+// desktop that it is a scene; any JSON file can be opened.
 QString placeToSave(const Document& document) {
   const bool has_file = !document.path().isEmpty();
   const QString unnamed =
@@ -52,7 +52,7 @@ SceneFiles::SceneFiles(Document& document, RecentFiles& recent, LoadStrip& loads
 
 bool SceneFiles::open(const QString& path) {
   if (!settleEdits()) return false;
-  loads_.cancel();  // the last one that was asked for is meant
+  loads_.cancel();  // only the last request counts
   const QString file = QFileInfo(path).absoluteFilePath();
   Result<scene::Description> read = scene::readSceneFile(file.toStdString());
   if (!read) {
@@ -84,7 +84,7 @@ void SceneFiles::loadAndPut(scene::Description scene) {
       [this, loaded, path] {
         if (!loaded->problems.empty()) {
           problems_->show(path, loaded->problems);
-        } else if (settleEdits()) {  // those from while it was loaded
+        } else if (settleEdits()) {  // edits made during loading
           static_cast<void>(put(std::move(loaded->scene)));
         }
       });
@@ -135,10 +135,10 @@ bool SceneFiles::settleEdits() {
   if (!document_.modified()) return true;
   const QString title = QString::fromStdString(document_.scene().title);
   const bool is_new = document_.path().isEmpty() && !document_.showsRecorded();
-  QMessageBox box(
-      QMessageBox::Question, is_new ? tr("New scene") : tr("Tuned gains"),
-      is_new ? tr("The scene “%1” was never saved.").arg(title) : tr("The gains of “%1” were changed.").arg(title),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  QMessageBox box(QMessageBox::Question, is_new ? tr("New scene") : tr("Unsaved changes"),
+                  is_new ? tr("The scene “%1” has not been saved.").arg(title)
+                         : tr("The scene “%1” has unsaved changes.").arg(title),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   box.setObjectName("dialog.unsaved");
   box.setInformativeText(is_new ? tr("Save it as a scene file, or discard it?")
                                 : tr("Save them as a scene file, or discard them?"));

@@ -14,21 +14,21 @@ class LoadStrip;
 class ProblemsDialog;
 class RecentFiles;
 
-/// Opening and saving, with the questions and the answers that go with it.
+/// Opens and saves scenes, with the dialogs that belong to it.
 class SceneFiles : public QObject {
   Q_OBJECT
  public:
   SceneFiles(Document& document, RecentFiles& recent, LoadStrip& loads, QWidget* window);
 
-  /// Asks about edits first. A scene with meshes opens when they are loaded, in another thread; the one before it stays
-  /// until then. false: there are problems (they are shown), or the user thought better of it.
+  /// Asks about edits first. A scene with meshes opens when they have been loaded in another thread; until then the
+  /// previous one stays. false: there are problems (they are shown), or the user cancelled.
   bool open(const QString& path);
-  /// A scene with its meshes, of a file or of none; the same questions.
+  /// A scene whose meshes are loaded, with or without a file; asks the same questions.
   bool openLoaded(scene::Description scene);
   void chooseAndOpen();
   bool saveAs(const QString& path);
   void chooseAndSave();
-  /// Nothing is edited, or the user says what becomes of it. false: everything stays as it is.
+  /// Asks what to do with unsaved edits, if any. false: the user cancelled.
   bool settleEdits();
 
  private:

@@ -15,19 +15,19 @@ AddressDialog::AddressDialog(const QString& address, QWidget* parent)
     : QDialog(parent),
       address_(new QLineEdit(address, this)),
       warning_(toldLabel("dialog.live.warning", tr("Warning"), "amber", this)),
-      refusal_(toldLabel("dialog.live.refusal", tr("What is wrong"), "alarm", this)) {
+      refusal_(toldLabel("dialog.live.refusal", tr("Error message"), "alarm", this)) {
   setObjectName("dialog.live");
   for (QLabel* label : {warning_, refusal_}) label->hide();
   setWindowTitle(tr("Send live data to"));
   setModal(false);
   setMinimumWidth(460);
-  auto* about = new QLabel(tr("Each tick goes out as one JSON object over UDP. PlotJuggler listens with its source "
-                              "“UDP Server”, at port %1 by itself.")
+  auto* about = new QLabel(tr("Each tick is sent as one JSON object over UDP. To receive it in PlotJuggler, start its "
+                              "source “UDP Server”, whose default port is %1.")
                                .arg(stream::kPort),
                            this);
   about->setWordWrap(true);
   nameWidget(address_, "dialog.live.address", tr("Address"),
-             tr("A port, a host by its number, or both: 9870, 192.168.1.20, 192.168.1.20:9870."));
+             tr("A port, an IP address, or both: 9870, 192.168.1.20, 192.168.1.20:9870."));
   address_->selectAll();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   send_ = buttons->addButton(tr("&Send"), QDialogButtonBox::ActionRole);
@@ -62,7 +62,7 @@ void AddressDialog::showEvent(QShowEvent* event) {
   fit();  // the style is known only now
 }
 
-// A layout makes no room for lines that wrap.
+// A layout does not make room for wrapped lines by itself.
 void AddressDialog::fit() {
   layout()->activate();
   resize(width(), layout()->totalHeightForWidth(width()));
@@ -73,8 +73,8 @@ void AddressDialog::look() {
   const Result<stream::Address> read = stream::readAddress(address_->text().trimmed().toStdString());
   const bool leaves = read && !read.value().isThisMachine();
   if (leaves) {
-    warning_->setText(tr("%1 is not this machine. What the hand does and feels goes there unencrypted: whoever is on "
-                         "the way can read it.")
+    warning_->setText(tr("%1 is not this computer. What the hand does and feels is sent unencrypted: anyone on the "
+                         "network between can read it.")
                           .arg(QString::fromStdString(read.value().host)));
   }
   warning_->setVisible(leaves);

@@ -9,16 +9,16 @@ class QPushButton;
 
 namespace underact::gui {
 
-/// "Where do live data go?" Says plainly where they would leave this machine. Not modal.
+/// Asks for the address to which live data are sent. Warns if they would leave this computer. Not modal.
 class AddressDialog : public QDialog {
   Q_OBJECT
  public:
   AddressDialog(const QString& address, QWidget* parent);
-  /// Why it cannot be; empty: nothing was refused.
+  /// Why the address was refused; empty: it was not.
   void refuse(const QString& sentence);
 
  signals:
-  /// The dialog stays until it is accepted.
+  /// The dialog stays open until it is accepted.
   void chosen(const underact::stream::Address& address);
 
  protected:

@@ -33,7 +33,7 @@ void LiveData::addActions(QWidget* window) {
   actions_.add({"live.send",
                 tr("Send &live data to PlotJuggler"),
                 QKeySequence("Ctrl+Alt+J"),
-                tr("Sends every tick as JSON over UDP while it is on; to this machine, where no address is given."),
+                tr("Sends every tick as JSON over UDP: to this computer, unless you give another address."),
                 {},
                 {},
                 true},
@@ -93,8 +93,8 @@ QString LiveData::where() const {
 
 QString LiveData::details() const {
   if (!isSending()) return {};
-  const QString much = tr("%1 ticks sent, %2 not taken by the network.").arg(stream_->sent()).arg(stream_->lost());
-  return address_.isThisMachine() ? much : much + '\n' + tr("Another machine gets what the hand does.");
+  const QString much = tr("%1 ticks sent, %2 could not be sent.").arg(stream_->sent()).arg(stream_->lost());
+  return address_.isThisMachine() ? much : much + '\n' + tr("What the hand does is sent to another computer.");
 }
 
 }  // namespace underact::gui

@@ -11,8 +11,8 @@ class QWidget;
 
 namespace underact::gui {
 
-/// Every tick to PlotJuggler, while it is asked for: off at each start, and to this machine unless an address was given
-/// since. Its actions are live.send and live.address.
+/// Sends every tick to PlotJuggler while it is on: off at each start of the program, and to this computer unless
+/// another address was given since. Its actions are live.send and live.address.
 class LiveData : public QObject, public Follower {
   Q_OBJECT
  public:
@@ -23,12 +23,12 @@ class LiveData : public QObject, public Follower {
   void present(const servo::Snapshot& snapshot) override;
   bool isSending() const { return stream_.has_value(); }
   const stream::Address& address() const { return address_; }
-  /// Sends to address from now on. Problems: there is no way to it; then what was sent before goes on.
+  /// Sends to address from now on. Problems: it cannot be reached; then the previous address is kept.
   Problems sendTo(const stream::Address& address);
   void stop();
   /// "live data to 127.0.0.1:9870"; empty: nothing is sent.
   QString where() const;
-  /// How much went out, and whether another machine gets it.
+  /// How many ticks were sent, and whether another computer receives them.
   QString details() const;
 
  private:
@@ -42,7 +42,7 @@ class LiveData : public QObject, public Follower {
   std::optional<stream::LiveStream> stream_;
 };
 
-/// "127.0.0.1:9870", "[::1]:9870": as readAddress() takes it.
+/// "127.0.0.1:9870", "[::1]:9870": as readAddress() reads it.
 QString addressText(const stream::Address& address);
 
 }  // namespace underact::gui

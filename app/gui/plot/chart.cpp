@@ -12,8 +12,8 @@ namespace underact::gui {
 namespace {
 
 constexpr double kGap = 8.0;
-constexpr double kLabelRoom_px = 56.0;                                        // between two words on the x axis
-constexpr double kLineRoom_px = 26.0;                                         // between two words on the y axis
+constexpr double kLabelRoom_px = 56.0;                                        // between two labels on the x axis
+constexpr double kLineRoom_px = 26.0;                                         // between two labels on the y axis
 constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  // of the legend
 constexpr double kDash_px = 8.0, kDashGap_px = 5.0;
 
@@ -35,8 +35,8 @@ QFont boldOf(QFont font) {
   return font;
 }
 
-/// Of a line from a to b, what lies in the box; false: nothing. Liang and Barsky, "A new concept and method for line
-/// clipping", 1984: the shares of the way at which it comes in and goes out.
+/// Clips the line from a to b to the box; false: nothing of it is inside. Liang and Barsky, "A new concept and method
+/// for line clipping", 1984: the fractions of the line at which it enters and leaves.
 bool clipLine(const QRectF& box, QPointF& a, QPointF& b) {
   const QPointF way = b - a;
   double in = 0.0, out = 1.0;
@@ -91,7 +91,7 @@ void Chart::setPlace(const QRectF& area, double scale, const QFont& font) {
 void Chart::setCurveShown(std::size_t curve, bool shown) {
   if (curves_[curve].shown == shown) return;
   curves_[curve].shown = shown;
-  setPlace(area_, scale_, usual_font_);  // the legend may go below the title, or back
+  setPlace(area_, scale_, usual_font_);  // the legend may move below the title, or back
 }
 
 std::size_t Chart::columns() const {
@@ -162,8 +162,8 @@ void Chart::paintGrid(QPainter& painter) const {
   painter.drawLine(axes_.bottomLeft(), axes_.bottomRight());
 }
 
-/// Only what lies within the axes goes to the painter, in lines without a gap: it would follow the rest as far as it
-/// goes, dash by dash.
+/// Only what lies within the axes is given to the painter, as connected lines: otherwise it would draw the rest, too,
+/// dash by dash.
 void Chart::paintCurve(QPainter& painter, std::size_t curve) {
   const double width = static_cast<double>(curves_[curve].width);
   QPen pen(colours_[curve], width, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin);
@@ -222,7 +222,7 @@ void Chart::paintWords(QPainter& painter) const {
   paintLegend(painter, legend_lines_ > 0 ? std::round(title_base + metrics.height()) : title_base);
   painter.setFont(boldOf(font_));
   painter.setPen(theme_.ink);
-  // Above the axis it belongs to; further left where it is too long for that.
+  // Above its axis; farther left if it is too long.
   const double left = std::clamp(area_.right() - titleWidth() - kGap, area_.left() + kGap, axes_.left());
   const QString title = QFontMetricsF(boldOf(font_)).elidedText(title_, Qt::ElideRight, area_.right() - left);
   painter.drawText(QPointF(std::round(left), title_base), title);
@@ -252,7 +252,7 @@ void Chart::paintLegend(QPainter& painter, double base) const {
   }
 }
 
-/// With its swatch; 0: it is not in the legend.
+/// With its swatch; 0: not in the legend.
 double Chart::nameWidth(const Curve& curve) const {
   if (curve.name.isEmpty() || !curve.shown) return 0.0;
   return kSwatch_px + kSwatchGap_px + QFontMetricsF(font_).horizontalAdvance(curve.name);

@@ -15,12 +15,12 @@ class QPainter;
 
 namespace underact::gui {
 
-/// One chart: grid, curves, words. Its points are made once for a width; a frame only fills them. Points of a curve
-/// that are not finite break its line.
+/// One chart: grid, curves, labels. Its points are allocated once for a width; a frame only fills them. Points that are
+/// not finite break the line of a curve.
 class Chart {
  public:
   struct Curve {
-    QString name;  // in the legend; empty: not there
+    QString name;  // in the legend; empty: not in it
     float width = 1.5F;
     bool dashed = false;
     bool shown = true;
@@ -35,20 +35,20 @@ class Chart {
   /// Ticks of y at multiples of least, 2 least, ...; 0: at round numbers.
   void setTickStep(double least) { tick_step_ = least; }
   void setColours(const Theme& theme, const std::vector<QColor>& curves);
-  /// area: logical pixels from the top left of the widget; the axes stand inside. scale: device pixels a logical one.
+  /// area: logical pixels from the top left of the widget; it contains the axes. scale: device pixels per logical one.
   void setPlace(const QRectF& area, double scale, const QFont& font);
   /// Of the axes, in device pixels.
   std::size_t columns() const;
 
   void setRange(double x_from, double x_to, double y_from, double y_to);
-  /// Room for so many points a curve, all curves alike; allocates only when the number changes.
+  /// Room for that many points in each curve; allocates only when the number changes.
   void reserve(std::size_t points);
   std::span<PlotPoint> points(std::size_t curve) { return points_[curve]; }
   std::size_t curves() const { return curves_.size(); }
   std::pair<double, double> yRange() const { return {y_from_, y_to_}; }
-  /// The x of a place in the widget, logical pixels; none: outside the axes.
+  /// The x of a point of the widget, logical pixels; none: outside the axes.
   std::optional<double> xAt(const QPointF& place) const;
-  /// Where an x stands, half way up the axes.
+  /// The point of an x in the widget, half way up the axes.
   QPointF placeOf(double x) const;
   void paint(QPainter& painter);
 
@@ -71,13 +71,13 @@ class Chart {
   Theme theme_ = Theme::light();
   QFont usual_font_, font_;
   QRectF area_, axes_;
-  int legend_lines_ = 0;  // below the title; 0: both have room in one line
+  int legend_lines_ = 0;  // below the title; 0: both fit in one line
   double scale_ = 1.0;
   double x_from_ = 0.0, x_to_ = 1.0, y_from_ = 0.0, y_to_ = 1.0;
   double tick_step_ = 0.0;
   std::vector<double> x_ticks_, y_ticks_;
   std::vector<std::vector<PlotPoint>> points_;
-  std::vector<QPointF> line_;  // of the curve that is painted
+  std::vector<QPointF> line_;  // of the curve being painted
 };
 
 }  // namespace underact::gui

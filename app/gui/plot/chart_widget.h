@@ -10,14 +10,14 @@ namespace underact::gui {
 
 class Chart;
 
-/// A widget full of charts, painted by Qt into the window's own picture: an OpenGL context of its own, even a shared
-/// one, costs software GL 20 MB and a tenth of a second. Which they are and where they stand says who derives from it;
-/// it draws when draw() or placeAnew() is called, and only then.
+/// A widget of charts, painted by Qt into the window's own picture: an OpenGL context of its own, even a shared one,
+/// costs 20 MB and a tenth of a second with software GL. Derived classes say which charts there are and where; it
+/// draws only when draw() or placeAnew() is called.
 class ChartWidget : public QWidget {
   Q_OBJECT
  public:
   ~ChartWidget() override;
-  /// Also where it was never shown.
+  /// Also if it was never shown.
   QImage picture();
   qint64 framesDrawn() const { return frames_; }
 
@@ -25,11 +25,11 @@ class ChartWidget : public QWidget {
   explicit ChartWidget(QWidget* parent);
   void setBackground(const Theme& theme);
   void draw();
-  /// Widths, fonts or legends are others: place() comes before the next picture.
+  /// Widths, fonts or legends have changed: place() is called before the next picture.
   void placeAnew();
 
   virtual std::vector<Chart*> shown() const = 0;
-  /// Puts each of shown() into its place. scale: device pixels a logical one.
+  /// Sets the place of each of shown(). scale: device pixels per logical one.
   virtual void place(double scale) = 0;
   /// Before each picture. placed: place() was called for it.
   virtual void prepare(bool /*placed*/) {}

@@ -11,7 +11,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kFaultLeastForce_N = 0.2, kLeastLateness_us = 100.0;
-constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: what was asked may be anything
+constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: the commanded force has no limit
 constexpr double kFaultRoom = 1.05;
 
 float finiteOrNone(double value) {
@@ -31,14 +31,14 @@ double greatestY(std::span<const PlotPoint> points) {
 struct FaultPlot::Impl {
   Chart force{FaultPlot::tr("Force [N]"),
               FaultPlot::tr("time [s]"),
-              {{FaultPlot::tr("asked"), 1.0F}, {FaultPlot::tr("sent"), 2.0F}}};
-  Chart lateness{FaultPlot::tr("Lateness [µs]"), FaultPlot::tr("time [s]"), {{QString(), 1.5F}}};
+              {{FaultPlot::tr("commanded"), 1.0F}, {FaultPlot::tr("sent"), 2.0F}}};
+  Chart lateness{FaultPlot::tr("Latency [µs]"), FaultPlot::tr("time [s]"), {{QString(), 1.5F}}};
 };
 
 FaultPlot::FaultPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>()) {
   setObjectName("dialog.fault.plot");
   setAccessibleName(tr("The second before the fault"));
-  setToolTip(tr("Force and lateness of the ticks before the fault, which is at the right edge."));
+  setToolTip(tr("Force and latency of the ticks before the fault, which is at the right edge."));
   setMinimumSize(240, 140);
   setTheme(Theme::light());
 }

@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-/// The ticks before a fault: force asked and sent [N], and lateness [us], against the time before it. It does not move.
+/// The ticks before a fault: force commanded and sent [N], and latency [us], against the time before it. It is static.
 class FaultPlot : public ChartWidget {
   Q_OBJECT
  public:

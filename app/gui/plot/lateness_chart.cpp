@@ -21,9 +21,9 @@ double edge_us(std::size_t bar) {
 }  // namespace
 
 LatenessChart::LatenessChart(QWidget* parent)
-    : Painted("panel.servo.lateness", tr("How often ticks were how late"),
-              tr("Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick "
-                 "was late."),
+    : Painted("panel.servo.lateness", tr("Latency histogram"),
+              tr("Number of ticks by latency, both scales logarithmic. The line marks one period: ticks to the right "
+                 "of it were late."),
               parent) {
   speakAs(this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -45,7 +45,8 @@ void LatenessChart::present(const servo::Histogram& lateness, double period_us) 
   if (counts == counts_ && period_us == period_us_) return;
   counts_ = counts;
   period_us_ = period_us;
-  setAccessibleDescription(tr("99 of 100 ticks at most %1 µs late").arg(numberText(lateness.percentiles().p99_us, 0)));
+  setAccessibleDescription(
+      tr("99 of 100 ticks have a latency of %1 µs or less").arg(numberText(lateness.percentiles().p99_us, 0)));
   update();
 }
 

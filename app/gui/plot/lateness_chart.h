@@ -6,7 +6,7 @@
 
 namespace underact::gui {
 
-/// How often ticks were how late, both on logarithmic scales, so that one in a million is seen.
+/// Histogram of latency, both scales logarithmic, so that one tick in a million is seen.
 class LatenessChart : public Painted {
   Q_OBJECT
  public:
@@ -15,7 +15,7 @@ class LatenessChart : public Painted {
   QSize minimumSizeHint() const override;
   /// Ticks in a bar, from 0.
   std::int64_t count(std::size_t bar) const { return counts_[bar]; }
-  static constexpr std::size_t kBars = 25;  // five a decade, 1 us to 100 ms; the ends hold what is beyond
+  static constexpr std::size_t kBars = 25;  // five per decade, 1 us to 100 ms; the outer ones count what is beyond
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -11,12 +11,12 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kPathGroups = 250;  // of displacement against force: 1000 points
-constexpr double kAskedShown =
-    2.5;  // times the limit: beyond it the force asked leaves the plot, so that the one sent is read
+constexpr std::size_t kPathGroups = 250;  // of force against displacement: 1000 points
+// Times the limit: a greater commanded force leaves the plot, so that the sent one is readable.
+constexpr double kAskedShown = 2.5;
 constexpr double kLeastError_mm = 1.0, kLeastAway_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0,
                  kLeastActive_mJ = 0.1;
-constexpr double kLeastChart_lines = 9.0;  // of text: as wide as a chart has to be for its words
+constexpr double kLeastChart_lines = 9.0;  // of text: the width that a chart needs for its labels
 constexpr double kBelowZero = 0.1;         // of the energy's range
 
 QString pathTitle(int axis) {
@@ -109,11 +109,11 @@ struct LivePlot::Impl {
       least_mJ = std::min(least_mJ, static_cast<double>(point.y));
     }
     const double top_mJ = stored_range.update(most_mJ, now_s), bottom_mJ = active_range.update(-least_mJ, now_s);
-    // Room below zero also while nothing is there, so that the zero line is a line and not the frame.
+    // Room below zero even if nothing is there, so that the zero line is not the frame.
     energy.setRange(-PlotHistory::kSpan_s, 0.0, -std::max(bottom_mJ, kBelowZero * top_mJ), top_mJ);
   }
 
-  /// Where all would be too narrow to be read, the one against displacement leaves its room to those against time.
+  /// If the charts would be too narrow to read, the one against displacement gives its room to those against time.
   void letPathFit(bool fits) {
     if (fits == path_fits) return;
     path_fits = fits;
@@ -144,7 +144,7 @@ struct LivePlot::Impl {
   Chart force{LivePlot::tr("Force [N]"),
               LivePlot::tr("time [s]"),
               {{LivePlot::tr("limit"), 1.0F},
-               {LivePlot::tr("asked"), 1.0F},
+               {LivePlot::tr("commanded"), 1.0F},
                {LivePlot::tr("sent"), 2.0F},
                {LivePlot::tr("passive"), 1.5F},
                {LivePlot::tr("recorded"), 1.5F, true}}};
@@ -225,7 +225,7 @@ int LivePlot::axis() const {
 void LivePlot::showAngles(bool shown) {
   if (shown == impl_->angles_shown) return;
   impl_->angles_shown = shown;
-  placeAnew();  // the others give or take room
+  placeAnew();  // the widths of the others change
 }
 
 void LivePlot::showEnergy(bool shown) {

@@ -7,32 +7,32 @@
 
 namespace underact::gui {
 
-/// The last 10 s of error [mm] and of force asked and sent [N] against time, and of one axis' displacement against
-/// force (thesis figure 4.3); and, of a scene with an influence, of the angles of stylus, tip and target
-/// (thesis figure 5.7); and the energy in the constraints [mJ], marked where it is below zero. Every tick goes in; what
-/// is drawn is thinned to the widget's width by minimum and maximum, so that a spike of one tick is seen.
+/// The last 10 s of error [mm] and of force commanded and sent [N] against time, and of force against displacement
+/// along one axis (thesis figure 4.3); for a scene with influence, the angles of stylus, tip and target (thesis
+/// figure 5.7); and the energy in the constraints [mJ], filled where it is below zero. Every tick goes in; the curves
+/// are thinned to the widget's width by minimum and maximum, so that a spike of one tick is seen.
 class LivePlot : public ChartWidget {
   Q_OBJECT
  public:
   explicit LivePlot(QWidget* parent = nullptr);
   ~LivePlot() override;
 
-  /// Every tick, in order. recorded: drawn beside it, dashed.
+  /// Call with every tick, in order. recorded: drawn as well, dashed.
   void add(const servo::TickRecord& record, const RecordedBeside& recorded = {});
   void redraw();  // each frame
   void clear();   // another scene
   void setTheme(const Theme& theme);
-  void setAxis(int axis);  // 0 x, 1 y, 2 z: of the displacement against force
+  void setAxis(int axis);  // 0 x, 1 y, 2 z: of force against displacement
   int axis() const;
-  void showAngles(bool shown);  // a chart of its own; else the others have its room
+  void showAngles(bool shown);  // in a chart of its own
   bool showsAngles() const;
   void showEnergy(bool shown);
   bool showsEnergy() const;
-  /// The line in the force plot, N.
+  /// The limit line in the force plot, N.
   void setForceLimit(double continuous_N);
 
  signals:
-  void pathShown(bool shown);  // there is room for displacement against force, or not
+  void pathShown(bool shown);  // whether there is room for force against displacement
 
  protected:
   std::vector<Chart*> shown() const override;

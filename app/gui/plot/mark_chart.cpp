@@ -17,7 +17,7 @@ double shareOf(const MarkSheet::Axis& axis, double value) {
   return axis.is_logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
 }
 
-/// 1, 2 and 5 times the powers of ten within the axis; where they are too many, the powers alone.
+/// 1, 2 and 5 times the powers of ten within the axis; if they are too many, the powers alone.
 std::vector<double> ticksIn(const MarkSheet::Axis& axis, double room, double room_a_tick) {
   if (axis.text == nullptr) return {};
   const auto all = [&](std::initializer_list<double> steps) {
@@ -58,7 +58,7 @@ QSize MarkChart::minimumSizeHint() const {
   return {least_.width() * fontMetrics().averageCharWidth() + 96, least_.height() * fontMetrics().lineSpacing()};
 }
 
-// With room left of them for a label, above them for the title of y, and below them for words and the key.
+// With room for a label to the left, the title of y above, and words and the key below.
 QRectF MarkChart::axes() const {
   const double left = fontMetrics().horizontalAdvance(sheet_.widest) + 8.0, top = lineHeight() + kMarkGap;
   const double below = (sheet_.word_lines + sheet_.key_lines) * lineHeight() + (sheet_.word_lines + 1) * kMarkGap;

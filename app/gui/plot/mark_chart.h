@@ -7,16 +7,16 @@
 
 namespace underact::gui {
 
-/// What stands on a chart of marks, as data.
+/// The content of a MarkChart, as data.
 struct MarkSheet {
-  /// That share of a colour of the theme on the ground.
+  /// That share of a colour of the theme, mixed with the background.
   struct Colour {
     QColor Theme::*of = &Theme::ink;
     double share = 1.0;
   };
   struct Mark {
-    QPointF at;   // of the axes
-    double half;  // of its height, logical pixels
+    QPointF at;   // in the coordinates of the axes
+    double half;  // half of its height, logical pixels
     Colour line;
     double line_width;
     std::optional<Colour> fill = {};  // none: a ring
@@ -25,8 +25,8 @@ struct MarkSheet {
   struct Axis {
     double from = 0.0, to = 1.0;
     bool is_logarithmic = false;
-    QString (*text)(double) = nullptr;  // of its ticks, at 1, 2 and 5 times powers of ten; null: there are none
-    double lines_a_tick = 0.0;          // with less room for each, powers alone have one
+    QString (*text)(double) = nullptr;  // of its ticks, at 1, 2 and 5 times powers of ten; null: no ticks
+    double lines_a_tick = 0.0;          // with less room per tick, only powers of ten have one
   };
   struct Word {
     int line;  // below the axes, from 0
@@ -36,10 +36,10 @@ struct MarkSheet {
   struct Band {
     double low, middle, high;
   };
-  QString spoken;  // to a screen reader
+  QString spoken;  // for a screen reader
   QString y_title, key;
-  int word_lines = 1, key_lines = 1;  // below the axes; ticks of x stand in the first one
-  QString widest;                     // label of a tick
+  int word_lines = 1, key_lines = 1;  // below the axes; the tick labels of x are in the first
+  QString widest;                     // widest label of a tick
   Axis x, y;
   std::vector<Word> words;
   std::vector<Mark> marks;  // the last on top
@@ -49,16 +49,15 @@ struct MarkSheet {
   std::optional<Band> band = {};  // of y
   bool marks_grow = false;        // with the text
 
-  /// Logarithmic, with that factor beyond the outermost values, of which there must be one.
+  /// Logarithmic, beyond the outermost values by that factor; values must not be empty.
   static Axis around(const std::vector<double>& values, double room);
 };
 
-/// Marks on axes and the way from one to the next; nothing before it has a sheet. Chart is the one for curves that
-/// move.
+/// Marks on axes and the path from one to the next; empty until it has a sheet. Chart is for curves that move.
 class MarkChart : public Painted {
   Q_OBJECT
  public:
-  /// least: letters and lines.
+  /// least: minimum size, in characters and lines.
   MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& least, QWidget* parent);
   void present(MarkSheet sheet);
   QSize minimumSizeHint() const override;

@@ -7,13 +7,14 @@
 namespace underact::gui {
 
 FeatureRow plotsFeature() {
-  return {.panels = {{"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+5",
-                      QT_TRANSLATE_NOOP(
-                          "panel", "Error and force over the last 10 s, and one axis' displacement against its force."),
-                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
-                        return new PlotsPanel({all.document, all.actions, all.player, all.settings}, parent);
-                      }}},
-          .pages = {{"panel.plots", "window#plots"}}};
+  return {
+      .panels = {{"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+5",
+                  QT_TRANSLATE_NOOP(
+                      "panel", "Error and force over the last 10 s, and force against displacement along one axis."),
+                  [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                    return new PlotsPanel({all.document, all.actions, all.player, all.settings}, parent);
+                  }}},
+      .pages = {{"panel.plots", "window#plots"}}};
 }
 
 }  // namespace underact::gui

@@ -18,7 +18,7 @@
 
 namespace underact::gui {
 
-// The eye follows a hand at 60 pictures a second and reads a plot at 20: the rest of the time belongs to the servo.
+// A moving hand needs 60 frames per second, a plot is readable at 20: the rest of the time is left to the servo.
 constexpr int kFramesAPlot = 3;
 
 PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
@@ -27,17 +27,17 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
       plot_(new LivePlot(this)),
       axis_(new QComboBox(this)),
       energy_(new QCheckBox(tr("Ener&gy"), this)) {
-  nameWidget(plot_, "panel.plots.plot", tr("Error and force over the last 10 s, and displacement against force"));
+  nameWidget(plot_, "panel.plots.plot", tr("Error and force over the last 10 s, and force against displacement"));
   plot_->setMinimumHeight(96);
-  nameWidget(axis_, "panel.plots.axis", tr("Axis of displacement against force"),
-             tr("Which axis of W the plot of displacement against force shows (thesis figure 4.3)."));
+  nameWidget(
+      axis_, "panel.plots.axis", tr("Axis of force against displacement"),
+      tr("Axis of the workspace frame W along which force is plotted against displacement (thesis figure 4.3)."));
   axis_->addItems({tr("x"), tr("y"), tr("z")});
   axis_->setFocusPolicy(Qt::StrongFocus);
-  nameWidget(
-      energy_, "panel.plots.energy", tr("Energy plot"),
-      tr("The energy that the stylus has put into the constraints and not got back, E = Σ −f·Δp; below zero they give "
-         "more than they got: they are active."));
-  auto* label = new QLabel(tr("&Displacement against force, axis"), this);
+  nameWidget(energy_, "panel.plots.energy", tr("Energy plot"),
+             tr("The energy that the stylus has put into the constraints and not received back, E = Σ −f·Δp. Below "
+                "zero they have given out more than they received: they are active."));
+  auto* label = new QLabel(tr("Force against &displacement, axis"), this);
   label->setProperty("role", "quiet");
   label->setBuddy(axis_);
   auto* strip = new QHBoxLayout;
@@ -54,7 +54,8 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
   connect(plot_, &LivePlot::pathShown, this, [this, label, tip = axis_->toolTip()](bool shown) {
     axis_->setEnabled(shown);
     label->setEnabled(shown);
-    axis_->setToolTip(shown ? tip : tr("There is no room for this plot: hide Energy, or make the window wider."));
+    axis_->setToolTip(
+        shown ? tip : tr("There is not enough room for this plot: switch Energy off, or make the window wider."));
   });
   connect(energy_, &QCheckBox::toggled, plot_, &LivePlot::showEnergy);
   const auto showAngles = [this, &document = parts.document] {

@@ -9,7 +9,7 @@ namespace underact::gui {
 class LivePlot;
 class Player;
 
-/// The plots, and which axis the displacement against force is of.
+/// The live plots, and the axis of force against displacement.
 class PlotsPanel : public Panel {
   Q_OBJECT
  public:

@@ -14,23 +14,22 @@ namespace {}  // namespace
 ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent), stretch_(new QLabel(this)) {
   setObjectName("panel.replay.comparison");
   setAccessibleName(tr("Recorded and now"));
-  setToolTip(
-      tr("Over the ticks since the last jump or edit in which both times the servo let the whole force through."));
+  setToolTip(tr("Over the ticks since the last jump or edit in which both runs sent the whole force."));
   auto* grid = tight<QGridLayout>(this);
   grid->setHorizontalSpacing(20);
   grid->setVerticalSpacing(2);
   int column = 1;
-  for (const QString& head : {tr("rms error [mm]"), tr("peak force [N]"), tr("mean force [N]")}) {
+  for (const QString& head : {tr("RMS error [mm]"), tr("maximum force [N]"), tr("mean force [N]")}) {
     auto* label = new QLabel(head, this);
     label->setProperty("role", "quiet");
     grid->addWidget(label, 0, column++, Qt::AlignRight);
   }
   grid->addWidget(new QLabel(tr("recorded"), this), 1, 0);
   grid->addWidget(new QLabel(tr("now"), this), 2, 0);
-  recorded_ = {cell("panel.replay.recorded.rms", tr("Error, recorded")),
-               cell("panel.replay.recorded.peak", tr("Greatest force, recorded")),
+  recorded_ = {cell("panel.replay.recorded.rms", tr("RMS error, recorded")),
+               cell("panel.replay.recorded.peak", tr("Maximum force, recorded")),
                cell("panel.replay.recorded.mean", tr("Mean force, recorded"))};
-  now_ = {cell("panel.replay.now.rms", tr("Error, now")), cell("panel.replay.now.peak", tr("Greatest force, now")),
+  now_ = {cell("panel.replay.now.rms", tr("RMS error, now")), cell("panel.replay.now.peak", tr("Maximum force, now")),
           cell("panel.replay.now.mean", tr("Mean force, now"))};
   for (int at = 0; at < 3; ++at) {
     grid->addWidget(recorded_[static_cast<std::size_t>(at)], 1, at + 1, Qt::AlignRight);

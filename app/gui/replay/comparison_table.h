@@ -9,12 +9,12 @@ class QLabel;
 
 namespace underact::gui {
 
-/// What if: root mean square error, greatest and mean force, as recorded and now.
+/// What if: RMS error, maximum and mean force, as recorded and now.
 class ComparisonTable : public QWidget {
   Q_OBJECT
  public:
   explicit ComparisonTable(QWidget* parent);
-  /// ticks: that both are of; rate_hz: of the servo.
+  /// rate_hz: of the servo.
   void present(const Comparison& comparison, int rate_hz);
 
  private:

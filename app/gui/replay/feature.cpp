@@ -25,7 +25,7 @@ void makeReplay(const FeatureParts& parts, Followers& followers) {
 FeatureRow replayFeature() {
   return {.panels = {{"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",
                       QT_TRANSLATE_NOOP(
-                          "panel", "The whole session that is replayed, in plots: force, angles, energy, spectrum."),
+                          "panel", "Plots of the whole session that is replayed: force, angles, energy, spectrum."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new SessionPanel({all.actions, all.view, all.player}, parent);
                       },

@@ -25,29 +25,27 @@ void addPlaying(Actions& actions, Player& player) {
     std::function<void(const QVariantList&)> run;
   };
   const Row rows[] = {
-      {"replay.play", QT_TR_NOOP("&Play or pause"), "P", QT_TR_NOOP("Plays the recording, or lets it stand still."),
-       "play",
+      {"replay.play", QT_TR_NOOP("&Play or pause"), "P", QT_TR_NOOP("Plays the recording or pauses it."), "play",
        [&player](const QVariantList& on) {
          on.value(0, !player.isPlaying()).toBool() ? player.play() : player.pause();
        }},
-      {"replay.back", QT_TR_NOOP("One tick &back"), ",",
-       QT_TR_NOOP("Shows the tick before this one, and stands still."), "back",
+      {"replay.back", QT_TR_NOOP("One tick &back"), ",", QT_TR_NOOP("Pauses and shows the previous tick."), "back",
        [&player](const QVariantList&) {
          player.pause();
          player.step(-1);
        }},
-      {"replay.forward", QT_TR_NOOP("One tick &further"), ".",
-       QT_TR_NOOP("Shows the tick after this one, and stands still."), "forward",
+      {"replay.forward", QT_TR_NOOP("One tick &forward"), ".", QT_TR_NOOP("Pauses and shows the next tick."), "forward",
        [&player](const QVariantList&) {
          player.pause();
          player.step(1);
        }},
-      {"replay.loop_in", QT_TR_NOOP("Loop begins &here"), "I", QT_TR_NOOP("The loop begins at this tick."), "",
+      {"replay.loop_in", QT_TR_NOOP("Start loop &here"), "I", QT_TR_NOOP("Sets the start of the loop to this tick."),
+       "",
        [&player](const QVariantList&) {
          player.setLoopIn(player.row());
          player.setLoop(true);
        }},
-      {"replay.loop_out", QT_TR_NOOP("Loop &ends here"), "O", QT_TR_NOOP("The loop ends at this tick."), "",
+      {"replay.loop_out", QT_TR_NOOP("&End loop here"), "O", QT_TR_NOOP("Sets the end of the loop to this tick."), "",
        [&player](const QVariantList&) {
          player.setLoopOut(player.row());
          player.setLoop(true);
@@ -62,7 +60,7 @@ void addPlaying(Actions& actions, Player& player) {
   actions.add({"replay.loop",
                tr("&Loop"),
                QKeySequence("L"),
-               tr("Plays on and on: from where the loop begins to where it ends."),
+               tr("Repeats the part between the start and the end of the loop."),
                {},
                {},
                true},
@@ -73,11 +71,11 @@ void addPlaying(Actions& actions, Player& player) {
 }
 
 void chooseFolder(Actions& actions, QWidget* window) {
-  askForFolder(window, "dialog.replay_files", tr("Folder of the recordings' meshes and curves"), {},
+  askForFolder(window, "dialog.replay_files", tr("Folder with the meshes and curves of sessions"), {},
                [&actions](const QString& path) { actions.perform("replay.files", path); });
 }
 
-/// Remembers the folder, and opens the session again that asked for it.
+/// Saves the folder, and opens again the session that needed it.
 bool setFolder(Player& player, const QString& folder) {
   if (!QFileInfo(folder).isDir()) return false;
   rememberRecordedFiles(QFileInfo(folder).absoluteFilePath());
@@ -115,12 +113,12 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                   chooseSession(actions, window);
                   return true;
                 }
-                if (player.isOpen() && !files.settleEdits()) return false;  // what was tried in the one before
+                if (player.isOpen() && !files.settleEdits()) return false;  // edits made to the previous one
                 actions.perform("calibration.cancel");
                 return player.open(path.first().toString());
               });
-  actions.add({"replay.files", tr("Folder of &its files…"), QKeySequence("Ctrl+Alt+Shift+I"),
-               tr("Where the meshes and curves of recordings are, which keep only their names.")},
+  actions.add({"replay.files", tr("Folder w&ith meshes and curves…"), QKeySequence("Ctrl+Alt+Shift+I"),
+               tr("Sets a folder in which replays look for meshes and curves: sessions store only their file names.")},
               [&actions, &player, &files, window](const QVariantList& folder) {
                 if (folder.isEmpty()) {
                   chooseFolder(actions, window);
@@ -133,7 +131,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
   actions.add({"replay.what_if",
                tr("&What if"),
                QKeySequence("Ctrl+Alt+W"),
-               tr("The recorded hand on the scene and the gains of the window, in place of the recorded ones."),
+               tr("Replays the recorded hand with the scene and gains of the window instead of the recorded ones."),
                {},
                {},
                true},
@@ -142,7 +140,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                 return true;
               });
   actions.add({"replay.close", tr("&Close session"), QKeySequence("Ctrl+Shift+W"),
-               tr("Ends the replay: the arm and the scene from before are there again.")},
+               tr("Ends the replay and restores the previous arm and scene.")},
               [&player, &files](const QVariantList&) {
                 if (!files.settleEdits()) return false;
                 player.close();

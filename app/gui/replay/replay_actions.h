@@ -9,11 +9,11 @@ class Actions;
 class Player;
 class SceneFiles;
 
-/// Whether a file is called as sessions are.
+/// Whether a file has the name of a session.
 bool isSession(const QString& path);
 
-/// What can be done with a recorded session, by name: menu, keys, the bar and stories. Without a player that can replay
-/// opening is refused.
+/// The actions for a recorded session, by name: for the menu, the keys, the bar and stories. If the player cannot
+/// replay, opening is refused.
 void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidget* window);
 
 }  // namespace underact::gui

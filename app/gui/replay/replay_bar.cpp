@@ -29,7 +29,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kFramesAPlace = 3;  // while it plays: numbers that change more often cannot be read
+constexpr int kFramesAPlace = 3;  // while playing: numbers that change more often cannot be read
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 /// "1:02.345"
@@ -70,10 +70,10 @@ void ReplayBar::buildLoading(QVBoxLayout* column) {
   auto* row = tight<QHBoxLayout>(loading_, 12);
   reading_ = new QLabel(tr("Reading the session"), loading_);
   progress_ = new QProgressBar(loading_);
-  nameWidget(progress_, "panel.replay.progress", tr("How much of the session is read"));
+  nameWidget(progress_, "panel.replay.progress", tr("Reading progress"));
   progress_->setRange(0, 1000);
   auto* cancel = new QPushButton(tr("Cancel"), loading_);
-  nameWidget(cancel, "panel.replay.cancel", tr("Do not open the session"));
+  nameWidget(cancel, "panel.replay.cancel", tr("Cancel opening the session"));
   connect(cancel, &QPushButton::clicked, &player_, &Player::cancelLoading);
   row->addWidget(reading_);
   row->addWidget(progress_, 1);
@@ -100,10 +100,10 @@ void ReplayBar::buildTransport(QVBoxLayout* column) {
   row->setSpacing(4);
   row->addWidget(back_ = button("back", tr("One tick back")));
   row->addWidget(play_ = button("play", tr("Play")));
-  row->addWidget(forward_ = button("forward", tr("One tick further")));
+  row->addWidget(forward_ = button("forward", tr("One tick forward")));
   scrub_ = new ScrubSlider(replay_);
-  nameWidget(scrub_, "panel.replay.scrub", tr("Place in the recording"),
-             tr("Where the recording is. Ticks above the line are markers, crosses are faults."));
+  nameWidget(scrub_, "panel.replay.scrub", tr("Position in the recording"),
+             tr("Click or drag to jump. Strokes above the line are markers, crosses are faults."));
   connect(scrub_, &QSlider::valueChanged, this, [this](int to) { player_.seek(to); });
   row->addWidget(scrub_, 1);
   time_ = new QLabel(replay_);
@@ -118,7 +118,7 @@ void ReplayBar::buildChoices(QVBoxLayout* column) {
   speed_ = new QComboBox(replay_);
   speed_->setObjectName("panel.replay.speed");
   nameChooser(speed_, tr("Speed"),
-              tr("How fast the hand moves, times the recorded speed. At 1 the samples are the recorded ones."));
+              tr("Speed of the hand relative to the recording. At 1 × the samples are exactly the recorded ones."));
   for (const double speed : kSpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
   speed_->setCurrentIndex(3);
   speed_->setFocusPolicy(Qt::StrongFocus);
@@ -133,7 +133,7 @@ void ReplayBar::buildChoices(QVBoxLayout* column) {
   }
   row->addWidget(box("what_if", tr("What if")));
   here_ = new QLabel(replay_);
-  nameWidget(here_, "panel.replay.here", tr("Recorded here"));
+  nameWidget(here_, "panel.replay.here", tr("Recorded force and error"));
   here_->setProperty("role", "quiet");
   here_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(here_, 1);
@@ -174,7 +174,7 @@ void ReplayBar::presentPlace() {
   putText(time_, timeText(player_.secondsAt(row)) + " / " + timeText(player_.secondsAt(player_.lastRow())));
   const device::RecordedRow& recorded = player_.recorded().rows[static_cast<std::size_t>(row)];
   const QString text =
-      tr("%1: recorded here %2 N, error %3 mm")
+      tr("%1: recorded force %2 N, error %3 mm")
           .arg(QString::fromStdString(player_.recorded().name), numberText(static_cast<double>(recorded.force_N), 2),
                numberText(1e3 * static_cast<double>(recorded.error_m), 1));
   putText(here_, here_->fontMetrics().elidedText(text, Qt::ElideRight, here_->width()));

@@ -20,7 +20,7 @@ class ComparisonTable;
 class Player;
 class ScrubSlider;
 
-/// Below the view while a session is opened or replayed: where it is, play and pause, speed, loop, what if.
+/// Below the view while a session is opened or replayed: position, play and pause, speed, loop, what if.
 class ReplayBar : public QWidget, public Follower {
   Q_OBJECT
  public:

@@ -27,7 +27,7 @@ void tellOfReplays(const FeatureParts& parts) {
   QObject::connect(&player, &Player::opened, window, [&player, window, &status, &hand] {
     const device::Recorded& recorded = player.recorded();
     if (!recorded.damage.empty()) {
-      tell(window, tr("“%1” is damaged. What could be read is replayed.").arg(QString::fromStdString(recorded.name)),
+      tell(window, tr("“%1” is damaged. The readable part is replayed.").arg(QString::fromStdString(recorded.name)),
            recorded.damage);
     }
     hand.setReplaying(true);
@@ -40,8 +40,8 @@ void tellOfReplays(const FeatureParts& parts) {
   QObject::connect(&player, &Player::failed, window, [&player, window](const QString& path, const Problems& problems) {
     const QString file = QFileInfo(path).fileName();
     tell(window,
-         player.isOpen() ? tr("A scene of “%1” cannot be run. The one before it stays.").arg(file)
-                         : tr("“%1” was not opened. Scene and arm stay as they are.").arg(file),
+         player.isOpen() ? tr("A scene of “%1” cannot be run. The previous scene stays in effect.").arg(file)
+                         : tr("“%1” was not opened. The scene and the arm are unchanged.").arg(file),
          problems);
   });
 }

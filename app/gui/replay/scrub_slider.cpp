@@ -87,7 +87,7 @@ void ScrubSlider::mouseReleaseEvent(QMouseEvent* event) {
   event->accept();
 }
 
-/// The mark under the pointer says what it is.
+/// The tool tip of a mark under the pointer is its label.
 bool ScrubSlider::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QSlider::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);

@@ -9,8 +9,8 @@
 
 namespace underact::gui {
 
-/// Where in a recording one is, a step a row: markers as ticks above the line, faults as crosses, the loop as a thick
-/// stretch. A click goes there.
+/// The position in a recording, one step per row: markers as strokes above the line, faults as crosses, the loop as a
+/// thick line. A click jumps there.
 class ScrubSlider : public QSlider {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class ScrubSlider : public QSlider {
   void setMarks(const std::vector<device::RecordedMark>& marks);
   void setLoop(const std::optional<std::pair<std::int64_t, std::int64_t>>& rows);
   void setTheme(const Theme& theme);
-  /// Where a row stands, logical pixels from the left.
+  /// The x of a row, logical pixels from the left.
   int xOf(std::int64_t row) const;
 
  protected:

@@ -30,12 +30,12 @@ SessionPanel::SessionPanel(const Parts& parts, QWidget* parent)
       nothing_(new QLabel(this)),
       plot_(new SessionPlot(this)),
       lateness_(new LatenessChart(this)) {
-  nameWidget(kind_, "panel.session.kind", tr("What is plotted"),
-             tr("Which plot of the whole session is shown. A click into a plot against time goes there."));
-  kind_->addItems({tr("Error and force"), tr("Force against displacement"), tr("Angles of influence"), tr("Energy"),
-                   tr("Spectrum"), tr("Lateness")});
+  nameWidget(kind_, "panel.session.kind", tr("Plot of the session"),
+             tr("Selects a plot of the whole session. Click a plot against time to jump to that time."));
+  kind_->addItems({tr("Error and force"), tr("Force against displacement"), tr("Influence angles"), tr("Energy"),
+                   tr("Spectrum"), tr("Latency")});
   kind_->setFocusPolicy(Qt::StrongFocus);
-  nothing_->setText(tr("Plots of a recorded session stand here when one is open (Ctrl+Shift+O)."));
+  nothing_->setText(tr("Open a recorded session to see its plots here (Ctrl+Shift+O)."));
   nothing_->setAlignment(Qt::AlignCenter);
   nothing_->setWordWrap(true);
   nothing_->setProperty("role", "quiet");
@@ -43,7 +43,7 @@ SessionPanel::SessionPanel(const Parts& parts, QWidget* parent)
   for (QWidget* page :
        {static_cast<QWidget*>(nothing_), static_cast<QWidget*>(plot_), static_cast<QWidget*>(lateness_)})
     pages_->addWidget(page);
-  auto* label = new QLabel(tr("Of the &session"), this);
+  auto* label = new QLabel(tr("Plot of the &session"), this);
   label->setProperty("role", "quiet");
   label->setBuddy(kind_);
   auto* strip = new QHBoxLayout;

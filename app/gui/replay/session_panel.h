@@ -10,7 +10,7 @@ namespace underact::gui {
 class LatenessChart;
 class SessionPlot;
 
-/// Plots of the whole session that is replayed, with a cursor where it is.
+/// Plots of the whole session that is replayed, with a cursor at the current position.
 class SessionPanel : public Panel {
   Q_OBJECT
  public:

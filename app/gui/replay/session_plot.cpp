@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kLeastError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
 constexpr double kSessionRoom = 1.05;
-constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: what was asked may be anything
-constexpr double kMostFrequency_hz = 250.0;  // a hand ends at some 20 Hz, a buzz of a stiff scene below this
+constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: the commanded force has no limit
+constexpr double kMostFrequency_hz = 250.0;  // a hand reaches some 20 Hz, the buzzing of a stiff scene stays below this
 constexpr double kLeast_dB = -20.0, kStep_dB = 20.0;
-constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB over a thousandth
+constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB re a thousandth
 constexpr std::size_t kPathGroups = 500;
 constexpr float kNoBreak = std::numeric_limits<float>::infinity();
 
@@ -122,7 +122,7 @@ struct SessionPlot::Impl {
     force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kLeastForce_N));
   }
 
-  /// One scale for all three axes: which of them is stiff is seen at once.
+  /// One scale for all three axes, so that their stiffnesses can be compared.
   void fillAlong() {
     double away_mm = kLeastAway_mm, along_N = kLeastForce_N;
     for (std::size_t axis = 0; axis < along.size(); ++axis) {
@@ -206,7 +206,7 @@ struct SessionPlot::Impl {
   Chart error{SessionPlot::tr("Error [mm]"), SessionPlot::tr("time [s]"), {{QString(), 1.5F}, {QString(), 1.0F}}};
   Chart force{SessionPlot::tr("Force [N]"),
               SessionPlot::tr("time [s]"),
-              {{SessionPlot::tr("asked"), 1.0F}, {SessionPlot::tr("sent"), 2.0F}, {QString(), 1.0F}}};
+              {{SessionPlot::tr("commanded"), 1.0F}, {SessionPlot::tr("sent"), 2.0F}, {QString(), 1.0F}}};
   std::array<Chart, 3> along{Chart{SessionPlot::tr("Force along x [N]"),
                                    SessionPlot::tr("displacement [mm]"),
                                    {{QString(), 1.5F}, {QString(), 2.0F}}},
@@ -225,14 +225,15 @@ struct SessionPlot::Impl {
   Chart energy{SessionPlot::tr("Energy [mJ]"),
                SessionPlot::tr("time [s]"),
                {{QString(), 1.0F}, {SessionPlot::tr("stored"), 2.0F}, {QString(), 1.0F}}};
-  Chart force_lines{SessionPlot::tr("Force [dB over 1 mN]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
-  Chart error_lines{SessionPlot::tr("Error [dB over 1 µm]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
+  Chart force_lines{SessionPlot::tr("Force [dB re 1 mN]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
+  Chart error_lines{SessionPlot::tr("Error [dB re 1 µm]"), SessionPlot::tr("frequency [Hz]"), {{QString(), 1.5F}}};
 };
 
 SessionPlot::SessionPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName("panel.session.plot");
   setAccessibleName(tr("Plots of the whole session"));
-  setAccessibleDescription(tr("Force and error, displacement, angles, energy or spectrum, as chosen above."));
+  setAccessibleDescription(
+      tr("Error and force, force against displacement, angles, energy or spectrum, as selected above."));
   setMinimumSize(240, 96);
   setTheme(Theme::light());
 }

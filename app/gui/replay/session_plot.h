@@ -6,11 +6,11 @@
 
 namespace underact::gui {
 
-/// What of a session is drawn.
+/// What is plotted of a session.
 enum class SessionPlotKind { ErrorAndForce, ForceAgainstDisplacement, Angles, Energy, Spectrum };
 
-/// A whole session in charts, thinned to the widget's width by minimum and maximum, with a cursor where the replay is.
-/// A click into a chart against time asks to go there.
+/// Charts of a whole session, thinned to the widget's width by minimum and maximum, with a cursor at the position of
+/// the replay. A click in a chart against time asks to jump there.
 class SessionPlot : public ChartWidget {
   Q_OBJECT
  public:
@@ -22,7 +22,7 @@ class SessionPlot : public ChartWidget {
   SessionPlotKind kind() const;
   void setCursor(double time_s);
   void setTheme(const Theme& theme);
-  /// Where a time stands, logical pixels; of a kind against time.
+  /// The point of a time, logical pixels; for a kind against time.
   QPointF placeOf(double time_s) const;
 
  signals:

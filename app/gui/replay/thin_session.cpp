@@ -8,7 +8,7 @@
 namespace underact::gui {
 namespace {
 
-/// Calls part(first, last + 1) for each of so many stretches, evenly.
+/// Calls part(first, last + 1) for each of `parts` ranges of equal size.
 template <class Part>
 void eachPart(std::size_t size, std::size_t parts, Part part) {
   const std::size_t count = std::max<std::size_t>(std::min(size, parts), 1);
@@ -48,7 +48,7 @@ std::size_t thinSessionPath(const std::vector<SessionRow>& rows, std::size_t axi
                             std::span<PlotPoint> points) {
   std::size_t used = 0;
   eachPart(rows.size(), groups, [&](std::size_t from, std::size_t to) {
-    std::array<std::pair<std::size_t, PlotPoint>, 4> extremes;  // leftmost, rightmost, lowest, highest, and when
+    std::array<std::pair<std::size_t, PlotPoint>, 4> extremes;  // leftmost, rightmost, lowest, highest
     bool has_one = false;
     for (std::size_t index = from; index < to; ++index) {
       const PlotPoint point{rows[index].plot.away_mm[axis], rows[index].plot.force_N[axis]};

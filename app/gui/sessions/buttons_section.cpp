@@ -16,15 +16,15 @@ QString settingOf(int button) {
 
 QString tipOf(int button) {
   return button == 0 ? QObject::tr(
-                           "The stylus button nearer to the tip; on the simulated arm the Space key, with the "
-                           "focus in the view (F2).")
-                     : QObject::tr("The stylus button further from the tip; the simulated arm has none.");
+                           "The stylus button nearer the tip. On the simulated arm it is the Space key, while the view "
+                           "has the focus (F2).")
+                     : QObject::tr("The stylus button farther from the tip. The simulated arm has none.");
 }
 
 }  // namespace
 
 ButtonsSection::ButtonsSection(QWidget* parent)
-    : Section("buttons", tr("Stylus buttons"), tr("What a press of a button on the stylus does."), parent, "sessions") {
+    : Section("buttons", tr("Stylus buttons"), tr("What each stylus button does."), parent, "sessions") {
   auto* form = new QFormLayout;
   form->setSpacing(4);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -37,7 +37,7 @@ ButtonsSection::ButtonsSection(QWidget* parent)
     box->setAccessibleName(QString(names[button]).remove('&'));
     box->setToolTip(tipOf(button));
     box->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel
-    box->addItems({tr("does nothing here"), tr("starts and stops the recording"), tr("sets a marker")});
+    box->addItems({tr("No action"), tr("Start or stop recording"), tr("Set a marker")});
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
     box->setCurrentIndex(std::clamp(stored.value(settingOf(button), 0).toInt(), 0, box->count() - 1));
@@ -50,7 +50,7 @@ ButtonsSection::ButtonsSection(QWidget* parent)
     uses_[static_cast<std::size_t>(button)] = box;
   }
   column().addLayout(form);
-  setOpen(false);  // chosen once
+  setOpen(false);  // set once and rarely changed
 }
 
 ButtonUse ButtonsSection::use(int button) const {
@@ -67,8 +67,7 @@ void ButtonsSection::add(const servo::TickRecord& record) {
 
 void ButtonsSection::setHoldToRun(bool on) {
   uses_[0]->setEnabled(!on);
-  uses_[0]->setToolTip(on ? tr("Hold to run is on: this button lets the servo push, and does nothing else.")
-                          : tipOf(0));
+  uses_[0]->setToolTip(on ? tr("Hold to run is on: this button enables the force and does nothing else.") : tipOf(0));
 }
 
 }  // namespace underact::gui

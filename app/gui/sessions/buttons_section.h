@@ -8,14 +8,14 @@ class QComboBox;
 
 namespace underact::gui {
 
-/// What the stylus buttons do besides what the servo makes of them.
+/// Actions assigned to the stylus buttons, in addition to their use by the servo.
 class ButtonsSection : public Section {
   Q_OBJECT
  public:
   explicit ButtonsSection(QWidget* parent = nullptr);
-  /// Every tick.
+  /// Call with every tick.
   void add(const servo::TickRecord& record);
-  /// With hold to run the button at the tip lets the servo push, and does nothing else.
+  /// With hold to run, the button at the tip enables the force and has no other action.
   void setHoldToRun(bool on);
 
  signals:

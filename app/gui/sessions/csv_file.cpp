@@ -13,8 +13,9 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   const std::string part = out + ".part";
   Result<record::CsvWriter> writer = record::CsvWriter::create(part, system::Existing::Replace);
   if (!writer)
-    return {.problems = {
-                {said(QT_TRANSLATE_NOOP("problem", "The file cannot be made there. Choose another folder.")), {out}}}};
+    return {
+        .problems = {
+            {said(QT_TRANSLATE_NOOP("problem", "The file cannot be created there. Choose another folder.")), {out}}}};
   const record::CsvExport exported = record::exportCsv(read.value(), writer.value(), [&state](double share) {
     state.share = share;
     return !state.cancelled;
@@ -29,8 +30,7 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   std::filesystem::rename(part, out, error);
   if (error) {
     done.problems = {
-        {said(QT_TRANSLATE_NOOP("problem", "The file that stands there cannot be replaced. Choose another name.")),
-         {out}}};
+        {said(QT_TRANSLATE_NOOP("problem", "The existing file cannot be replaced. Choose another name.")), {out}}};
     std::filesystem::remove(part, error);
   }
   return done;

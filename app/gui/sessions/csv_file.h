@@ -7,15 +7,16 @@
 
 namespace underact::gui {
 
-/// What came of an export.
+/// Result of an export.
 struct CsvFile {
   std::int64_t rows = 0;     // written
-  std::int64_t missing = 0;  // that are damaged in the session
-  bool cancelled = false;    // no file is left then
-  Problems problems;         // nor then
+  std::int64_t missing = 0;  // damaged in the session
+  bool cancelled = false;    // then no file is left
+  Problems problems;         // then no file is left either
 };
 
-/// Writes the ticks of a session as CSV, as underact-cli does. What is at out stays until the new file is whole.
+/// Writes the ticks of a session as CSV, as underact-cli does. An existing file at out is replaced only when the new
+/// one is complete.
 CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkState& state);
 
 }  // namespace underact::gui

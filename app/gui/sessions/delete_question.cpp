@@ -29,19 +29,19 @@ QPushButton* addAnswer(DeleteQuestion* box, const char* name, const QString& tex
 }  // namespace
 
 DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* window) {
-  DeleteQuestion* box =
-      makeQuestion("dialog.delete_session", DeleteQuestion::tr("Delete a session"),
-                   DeleteQuestion::tr("Move “%1” to the bin?").arg(title),
-                   DeleteQuestion::tr(
-                       "The file is %1. The bin keeps it until it is emptied: whoever can open the bin can read it and "
-                       "put it back. Where a person asks for their data to be erased, remove it for good.")
-                       .arg(QFileInfo(path).fileName()),
-                   window);
+  DeleteQuestion* box = makeQuestion(
+      "dialog.delete_session", DeleteQuestion::tr("Delete a session"),
+      DeleteQuestion::tr("Move “%1” to the bin?").arg(title),
+      DeleteQuestion::tr(
+          "The file is %1. It stays in the bin until the bin is emptied: until then, anyone with access to the bin can "
+          "read and restore it. If a person asks for their data to be erased, remove it for good.")
+          .arg(QFileInfo(path).fileName()),
+      window);
   QPushButton* move = addAnswer(box, "move", DeleteQuestion::tr("&Move to the bin"),
                                 DeleteQuestion::tr("Move to the bin"), QMessageBox::AcceptRole);
   QPushButton* remove =
       addAnswer(box, "remove", DeleteQuestion::tr("&Remove for good…"),
-                DeleteQuestion::tr("Remove for good, after one more question"), QMessageBox::DestructiveRole);
+                DeleteQuestion::tr("Remove for good, after confirmation"), QMessageBox::DestructiveRole);
   QObject::connect(move, &QPushButton::clicked, box, &DeleteQuestion::binWanted);
   QObject::connect(remove, &QPushButton::clicked, box, &DeleteQuestion::removalWanted);
   box->open();
@@ -49,14 +49,12 @@ DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* 
 }
 
 DeleteQuestion* askToRemove(const QString& title, const QString& path, QWidget* window) {
-  DeleteQuestion* box = makeQuestion(
-      "dialog.remove_session", DeleteQuestion::tr("Remove a session for good"),
-      DeleteQuestion::tr("Remove “%1” for good?").arg(title),
-      DeleteQuestion::tr(
-          "This cannot be undone: the file %1 is not in the bin afterwards. Exports, plots and backups of it "
-          "stay where they are.")
-          .arg(QFileInfo(path).fileName()),
-      window);
+  DeleteQuestion* box = makeQuestion("dialog.remove_session", DeleteQuestion::tr("Remove a session for good"),
+                                     DeleteQuestion::tr("Remove “%1” for good?").arg(title),
+                                     DeleteQuestion::tr("This cannot be undone: the file %1 does not go to the bin. "
+                                                        "Exports, plots and backups of it are not removed.")
+                                         .arg(QFileInfo(path).fileName()),
+                                     window);
   QPushButton* remove = addAnswer(box, "remove", DeleteQuestion::tr("&Remove for good"),
                                   DeleteQuestion::tr("Remove for good"), QMessageBox::DestructiveRole);
   QObject::connect(remove, &QPushButton::clicked, box, &DeleteQuestion::removalWanted);

@@ -3,7 +3,7 @@
 
 namespace underact::gui {
 
-/// Asks whether a session is to go. Not modal; gone when it is answered. Esc and Enter leave the session where it is.
+/// Asks whether to delete a session. Not modal; deleted when answered. Esc and Enter keep the session.
 class DeleteQuestion : public QMessageBox {
   Q_OBJECT
  public:
@@ -14,10 +14,10 @@ class DeleteQuestion : public QMessageBox {
   void removalWanted();
 };
 
-/// To the bin, which keeps it, or for good.
+/// Offers to move the session to the bin, or to remove it for good.
 DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* window);
 
-/// For good: nothing brings it back.
+/// Confirms the removal for good, which cannot be undone.
 DeleteQuestion* askToRemove(const QString& title, const QString& path, QWidget* window);
 
 }  // namespace underact::gui

@@ -21,24 +21,24 @@ constexpr int kSteps = 1000;  // of the bar
 QString sentenceOf(const CsvFile& done, const QString& out) {
   if (done.cancelled) return QObject::tr("Cancelled: no file was written.");
   if (!done.problems.empty()) return QObject::tr("Not exported. %1").arg(sentencesOf(done.problems));
-  const QString whole = QObject::tr("%1 ticks are in %2").arg(done.rows).arg(QFileInfo(out).fileName());
+  const QString whole = QObject::tr("%1 ticks saved in %2").arg(done.rows).arg(QFileInfo(out).fileName());
   return done.missing == 0
              ? whole
-             : QObject::tr("%1. %2 more are damaged in the session and were left out.").arg(whole).arg(done.missing);
+             : QObject::tr("%1. %2 damaged ticks of the session were left out.").arg(whole).arg(done.missing);
 }
 
 }  // namespace
 
 JobStrip::JobStrip(QWidget* parent)
     : QWidget(parent),
-      told_(toldLabel("panel.sessions.told", tr("What came of it"), "quiet", this)),
+      told_(toldLabel("panel.sessions.told", tr("Result"), "quiet", this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   bar_->setObjectName("panel.sessions.progress");
   bar_->setAccessibleName(tr("Progress"));
   cancel_->setObjectName("panel.sessions.cancel");
-  cancel_->setAccessibleName(tr("Cancel the work on the session"));
-  cancel_->setToolTip(tr("Ends the work."));
+  cancel_->setAccessibleName(tr("Cancel the export"));
+  cancel_->setToolTip(tr("Stops the export."));
   auto* grid = tight<QGridLayout>(this, 4);
   grid->addWidget(told_, 0, 0, 1, 2);
   grid->addWidget(bar_, 1, 0);
@@ -65,7 +65,7 @@ bool JobStrip::beginCsv(const QString& session, const QString& out) {
 
 bool JobStrip::beginPlots(const QString& session, const QString& out) {
   if (isBusy()) return false;
-  begin(tr("Drawing the plots of %1").arg(QFileInfo(session).fileName()), 0);  // nobody knows how far it is
+  begin(tr("Drawing the plots of %1").arg(QFileInfo(session).fileName()), 0);  // indeterminate progress
   plots_ = new PlotsRun(session, out, this);
   connect(plots_, &PlotsRun::finished, this, [this](bool done, const QString& sentence) {
     plots_->deleteLater();

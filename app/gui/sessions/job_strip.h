@@ -15,18 +15,18 @@ namespace underact::gui {
 
 class PlotsRun;
 
-/// One long work on a session at a time: how far it is, a button to end it, and what came of it.
+/// Runs one long job on a session at a time: shows its progress, a button to cancel it, and its result.
 class JobStrip : public QWidget {
   Q_OBJECT
  public:
   explicit JobStrip(QWidget* parent = nullptr);
   ~JobStrip() override;
   bool isBusy() const { return csv_ != nullptr || plots_ != nullptr; }
-  /// false: another work is going on.
+  /// false: another job is running.
   bool beginCsv(const QString& session, const QString& out);
   bool beginPlots(const QString& session, const QString& out);
   void cancel();
-  /// What came of something; alarm: it went wrong.
+  /// Shows a result; alarm: it is an error.
   void say(const QString& sentence, bool alarm);
 
  signals:

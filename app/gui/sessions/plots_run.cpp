@@ -31,11 +31,11 @@ void PlotsRun::cancel() {
 
 void PlotsRun::end(std::optional<int> code) {
   if (cancelled_)
-    emit finished(false, tr("Cancelled: the plots are not all drawn."));
+    emit finished(false, tr("Cancelled: not all plots were drawn."));
   else if (code == 0 && drawn() > 0)
-    emit finished(true, tr("%1 plots are drawn: %2").arg(drawn()).arg(patternOf(out_)));
+    emit finished(true, tr("%1 plots saved: %2").arg(drawn()).arg(patternOf(out_)));
   else if (process_.lastWords().isEmpty())
-    emit finished(false, tr("The plots were not drawn, and underact-cli did not say why."));
+    emit finished(false, tr("The plots were not drawn; underact-cli gave no reason."));
   else
     emit finished(false, tr("The plots were not drawn. %1").arg(process_.lastWords()));
 }

@@ -11,12 +11,12 @@ namespace underact::gui {
 class PlotsRun : public QObject {
   Q_OBJECT
  public:
-  PlotsRun(const QString& session, const QString& out, QObject* parent);  // its end ends the work early
+  PlotsRun(const QString& session, const QString& out, QObject* parent);  // destroying it ends the job early
   void begin();
   void cancel();
 
  signals:
-  /// sentence: what came of it.
+  /// sentence: the result.
   void finished(bool done, const QString& sentence);
 
  private:

@@ -26,20 +26,21 @@ namespace {
 
 enum Row { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 
-/// What is worth a word while it records: what is lost, and what will soon be.
+/// Warnings during a recording: ticks that were lost, and a disk that is nearly full.
 QString warningOf(const record::RecorderStatus& status, bool runs) {
   QStringList lines;
   if (status.dropped > 0)
-    lines << QObject::tr("%1 ticks are missing: the machine was too busy to write them. The servo went on.")
+    lines << QObject::tr("%1 ticks are missing: the computer was too busy to write them. The servo kept running.")
                  .arg(status.dropped);
   if (runs && isDiskLow(status))
-    lines << (status.disk_left_s > 0.0
-                  ? QObject::tr("The disk is nearly full: room for %1 more at this pace. Free some space; else the "
-                                "recording ends in order.")
-                        .arg(spanText(status.disk_left_s))
-                  : QObject::tr("The disk is nearly full: %1 are left. Free some space; else the recording ends in "
-                                "order.")
-                        .arg(bytesText(status.disk_left_bytes)));
+    lines
+        << (status.disk_left_s > 0.0
+                ? QObject::tr("The disk is nearly full: there is room for another %1. Free some space; otherwise the "
+                              "recording stops and is saved.")
+                      .arg(spanText(status.disk_left_s))
+                : QObject::tr(
+                      "The disk is nearly full: %1 left. Free some space; otherwise the recording stops and is saved.")
+                      .arg(bytesText(status.disk_left_bytes)));
   return lines.join('\n');
 }
 
@@ -53,20 +54,22 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
       mark_(new QPushButton(tr("&Mark"), this)),
       label_(new QLineEdit(this)),
       place_(quietLabel("panel.sessions.place", {}, this)),
-      notice_(toldLabel("panel.sessions.notice", tr("What became of the recording"), "", this)),
+      notice_(toldLabel("panel.sessions.notice", tr("Recording status"), "", this)),
       readout_(new Readout("panel.sessions.status", this)),
       words_(new WordsForm("panel.sessions.", this)) {
   record_->setObjectName("panel.sessions.record");
   record_->setToolTip(actions_.find("session.record")->toolTip());
-  readout_->addRow(tr("Time"), tr("From the recording's first tick to its last."));
-  readout_->addRow(tr("Size"), tr("Of the file."));
-  readout_->addRow(tr("Ticks"), tr("That are in the file; and those that found no room, if there are any."));
-  readout_->addRow(tr("Markers"), tr("Set by key M, the button or the stylus."));
-  readout_->addRow(tr("Disk left"), tr("What the disk still takes; the recording ends in order before it is full."));
-  readout_->addRow(tr("Enough for"), tr("How long that lasts at this recording's pace."));
+  readout_->addRow(tr("Time"), tr("From the first tick of the recording to the last."));
+  readout_->addRow(tr("Size"), tr("Size of the file."));
+  readout_->addRow(tr("Ticks"), tr("Ticks in the file, and ticks that could not be written, if any."));
+  readout_->addRow(tr("Markers"), tr("Markers set with the M key, the button or the stylus."));
+  readout_->addRow(tr("Free space"),
+                   tr("Free space on the disk. The recording stops and is saved before the disk is full."));
+  readout_->addRow(tr("Enough for"), tr("How long the free space lasts for this recording."));
   readout_->set(kTicks, tr("%1, %2 missing").arg(99'999'999).arg(9'999));
-  auto* section = new Section("words", tr("Words"), tr("What the file says of the session; they can be changed later."),
-                              this, "sessions");
+  auto* section =
+      new Section("words", tr("Metadata"),
+                  tr("Information about the session, saved in its file. You can edit it later."), this, "sessions");
   section->column().addWidget(words_);
   auto* column = tight<QVBoxLayout>(this, 4);
   column->addWidget(record_);
@@ -91,8 +94,8 @@ QWidget* RecordSection::buildMark() {
   mark_->setAccessibleName(tr("Set a marker"));
   mark_->setToolTip(actions_.find("session.mark")->toolTip());
   label_->setObjectName("panel.sessions.mark_label");
-  label_->setAccessibleName(tr("What the next marker says"));
-  label_->setToolTip(tr("What the next marker says; Enter sets it."));
+  label_->setAccessibleName(tr("Label of the next marker"));
+  label_->setToolTip(tr("Label of the next marker. Press Enter to set it."));
   label_->setPlaceholderText(tr("Label"));
   row->addWidget(label_, 1);
   row->addWidget(mark_);
@@ -113,7 +116,7 @@ void RecordSection::present() {
   record_->setText(runs ? tr("Stop &recording") : tr("&Record"));
   record_->setAccessibleName(runs ? tr("Stop recording") : tr("Record"));
   mark_->setEnabled(runs);
-  if (was_running_ && !runs) words_->setWords(recording_.words());  // what was about that one is gone
+  if (was_running_ && !runs) words_->setWords(recording_.words());  // the metadata of the last session were cleared
   was_running_ = runs;
   const bool any = runs || !recording_.path().isEmpty();
   readout_->setVisible(any);
@@ -136,7 +139,7 @@ void RecordSection::present() {
   readout_->set(kDisk, status.disk_left_bytes > 0 ? bytesText(status.disk_left_bytes) : QChar(0x2013));
   readout_->set(kLasts, status.disk_left_s > 0.0 ? spanText(status.disk_left_s) : QChar(0x2013));
   const QString file = QFileInfo(recording_.path()).fileName().replace('_', QString("_") + QChar(0x200B));  // may break
-  place_->setText(runs ? tr("Recording into %1").arg(file) : tr("Recorded into %1").arg(file));
+  place_->setText(runs ? tr("Recording to %1").arg(file) : tr("Saved as %1").arg(file));
   place_->setToolTip(recording_.path());
 }
 

@@ -12,16 +12,15 @@ class Readout;
 class Recording;
 class WordsForm;
 
-/// The recording as it goes: one button, how long and how large it is, how much the disk still takes, marks; and the
-/// words that go into it.
+/// The state of the recording: a button, duration, size, free disk space and markers; and the metadata saved with it.
 class RecordSection : public QWidget {
   Q_OBJECT
  public:
   RecordSection(Recording& recording, Actions& actions, QWidget* parent = nullptr);
-  /// What is typed for the next mark; taken away by this.
+  /// The label typed for the next marker; clears the field.
   QString takeLabel();
-  /// Shows how the recording is. Until it is called the first time everything stands there at its widest, for a panel
-  /// that makes itself wide enough.
+  /// Shows the state of the recording. Until the first call every row has its widest text, so that the panel can make
+  /// itself wide enough.
   void present();
 
  private:

@@ -16,16 +16,16 @@ namespace underact::gui {
 namespace {
 
 constexpr int kWait_ms = 300;
-constexpr qint64 kTellEvery_ms = 250;  // of a folder with many files
+constexpr qint64 kTellEvery_ms = 250;  // while a folder with many files is read
 constexpr qint64 kMillisecond_ns = 1'000'000;
-// Each file is read by a process of its own, which is waited for: several of them together take a third of the time.
+// Each file is read by a process of its own, which is waited for: several at once take a third of the time.
 constexpr std::size_t kFilesAtOnce = 4;
 
 QString textOf(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-/// What the file at entry's path says.
+/// Reads the file at the entry's path into it.
 void readInto(SessionEntry& entry) {
   Result<record::Session> session = record::Session::open(entry.path.toStdString());
   if (!session) {
@@ -38,7 +38,7 @@ void readInto(SessionEntry& entry) {
   if (!session.value().changes().empty()) entry.first_tick = session.value().changes().front().tick;
 }
 
-/// In a thread beside this one; where the system has none left, when it is asked for.
+/// In another thread; if the system cannot start one, when the result is needed.
 std::future<SessionEntry> startReading(const QString& path) {
   try {
     return std::async(std::launch::async, readSessionEntry, path);
@@ -61,10 +61,10 @@ SessionEntry readSessionEntry(const QString& path) {
   entry.size_bytes = file.size();
   try {
     readInto(entry);
-  } catch (const std::bad_alloc&) {  // whatever somebody's file asks for, neither the list nor the window ends by it
+  } catch (const std::bad_alloc&) {  // no file, whatever it contains, may end the list or the window
     entry.wrong = SessionIndex::tr(
-        "This computer has too little memory left to read the file. Close other programs, then choose another folder "
-        "and this one again.");
+        "There is not enough free memory to read the file. Close other programs, choose another folder, then choose "
+        "this one again.");
   }
   return entry;
 }
@@ -108,7 +108,7 @@ void SessionIndex::setFolder(const QString& folder) {
 }
 
 void SessionIndex::refresh() {
-  if (folder_.isEmpty()) return;  // nobody has asked yet
+  if (folder_.isEmpty()) return;  // not set yet
   if (isReading()) {
     again_ = true;
     return;
@@ -121,7 +121,7 @@ void SessionIndex::refresh() {
   reader_ = std::thread([this, folder = folder_, known, busy = busy_] { read(folder, known, busy); });
 }
 
-/// In its own thread.
+/// In the reader thread.
 void SessionIndex::read(const QString& folder, const QHash<QString, SessionEntry>& known, const QString& busy) {
   std::vector<SessionEntry> entries;
   const auto tell = [&](bool last) {
@@ -160,7 +160,7 @@ void SessionIndex::read(const QString& folder, const QHash<QString, SessionEntry
 
 void SessionIndex::take(std::vector<SessionEntry> entries, bool last) {
   if (last) reader_.join();
-  // Until the end is reached, what was known of the rest stays.
+  // Until the folder is read to its end, the entries known before are kept.
   if (last || entries.size() > entries_.size()) entries_ = std::move(entries);
   emit changed();
   if (last && std::exchange(again_, false)) refresh();

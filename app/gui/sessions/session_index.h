@@ -12,43 +12,43 @@
 
 namespace underact::gui {
 
-/// A session of the folder, as its file says.
+/// A session of the folder, as read from its file.
 struct SessionEntry {
   QString path;
-  qint64 modified_ms = 0;  // since 1970; with size: whether it is still what was read
+  qint64 modified_ms = 0;  // since 1970; with the size it shows whether the file has changed
   qint64 size_bytes = 0;
   record::SessionInfo info;
   std::vector<record::Marker> markers;
-  std::int64_t first_tick = 0;  // of its rows: a marker's time counts from there
+  std::int64_t first_tick = 0;  // of its rows: the times of markers count from it
   int faults = 0;
-  QString wrong;  // why it cannot be read; empty: it can
+  QString wrong;  // why it cannot be read; empty: readable
   bool isReadable() const { return wrong.isEmpty(); }
-  /// It was ended in order, or made whole since.
+  /// It was closed properly, or recovered since.
   bool isClosed() const { return isReadable() && info.isComplete(); }
-  /// When it was recorded; of one that cannot be read, when it was written.
+  /// When it was recorded; if it cannot be read, when it was last written.
   qint64 began_ms() const;
 };
 
 /// Reads one file. Any thread.
 SessionEntry readSessionEntry(const QString& path);
 
-/// What it is called in a list: its name, else its scene, else its file.
+/// Its title in a list: its name, else its scene, else its file.
 QString titleOf(const SessionEntry& entry);
 
-/// Every word of text is somewhere in what is said of the session, or in its date; upper and lower case are alike.
+/// Every word of text occurs in the metadata of the session or in its date; case is ignored.
 bool fitsSearch(const SessionEntry& entry, const QString& text);
 
-/// The sessions of a folder, the newest first. They are read in a thread of its own, each once and again when its file
+/// The sessions of a folder, newest first. They are read in a separate thread, each once, and again when its file
 /// changes.
 class SessionIndex : public QObject {
   Q_OBJECT
  public:
   explicit SessionIndex(QObject* parent);
   ~SessionIndex() override;
-  /// Reads the folder, and again whenever it changes. busy: a file that is being written by this program; left out.
+  /// Reads the folder, and again whenever it changes. busy: a file that this program is writing; it is left out.
   void setFolder(const QString& folder);
   void setBusy(const QString& path) { busy_ = path; }
-  /// Looks again at what has changed.
+  /// Reads what has changed.
   void refresh();
   const std::vector<SessionEntry>& entries() const { return entries_; }
   const SessionEntry* find(const QString& path) const;
@@ -63,7 +63,7 @@ class SessionIndex : public QObject {
 
   QString folder_, busy_;
   QFileSystemWatcher watcher_;
-  QTimer soon_;  // many changes in a row are one
+  QTimer soon_;  // combines many changes in a row
   std::vector<SessionEntry> entries_;
   std::thread reader_;
   std::atomic<bool> cancelled_{false};

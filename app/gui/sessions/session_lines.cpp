@@ -41,12 +41,11 @@ QString lossesOf(const SessionEntry& entry) {
   QStringList losses;
   if (!entry.info.isComplete())
     losses << QObject::tr(
-        "Not closed: it is being recorded, or the program ended without closing it. Recover makes it "
-        "whole.");
+        "Not closed: it is still being recorded, or the program ended without closing it. Recover repairs it.");
   else if (entry.info.end->reason == record::EndReason::Recovered)
-    losses << QObject::tr("Made whole after the program had ended without closing it.");
+    losses << QObject::tr("Recovered after the program ended without closing it.");
   else if (entry.info.end->reason == record::EndReason::DiskFull)
-    losses << QObject::tr("Ended because the disk was nearly full.");
+    losses << QObject::tr("Stopped because the disk was nearly full.");
   if (entry.info.dropped > 0) losses << QObject::tr("%1 ticks are missing.").arg(entry.info.dropped);
   if (entry.faults > 0)
     losses << (entry.faults == 1 ? QObject::tr("1 fault.") : QObject::tr("%1 faults.").arg(entry.faults));

@@ -3,10 +3,10 @@
 
 namespace underact::gui {
 
-/// Two lines for a list: what the session is called; when, how long, how large, of whom, and whether it was closed.
+/// Two lines for a list: the title; date, duration, size, subject, and whether the session was closed.
 QString linesOf(const SessionEntry& entry);
 
-/// All that is worth knowing of it, what is amiss first.
+/// All details, losses and errors first.
 QString detailsOf(const SessionEntry& entry);
 
 }  // namespace underact::gui

@@ -29,10 +29,10 @@ SessionList::SessionList(QWidget* parent)
       list_(new QListWidget(this)),
       details_(quietLabel("panel.sessions.details", {}, this)) {
   search_->setObjectName("panel.sessions.search");
-  search_->setAccessibleName(tr("Search the sessions"));
+  search_->setAccessibleName(tr("Search sessions"));
   search_->setPlaceholderText(tr("Search"));
   search_->setToolTip(
-      tr("Words of the name, notes, tags, subject, scene, markers or date; all of them must be there."));
+      tr("Words from the name, notes, tags, subject, consent, scene, arm, markers or date. Each word must occur."));
   search_->setClearButtonEnabled(true);
   list_->setObjectName("panel.sessions.list");
   list_->setAccessibleName(tr("Recent sessions"));
@@ -43,7 +43,7 @@ SessionList::SessionList(QWidget* parent)
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setMinimumHeight(kLinesOfList * fontMetrics().lineSpacing());
   list_->installEventFilter(this);
-  details_->setAccessibleName(tr("About the chosen session"));
+  details_->setAccessibleName(tr("Details of the selected session"));
   details_->setTextFormat(Qt::PlainText);
   details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   details_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -73,7 +73,7 @@ void SessionList::setTools(QWidget* tools) {
 void SessionList::setFolder(const QString& folder) {
   folder_ = folder;
   index_.setFolder(folder);
-  rebuild();  // what stood there is of another folder
+  rebuild();  // its entries are of another folder
 }
 
 void SessionList::refresh() {
@@ -144,7 +144,7 @@ void SessionList::say(int shown) {
   if (index_.isReading() && all == 0)
     count_->setText(tr("Reading the folder"));
   else if (all == 0)
-    count_->setText(tr("No sessions yet. Record makes one."));
+    count_->setText(tr("No sessions yet. Press Record to make one."));
   else if (shown < all)
     count_->setText(tr("%1 of %2 sessions").arg(shown).arg(all));
   else

@@ -10,23 +10,23 @@ class QListWidgetItem;
 
 namespace underact::gui {
 
-/// The sessions of the folder, to be found, looked at and chosen.
+/// The sessions of the folder: search, details and selection.
 class SessionList : public QWidget {
   Q_OBJECT
  public:
   explicit SessionList(QWidget* parent);
-  /// What can be done with the chosen one; it stands above the list.
+  /// The commands for the selected session; above the list.
   void setTools(QWidget* tools);
   void setFolder(const QString& folder);
-  /// Reads, at first or again, what has changed.
+  /// Reads what has changed.
   void refresh();
   void setBusy(const QString& path) { index_.setBusy(path); }
   void focusSearch();
-  /// The chosen session; null: none.
+  /// The selected session; null: none.
   const SessionEntry* chosen() const;
-  /// Chooses a session by its path. false: it is not in the list, or is not there yet.
+  /// Selects a session by its path. false: it is not in the list, or not yet.
   bool choose(const QString& path);
-  /// Chooses it as soon as it is in the list.
+  /// Selects it as soon as it is in the list.
   void chooseLater(const QString& path) { wanted_ = path; }
 
  signals:

@@ -24,7 +24,7 @@
 
 namespace underact::gui {
 
-constexpr int kMargins = 24;  // of a button, beside its words
+constexpr int kMargins = 24;  // of a button, beside its text
 
 SessionTools::SessionTools(Actions& actions, SessionList& list, JobStrip& job, QWidget* parent)
     : QWidget(parent), actions_(actions), list_(list), job_(job) {
@@ -48,33 +48,33 @@ void SessionTools::addActions() {
   };
   actions_.addCommand("sessions.choose",
                       [this](const QVariantList& path) { return list_.choose(path.value(0).toString()); });
-  add("sessions.export", tr("Export as &CSV…"), "Ctrl+Shift+E", tr("Writes the chosen session's ticks as a table."),
-      [this](const QVariantList& path) {
+  add("sessions.export", tr("Export as &CSV…"), "Ctrl+Shift+E",
+      tr("Saves the ticks of the selected session as a table."), [this](const QVariantList& path) {
         if (!path.isEmpty()) return write(path.first().toString(), &JobStrip::beginCsv);
         chooseFile(tr("Export the session as CSV"), "csv", "sessions.export");
         return true;
       });
-  add("sessions.plots", tr("&Plots as PDF…"), "Ctrl+Shift+P", tr("Draws all plots of the chosen session, a file each."),
-      [this](const QVariantList& path) {
+  add("sessions.plots", tr("&Plots as PDF…"), "Ctrl+Shift+P",
+      tr("Saves all plots of the selected session, one file each."), [this](const QVariantList& path) {
         if (!path.isEmpty()) return write(path.first().toString(), &JobStrip::beginPlots);
         chooseFile(tr("Save the plots"), "pdf", "sessions.plots");
         return true;
       });
   add("sessions.follow", tr("Fo&llow"), "Ctrl+Shift+G",
-      tr("Lets the chosen session's stylus go its way beside yours, as a ghost to follow."),
+      tr("Shows the recorded stylus of the selected session as a ghost for a hand to follow."),
       [this](const QVariantList&) { return actions_.perform("ghost.open", list_.chosen()->path); });
-  add("sessions.show", tr("&Show in folder"), "Ctrl+Alt+O", tr("Opens the folder that holds the chosen session."),
+  add("sessions.show", tr("&Show in folder"), "Ctrl+Alt+O", tr("Opens the folder of the selected session."),
       [this](const QVariantList&) {
         return QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(list_.chosen()->path).absolutePath()));
       });
-  add("sessions.edit", tr("&Edit words…"), "Ctrl+Alt+E",
-      tr("Changes the chosen session's name, notes, tags, subject and consent."),
+  add("sessions.edit", tr("&Edit metadata…"), "Ctrl+Alt+E",
+      tr("Edits the name, notes, tags, subject and consent of the selected session."),
       [this](const QVariantList&) { return edit(); });
   add("sessions.recover", tr("Rec&over"), "Ctrl+Alt+U",
-      tr("Makes a session whole that the program could not close, so that every program opens it."),
+      tr("Repairs a session that was not closed, so that every program can open it."),
       [this](const QVariantList&) { return recover(); });
   add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del",
-      tr("Moves the chosen session to the bin, or removes it for good."),
+      tr("Moves the selected session to the bin, or removes it for good."),
       [this](const QVariantList& asked) { return moveToBin(asked.value(0).toBool()); });
   actions_.addCommand("sessions.remove", [this](const QVariantList& asked) {
     return list_.chosen() != nullptr && remove(asked.value(0).toBool());
@@ -93,17 +93,17 @@ void SessionTools::buildButtons() {
   auto* row = tight<QHBoxLayout>(this, 4);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     QPushButton* made = pushButton(QString("panel.sessions.") + name, text, tip, this);
-    made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // all four may stand there
+    made->setMinimumWidth(made->fontMetrics().horizontalAdvance(text) + kMargins);  // up to four fit
     row->addWidget(made);
     return made;
   };
-  replay_ = button("replay", tr("Replay"), tr("Shows the chosen session again."));
+  replay_ = button("replay", tr("Replay"), tr("Replays the selected session."));
   recover_ = button("recover", tr("Recover"), actions_.find("sessions.recover")->toolTip());
   export_ = button("export", tr("CSV…"), actions_.find("sessions.export")->toolTip());
   export_->setAccessibleName(tr("Export as CSV"));
   row->addStretch(1);
-  QPushButton* more = button("more", tr("More"), tr("What else can be done with the chosen session, and the folder."));
-  more->setMinimumWidth(more->minimumWidth() + kMargins);  // and the arrow
+  QPushButton* more = button("more", tr("More"), tr("More commands for the selected session and the folder."));
+  more->setMinimumWidth(more->minimumWidth() + kMargins);  // for the arrow
   more->setMenu(menu_);
   connect(replay_, &QPushButton::clicked, this, [this] { actions_.perform("replay.open", list_.chosen()->path); });
   connect(recover_, &QPushButton::clicked, this, [this] { actions_.perform("sessions.recover"); });
@@ -121,7 +121,7 @@ void SessionTools::presentChosen() {
   allow("sessions.edit", closed);
   allow("sessions.recover", readable && !closed);
   allow("sessions.delete", any);
-  // A button comes together with what it does.
+  // A button is shown only together with its action.
   replay_->setVisible(actions_.find("replay.open") != nullptr);
   replay_->setEnabled(readable);
   recover_->setVisible(readable && !closed);
@@ -154,7 +154,7 @@ bool SessionTools::edit() {
 bool SessionTools::recover() {
   const QString path = list_.chosen()->path;
   const Result<std::int64_t> ticks = record::recover(path.toStdString());
-  job_.say(ticks ? tr("The session is whole up to its last tenth of a second: %1 ticks.").arg(ticks.value())
+  job_.say(ticks ? tr("The session was recovered up to its last tenth of a second: %1 ticks.").arg(ticks.value())
                  : sentencesOf(ticks.problems()),
            !ticks);
   list_.refresh();
@@ -173,10 +173,11 @@ bool SessionTools::moveToBin(bool asked) {
     });
     return true;
   }
-  return tellGone(QFile::moveToTrash(path),
-                  tr("%1 is in the bin, which keeps it until it is emptied.").arg(QFileInfo(path).fileName()),
-                  tr("The session cannot be moved to the bin: this folder has none, or may not be changed. Remove it "
-                     "for good, or show it in its folder and delete it there."));
+  return tellGone(
+      QFile::moveToTrash(path),
+      tr("%1 was moved to the bin and stays there until the bin is emptied.").arg(QFileInfo(path).fileName()),
+      tr("The session cannot be moved to the bin: its folder has no bin or is write-protected. Remove the session for "
+         "good, or choose Show in folder and delete it there."));
 }
 
 bool SessionTools::remove(bool asked) {
@@ -189,8 +190,8 @@ bool SessionTools::remove(bool asked) {
     return true;
   }
   return tellGone(QFile::remove(path), tr("%1 was removed for good.").arg(QFileInfo(path).fileName()),
-                  tr("The session cannot be removed: its folder may not be changed. Show in folder, and ask whose "
-                     "folder it is."));
+                  tr("The session cannot be removed: its folder is write-protected. Choose Show in folder, and ask the "
+                     "owner of the folder."));
 }
 
 bool SessionTools::tellGone(bool is_gone, const QString& gone, const QString& why_not) {

@@ -10,8 +10,7 @@ class Actions;
 class JobStrip;
 class SessionList;
 
-/// What can be done with the session that is chosen in a list: its actions, a row of buttons for those that are wanted
-/// most, and a menu of all.
+/// The commands for the selected session: actions, a row of buttons for the most frequent ones, and a menu of all.
 class SessionTools : public QWidget {
   Q_OBJECT
  public:

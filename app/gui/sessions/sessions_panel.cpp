@@ -46,13 +46,13 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     connect(hold, &QAction::toggled, buttons_, &ButtonsSection::setHoldToRun);
     buttons_->setHoldToRun(hold->isChecked());
   }
-  // What a button of the stylus asks for is done when the ticks of this frame are all seen.
+  // The action of a stylus button is performed when all ticks of this frame have been handled.
   connect(buttons_, &ButtonsSection::pressed, this, &SessionsPanel::press, Qt::QueuedConnection);
   connect(recording_, &Recording::changed, this, &SessionsPanel::presentRecording);
   connect(recording_, &Recording::ended, this, [this](const QString& path) {
     list_->setBusy({});
     list_->chooseLater(path);
-    if (!recording_->notice().isEmpty()) bringForward();  // where it stands why
+    if (!recording_->notice().isEmpty()) bringForward();  // it shows the reason
     if (seen_) list_->refresh();
   });
   record_->present();
@@ -63,14 +63,14 @@ void SessionsPanel::addRecordActions() {
   parts_.actions.add({"session.record",
                       tr("&Record"),
                       QKeySequence("Ctrl+Shift+R"),
-                      tr("Begins a recording at once, or ends it."),
+                      tr("Starts recording immediately, or stops it."),
                       "record",
                       {},
                       true},
                      [this](const QVariantList& on) {
                        if (!on.value(0).toBool()) return recording_->stop();
                        const bool begun = recording_->start();
-                       if (!begun) bringForward();  // where it stands why
+                       if (!begun) bringForward();  // it shows the reason
                        return begun;
                      });
   parts_.actions
@@ -80,7 +80,7 @@ void SessionsPanel::addRecordActions() {
            })
       ->setEnabled(false);
   parts_.actions.add({"sessions.find", tr("&Find a session"), QKeySequence("Ctrl+Shift+F"),
-                      tr("Puts the cursor into the search field.")},
+                      tr("Puts the cursor in the search field.")},
                      [this](const QVariantList&) {
                        bringForward();
                        list_->focusSearch();
@@ -90,7 +90,7 @@ void SessionsPanel::addRecordActions() {
 
 QAction* SessionsPanel::addFolderAction() {
   return parts_.actions.add({"sessions.folder", tr("C&hoose folder…"), QKeySequence("Ctrl+Alt+C"),
-                             tr("Where recordings go, and which are listed.")},
+                             tr("Sets the folder in which sessions are saved and listed.")},
                             [this](const QVariantList& path) {
                               if (!path.isEmpty()) return setFolder(path.first().toString());
                               chooseFolder();
@@ -99,7 +99,7 @@ QAction* SessionsPanel::addFolderAction() {
 }
 
 void SessionsPanel::chooseFolder() {
-  askForFolder(window(), "dialog.session_folder", tr("Folder of the recordings"), recording_->folder(),
+  askForFolder(window(), "dialog.session_folder", tr("Folder for sessions"), recording_->folder(),
                [this](const QString& path) { parts_.actions.perform("sessions.folder", path); });
 }
 

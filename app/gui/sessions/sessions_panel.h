@@ -12,7 +12,7 @@ class RecordSection;
 class SessionList;
 enum class ButtonUse;
 
-/// Recording, and what was recorded: begin and end, marks, words; find a session, export it, make it whole.
+/// Recording and recorded sessions: start and stop, markers, metadata; find, export and recover sessions.
 class SessionsPanel : public Panel {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class SessionsPanel : public Panel {
   SessionsPanel(const Parts& parts, QWidget* parent);
   void add(const servo::TickRecord& record) override;
   QString whyBusy() const override;
-  /// What is being recorded ends, and work on sessions is given up.
+  /// Ends the recording and cancels jobs on sessions.
   void finish() override;
 
  protected:
@@ -44,7 +44,7 @@ class SessionsPanel : public Panel {
   ButtonsSection* buttons_ = nullptr;
   SessionList* list_ = nullptr;
   JobStrip* job_ = nullptr;
-  bool seen_ = false;  // the folder is read when somebody looks
+  bool seen_ = false;  // the folder is read when the panel is first shown
   bool was_running_ = false;
 };
 

@@ -16,9 +16,9 @@ WordsDialog::WordsDialog(const QString& path, const record::SessionWords& words,
     : QDialog(parent),
       path_(path),
       form_(new WordsForm("dialog.words.", this)),
-      told_(toldLabel("dialog.words.told", tr("What went wrong"), "alarm", this)) {
+      told_(toldLabel("dialog.words.told", tr("Error message"), "alarm", this)) {
   setObjectName("dialog.words");
-  setWindowTitle(tr("Words of %1").arg(QFileInfo(path).fileName()));
+  setWindowTitle(tr("Metadata of %1").arg(QFileInfo(path).fileName()));
   resize(440, 280);
   form_->setWords(words);
   told_->hide();
@@ -29,7 +29,7 @@ WordsDialog::WordsDialog(const QString& path, const record::SessionWords& words,
     button->setAccessibleName(spoken);
     button->setIcon({});
   };
-  nameButton(QDialogButtonBox::Save, "save", tr("Save the words"));
+  nameButton(QDialogButtonBox::Save, "save", tr("Save the metadata"));
   nameButton(QDialogButtonBox::Cancel, "cancel", tr("Cancel"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);

@@ -9,7 +9,7 @@ namespace underact::gui {
 
 class WordsForm;
 
-/// The words of a session that is finished, to be changed. Not modal.
+/// Edits the metadata of a finished session. Not modal.
 class WordsDialog : public QDialog {
   Q_OBJECT
  public:

@@ -22,14 +22,14 @@ WordsForm::WordsForm(const QString& prefix, QWidget* parent)
       consent_(new QLineEdit(this)) {
   auto* form = tight<QFormLayout>(this, 4);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  addRow(form, tr("&Name"), name_, prefix + "name", tr("What the session is called in the list."));
-  addRow(form, tr("No&tes"), notes_, prefix + "notes", tr("Anything worth knowing when it is read again."));
-  addRow(form, tr("Ta&gs"), tags_, prefix + "tags", tr("Words to find it by, with commas between."));
+  addRow(form, tr("&Name"), name_, prefix + "name", tr("Name of the session in the list."));
+  addRow(form, tr("No&tes"), notes_, prefix + "notes", tr("Notes for whoever opens the session later."));
+  addRow(form, tr("Ta&gs"), tags_, prefix + "tags", tr("Keywords for the search, separated by commas."));
   addRow(form, tr("Su&bject"), subject_, prefix + "subject",
-         tr("Whose hand it is, as a code that only your own list resolves."));
+         tr("The person whose hand it is, as a code. Keep the list of codes and names somewhere else."));
   form->addRow(quietLabel(prefix + "subject_hint", tr("A code, not a name: whoever reads the file can see it."), this));
   addRow(form, tr("&Consent"), consent_, prefix + "consent",
-         tr("What that person agreed to, and how: the consent form's version and date. Empty: not recorded."));
+         tr("What the subject agreed to, and how: version and date of the consent form. Empty: not recorded."));
   tags_->setPlaceholderText(tr("pilot, left hand"));
   consent_->setPlaceholderText(tr("form 2.1, in writing, 2026-11-20"));
   notes_->setTabChangesFocus(true);

@@ -10,15 +10,15 @@ class QPlainTextEdit;
 
 namespace underact::gui {
 
-/// What a person says of a session: name, notes, tags, subject, consent.
+/// The metadata that a person enters for a session: name, notes, tags, subject, consent.
 class WordsForm : public QWidget {
   Q_OBJECT
  public:
-  /// prefix: of the fields' object names, "panel.sessions."
+  /// prefix: of the object names of the fields, "panel.sessions."
   explicit WordsForm(const QString& prefix, QWidget* parent = nullptr);
   record::SessionWords words() const;
-  void setWords(const record::SessionWords& words);  // says nothing
-  void clearConsent();                               // nor does this
+  void setWords(const record::SessionWords& words);  // emits no signal
+  void clearConsent();                               // emits no signal
 
  signals:
   void edited();

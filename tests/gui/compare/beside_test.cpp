@@ -52,7 +52,7 @@ TEST(CompareTool, SwappedTheOtherIsInEffectAsAStepBackAndWhatWasFeltStandsBeside
   ASSERT_TRUE(desk.perform("compare.swap"));
   EXPECT_TRUE(scene::isSame(desk.scene(), first));
   EXPECT_TRUE(scene::isSame(tool.beside().scene(), second));
-  EXPECT_EQ(desk.undoText(), QString("swap of the compared"));
+  EXPECT_EQ(desk.undoText(), QString("swap of compared scenes"));
   desk.perform("compare.on", false);
   EXPECT_FALSE(tool.beside().isOn());
 }

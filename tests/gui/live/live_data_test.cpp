@@ -45,7 +45,7 @@ TEST(AddressDialog, WarnsOfAnotherMachineAndRefusesWhatIsNoAddress) {
   EXPECT_TRUE(warning->isHidden());
   address->setText("192.168.1.20");
   EXPECT_FALSE(warning->isHidden());
-  EXPECT_TRUE(warning->text().startsWith("192.168.1.20 is not this machine."));
+  EXPECT_TRUE(warning->text().startsWith("192.168.1.20 is not this computer."));
   address->setText("nowhere at all");
   EXPECT_TRUE(warning->isHidden());
   dialog.findChild<QPushButton*>("dialog.live.send")->click();
