@@ -24,16 +24,21 @@ constexpr std::array<Row, kDhFields> kRows{
     {{"type", QT_TRANSLATE_NOOP("explore", "joint"),
       QT_TRANSLATE_NOOP("explore", "R, revolute: q adds to θ. P, prismatic: q adds to d.")},
      {"alpha", QT_TRANSLATE_NOOP("explore", "α\n[°]"),
-      QT_TRANSLATE_NOOP("explore", "Twist: the angle from the axis z before to this row's z, about x.")},
-     {"a", QT_TRANSLATE_NOOP("explore", "a\n[mm]"),
-      QT_TRANSLATE_NOOP("explore", "Length: the distance from the axis z before to this row's z, along x.")},
-     {"theta", QT_TRANSLATE_NOOP("explore", "θ\n[°]"),
-      QT_TRANSLATE_NOOP("explore", "Angle: from x before to this row's x, about z, with the joint at 0.")},
-     {"d", QT_TRANSLATE_NOOP("explore", "d\n[mm]"),
       QT_TRANSLATE_NOOP("explore",
-                        "Offset: the distance from x before to this row's x, along z, with the joint at 0.")},
+                        "Twist: the angle from the previous z axis to that of this row, about the previous x axis.")},
+     {"a", QT_TRANSLATE_NOOP("explore", "a\n[mm]"),
+      QT_TRANSLATE_NOOP(
+          "explore", "Length: the distance from the previous z axis to that of this row, along the previous x axis.")},
+     {"theta", QT_TRANSLATE_NOOP("explore", "θ\n[°]"),
+      QT_TRANSLATE_NOOP("explore",
+                        "Angle: from the previous x axis to that of this row, about z, with the joint at 0.")},
+     {"d", QT_TRANSLATE_NOOP("explore", "d\n[mm]"),
+      QT_TRANSLATE_NOOP(
+          "explore",
+          "Offset: the distance from the previous x axis to that of this row, along z, with the joint at 0.")},
      {"q", QT_TRANSLATE_NOOP("explore", "q\n[° mm]"),
-      QT_TRANSLATE_NOOP("explore", "The joint's value: the arm's own where joints follow it, else what is typed.")}}};
+      QT_TRANSLATE_NOOP("explore",
+                        "The value of the joint: from the arm if the joints follow it, otherwise as typed.")}}};
 
 QString word(const char* text) {
   return QCoreApplication::translate("explore", text);
@@ -136,8 +141,8 @@ Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const Q
 std::span<const DhStart> dhStarts() {
   static constexpr std::array<DhStart, 3> kStarts{
       {{"planar", QT_TRANSLATE_NOOP("explore", "Two links in a plane"), planar},
-       {"scara", QT_TRANSLATE_NOOP("explore", "SCARA, with a slide"), scara},
-       {"spherical", QT_TRANSLATE_NOOP("explore", "Two turns and a slide"), spherical}}};
+       {"scara", QT_TRANSLATE_NOOP("explore", "SCARA"), scara},
+       {"spherical", QT_TRANSLATE_NOOP("explore", "Two revolute, one prismatic"), spherical}}};
   return kStarts;
 }
 

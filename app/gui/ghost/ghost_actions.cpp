@@ -68,24 +68,24 @@ void addOptions(Actions& actions, GhostHand& ghost) {
 
 void addGhostActions(Actions& actions, GhostHand& ghost, const Document& document, SceneFiles& files, QWidget* window) {
   actions.add({"ghost.open", tr("Follow a &recorded hand…"), QKeySequence("Ctrl+Alt+Shift+G"),
-               tr("Lets a recorded stylus go its way beside yours, and says how near you are.")},
+               tr("Replays a recorded stylus beside yours and shows the distance between them.")},
               [&actions, &ghost, window](const QVariantList& path) {
                 if (!path.isEmpty()) return ghost.open(path.first().toString());
                 chooseSession(actions, window);
                 return true;
               });
-  actions.add({"ghost.play", tr("&Play or pause"), QKeySequence("G"), tr("Lets the ghost go, or stand still."), "play"},
+  actions.add({"ghost.play", tr("&Play or pause"), QKeySequence("G"), tr("Plays or pauses the ghost."), "play"},
               [&ghost](const QVariantList& on) {
                 ghost.play(on.value(0, !ghost.isPlaying()).toBool());
                 return true;
               });
   actions.add({"ghost.restart", tr("From the &beginning"), QKeySequence("Shift+G"),
-               tr("Puts the ghost back to its beginning, and counts anew."), "reset"},
+               tr("Starts the ghost from the beginning and resets the count."), "reset"},
               [&ghost](const QVariantList&) {
                 ghost.restart();
                 return true;
               });
-  actions.add({"ghost.close", tr("&Close"), QKeySequence("Ctrl+G"), tr("Takes the ghost away.")},
+  actions.add({"ghost.close", tr("&Close"), QKeySequence("Ctrl+G"), tr("Removes the ghost.")},
               [&ghost](const QVariantList&) {
                 ghost.close();
                 return true;

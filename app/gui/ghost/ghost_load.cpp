@@ -53,7 +53,7 @@ Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch) {
                       path);
   LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), {}, recorded.damage};
   if (ghost.way.rows.size() < 2)
-    return oneProblem(QObject::tr("There is one tick in this session: nothing to follow."), path);
+    return oneProblem(QObject::tr("This session has only one tick: there is nothing to follow."), path);
   if (const device::RecordedScene* first = recorded.sceneAt(0)) ghost.scene = first->scene;
   if (ghost.scene) makeDrawnMeshes(*ghost.scene, watch);
   return ghost;

@@ -25,7 +25,7 @@ DistanceBar::DistanceBar(const QString& object_name, const QString& name, const 
   nameWidget(value_, object_name + ".value", name);
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   value_->setFixedSize(fontMetrics().horizontalAdvance("000.0 mm") + 4, fontMetrics().lineSpacing());
-  nameWidget(word_, object_name + ".word", tr("%1, near or not").arg(name));
+  nameWidget(word_, object_name + ".word", tr("%1, warning when near").arg(name));
   word_->setProperty("role", "amber-text");
   word_->setFixedSize(fontMetrics().horizontalAdvance(tr("near")) + 12, fontMetrics().lineSpacing());
   track_->setObjectName(object_name + ".bar");

@@ -147,7 +147,7 @@ bool RobotEdits::moveJoint(int joint, int by) {
 }
 
 bool RobotEdits::setHome(int row, int axis, const QString& text) {
-  return change(row == 0 ? tr("tip at home") : tr("turn of the tip"), [&](scene::VirtualManipulator& robot) {
+  return change(row == 0 ? tr("home position") : tr("home orientation"), [&](scene::VirtualManipulator& robot) {
     const Result<double> typed = typedNumber(text);
     if (!typed) return typed.problems();
     if (row == 0) {

@@ -58,7 +58,7 @@ void Hand::press(unsigned stylus_buttons) {
 
 void Hand::showHint() {
   // One line at a time: what went wrong goes before it.
-  view_->setHint(replaying_ && !faulted_ ? tr("Replaying: forces go to no arm.") : QString());
+  view_->setHint(replaying_ && !faulted_ ? tr("Replay: no force is sent to an arm.") : QString());
 }
 
 }  // namespace underact::gui

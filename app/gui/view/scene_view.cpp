@@ -15,7 +15,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<
   speakAs(this, QAccessible::Canvas);
   setObjectName(QStringLiteral("view.scene"));
   setAccessibleName(tr("3D view"));
-  setAccessibleDescription(tr("What the stylus is held to, the stylus and the force on it. Arrow keys move the hand."));
+  setAccessibleDescription(tr("The constraint, the stylus and the force on it. The arrow keys move the hand."));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(160, 120);
