@@ -67,7 +67,7 @@ void addLayers(Actions& actions, SceneView& view) {
   }
 }
 
-/// Which axis the cut through meshes is across.
+/// The axis perpendicular to the cut through meshes.
 void addSectionAxes(Actions& actions, SceneView& view) {
   struct Row {
     const char *name, *text, *shortcut, *tip, *button;
