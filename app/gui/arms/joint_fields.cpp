@@ -51,12 +51,12 @@ bool isTurning(const scene::Joint& joint) {
   return joint.type == JointType::Revolute;
 }
 
-/// On the screen for one of the file: degrees for rad, mm for mm.
+/// Screen units per file unit: degrees for rad, mm for mm.
 double screenUnit(const scene::Joint& joint) {
   return isTurning(joint) ? 1.0 / kRadPerDegree : 1.0;
 }
 
-/// The field as a number on the screen; none: there is none.
+/// The field as a number on the screen; none: it has no number.
 std::optional<double> numberOf(const scene::Joint& joint, JointField field) {
   const double unit = screenUnit(joint);
   switch (field) {
@@ -158,7 +158,7 @@ Result<scene::Joint> withField(scene::Joint joint, JointField field, const QStri
   if (field == JointField::Rest) joint.rest = unit * number;
   if (field == JointField::Stiffness) {
     joint.stiffness = number;
-    if (number == 0.0) joint.rest = 0.0;  // without a spring there is none
+    if (number == 0.0) joint.rest = 0.0;  // without a spring there is no rest position
   }
   if (field >= JointField::AxisX && field <= JointField::AxisZ) {
     joint.axis[static_cast<int>(field) - static_cast<int>(JointField::AxisX)] = number;

@@ -12,14 +12,14 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kApart_mm = 260.0;  // between the two workspaces' middles: neither arm reaches into the other's
+constexpr double kApart_mm = 260.0;  // between the centres of the workspaces: neither arm reaches into the other's
 
-/// As seen in a mirror that stands across x.
+/// Mirrored across x = 0.
 sim::HandWish mirrored(sim::HandWish wish) {
   const Vec3 flip(-1.0, 1.0, 1.0);
   wish.p_WT = flip.cwiseProduct(wish.p_WT);
   wish.v_WT = flip.cwiseProduct(wish.v_WT);
-  wish.R_WT = (flip.asDiagonal() * wish.R_WT * flip.asDiagonal()).eval();  // a rotation still
+  wish.R_WT = (flip.asDiagonal() * wish.R_WT * flip.asDiagonal()).eval();  // still a rotation
   return wish;
 }
 
@@ -57,7 +57,7 @@ void SecondArm::begin() {
   connect(document_.get(), &Document::opened, this, [this] {
     view_.showSecond(document_->scene());
     place();
-    if (first_.running() && arms_->simulated() != nullptr) start();  // nobody holds a simulated one
+    if (first_.running() && arms_->simulated() != nullptr) start();  // nobody holds a simulated arm
     emit changed();
   });
   openScene(path_.isEmpty() ? firstScene(shippedScenes()) : path_);
@@ -143,7 +143,7 @@ void SecondArm::takeFaults() {
   }
 }
 
-/// The hand of a simulated one: the first one's, in a mirror.
+/// The hand of a simulated arm mirrors the first one.
 void SecondArm::moveHand() {
   if (!mirrors_ || arms_->simulated() == nullptr) return;
   if (const device::SimulatedArm* hand = first_arms_.simulated()) {

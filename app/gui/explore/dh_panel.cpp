@@ -26,7 +26,7 @@ namespace underact::gui {
 namespace {
 
 constexpr const char* kDhOwner = "dh";
-constexpr std::int64_t kBetween_ns = 100'000'000;  // of the servo's time: numbers that change faster are not read
+constexpr std::int64_t kBetween_ns = 100'000'000;  // of servo time: numbers that change faster cannot be read
 
 }  // namespace
 
@@ -140,7 +140,7 @@ bool DhPanel::change(const DhTable& table) {
   return true;
 }
 
-/// Joints that no longer follow stay where they are.
+/// When they no longer follow, the joints stay where they are.
 bool DhPanel::follow(bool on) {
   DhTable table = tables_.now();
   table.q = joints(true);
@@ -215,7 +215,7 @@ void DhPanel::draw() {
 void DhPanel::present(const servo::Snapshot& snapshot) {
   const auto& sample = snapshot.report.sample;
   const bool known = std::all_of(sample.q_rad.begin(), sample.q_rad.end(), [](double q) { return std::isfinite(q); });
-  if (!isSeen() && drawn_) draw();  // behind another tab now
+  if (!isSeen() && drawn_) draw();  // now behind another tab
   if (!isSeen() || !known) return;
   q_rad_ = sample.q_rad;
   p_WT_ = snapshot.report.p_WT;

@@ -48,7 +48,7 @@ bool turns(const DhRow& row) {
   return row.type == JointType::Revolute;
 }
 
-/// The number behind a cell, and what one of it is on the screen.
+/// The number behind a cell.
 double& numberOf(DhTable& table, std::size_t row, DhField field) {
   DhRow& one = table.rows[row];
   if (field == DhField::Alpha) return one.alpha_rad;
@@ -85,7 +85,7 @@ DhTable scara() {
                  {JointType::Prismatic, kPi, 0.0, 0.0, 0.03}});
 }
 
-DhTable spherical() {  // Craig, figure 3.36's kind: two turns and a slide
+DhTable spherical() {  // of the kind of Craig, figure 3.36: two revolute joints and a prismatic one
   return madeOf(
       {{JointType::Revolute}, {JointType::Revolute, -kRight}, {JointType::Prismatic, kRight, 0.0, 0.0, 0.10}});
 }
@@ -125,7 +125,7 @@ Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const Q
     if (!slides && text != QObject::tr("revolute") && text != QLatin1String("revolute"))
       return Problems{{said(QT_TRANSLATE_NOOP("problem", "A joint is revolute or prismatic."))}};
     one.type = slides ? JointType::Prismatic : JointType::Revolute;
-    one.min = -kInfinity;  // limits are numbers of the other unit
+    one.min = -kInfinity;  // the limits have the other unit
     one.max = kInfinity;
     table.q[row] = 0.0;
     return table;

@@ -30,8 +30,8 @@ using chain::StepKind;
 
 constexpr const char* kTransformOwner = "transform";
 constexpr std::size_t kMostSteps = 6;
-constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the picture is as wide
-constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not seen on the screen
+constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the range of the view
+constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not visible on the screen
 constexpr const char* kKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
 
 double stepUnit(StepKind kind) {
@@ -148,7 +148,7 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
     const auto* const found = std::find(std::begin(kKeys), std::end(kKeys), kind);
     if (found == std::end(kKeys)) return false;
     const auto now = static_cast<StepKind>(found - std::begin(kKeys));
-    // The number stays as it is read, in its new unit.
+    // The number on the screen stays, in its new unit.
     step = {now, step.amount * stepUnit(step.kind) / stepUnit(now)};
   }
   const Result<double> number =

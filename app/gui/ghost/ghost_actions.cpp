@@ -26,7 +26,7 @@ void chooseSession(Actions& actions, QWidget* window) {
              [&actions](const QString& path) { actions.perform("ghost.open", path); });
 }
 
-/// name: of a command with one argument that changes the options. false: that argument is none for it.
+/// name: of a command with one argument that changes the options. put: false for an invalid argument.
 void addOption(Actions& actions, GhostHand& ghost, const char* name,
                std::function<bool(follow::Options& options, const QVariant& to)> put) {
   actions.addCommand(name, [&ghost, put = std::move(put)](const QVariantList& to) {
@@ -99,7 +99,7 @@ void addGhostActions(Actions& actions, GhostHand& ghost, const Document& documen
   actions.addCommand("ghost.scene", [&ghost, &document, &files](const QVariantList&) {
     if (!ghost.isOpen() || !ghost.ghost().scene) return false;
     scene::Description scene = *ghost.scene();
-    return files.openLoaded(document.opensMirrored() ? scene::mirrored(scene) : scene);  // mirrored back as it opens
+    return files.openLoaded(document.opensMirrored() ? scene::mirrored(scene) : scene);  // mirrored back when it opens
   });
   actions.addCommand("ghost.copy", [&ghost](const QVariantList&) {
     if (!ghost.isOpen() || !ghost.state().last_round) return false;

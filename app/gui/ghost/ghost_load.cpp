@@ -23,7 +23,7 @@ follow::Way wayOf(const device::Recorded& recorded, const arm::Geometry& geometr
   return maker.take();
 }
 
-/// The files of a recorded scene have other names than those of the scene that was opened: their content counts.
+/// The files of a recorded scene have other names than those of the open scene: their content is compared.
 void takeNames(scene::Shape& shape, const scene::Shape& recorded) {
   auto* mesh = std::get_if<scene::Mesh>(&shape);
   const auto* recorded_mesh = std::get_if<scene::Mesh>(&recorded);

@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0};
 constexpr double kDistanceType = 1.7;
-constexpr int kFramesANumber = 3;  // while it plays: numbers that change more often cannot be read
+constexpr int kFramesANumber = 3;  // while playing: numbers that change more often cannot be read
 
 QLabel* label(const char* name, const QString& spoken, QWidget* parent) {
   auto* made = new QLabel(parent);
@@ -41,7 +41,7 @@ QLabel* label(const char* name, const QString& spoken, QWidget* parent) {
   return made;
 }
 
-/// A label that is there while it says something.
+/// Shows the label only while it has a text.
 void tell(QLabel* label, const QString& text) {
   putText(label, text);
   if (label->isHidden() != text.isEmpty()) label->setVisible(!text.isEmpty());
@@ -126,7 +126,7 @@ void GhostStrip::buildChoices(QVBoxLayout* column) {
   beyond_->setSuffix(tr(" mm"));
   beyond_->setDecimals(0);
   beyond_->setRange(1.0, 100.0);
-  beyond_->setKeyboardTracking(false);  // half a number is no distance
+  beyond_->setKeyboardTracking(false);  // not a half-typed number
   connect(beyond_, &QDoubleSpinBox::valueChanged, this,
           [this](double beyond_mm) { actions_.perform("ghost.wait_beyond", beyond_mm); });
   row->addWidget(beyond_);
@@ -147,7 +147,7 @@ void GhostStrip::buildTold(QVBoxLayout* column) {
   connect(copy_, &QPushButton::clicked, this, [this] {
     if (actions_.perform("ghost.copy")) copy_->setText(tr("Copied"));
   });
-  told_->setMinimumHeight(copy_->sizeHint().height());  // nothing moves when that comes
+  told_->setMinimumHeight(copy_->sizeHint().height());  // nothing moves when it appears
   result->addWidget(copy_);
   column->addLayout(result);
   column->addWidget(last_ = toldLabel("ghost.last", tr("Previous round"), "quiet", this));
@@ -186,7 +186,7 @@ void GhostStrip::presentOptions() {
   const follow::Options& options = ghost_.options();
   const QSignalBlocker silent_speed(speed_), silent_wait(wait_), silent_near(near_), silent_loop(loop_),
       silent_mirror(mirror_),
-      silent_beyond(beyond_);  // to show a value is not to ask for it
+      silent_beyond(beyond_);  // showing a value does not command it
   speed_->setCurrentIndex(speed_->findData(options.speed));
   wait_->setChecked(options.waits);
   near_->setChecked(options.begins_near);
@@ -209,7 +209,7 @@ void GhostStrip::presentNotes() {
 void GhostStrip::sayResult() {
   copy_->setText(tr("Copy"));
   presentNumbers();
-  told_->setAccessibleDescription(resultText(*ghost_.state().last_round));  // its name says what stands there
+  told_->setAccessibleDescription(resultText(*ghost_.state().last_round));  // the name says what the text is
   QAccessibleEvent said(told_, QAccessible::Alert);
   QAccessible::updateAccessibility(&said);
 }

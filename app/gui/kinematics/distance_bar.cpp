@@ -62,7 +62,7 @@ void DistanceBar::paintEvent(QPaintEvent*) {
   const double share = std::clamp(distance_ / scale_.farthest, 0.0, 1.0);
   painter.setBrush(isNear() ? theme_.force : ink(0.5));
   painter.drawRoundedRect(QRectF(all.topLeft(), QSizeF(std::max(3.0, share * all.width()), all.height())), 3, 3);
-  painter.setBrush(theme_.ink);  // where near begins
+  painter.setBrush(theme_.ink);  // the threshold of near
   painter.drawRect(QRectF(std::round(all.left() + scale_.near_below / scale_.farthest * all.width()) - 1.0,
                           all.top() - 3.0, 2.0, all.height() + 6.0));
 }

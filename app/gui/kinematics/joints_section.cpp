@@ -24,7 +24,7 @@ JointsSection::JointsSection(QWidget* parent)
     connect(rows_[index], &JointRow::stepped, this, [this, joint](double by_deg) { emit stepped(joint, by_deg); });
     column().addWidget(rows_[index]);
   }
-  note_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // either sentence fits: nothing moves when it changes
+  note_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // room for each sentence: nothing moves when it changes
   note_->setAlignment(Qt::AlignTop);
   column().addWidget(note_);
 }

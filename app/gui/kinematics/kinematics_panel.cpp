@@ -169,8 +169,8 @@ bool KinematicsPanel::showSolution(int number) {
 
 void KinematicsPanel::hideEvent(QHideEvent* event) {
   Panel::hideEvent(event);
-  if (event->spontaneous()) return;  // the whole window was put away
-  solutions_->choose(0);             // its ghost goes with the panel that said what it is
+  if (event->spontaneous()) return;  // the whole window was hidden
+  solutions_->choose(0);             // its ghost is meaningless without the panel
   shown_ns_ = -1;
 }
 

@@ -97,7 +97,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
     showChosen();
     emit wanted(chosen());
   });
-  // Enter, or a double click, on the row that is chosen already: once more.
+  // Enter, or a double click, on the selected row: play it again.
   connect(table_, &QTableWidget::itemActivated, this, [this] { emit wanted(chosen()); });
 }
 
@@ -152,7 +152,7 @@ void SolutionsSection::present(const KinematicsNow& now) {
   const QString status = statusText(solutions_);
   if (status_->text() != status) status_->setText(status);
   std::array<QString, kSolutions> texts;
-  texts.fill(QString(QChar(0x2013)));  // no solution of its own: one with another, at a singularity
+  texts.fill(QString(QChar(0x2013)));  // no separate solution: it coincides with another one at a singularity
   for (const arm::Solution& one : solutions_) {
     texts[static_cast<std::size_t>(numberOf(one.branch) - 1)] = limitsText(one, isSame(one.q_rad, q_rad_));
   }

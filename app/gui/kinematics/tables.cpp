@@ -1,4 +1,4 @@
-// The sections that are numbers: DH table, angle conventions, Jacobian.
+// The sections with numbers: DH table, angle conventions, Jacobian.
 #include <QCheckBox>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -116,7 +116,7 @@ JacobianSection::JacobianSection(QWidget* parent)
                    tr("Angular velocity of the stylus about %1 of W per joint rate, rad/rad.").arg(QChar(axis)));
   }
   tables_->addWidget(whole_);
-  auto* upper = new QWidget(this);  // the small one stands at the top, where the large one begins
+  auto* upper = new QWidget(this);  // the small table is at the top, aligned with the large one
   auto* upper_column = tight<QVBoxLayout>(upper);
   upper_column->addWidget(position_);
   upper_column->addStretch(1);

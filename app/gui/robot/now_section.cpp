@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kAtLimit = 1e-6;  // rad, or m: the solver puts a joint on its limit
+constexpr double kAtLimit = 1e-6;  // rad, or m: the solver places a joint exactly on its limit
 constexpr double kMillijoule = 1e3;
 
 QString jointText(const chain::Joint& joint, double value) {

@@ -51,14 +51,14 @@ void RobotPanel::build() {
   inner->addWidget(none_);
   inner->addWidget(editor_ = makeEditor(content));
   inner->addStretch(1);
-  // The read-out fills in its rows with the first robot: what they need is known before.
+  // The read-out gets its rows with the first robot: reserve their width now.
   content->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Moment, not sent") + tr("iteration, 100 of 100 steps")) +
                            48);
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(std::max(content->minimumWidth(), content->minimumSizeHint().width()) + 16);
   auto* outer = tight<QVBoxLayout>(this, 0);
   outer->addWidget(scroll, 1);
-  // Below what scrolls: a sentence is always seen, and its coming moves nothing from under the pointer.
+  // Below the scroll area: the message is always visible, and moves nothing under the pointer when it appears.
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(8, 8, 8, 8);
   foot->setSpacing(8);
@@ -93,7 +93,7 @@ QWidget* RobotPanel::makeEditor(QWidget* parent) {
   return made;
 }
 
-/// What the tip pulls with: the turning stiffness, what of the stylus's turn it follows, the force law.
+/// The force: rotational stiffness, the part of the stylus's orientation that is followed, force law.
 QWidget* RobotPanel::makePull(QWidget* parent) {
   auto* const made = new Section("pull", tr("Force"),
                                  tr("The joints move to the minimum of the energy V = e·K e / 2, and the stylus is "
@@ -172,7 +172,7 @@ void RobotPanel::refresh() {
   new_->setEnabled(!parts_.document.scene().constraints.empty());
   if (shown == nullptr) return;
   rows_->present(parts_.document, edits_->index());
-  ko_->setEnabled(shown->orientation != manipulator::Orientation::None);  // nothing would use it
+  ko_->setEnabled(shown->orientation != manipulator::Orientation::None);  // it would have no effect
   chain_->present(*shown);
   home_->present(shown->X_WV_home, edits_->angles_deg());
   const Result<tick::TickProgram> program = scene::compile(parts_.document.scene());
@@ -191,7 +191,7 @@ void RobotPanel::present(const servo::Snapshot& snapshot) {
 }
 
 void RobotPanel::tell(const Problems& problems) {
-  refresh();  // refused? what holds is back
+  refresh();  // if it was refused, shows the values in effect again
   tellIn(refusal_, sentencesOf(problems));
 }
 

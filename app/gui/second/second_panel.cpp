@@ -152,7 +152,7 @@ void SecondPanel::fillArms() {
     if (!entry.name.isEmpty()) arm_->addItem(entry.title, entry.name);
   }
   const QString name = second_.isOn() ? second_.arms().wanted() : QString("simulated");
-  if (arm_->findData(name) < 0) arm_->addItem(name, name);  // by its address, or gone since
+  if (arm_->findData(name) < 0) arm_->addItem(name, name);  // named by its address, or no longer present
   arm_->setCurrentIndex(arm_->findData(name));
 }
 
