@@ -38,8 +38,7 @@ constexpr std::array<Row, kJointFields> kRows{
       QT_TRANSLATE_NOOP("QObject", "Upper limit, degrees or mm; empty: no limit.")},
      {"stiffness", QT_TRANSLATE_NOOP("QObject", "spring k\n[N mm/rad, N/mm]"),
       QT_TRANSLATE_NOOP("QObject",
-                        "Stiffness of a spring in the joint, which adds k (q - rest)^2 / 2 to the energy; 0: the joint "
-                        "moves freely.")},
+                        "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: the joint moves freely.")},
      {"rest", QT_TRANSLATE_NOOP("QObject", "rest\n[° mm]"),
       QT_TRANSLATE_NOOP("QObject", "Where the spring exerts no force, degrees or mm.")}}};
 

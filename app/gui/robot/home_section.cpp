@@ -18,7 +18,7 @@ HomeSection::HomeSection(QWidget* parent)
   table_->setRowCount(2);
   table_->setColumnCount(3);
   for (int axis = 0; axis < 3; ++axis) {
-    table_->setColumnHead(axis, QString(QChar('x' + axis)), tr("Along, and about, %1 of W.").arg(QChar('x' + axis)),
+    table_->setColumnHead(axis, QString(QChar('x' + axis)), tr("Along and about %1 of W.").arg(QChar('x' + axis)),
                           "−0000.0");
   }
   table_->setVerticalHeaderLabels({tr("position [mm]"), tr("orientation [°]")});

@@ -105,7 +105,7 @@ QWidget* RobotPanel::makePull(QWidget* parent) {
   QFormLayout* const form = panelForm();
   made->column().addLayout(form);
   rows_->addChoice({"/orientation", "panel.robot.orientation", tr("Follows"),
-                    tr("What the end effector follows of the stylus's orientation")},
+                    tr("The part of the stylus's orientation that the end effector follows")},
                    form, made);
   rows_->addChoice({"/force_law", "panel.robot.law", tr("Force law"), tr("Force law")}, form, made);
   return made;

@@ -58,7 +58,7 @@ void Hand::press(unsigned stylus_buttons) {
 
 void Hand::showHint() {
   // One line at a time: a fault takes precedence.
-  view_->setHint(replaying_ && !faulted_ ? tr("Replay: no force is sent to an arm.") : QString());
+  view_->setHint(replaying_ && !faulted_ ? tr("Replay: no force is sent to the arm.") : QString());
 }
 
 }  // namespace underact::gui
