@@ -176,11 +176,11 @@ TEST(GhostStory, ItBeginsWithTheOneWhoFollows) {
   story.perform("ghost.play", false);
   wish(story.arm(), {-0.03, 0.0, 0.06});
   story.run(1000);
-  EXPECT_TRUE(story.text("ghost.told").startsWith("The ghost stands still."));
+  EXPECT_TRUE(story.text("ghost.told").startsWith("The ghost is paused."));
   story.perform("ghost.play", true);
   story.run(1000);
   EXPECT_EQ(story.state().phase, follow::Phase::Ready);
-  EXPECT_EQ(story.text("ghost.told"), "Go to the ghost: it begins when you are within 10 mm.");
+  EXPECT_EQ(story.text("ghost.told"), "Move to the ghost: it starts when you are within 10 mm.");
   wish(story.arm(), teacherAt(0));
   story.run(500);
   EXPECT_EQ(story.state().phase, follow::Phase::Going);
@@ -205,7 +205,7 @@ TEST(GhostStory, TheSceneStaysAndTheOneItWasRecordedInIsOffered) {
   EXPECT_FALSE(story.find("ghost.notes")->isVisible()) << "how hard it pulls is another matter";
   std::get<scene::Sphere>(other.constraints.front().shape).radius_mm += 5.0;
   ASSERT_TRUE(story.window().document().edit(other, "larger", 2).empty());
-  EXPECT_EQ(story.text("ghost.notes"), "The scene is not as it was when this was recorded.");
+  EXPECT_EQ(story.text("ghost.notes"), "The scene has changed since the recording.");
 }
 
 TEST(GhostStory, ForTheLeftHandItGoesInTheSameMirrorAsTheScenes) {
@@ -294,7 +294,7 @@ TEST(GhostStory, WhatIsDamagedIsSaidAndTheRestIsFollowed) {
   file.close();
   Class story("02_sphere", path);
   auto* box = story.find<QMessageBox>("dialog.session_problems");
-  EXPECT_TRUE(box->text().endsWith("is damaged. What could be read is followed.")) << box->text().toStdString();
+  EXPECT_TRUE(box->text().endsWith("is damaged. You follow the part that could be read.")) << box->text().toStdString();
   box->close();
   story.run(250);
   EXPECT_EQ(story.state().phase, follow::Phase::Going);

@@ -122,7 +122,7 @@ TEST(RobotStory, TheMethodOfTheSolverChangesNothingThatIsFelt) {
   Robot story("18_sphere_of_two_joints");
   story.hold({0.012, 0.018, 0.034});
   story.settle();
-  EXPECT_EQ(story.readout("Joints found by"), "closed form");
+  EXPECT_EQ(story.readout("Solved by"), "closed form");
   const Vec3 before_N = story.wanted_N();
   ASSERT_GT(before_N.norm(), 0.05);
   story.find<QComboBox>("panel.robot.method")->setCurrentIndex(2);
@@ -131,8 +131,8 @@ TEST(RobotStory, TheMethodOfTheSolverChangesNothingThatIsFelt) {
   EXPECT_NEAR((story.wanted_N() - before_N).norm(), 0.0, 2e-3);  // the hand moves a little from tick to tick
   story.run(300);
   story.settle();
-  EXPECT_TRUE(story.readout("Joints found by").startsWith("iteration"))
-      << story.readout("Joints found by").toStdString();
+  EXPECT_TRUE(story.readout("Solved by").startsWith("iteration"))
+      << story.readout("Solved by").toStdString();
   EXPECT_NEAR((story.wanted_N() - before_N).norm(), 0.0, 2e-3);
 }
 
@@ -178,7 +178,7 @@ TEST(RobotStory, AnImpossibleEditIsRefusedAndTheOldNumberIsBack) {
   EXPECT_TRUE(story.refusal().contains("points nowhere")) << story.refusal().toStdString();
   EXPECT_EQ(story.joints()->item(0, kAxisZ)->text(), "1.000");
   story.typeCell(story.joints(), 0, kPointX, "1e");
-  EXPECT_TRUE(story.refusal().contains("no number")) << story.refusal().toStdString();
+  EXPECT_TRUE(story.refusal().contains("not a number")) << story.refusal().toStdString();
   EXPECT_EQ(story.joints()->item(0, kPointX)->text(), "0.0");
   story.clickThere("panel.robot.joint.add");
   EXPECT_TRUE(story.refusal().contains("just one revolute joint")) << story.refusal().toStdString();
@@ -285,12 +285,12 @@ TEST(RobotStory, TheReadoutSaysWhatTheSolverFoundAndWhichJointStandsAtALimit) {
   EXPECT_NEAR(story.readout("Moment, not sent").split(' ').first().toDouble(), 1e3 * story.now().moment_W.norm(), 0.06);
   EXPECT_GT(story.now().moment_W.norm(), 0.01);
   EXPECT_TRUE(story.readout("Energy").endsWith(" mJ"));
-  EXPECT_EQ(story.readout("Target"), "at the tip");
+  EXPECT_EQ(story.readout("Target"), "at the end effector");
   EXPECT_TRUE(story.perform("robot.joint.set", 1, "min", "-90"));
   EXPECT_TRUE(story.perform("robot.joint.set", 1, "max", "-3"));
   story.run(1000);
   story.settle();
-  EXPECT_TRUE(story.readout("Joint q1").startsWith("at its most")) << story.readout("Joint q1").toStdString();
+  EXPECT_TRUE(story.readout("Joint q1").startsWith("at maximum")) << story.readout("Joint q1").toStdString();
   EXPECT_NEAR(story.now().theta[0], -3.0 * std::acos(-1.0) / 180.0, 1e-6);
 }
 

@@ -92,7 +92,7 @@ TEST(SecondArmStory, AWrongSceneIsSaidAndTheOneBeforeStays) {
   const std::string before = desk.second.servo().scene().title;
   desk.story.perform("dock.second", true);
   desk.story.perform("second.scene", temporaryFile("wrong.json", "{ not a scene"));
-  EXPECT_TRUE(desk.label("panel.second.told").startsWith("The scene stays. "));
+  EXPECT_TRUE(desk.label("panel.second.told").startsWith("The scene is unchanged. "));
   EXPECT_EQ(desk.second.servo().scene().title, before);
 }
 
@@ -128,7 +128,7 @@ TEST(SecondArmStory, TheFirstArmsDeviceIsNotOpenedTwiceAndAFaultOfTheSecondIsSai
   ASSERT_TRUE(comes([&] { return desk.label("panel.devices.in_use").contains("Untested"); }));
   ASSERT_TRUE(desk.story.perform("second.on", true));
   EXPECT_FALSE(desk.story.perform("second.use", QString("openhaptics")));
-  EXPECT_TRUE(desk.label("panel.second.told").contains("That is the first arm"));
+  EXPECT_TRUE(desk.label("panel.second.told").contains("in use as the first arm"));
   desk.story.perform("devices.simulated");
 }
 

@@ -27,13 +27,13 @@ QString faultText(FaultKind kind) {
     case FaultKind::NotFinite:
       return QObject::tr("not a number");
     case FaultKind::TooFast:
-      return QObject::tr("a jump");
+      return QObject::tr("jump");
     case FaultKind::TooLate:
       return QObject::tr("too late");
     case FaultKind::StoodStill:
       return QObject::tr("stood still");
     case FaultKind::OddClock:
-      return QObject::tr("odd clock");
+      return QObject::tr("clock error");
     case FaultKind::Asleep:
       return QObject::tr("asleep");
   }
@@ -52,9 +52,9 @@ ArmPanel::ArmPanel(QWidget* parent) : Panel(parent), readout_(new Readout("panel
   last_joints_ =
       readout_->addRow(tr("Joints 4–6"), tr("The gimbal: q4, q5, q6 as in the DH table; measured, not driven."));
   level_ =
-      readout_->addRow(tr("Let through"), tr("The share of the force that soft start and soft release let through."));
+      readout_->addRow(tr("Ramp"), tr("The share of the force that soft start and soft release pass on to the arm."));
   fault_ =
-      readout_->addRow(tr("Fault"), tr("What made the servo stop by itself; the line over the view says what to do."));
+      readout_->addRow(tr("Fault"), tr("Why the servo stopped by itself. The line above the view says what to do."));
 }
 
 void ArmPanel::present(const servo::Snapshot& snapshot) {

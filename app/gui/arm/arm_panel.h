@@ -5,7 +5,7 @@ namespace underact::gui {
 
 class Readout;
 
-/// Where the arm is: tip, joints, how much of the force is let through, and what went wrong.
+/// The state of the arm: tip, joints, ramp of the force, fault.
 class ArmPanel : public Panel {
   Q_OBJECT
  public:

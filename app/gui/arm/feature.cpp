@@ -8,7 +8,7 @@ namespace underact::gui {
 
 FeatureRow armFeature() {
   return {.panels = {{"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea, "Ctrl+Alt+4",
-                      QT_TRANSLATE_NOOP("panel", "Where the joints and the tip of the arm are."),
+                      QT_TRANSLATE_NOOP("panel", "Joint angles, tip position and faults of the arm."),
                       [](const FeatureParts&, QWidget* parent) -> Panel* { return new ArmPanel(parent); }}},
           .pages = {{"panel.arm", "window#arm"}}};
 }

@@ -46,7 +46,8 @@ FixDialog::FixDialog(const QString& arm, const std::vector<device::Missing>& mis
     column->addWidget(sentence);
     if (command.isEmpty()) continue;
     column->addWidget(commandField(name + ".command", command, this));
-    QPushButton* copy = pushButton(name + ".copy", tr("Copy the command"), tr("Then paste it into a terminal."), this);
+    QPushButton* copy =
+        pushButton(name + ".copy", tr("Copy the command"), tr("Copies the command; paste it into a terminal."), this);
     connect(copy, &QPushButton::clicked, this, [command] { QApplication::clipboard()->setText(command); });
     column->addWidget(copy, 0, Qt::AlignLeft);
   }

@@ -6,8 +6,8 @@
 
 namespace underact::gui {
 
-/// What an arm lacks, each with the command that mends it, to be copied into a terminal: the program itself changes
-/// nothing of the system.
+/// What an arm lacks, each with the command that fixes it, to be copied into a terminal: the program itself changes
+/// nothing in the system.
 class FixDialog : public QDialog {
   Q_OBJECT
  public:

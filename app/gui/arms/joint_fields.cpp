@@ -18,26 +18,29 @@ struct Row {
 };
 constexpr std::array<Row, kJointFields> kRows{
     {{"type", QT_TRANSLATE_NOOP("QObject", "type"),
-      QT_TRANSLATE_NOOP("QObject", "Revolute: it turns about its axis. Prismatic: it slides along it.")},
+      QT_TRANSLATE_NOOP("QObject", "Revolute: rotates about its axis. Prismatic: slides along its axis.")},
      {"axis_x", QT_TRANSLATE_NOOP("QObject", "axis\nx"),
-      QT_TRANSLATE_NOOP("QObject", "The axis' direction at home, of any length, in W: S = (axis, point x axis).")},
-     {"axis_y", QT_TRANSLATE_NOOP("QObject", "\ny"), QT_TRANSLATE_NOOP("QObject", "The axis' direction at home.")},
-     {"axis_z", QT_TRANSLATE_NOOP("QObject", "\nz"), QT_TRANSLATE_NOOP("QObject", "The axis' direction at home.")},
+      QT_TRANSLATE_NOOP("QObject",
+                        "Direction of the axis in the home pose, in W, of any length: S = (axis, point x axis).")},
+     {"axis_y", QT_TRANSLATE_NOOP("QObject", "\ny"),
+      QT_TRANSLATE_NOOP("QObject", "Direction of the axis in the home pose.")},
+     {"axis_z", QT_TRANSLATE_NOOP("QObject", "\nz"),
+      QT_TRANSLATE_NOOP("QObject", "Direction of the axis in the home pose.")},
      {"point_x", QT_TRANSLATE_NOOP("QObject", "point\nx [mm]"),
-      QT_TRANSLATE_NOOP("QObject", "A point on the axis at home, in W; a joint that slides needs none.")},
+      QT_TRANSLATE_NOOP("QObject", "A point on the axis in the home pose, in W; a prismatic joint needs none.")},
      {"point_y", QT_TRANSLATE_NOOP("QObject", "\ny [mm]"),
-      QT_TRANSLATE_NOOP("QObject", "A point on the axis at home.")},
+      QT_TRANSLATE_NOOP("QObject", "A point on the axis in the home pose.")},
      {"point_z", QT_TRANSLATE_NOOP("QObject", "\nz [mm]"),
-      QT_TRANSLATE_NOOP("QObject", "A point on the axis at home.")},
+      QT_TRANSLATE_NOOP("QObject", "A point on the axis in the home pose.")},
      {"min", QT_TRANSLATE_NOOP("QObject", "min\n[° mm]"),
-      QT_TRANSLATE_NOOP("QObject", "The least value, degrees or mm; empty: no limit.")},
+      QT_TRANSLATE_NOOP("QObject", "Lower limit, degrees or mm; empty: no limit.")},
      {"max", QT_TRANSLATE_NOOP("QObject", "max\n[° mm]"),
-      QT_TRANSLATE_NOOP("QObject", "The largest value, degrees or mm; empty: no limit.")},
+      QT_TRANSLATE_NOOP("QObject", "Upper limit, degrees or mm; empty: no limit.")},
      {"stiffness", QT_TRANSLATE_NOOP("QObject", "spring k\n[N mm/rad, N/mm]"),
       QT_TRANSLATE_NOOP("QObject",
-                        "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.")},
+                        "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: the joint moves freely.")},
      {"rest", QT_TRANSLATE_NOOP("QObject", "rest\n[° mm]"),
-      QT_TRANSLATE_NOOP("QObject", "Where the spring pulls nowhere, degrees or mm.")}}};
+      QT_TRANSLATE_NOOP("QObject", "Where the spring exerts no force, degrees or mm.")}}};
 
 const Row& rowOf(JointField field) {
   return kRows[static_cast<std::size_t>(field)];
@@ -47,12 +50,12 @@ bool isTurning(const scene::Joint& joint) {
   return joint.type == JointType::Revolute;
 }
 
-/// On the screen for one of the file: degrees for rad, mm for mm.
+/// Screen units per file unit: degrees for rad, mm for mm.
 double screenUnit(const scene::Joint& joint) {
   return isTurning(joint) ? 1.0 / kRadPerDegree : 1.0;
 }
 
-/// The field as a number on the screen; none: there is none.
+/// The field as a number on the screen; none: it has no number.
 std::optional<double> numberOf(const scene::Joint& joint, JointField field) {
   const double unit = screenUnit(joint);
   switch (field) {
@@ -122,7 +125,8 @@ QString exactNumber(double value) {
 
 Result<double> typedNumber(const QString& text) {
   if (const std::optional<double> number = typed(text)) return *number;
-  return Problems{{QObject::tr("\"%1\" is no number. Type one such as −12.5.").arg(text.trimmed()).toStdString(), {}}};
+  return Problems{
+      {QObject::tr("\"%1\" is not a number. Enter one such as −12.5.").arg(text.trimmed()).toStdString(), {}}};
 }
 
 Result<scene::Joint> withField(scene::Joint joint, JointField field, const QString& text) {
@@ -153,7 +157,7 @@ Result<scene::Joint> withField(scene::Joint joint, JointField field, const QStri
   if (field == JointField::Rest) joint.rest = unit * number;
   if (field == JointField::Stiffness) {
     joint.stiffness = number;
-    if (number == 0.0) joint.rest = 0.0;  // without a spring there is none
+    if (number == 0.0) joint.rest = 0.0;  // without a spring there is no rest position
   }
   if (field >= JointField::AxisX && field <= JointField::AxisZ) {
     joint.axis[static_cast<int>(field) - static_cast<int>(JointField::AxisX)] = number;

@@ -12,14 +12,14 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kApart_mm = 260.0;  // between the two workspaces' middles: neither arm reaches into the other's
+constexpr double kApart_mm = 260.0;  // between the centres of the workspaces: neither arm reaches into the other's
 
-/// As seen in a mirror that stands across x.
+/// Mirrored across x = 0.
 sim::HandWish mirrored(sim::HandWish wish) {
   const Vec3 flip(-1.0, 1.0, 1.0);
   wish.p_WT = flip.cwiseProduct(wish.p_WT);
   wish.v_WT = flip.cwiseProduct(wish.v_WT);
-  wish.R_WT = (flip.asDiagonal() * wish.R_WT * flip.asDiagonal()).eval();  // a rotation still
+  wish.R_WT = (flip.asDiagonal() * wish.R_WT * flip.asDiagonal()).eval();  // still a rotation
   return wish;
 }
 
@@ -57,7 +57,7 @@ void SecondArm::begin() {
   connect(document_.get(), &Document::opened, this, [this] {
     view_.showSecond(document_->scene());
     place();
-    if (first_.running() && arms_->simulated() != nullptr) start();  // nobody holds a simulated one
+    if (first_.running() && arms_->simulated() != nullptr) start();  // nobody holds a simulated arm
     emit changed();
   });
   openScene(path_.isEmpty() ? firstScene(shippedScenes()) : path_);
@@ -75,8 +75,9 @@ void SecondArm::end() {
 
 Problems SecondArm::choose(const QString& name) {
   if (name != "simulated" && name == first_arms_.name())
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "That is the first arm. Choose another one here, or there.")), {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP(
+                         "problem", "This arm is already in use as the first arm. Choose another one here or there.")),
+                     {}}};
   return arms_->choose(name);
 }
 
@@ -84,7 +85,7 @@ void SecondArm::openScene(const QString& path) {
   path_ = path;
   if (!isOn() || path.isEmpty()) return;
   const Problems problems = loading_.begin(path);
-  if (!problems.empty()) return emit told(tr("The scene stays. %1").arg(sentencesOf(problems)));
+  if (!problems.empty()) return emit told(tr("The scene is unchanged. %1").arg(sentencesOf(problems)));
   takeScene();
   if (isLoading()) emit changed();
 }
@@ -93,7 +94,7 @@ void SecondArm::takeScene() {
   std::optional<SceneLoading::Loaded> loaded = loading_.take();
   if (!loaded) return;
   if (loaded->problems.empty()) loaded->problems = document_->open(std::move(loaded->scene));
-  if (!loaded->problems.empty()) emit told(tr("The scene stays. %1").arg(sentencesOf(loaded->problems)));
+  if (!loaded->problems.empty()) emit told(tr("The scene is unchanged. %1").arg(sentencesOf(loaded->problems)));
   emit changed();
 }
 
@@ -130,7 +131,7 @@ void SecondArm::stop() {
 void SecondArm::setRate(int rate_hz) {
   if (!isOn()) return;
   const Problems problems = simulated_.host->setRate(rate_hz);
-  if (!problems.empty()) emit told(tr("The second arm keeps its rate. %1").arg(sentencesOf(problems)));
+  if (!problems.empty()) emit told(tr("The rate of the second arm is unchanged. %1").arg(sentencesOf(problems)));
 }
 
 void SecondArm::takeFaults() {
@@ -138,11 +139,11 @@ void SecondArm::takeFaults() {
     const record::FaultWords words = record::wordsOf(*report);
     const Result<std::string> kept = record::keepFault(*report, words, faultFolder().toStdString());
     emit told(tr("The second arm: %1 %2").arg(sentenceText(words.what), sentenceText(words.what_to_do)) +
-              (kept ? tr(" It is kept in %1.").arg(QString::fromStdString(kept.value())) : QString()));
+              (kept ? tr(" The report is in %1.").arg(QString::fromStdString(kept.value())) : QString()));
   }
 }
 
-/// The hand of a simulated one: the first one's, in a mirror.
+/// The hand of a simulated arm mirrors the first one.
 void SecondArm::moveHand() {
   if (!mirrors_ || arms_->simulated() == nullptr) return;
   if (const device::SimulatedArm* hand = first_arms_.simulated()) {

@@ -15,28 +15,28 @@ namespace underact::gui {
 
 class SceneView;
 
-/// A second arm beside the first, with a servo, a gate and a scene of its own, in the same view. It starts and stops
-/// with the first: there is one Stop. A simulated one is moved as the first hand is, in a mirror.
+/// A second arm beside the first, with its own servo, gate and scene, in the same view. It starts and stops with the
+/// first: there is one Stop. A simulated one mirrors the first hand.
 class SecondArm : public QObject {
   Q_OBJECT
  public:
   enum class Side { Left, Right };
 
-  /// first: the other arm's servo. first_arms: which arm that one is.
+  /// first: the servo of the first arm. first_arms: the choice of that arm.
   SecondArm(ServoFacts first, ArmChoice& first_arms, SceneView& view, QObject* parent);
   ~SecondArm() override;
 
   bool isOn() const { return simulated_.host != nullptr; }
   void setOn(bool on);
-  /// Opens that arm in place of the one there is. Problems: why not now. Where it is on.
+  /// Opens that arm in place of the current one. Problems: why not. Only while it is on.
   Problems choose(const QString& name);
-  /// The scene from that file, in a while: changed() or told() comes. It may be chosen before it is on.
+  /// Loads the scene of that file; changed() or told() follows. Also possible before it is on.
   void openScene(const QString& path);
   void setSide(Side side);
-  /// Where its frame W stands as seen from the first one's, m, where both arms are registered; none: at the side.
+  /// The pose of its frame W in that of the first arm, m, if both arms are registered; none: at the side.
   void setPlace(const std::optional<Pose>& X_WS);
   const std::optional<Pose>& placed() const { return X_WS_; }
-  /// What is to hear each of its ticks; empty: nobody.
+  /// The listener to each of its ticks; empty: none.
   void setListener(std::function<void(const servo::TickRecord&)> listener) { listener_ = std::move(listener); }
   void setMirrors(bool on) { mirrors_ = on; }
   const QString& scenePath() const { return path_; }
@@ -47,18 +47,18 @@ class SecondArm : public QObject {
   void start();
   void stop();
   void setRate(int rate_hz);
-  /// Each frame.
+  /// Called each frame.
   void look();
 
-  // Where it is on.
+  // Only while it is on.
   ServoFacts servo() const { return *simulated_.host; }
-  void run(std::int64_t ticks) { simulated_.host->run(ticks); }  // by a clock that is not its own
+  void run(std::int64_t ticks) { simulated_.host->run(ticks); }  // with an external clock
   ArmChoice& arms() { return *arms_; }
   device::SimulatedArm& simulatedArm() { return *simulated_.arm; }
 
  signals:
   void changed();
-  /// Something that a person should know: a fault, a scene or an arm that was refused.
+  /// A message for the user: a fault, a scene or an arm that was refused.
   void told(const QString& sentence);
 
  private:

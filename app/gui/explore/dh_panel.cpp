@@ -26,7 +26,7 @@ namespace underact::gui {
 namespace {
 
 constexpr const char* kDhOwner = "dh";
-constexpr std::int64_t kBetween_ns = 100'000'000;  // of the servo's time: numbers that change faster are not read
+constexpr std::int64_t kBetween_ns = 100'000'000;  // of servo time: numbers that change faster cannot be read
 
 }  // namespace
 
@@ -41,8 +41,8 @@ void DhPanel::build() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(8);
-  start_ = chooser("panel.dh.start", tr("Table to start from"), tr("Puts the table of an arm in place of this one."),
-                   content);
+  start_ =
+      chooser("panel.dh.start", tr("Table to start from"), tr("Replaces this table with that of an arm."), content);
   start_->addItem(tr("The scene's arm"), QString());
   for (const DhStart& one : dhStarts())
     start_->addItem(QCoreApplication::translate("explore", one.title), QString(one.key));
@@ -62,18 +62,19 @@ void DhPanel::build() {
   buildButtons(column);
   follows_ = new QCheckBox(tr("&Joints follow the arm"), content);
   nameWidget(follows_, "panel.dh.follow", tr("Joints follow the arm"),
-             tr("Turning joints 1 to 6 stand as those of the arm do: move the stylus, and the table moves."));
+             tr("Revolute joints 1 to 6 take the angles of the arm's joints: move the stylus, and the table follows."));
   follows_->setChecked(true);
   connect(follows_, &QCheckBox::toggled, this, &DhPanel::follow);
   column->addWidget(follows_);
   tip_ = new NumberTable("panel.dh.tip",
                          {{tr("x [mm]"), "−0000.0"}, {tr("y [mm]"), "−0000.0"}, {tr("z [mm]"), "−0000.0"}}, content);
-  tip_->addRow(tr("Table's tip"), tr("Where the last frame's tool is by the table: ⁰T₁ ¹T₂ … in the workspace frame."));
-  tip_->addRow(tr("From the arm's"),
-               tr("The way from the arm's own tip to the table's; 0 where the table is the arm's."));
+  tip_->addRow(tr("Tip of the table"),
+               tr("The position of the tip computed from the table, ⁰T₁ ¹T₂ …, in the workspace frame."));
+  tip_->addRow(tr("Offset from arm"),
+               tr("The vector from the tip of the arm to the tip of the table; 0 if the table is that of the arm."));
   column->addWidget(tip_);
-  odd_ = toldLabel("panel.dh.odd", tr("What is odd about the table"), "quiet", content);
-  told_ = toldLabel("panel.dh.told", tr("What was refused"), "warning", content);
+  odd_ = toldLabel("panel.dh.odd", tr("Notes on the table"), "quiet", content);
+  told_ = toldLabel("panel.dh.told", tr("Why the input was refused"), "warning", content);
   column->addWidget(odd_);
   column->addWidget(told_);
   column->addStretch(1);
@@ -82,13 +83,14 @@ void DhPanel::build() {
 
 void DhPanel::buildButtons(QVBoxLayout* column) {
   buttons_.add =
-      pushButton("panel.dh.add", tr("Add"), tr("A row after the selected one, 8 at most."), this, tr("Add a row"));
-  buttons_.remove = pushButton("panel.dh.remove", tr("Remove"), tr("Takes the selected row away; one stays."), this,
-                               tr("Remove the selected row"));
-  buttons_.undo = pushButton("panel.dh.undo", tr("Undo"), tr("The table as it was before the last change."), this,
-                             tr("Undo the last change of the table"));
-  buttons_.redo = pushButton("panel.dh.redo", tr("Redo"), tr("The change that was taken back, again."), this,
-                             tr("Redo the change of the table"));
+      pushButton("panel.dh.add", tr("Add"), tr("Adds a row after the selected one; 8 at most."), this, tr("Add a row"));
+  buttons_.remove =
+      pushButton("panel.dh.remove", tr("Remove"), tr("Removes the selected row; a table has at least one."), this,
+                 tr("Remove the selected row"));
+  buttons_.undo = pushButton("panel.dh.undo", tr("Undo"), tr("Undoes the last change to the table."), this,
+                             tr("Undo the last change to the table"));
+  buttons_.redo = pushButton("panel.dh.redo", tr("Redo"), tr("Redoes the change that was undone."), this,
+                             tr("Redo the change to the table"));
   layEditRow(column, buttons_, parts_.actions, "dh");
 }
 
@@ -138,7 +140,7 @@ bool DhPanel::change(const DhTable& table) {
   return true;
 }
 
-/// Joints that no longer follow stay where they are.
+/// When they no longer follow, the joints stay where they are.
 bool DhPanel::follow(bool on) {
   DhTable table = tables_.now();
   table.q = joints(true);
@@ -213,7 +215,7 @@ void DhPanel::draw() {
 void DhPanel::present(const servo::Snapshot& snapshot) {
   const auto& sample = snapshot.report.sample;
   const bool known = std::all_of(sample.q_rad.begin(), sample.q_rad.end(), [](double q) { return std::isfinite(q); });
-  if (!isSeen() && drawn_) draw();  // behind another tab now
+  if (!isSeen() && drawn_) draw();  // now behind another tab
   if (!isSeen() || !known) return;
   q_rad_ = sample.q_rad;
   p_WT_ = snapshot.report.p_WT;

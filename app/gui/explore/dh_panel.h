@@ -15,8 +15,8 @@ namespace underact::gui {
 class EditTable;
 class NumberTable;
 
-/// A DH table that can be changed, drawn in the view with the arm's own joints: with the arm's table it covers the arm,
-/// and each wrong number takes it away from there.
+/// A DH table to edit, drawn in the view at the arm's joint angles: with the table of the arm it covers the arm, and
+/// each wrong number moves it away.
 class DhPanel : public Panel {
   Q_OBJECT
  public:
@@ -40,7 +40,7 @@ class DhPanel : public Panel {
   bool change(const DhTable& table);
   bool follow(bool on);
   std::size_t selected() const;
-  std::vector<double> joints(bool follow) const;  // the arm's, or as they were typed
+  std::vector<double> joints(bool follow) const;  // those of the arm, or as typed
   void showTable();
   void showNumbers();
   void draw();
@@ -48,8 +48,8 @@ class DhPanel : public Panel {
   Parts parts_;
   Undoable<DhTable> tables_;
   arm::JointAngles q_rad_{};    // of the arm
-  Vec3 p_WT_ = Vec3::Zero();    // where its tip is
-  std::int64_t shown_ns_ = -1;  // when the numbers were written
+  Vec3 p_WT_ = Vec3::Zero();    // position of its tip
+  std::int64_t shown_ns_ = -1;  // time of the numbers shown
   bool drawn_ = false;
   QComboBox* start_ = nullptr;
   EditTable* table_ = nullptr;

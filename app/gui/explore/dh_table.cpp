@@ -24,16 +24,21 @@ constexpr std::array<Row, kDhFields> kRows{
     {{"type", QT_TRANSLATE_NOOP("explore", "joint"),
       QT_TRANSLATE_NOOP("explore", "R, revolute: q adds to θ. P, prismatic: q adds to d.")},
      {"alpha", QT_TRANSLATE_NOOP("explore", "α\n[°]"),
-      QT_TRANSLATE_NOOP("explore", "Twist: the angle from the axis z before to this row's z, about x.")},
-     {"a", QT_TRANSLATE_NOOP("explore", "a\n[mm]"),
-      QT_TRANSLATE_NOOP("explore", "Length: the distance from the axis z before to this row's z, along x.")},
-     {"theta", QT_TRANSLATE_NOOP("explore", "θ\n[°]"),
-      QT_TRANSLATE_NOOP("explore", "Angle: from x before to this row's x, about z, with the joint at 0.")},
-     {"d", QT_TRANSLATE_NOOP("explore", "d\n[mm]"),
       QT_TRANSLATE_NOOP("explore",
-                        "Offset: the distance from x before to this row's x, along z, with the joint at 0.")},
+                        "Twist: the angle from the previous z axis to that of this row, about the previous x axis.")},
+     {"a", QT_TRANSLATE_NOOP("explore", "a\n[mm]"),
+      QT_TRANSLATE_NOOP(
+          "explore", "Length: the distance from the previous z axis to that of this row, along the previous x axis.")},
+     {"theta", QT_TRANSLATE_NOOP("explore", "θ\n[°]"),
+      QT_TRANSLATE_NOOP("explore",
+                        "Angle: from the previous x axis to that of this row, about z, with the joint at 0.")},
+     {"d", QT_TRANSLATE_NOOP("explore", "d\n[mm]"),
+      QT_TRANSLATE_NOOP(
+          "explore",
+          "Offset: the distance from the previous x axis to that of this row, along z, with the joint at 0.")},
      {"q", QT_TRANSLATE_NOOP("explore", "q\n[° mm]"),
-      QT_TRANSLATE_NOOP("explore", "The joint's value: the arm's own where joints follow it, else what is typed.")}}};
+      QT_TRANSLATE_NOOP("explore",
+                        "The value of the joint: from the arm if the joints follow it, otherwise as typed.")}}};
 
 QString word(const char* text) {
   return QCoreApplication::translate("explore", text);
@@ -43,7 +48,7 @@ bool turns(const DhRow& row) {
   return row.type == JointType::Revolute;
 }
 
-/// The number behind a cell, and what one of it is on the screen.
+/// The number behind a cell.
 double& numberOf(DhTable& table, std::size_t row, DhField field) {
   DhRow& one = table.rows[row];
   if (field == DhField::Alpha) return one.alpha_rad;
@@ -80,7 +85,7 @@ DhTable scara() {
                  {JointType::Prismatic, kPi, 0.0, 0.0, 0.03}});
 }
 
-DhTable spherical() {  // Craig, figure 3.36's kind: two turns and a slide
+DhTable spherical() {  // of the kind of Craig, figure 3.36: two revolute joints and a prismatic one
   return madeOf(
       {{JointType::Revolute}, {JointType::Revolute, -kRight}, {JointType::Prismatic, kRight, 0.0, 0.0, 0.10}});
 }
@@ -120,7 +125,7 @@ Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const Q
     if (!slides && text != QObject::tr("revolute") && text != QLatin1String("revolute"))
       return Problems{{said(QT_TRANSLATE_NOOP("problem", "A joint is revolute or prismatic."))}};
     one.type = slides ? JointType::Prismatic : JointType::Revolute;
-    one.min = -kInfinity;  // limits are numbers of the other unit
+    one.min = -kInfinity;  // the limits have the other unit
     one.max = kInfinity;
     table.q[row] = 0.0;
     return table;
@@ -136,8 +141,8 @@ Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const Q
 std::span<const DhStart> dhStarts() {
   static constexpr std::array<DhStart, 3> kStarts{
       {{"planar", QT_TRANSLATE_NOOP("explore", "Two links in a plane"), planar},
-       {"scara", QT_TRANSLATE_NOOP("explore", "SCARA, with a slide"), scara},
-       {"spherical", QT_TRANSLATE_NOOP("explore", "Two turns and a slide"), spherical}}};
+       {"scara", QT_TRANSLATE_NOOP("explore", "SCARA"), scara},
+       {"spherical", QT_TRANSLATE_NOOP("explore", "Two revolute, one prismatic"), spherical}}};
   return kStarts;
 }
 

@@ -9,7 +9,7 @@
 
 namespace underact::gui {
 
-/// A DH table that is tried out: SI, frame 0 in W, the tool in the last frame.
+/// A DH table to experiment with: SI, frame 0 in W, the tool in the last frame.
 struct DhTable {
   std::vector<chain::DhRow> rows;
   std::vector<double> q;  // of joints that do not follow the arm, rad or m; as many as rows
@@ -23,15 +23,15 @@ inline constexpr std::size_t kMostDhRows = 8;
 enum class DhField { Type, Alpha, A, Theta, D, Q };
 inline constexpr int kDhFields = 6;
 
-/// "type", "alpha", "a", "theta", "d", "q": what commands call it; -1: there is none of that name.
+/// From its name in commands: "type", "alpha", "a", "theta", "d", "q"; -1: no such field.
 int dhFieldOf(const QString& key);
 QString headOf(DhField field);
 QString tipOf(DhField field);
-/// As a cell shows it, mm and degrees.
+/// As shown in a cell, mm and degrees.
 QString shownText(const DhTable& table, std::size_t row, DhField field);
-/// The same with all its digits, as an editor starts from it.
+/// The same with all digits, as the initial text of the editor.
 QString exactText(const DhTable& table, std::size_t row, DhField field);
-/// The table with a number as it was typed. Problems: it is none; no arm has such a table.
+/// The table with a field as typed. Problems: not a number; no arm has such a table.
 Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const QString& text);
 
 /// A table to start from.
@@ -40,15 +40,15 @@ struct DhStart {
   const char* title;
   DhTable (*make)();
 };
-/// Textbook arms; the shipped models come beside them.
+/// Textbook arms; the models of the program are listed beside them.
 std::span<const DhStart> dhStarts();
 DhTable tableOf(const arm::Model& model);
 
-/// A row more behind the one at index: as long as a hand's breadth, so that it is seen. One fewer: never the last.
+/// A further row after the one at index, 80 mm long, so that it is visible. One fewer: never the last.
 DhTable withRow(DhTable table, std::size_t index);
 DhTable withoutRow(DhTable table, std::size_t index);
 
-/// Where all frames are with the joints at q; the first is frame 0, the last the tool.
+/// The poses of all frames with the joints at q; the first is frame 0, the last the tool.
 std::vector<Pose> framesOf(const DhTable& table, std::span<const double> q);
 /// Its links, joints and frames.
 Drawing drawingOf(const DhTable& table, std::span<const double> q);

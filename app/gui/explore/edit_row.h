@@ -15,7 +15,7 @@ struct EditRow {
   QPushButton *add = nullptr, *remove = nullptr, *undo = nullptr, *redo = nullptr;
 };
 
-/// In a row; each does the command of its name: "KEY.add", "KEY.remove", "KEY.undo", "KEY.redo".
+/// Lays them out in a row; each performs the command of its name: "KEY.add", "KEY.remove", "KEY.undo", "KEY.redo".
 inline void layEditRow(QVBoxLayout* column, const EditRow& buttons, Actions& actions, const QString& key) {
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
@@ -29,7 +29,7 @@ inline void layEditRow(QVBoxLayout* column, const EditRow& buttons, Actions& act
   column->addLayout(row);
 }
 
-/// "KEY.undo" and "KEY.redo". shown: after each.
+/// Adds "KEY.undo" and "KEY.redo". shown: called after each.
 inline void addUndoCommands(Actions& actions, const QString& key, QUndoStack& stack,
                             const std::function<void()>& shown) {
   actions.addCommand(key + ".undo", [&stack, shown](const QVariantList&) {

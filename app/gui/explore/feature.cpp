@@ -10,13 +10,13 @@ namespace underact::gui {
 FeatureRow exploreFeature() {
   return {
       .panels = {{"dh", QT_TRANSLATE_NOOP("panel", "DH table"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+E",
-                  QT_TRANSLATE_NOOP("panel", "A DH table to be changed, drawn with the arm's joints beside the arm."),
+                  QT_TRANSLATE_NOOP("panel", "A DH table to edit, drawn beside the arm with the same joint angles."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new DhPanel({all.document, all.actions, all.view}, parent);
                   },
                   "scenes"},
                  {"transform", QT_TRANSLATE_NOOP("panel", "Transforms"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+O",
-                  QT_TRANSLATE_NOOP("panel", "Turns and shifts put together, in both orders side by side."),
+                  QT_TRANSLATE_NOOP("panel", "Rotations and translations composed in both orders, side by side."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new TransformPanel({all.actions, all.view}, parent);
                   },

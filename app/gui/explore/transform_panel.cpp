@@ -30,8 +30,8 @@ using chain::StepKind;
 
 constexpr const char* kTransformOwner = "transform";
 constexpr std::size_t kMostSteps = 6;
-constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the picture is as wide
-constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not seen on the screen
+constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the range of the view
+constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not visible on the screen
 constexpr const char* kKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
 
 double stepUnit(StepKind kind) {
@@ -49,8 +49,9 @@ NumberTable* matrixTable(const QString& name, QWidget* parent) {
   auto* table = new NumberTable(
       name, {{"x", "−0.000"}, {"y", "−0.000"}, {"z", "−0.000"}, {TransformPanel::tr("p [mm]"), "−000.0"}}, parent);
   for (const char axis : {'x', 'y', 'z'})
-    table->addRow(QString(QChar(axis)),
-                  TransformPanel::tr("Parts along %1 of W of the frame's axes, and of its place.").arg(QChar(axis)));
+    table->addRow(
+        QString(QChar(axis)),
+        TransformPanel::tr("Components along %1 of W of the frame's axes and of its position.").arg(QChar(axis)));
   return table;
 }
 
@@ -74,45 +75,45 @@ void TransformPanel::build() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(8);
-  axes_ =
-      chooser("panel.transform.axes", tr("Axes that the steps are about"),
-              tr("Moving: each step is about the frame that the steps before it made, X = S1 S2 S3. Fixed: about the "
-                 "axes of W, X = S3 S2 S1. Craig, section 2.8."),
-              content);
+  axes_ = chooser("panel.transform.axes", tr("Axes that the steps refer to"),
+                  tr("Moving: each step refers to the frame that results from the steps before it, X = S1 S2 S3. "
+                     "Fixed: to the axes of W, X = S3 S2 S1. Craig, section 2.8."),
+                  content);
   axes_->addItems({tr("About moving axes: X = S1 S2 …"), tr("About fixed axes: X = … S2 S1")});
   connect(axes_, &QComboBox::activated, this, [this](int index) { setAxes(index == 0 ? Axes::Moving : Axes::Fixed); });
   column->addWidget(axes_);
   table_ = new EditTable("panel.transform.steps", tr("Steps"), content);
   table_->setColumnCount(2);
-  table_->setColumnHead(0, tr("step"), tr("R: a turn about an axis. D: a shift along it."), "Rz  ");
-  table_->setColumnHead(1, tr("by [° mm]"), tr("How far: degrees of a turn, mm of a shift."), "−000.0");
+  table_->setColumnHead(0, tr("step"), tr("R: rotation about an axis. D: translation along an axis."), "Rz  ");
+  table_->setColumnHead(1, tr("value [° mm]"), tr("Angle in degrees, or distance in mm."), "−000.0");
   connect(table_, &EditTable::typed, this, [this](int row, int column_typed, const QString& text) {
     setStep(row, column_typed == 0 ? text : QString(), column_typed == 1 ? text : QString());
   });
   column->addWidget(table_);
   buildButtons(column);
-  told_ = toldLabel("panel.transform.told", tr("What was refused"), "warning", content);
+  told_ = toldLabel("panel.transform.told", tr("Why the input was refused"), "warning", content);
   told_->hide();
   column->addWidget(told_);
   column->addWidget(sectionTitle(tr("As listed"), content));
   column->addWidget(listed_ = matrixTable("panel.transform.listed", content));
-  column->addWidget(sectionTitle(tr("In the other order"), content));
+  column->addWidget(sectionTitle(tr("In reverse order"), content));
   column->addWidget(reversed_ = matrixTable("panel.transform.reversed", content));
-  apart_ = toldLabel("panel.transform.apart", tr("How far apart both ends are"), "", content);
+  apart_ = toldLabel("panel.transform.apart", tr("Distance between the two results"), "", content);
   column->addWidget(apart_);
   column->addStretch(1);
   fillWithScroll(this, content);
 }
 
 void TransformPanel::buildButtons(QVBoxLayout* column) {
-  buttons_.add = pushButton("panel.transform.add", tr("Add"), tr("A step after the selected one, 6 at most."), this,
-                            tr("Add a step"));
-  buttons_.remove = pushButton("panel.transform.remove", tr("Remove"), tr("Takes the selected step away; one stays."),
-                               this, tr("Remove the selected step"));
-  buttons_.undo = pushButton("panel.transform.undo", tr("Undo"), tr("The steps as they were before the last change."),
-                             this, tr("Undo the last change of the steps"));
-  buttons_.redo = pushButton("panel.transform.redo", tr("Redo"), tr("The change that was taken back, again."), this,
-                             tr("Redo the change of the steps"));
+  buttons_.add = pushButton("panel.transform.add", tr("Add"), tr("Adds a step after the selected one; 6 at most."),
+                            this, tr("Add a step"));
+  buttons_.remove =
+      pushButton("panel.transform.remove", tr("Remove"), tr("Removes the selected step; at least one remains."), this,
+                 tr("Remove the selected step"));
+  buttons_.undo = pushButton("panel.transform.undo", tr("Undo"), tr("Undoes the last change to the steps."), this,
+                             tr("Undo the last change to the steps"));
+  buttons_.redo = pushButton("panel.transform.redo", tr("Redo"), tr("Redoes the change that was undone."), this,
+                             tr("Redo the change to the steps"));
   layEditRow(column, buttons_, parts_.actions, "transform");
 }
 
@@ -147,7 +148,7 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
     const auto* const found = std::find(std::begin(kKeys), std::end(kKeys), kind);
     if (found == std::end(kKeys)) return false;
     const auto now = static_cast<StepKind>(found - std::begin(kKeys));
-    // The number stays as it is read, in its new unit.
+    // The number on the screen stays, in its new unit.
     step = {now, step.amount * stepUnit(step.kind) / stepUnit(now)};
   }
   const Result<double> number =
@@ -155,8 +156,8 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
   const double most = chain::isTurn(step.kind) ? kMostTurn_deg : kMostShift_mm;
   QString refused = number ? QString() : sentencesOf(number.problems());
   if (number && !(std::abs(number.value()) <= most))
-    refused = chain::isTurn(step.kind) ? tr("A turn is from −360 to 360 degrees.")
-                                       : tr("A shift is from −200 to 200 mm: the picture is as wide.");
+    refused = chain::isTurn(step.kind) ? tr("A rotation must be from −360 to 360 degrees.")
+                                       : tr("A translation must be from −200 to 200 mm, the range of the view.");
   tellIn(told_, refused);
   if (!refused.isEmpty()) return false;
   step.amount = number.value() / stepUnit(step.kind);
@@ -206,11 +207,12 @@ void TransformPanel::refresh() {
     const Step& step = state.steps[static_cast<std::size_t>(row)];
     const double amount = step.amount * stepUnit(step.kind);
     EditTable::Cell kind{kKeys[static_cast<std::size_t>(step.kind)], kKeys[static_cast<std::size_t>(step.kind)],
-                         tr("step %1, kind").arg(row + 1), tr("R: a turn about an axis. D: a shift along it.")};
+                         tr("step %1, kind").arg(row + 1),
+                         tr("R: rotation about an axis. D: translation along an axis.")};
     for (const char* const key : kKeys) kind.choices << key;
     table_->setCell(row, 0, kind);
     table_->setCell(row, 1,
-                    {numberText(amount, 1), exactNumber(amount), tr("step %1, how far").arg(row + 1),
+                    {numberText(amount, 1), exactNumber(amount), tr("step %1, value").arg(row + 1),
                      chain::isTurn(step.kind) ? tr("Degrees.") : tr("Millimetres.")});
   }
   buttons_.add->setEnabled(state.steps.size() < kMostSteps);
@@ -223,8 +225,8 @@ void TransformPanel::refresh() {
   const double way_m = (listed.translation() - reversed.translation()).norm();
   const double turn_rad = Eigen::AngleAxisd(listed.linear().transpose() * reversed.linear()).angle();
   apart_->setText(way_m < kSame_m && turn_rad < kSame_rad
-                      ? tr("Both orders end in the same place: here order does not matter.")
-                      : tr("The two ends are %1 and %2° apart: order matters.")
+                      ? tr("Both orders end in the same pose: here, the order does not matter.")
+                      : tr("The results are %1 and %2° apart: the order matters.")
                             .arg(millimetres(kMillimetrePerMetre * way_m), numberText(turn_rad / kRadPerDegree, 1)));
   draw();
 }

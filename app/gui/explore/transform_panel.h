@@ -14,8 +14,8 @@ namespace underact::gui {
 class EditTable;
 class NumberTable;
 
-/// Turns and shifts that are put together, in the order in which they stand and in the other one, side by side: where
-/// the frame ends is said as matrices and drawn in the view.
+/// Rotations and translations, composed in the listed and in the reverse order, side by side: the resulting frames as
+/// matrices, and drawn in the view.
 class TransformPanel : public Panel {
   Q_OBJECT
  public:
@@ -37,7 +37,7 @@ class TransformPanel : public Panel {
   void build();
   void buildButtons(QVBoxLayout* column);
   void addCommands();
-  bool setStep(int row, const QString& kind, const QString& amount);  // empty: as it is
+  bool setStep(int row, const QString& kind, const QString& amount);  // empty: unchanged
   bool setAxes(chain::Axes axes);
   bool change(const State& state);
   int selected() const;

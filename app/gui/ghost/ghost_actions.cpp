@@ -26,7 +26,7 @@ void chooseSession(Actions& actions, QWidget* window) {
              [&actions](const QString& path) { actions.perform("ghost.open", path); });
 }
 
-/// name: of a command with one argument that changes the options. false: that argument is none for it.
+/// name: of a command with one argument that changes the options. put: false for an invalid argument.
 void addOption(Actions& actions, GhostHand& ghost, const char* name,
                std::function<bool(follow::Options& options, const QVariant& to)> put) {
   actions.addCommand(name, [&ghost, put = std::move(put)](const QVariantList& to) {
@@ -68,24 +68,24 @@ void addOptions(Actions& actions, GhostHand& ghost) {
 
 void addGhostActions(Actions& actions, GhostHand& ghost, const Document& document, SceneFiles& files, QWidget* window) {
   actions.add({"ghost.open", tr("Follow a &recorded hand…"), QKeySequence("Ctrl+Alt+Shift+G"),
-               tr("Lets a recorded stylus go its way beside yours, and says how near you are.")},
+               tr("Shows a recorded stylus as a ghost beside yours, and your distance to it.")},
               [&actions, &ghost, window](const QVariantList& path) {
                 if (!path.isEmpty()) return ghost.open(path.first().toString());
                 chooseSession(actions, window);
                 return true;
               });
-  actions.add({"ghost.play", tr("&Play or pause"), QKeySequence("G"), tr("Lets the ghost go, or stand still."), "play"},
+  actions.add({"ghost.play", tr("&Play or pause"), QKeySequence("G"), tr("Plays or pauses the ghost."), "play"},
               [&ghost](const QVariantList& on) {
                 ghost.play(on.value(0, !ghost.isPlaying()).toBool());
                 return true;
               });
   actions.add({"ghost.restart", tr("From the &beginning"), QKeySequence("Shift+G"),
-               tr("Puts the ghost back to its beginning, and counts anew."), "reset"},
+               tr("Starts the ghost from the beginning and resets the count."), "reset"},
               [&ghost](const QVariantList&) {
                 ghost.restart();
                 return true;
               });
-  actions.add({"ghost.close", tr("&Close"), QKeySequence("Ctrl+G"), tr("Takes the ghost away.")},
+  actions.add({"ghost.close", tr("&Close"), QKeySequence("Ctrl+G"), tr("Removes the ghost.")},
               [&ghost](const QVariantList&) {
                 ghost.close();
                 return true;
@@ -99,7 +99,7 @@ void addGhostActions(Actions& actions, GhostHand& ghost, const Document& documen
   actions.addCommand("ghost.scene", [&ghost, &document, &files](const QVariantList&) {
     if (!ghost.isOpen() || !ghost.ghost().scene) return false;
     scene::Description scene = *ghost.scene();
-    return files.openLoaded(document.opensMirrored() ? scene::mirrored(scene) : scene);  // mirrored back as it opens
+    return files.openLoaded(document.opensMirrored() ? scene::mirrored(scene) : scene);  // mirrored back when it opens
   });
   actions.addCommand("ghost.copy", [&ghost](const QVariantList&) {
     if (!ghost.isOpen() || !ghost.state().last_round) return false;

@@ -9,7 +9,7 @@ class Document;
 class GhostHand;
 class SceneFiles;
 
-/// What can be done with a recorded hand that is followed, by name: menu, keys, the strip and stories.
+/// The actions and commands for following a recorded hand: for menus, keys, the strip and stories.
 void addGhostActions(Actions& actions, GhostHand& ghost, const Document& document, SceneFiles& files, QWidget* window);
 
 }  // namespace underact::gui

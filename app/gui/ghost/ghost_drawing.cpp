@@ -7,10 +7,10 @@
 
 namespace underact::gui {
 
-// As far as one looks ahead with a pencil; more of a way that crosses itself is a tangle.
+// About as far as one looks ahead when drawing; more of a path that crosses itself is a tangle.
 constexpr double kAhead_s = 1.5;
 constexpr std::size_t kPoints = 40;
-constexpr double kFaintest = 0.4;  // of the colour, at the end
+constexpr double kFaintest = 0.4;  // opacity at the end
 
 Drawing ghostDrawing(const follow::Way& way, const follow::State& state, const Vec3& p_WT) {
   Drawing drawing;

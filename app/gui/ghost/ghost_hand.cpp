@@ -18,7 +18,7 @@ constexpr double kLooksTheSame_m = 5e-5;  // less than a tenth of a pixel
 GhostHand::GhostHand(Document& document, Player& player, LoadStrip& loads, SceneView& view, QObject* parent)
     : QObject(parent), document_(document), player_(player), loads_(loads), view_(view) {
   connect(&loads, &LoadStrip::cancelled, this, [this] { reading_.clear(); });
-  connect(&player, &Player::opened, this, &GhostHand::close);  // nobody is there to follow
+  connect(&player, &Player::opened, this, &GhostHand::close);  // during a replay nobody can follow
   connect(&document, &Document::leftHandedChanged, this, &GhostHand::setMirrored);
 }
 
@@ -74,7 +74,7 @@ void GhostHand::play(bool on) {
 void GhostHand::restart() {
   if (!isOpen()) return;
   follow::State fresh;
-  fresh.last_round = state_.last_round;  // to be beaten
+  fresh.last_round = state_.last_round;  // for comparison
   fresh.rounds = state_.rounds;
   state_ = fresh;
   options_.plays = true;

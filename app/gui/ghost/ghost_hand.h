@@ -15,34 +15,34 @@ class LoadStrip;
 class Player;
 class SceneView;
 
-/// A recorded hand in the view that the one who holds the stylus follows: reads it, lets it go tick by tick, and draws
-/// it. The arm, the scene and the forces stay what they are. A replay that opens ends it.
+/// A recorded hand in the view for the user to follow: reads it, moves it tick by tick, and draws it. The arm, the
+/// scene and the forces are not affected. Opening a replay ends it.
 class GhostHand : public QObject, public Follower {
   Q_OBJECT
  public:
   GhostHand(Document& document, Player& player, LoadStrip& loads, SceneView& view, QObject* parent);
 
-  /// Begins to read a session; opened() or failed() tells how it went. false: why is told at once.
+  /// Starts to read a session; opened() or failed() follows. false: failed() was emitted at once.
   bool open(const QString& path);
-  /// One that is being read, too.
+  /// Also cancels one that is being read.
   void close();
   bool isOpen() const { return ghost_.has_value(); }
 
-  // Where one is open.
+  // Only while one is open.
   const LoadedGhost& ghost() const { return *ghost_; }
   const follow::State& state() const { return state_; }
   const follow::Options& options() const { return options_; }
   void setOptions(const follow::Options& options);
-  /// At its end it begins again.
+  /// At the end it starts again.
   void play(bool on);
   bool isPlaying() const { return options_.plays && state_.phase != follow::Phase::Ended; }
   void restart();
-  /// Left to right, from its beginning; at first it is as the window's scenes are.
+  /// Mirrors it and starts from the beginning; by default as the scenes of the window are.
   void setMirrored(bool on);
   bool isMirrored() const { return is_mirrored_; }
-  /// The scene that it was recorded in, mirrored where the ghost is.
+  /// The scene of the recording, mirrored if the ghost is.
   std::optional<scene::Description> scene() const;
-  /// The one in the window is another.
+  /// Whether the scene in the window is a different one.
   bool isElsewhere() const;
 
   void add(const servo::TickRecord& record) override;
@@ -53,7 +53,7 @@ class GhostHand : public QObject, public Follower {
   void closed();
   void failed(const QString& path, const underact::Problems& problems);
   void changed();  // options, restart
-  void ended();    // a round; state().last_round has it
+  void ended();    // a round has ended; see state().last_round
 
  private:
   void begin(LoadedGhost ghost);
@@ -62,7 +62,7 @@ class GhostHand : public QObject, public Follower {
   Player& player_;
   LoadStrip& loads_;
   SceneView& view_;
-  QString reading_;  // that is read now; empty: none
+  QString reading_;  // being read; empty: none
   std::optional<LoadedGhost> ghost_;
   follow::Options options_;
   follow::State state_;

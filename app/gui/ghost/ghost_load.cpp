@@ -23,7 +23,7 @@ follow::Way wayOf(const device::Recorded& recorded, const arm::Geometry& geometr
   return maker.take();
 }
 
-/// The files of a recorded scene have other names than those of the scene that was opened: their content counts.
+/// The files of a recorded scene have other names than those of the open scene: their content is compared.
 void takeNames(scene::Shape& shape, const scene::Shape& recorded) {
   auto* mesh = std::get_if<scene::Mesh>(&shape);
   const auto* recorded_mesh = std::get_if<scene::Mesh>(&recorded);
@@ -53,7 +53,7 @@ Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch) {
                       path);
   LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), {}, recorded.damage};
   if (ghost.way.rows.size() < 2)
-    return oneProblem(QObject::tr("There is one tick in this session: nothing to follow."), path);
+    return oneProblem(QObject::tr("This session has only one tick: there is nothing to follow."), path);
   if (const device::RecordedScene* first = recorded.sceneAt(0)) ghost.scene = first->scene;
   if (ghost.scene) makeDrawnMeshes(*ghost.scene, watch);
   return ghost;

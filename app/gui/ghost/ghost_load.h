@@ -9,19 +9,19 @@
 
 namespace underact::gui {
 
-/// A session as something to follow.
+/// A session to follow.
 struct LoadedGhost {
   std::string name;  // of the session, or its file
   std::string path;
   follow::Way way;
-  std::optional<scene::Description> scene;  // in which it was recorded: the first; none: no scene could be read
-  Problems damage;                          // what of the file could not be read
+  std::optional<scene::Description> scene;  // of the recording: the first one; none: no scene could be read
+  Problems damage;                          // what could not be read of the file
 };
 
-/// Reads a session whole, in any thread. Problems: as device::loadRecorded(); an arm that is not known; one tick.
+/// Reads a whole session, in any thread. Problems: as device::loadRecorded(); an unknown arm; fewer than two ticks.
 Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch);
 
-/// Whether a hand meets the same in both; how hard it is pulled may differ.
+/// Whether both have the same geometry for the hand; the control may differ.
 bool meetsTheSame(const scene::Description& recorded, scene::Description other);
 
 }  // namespace underact::gui

@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0};
 constexpr double kDistanceType = 1.7;
-constexpr int kFramesANumber = 3;  // while it plays: numbers that change more often cannot be read
+constexpr int kFramesANumber = 3;  // while playing: numbers that change more often cannot be read
 
 QLabel* label(const char* name, const QString& spoken, QWidget* parent) {
   auto* made = new QLabel(parent);
@@ -41,7 +41,7 @@ QLabel* label(const char* name, const QString& spoken, QWidget* parent) {
   return made;
 }
 
-/// A label that is there while it says something.
+/// Shows the label only while it has a text.
 void tell(QLabel* label, const QString& text) {
   putText(label, text);
   if (label->isHidden() != text.isEmpty()) label->setVisible(!text.isEmpty());
@@ -83,21 +83,22 @@ QCheckBox* GhostStrip::box(const char* name, const QString& words, const QString
 void GhostStrip::buildTransport(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  row->addWidget(play_ = iconButton("ghost.play", actions_.find("ghost.play"), tr("Let the ghost go"), this));
+  row->addWidget(play_ = iconButton("ghost.play", actions_.find("ghost.play"), tr("Play the ghost"), this));
   row->addWidget(restart_ =
                      iconButton("ghost.restart", actions_.find("ghost.restart"), tr("From the beginning"), this));
   row->addWidget(time_ = label("ghost.time", tr("Time of the ghost"), this));
   speed_ = new QComboBox(this);
   speed_->setObjectName("ghost.speed");
-  nameChooser(speed_, tr("Speed"), tr("How fast the ghost goes, times the recorded speed."));
+  nameChooser(speed_, tr("Speed"), tr("Speed of the ghost, as a multiple of the recorded speed."));
   for (const double speed : kSpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
   speed_->setFocusPolicy(Qt::StrongFocus);
   connect(speed_, &QComboBox::activated, this,
           [this](int index) { actions_.perform("ghost.speed", kSpeeds[static_cast<std::size_t>(index)]); });
   row->addWidget(speed_);
   row->addSpacing(4);
-  row->addWidget(mirror_ = box("ghost.mirror", tr("Mirrored"),
-                               tr("Left to right, as the scenes are for the left hand; off: where the hand was.")));
+  row->addWidget(mirror_ =
+                     box("ghost.mirror", tr("Mirrored"),
+                         tr("Mirrors the ghost like the scenes for the left hand. Off: the hand as it was recorded.")));
   row->addStretch(1);
   now_ = label("ghost.now", tr("Distance to the ghost"), this);
   QFont large = larger(font(), kDistanceType);
@@ -107,7 +108,7 @@ void GhostStrip::buildTransport(QVBoxLayout* column) {
   now_->setMinimumWidth(QFontMetrics(large).horizontalAdvance("000.0 mm"));
   row->addWidget(now_);
   auto* close =
-      pushButton("ghost.close", tr("Close"), actions_.find("ghost.close")->toolTip(), this, tr("Take the ghost away"));
+      pushButton("ghost.close", tr("Close"), actions_.find("ghost.close")->toolTip(), this, tr("Remove the ghost"));
   connect(close, &QPushButton::clicked, actions_.find("ghost.close"), &QAction::trigger);
   row->addWidget(close);
   column->addLayout(row);
@@ -117,22 +118,22 @@ void GhostStrip::buildChoices(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(wait_ = box("ghost.wait", tr("Wait for me beyond"),
-                             tr("The ghost stands still while you are farther away, and goes on when you have come to "
-                                "half of that.")));
+                             tr("The ghost waits while you are farther away than this, and continues when you are "
+                                "within half the distance.")));
   beyond_ = new NumberBox(this);
   beyond_->setObjectName("ghost.wait_beyond");
-  beyond_->setAccessibleName(tr("Farther away than this the ghost waits"));
+  beyond_->setAccessibleName(tr("Distance beyond which the ghost waits"));
   beyond_->setSuffix(tr(" mm"));
   beyond_->setDecimals(0);
   beyond_->setRange(1.0, 100.0);
-  beyond_->setKeyboardTracking(false);  // half a number is no distance
+  beyond_->setKeyboardTracking(false);  // not a half-typed number
   connect(beyond_, &QDoubleSpinBox::valueChanged, this,
           [this](double beyond_mm) { actions_.perform("ghost.wait_beyond", beyond_mm); });
   row->addWidget(beyond_);
   row->addWidget(
-      near_ = box("ghost.near", tr("Begin with me"), tr("The ghost stays at its beginning until you are there.")));
-  row->addWidget(loop_ =
-                     box("ghost.loop", tr("Loop"), tr("At its end the ghost begins again; each round counts anew.")));
+      near_ = box("ghost.near", tr("Begin with me"), tr("The ghost waits at its beginning until you are there.")));
+  row->addWidget(loop_ = box("ghost.loop", tr("Loop"),
+                             tr("The ghost starts again at the end; each round is counted separately.")));
   row->addStretch(1);
   column->addLayout(row);
 }
@@ -140,21 +141,21 @@ void GhostStrip::buildChoices(QVBoxLayout* column) {
 void GhostStrip::buildTold(QVBoxLayout* column) {
   auto* result = new QHBoxLayout;
   result->setSpacing(8);
-  result->addWidget(told_ = toldLabel("ghost.told", tr("What to do, and how near you are"), "", this), 1);
-  copy_ = pushButton("ghost.copy", tr("Copy"), tr("Puts the sentence of the last round where others can paste it."),
-                     this, tr("Copy the result"));
+  result->addWidget(told_ = toldLabel("ghost.told", tr("What to do, and your result"), "", this), 1);
+  copy_ = pushButton("ghost.copy", tr("Copy"), tr("Copies the result of the last round to the clipboard."), this,
+                     tr("Copy the result"));
   connect(copy_, &QPushButton::clicked, this, [this] {
     if (actions_.perform("ghost.copy")) copy_->setText(tr("Copied"));
   });
-  told_->setMinimumHeight(copy_->sizeHint().height());  // nothing moves when that comes
+  told_->setMinimumHeight(copy_->sizeHint().height());  // nothing moves when it appears
   result->addWidget(copy_);
   column->addLayout(result);
-  column->addWidget(last_ = toldLabel("ghost.last", tr("The round before"), "quiet", this));
+  column->addWidget(last_ = toldLabel("ghost.last", tr("Previous round"), "quiet", this));
   auto* notes = new QHBoxLayout;
   notes->setSpacing(8);
   notes->addWidget(notes_ = toldLabel("ghost.notes", tr("About the recording"), "amber", this), 1);
   scene_ = pushButton("ghost.scene", tr("Open that scene"),
-                      tr("The scene as it was when this was recorded, in place of the one in the window."), this);
+                      tr("Opens the scene of the recording in place of the current one."), this);
   connect(scene_, &QPushButton::clicked, this, [this] { actions_.perform("ghost.scene"); });
   notes->addWidget(scene_);
   column->addLayout(notes);
@@ -169,7 +170,7 @@ void GhostStrip::present(const servo::Snapshot&) {
   if (ghost_.isPlaying() == shows_pause_) return;
   shows_pause_ = ghost_.isPlaying();
   play_->setIcon(icon(shows_pause_ ? "pause" : "play", theme_));
-  play_->setAccessibleName(shows_pause_ ? tr("Pause the ghost") : tr("Let the ghost go"));
+  play_->setAccessibleName(shows_pause_ ? tr("Pause the ghost") : tr("Play the ghost"));
 }
 
 void GhostStrip::presentNumbers() {
@@ -185,7 +186,7 @@ void GhostStrip::presentOptions() {
   const follow::Options& options = ghost_.options();
   const QSignalBlocker silent_speed(speed_), silent_wait(wait_), silent_near(near_), silent_loop(loop_),
       silent_mirror(mirror_),
-      silent_beyond(beyond_);  // to show a value is not to ask for it
+      silent_beyond(beyond_);  // showing a value does not command it
   speed_->setCurrentIndex(speed_->findData(options.speed));
   wait_->setChecked(options.waits);
   near_->setChecked(options.begins_near);
@@ -208,7 +209,7 @@ void GhostStrip::presentNotes() {
 void GhostStrip::sayResult() {
   copy_->setText(tr("Copy"));
   presentNumbers();
-  told_->setAccessibleDescription(resultText(*ghost_.state().last_round));  // its name says what stands there
+  told_->setAccessibleDescription(resultText(*ghost_.state().last_round));  // the name says what the text is
   QAccessibleEvent said(told_, QAccessible::Alert);
   QAccessible::updateAccessibility(&said);
 }

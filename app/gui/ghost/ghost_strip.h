@@ -18,8 +18,8 @@ class Actions;
 class Document;
 class GhostHand;
 
-/// Below the view while a recorded hand is followed: play and pause, speed, how far away the stylus is and was, and
-/// what came of it at the end, which a screen reader says once.
+/// The strip below the view while a recorded hand is followed: play and pause, speed, current and past distance, and at
+/// the end the result, which a screen reader announces once.
 class GhostStrip : public QWidget, public Follower {
   Q_OBJECT
  public:

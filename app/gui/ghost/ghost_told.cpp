@@ -16,10 +16,11 @@ void tellOfGhost(GhostHand& ghost, QWidget* window) {
   QObject::connect(&ghost, &GhostHand::opened, window, [&ghost, tell] {
     const LoadedGhost& read = ghost.ghost();
     if (read.damage.empty()) return;
-    tell(tr("“%1” is damaged. What could be read is followed.").arg(QString::fromStdString(read.name)), read.damage);
+    tell(tr("“%1” is damaged. You follow the part that could be read.").arg(QString::fromStdString(read.name)),
+         read.damage);
   });
   QObject::connect(&ghost, &GhostHand::failed, window, [tell](const QString& path, const Problems& problems) {
-    tell(tr("“%1” cannot be followed. Everything stays as it is.").arg(QFileInfo(path).fileName()), problems);
+    tell(tr("“%1” cannot be followed. Nothing has changed.").arg(QFileInfo(path).fileName()), problems);
   });
 }
 

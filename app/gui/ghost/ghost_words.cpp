@@ -28,11 +28,11 @@ QString resultText(const follow::Tally& tally) {
 
 QString toldText(const follow::State& state, const follow::Options& options) {
   if (state.phase == follow::Phase::Ended) return resultText(state.tally);
-  if (!options.plays) return tr("The ghost stands still. Play lets it go on.");
+  if (!options.plays) return tr("The ghost is paused. Press Play to continue.");
   if (state.phase == follow::Phase::Waiting)
     return tr("The ghost waits until you are within %1 mm.").arg(lengthText(0.5 * options.waits_beyond_m, 0));
   if (state.phase == follow::Phase::Ready)
-    return tr("Go to the ghost: it begins when you are within %1 mm.").arg(lengthText(follow::kNear_m, 0));
+    return tr("Move to the ghost: it starts when you are within %1 mm.").arg(lengthText(follow::kNear_m, 0));
   const follow::Tally& tally = state.tally;
   return tr("Average %1 mm, largest %2 mm, %3 % within %4 mm")
       .arg(lengthText(tally.mean_m(), 1), lengthText(tally.largest_m, 1), wholePercent(tally.nearShare()),
@@ -45,7 +45,7 @@ QString lastText(const follow::State& state) {
 }
 
 QString elsewhereText(const LoadedGhost& ghost, const std::string& here) {
-  return ghost.scene->title == here ? tr("The scene is not as it was when this was recorded.")
+  return ghost.scene->title == here ? tr("The scene has changed since the recording.")
                                     : tr("It was recorded in the scene “%1”.").arg(sceneText(ghost.scene->title));
 }
 

@@ -9,16 +9,16 @@ namespace underact::gui {
 /// "Followed for 23 s: 6.1 mm away on average, 18 mm at most, 84 % of the time within 10 mm."
 QString resultText(const follow::Tally& tally);
 
-/// What the one who follows should do; while the ghost goes how near he is, and at its end how near he was.
+/// What to do; while the ghost moves the current distances, and at the end the result.
 QString toldText(const follow::State& state, const follow::Options& options);
 
-/// How near he was in the round before; empty: there was none, or that has just been said.
+/// The result of the previous round; empty: there was none, or it is already shown.
 QString lastText(const follow::State& state);
 
-/// In which scene it was recorded, where another one is in the window. here: that one's title.
+/// The scene of the recording, if another one is in the window. here: the title of the latter.
 QString elsewhereText(const LoadedGhost& ghost, const std::string& here);
 
-/// That the ghost jumps, and why; empty: it does not.
+/// That the ghost jumps, and why; empty: no jumps.
 QString jumpsText(int jumps);
 
 }  // namespace underact::gui

@@ -25,7 +25,7 @@ DistanceBar::DistanceBar(const QString& object_name, const QString& name, const 
   nameWidget(value_, object_name + ".value", name);
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   value_->setFixedSize(fontMetrics().horizontalAdvance("000.0 mm") + 4, fontMetrics().lineSpacing());
-  nameWidget(word_, object_name + ".word", tr("%1, near or not").arg(name));
+  nameWidget(word_, object_name + ".word", tr("%1, warning when near").arg(name));
   word_->setProperty("role", "amber-text");
   word_->setFixedSize(fontMetrics().horizontalAdvance(tr("near")) + 12, fontMetrics().lineSpacing());
   track_->setObjectName(object_name + ".bar");
@@ -62,7 +62,7 @@ void DistanceBar::paintEvent(QPaintEvent*) {
   const double share = std::clamp(distance_ / scale_.farthest, 0.0, 1.0);
   painter.setBrush(isNear() ? theme_.force : ink(0.5));
   painter.drawRoundedRect(QRectF(all.topLeft(), QSizeF(std::max(3.0, share * all.width()), all.height())), 3, 3);
-  painter.setBrush(theme_.ink);  // where near begins
+  painter.setBrush(theme_.ink);  // the threshold of near
   painter.drawRect(QRectF(std::round(all.left() + scale_.near_below / scale_.farthest * all.width()) - 1.0,
                           all.top() - 3.0, 2.0, all.height() + 6.0));
 }

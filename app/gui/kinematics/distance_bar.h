@@ -5,8 +5,8 @@ class QLabel;
 
 namespace underact::gui {
 
-/// How far something is, as a bar from 0 (on it) to the farthest, with a mark where near begins, the number and, under
-/// the mark, the word "near" and amber.
+/// A distance as a bar from 0 to the farthest, with a mark at the threshold of near and the number; below the threshold
+/// it is amber and says "near".
 class DistanceBar : public Painted {
   Q_OBJECT
  public:

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kStepsPerDegree = 10;
 constexpr double kBeyond_deg = 10.0;   // of the slider, on both sides of the limits
-constexpr double kAtLimit_deg = 0.35;  // what encoders and a hand's friction leave open
+constexpr double kAtLimit_deg = 0.35;  // tolerance for the encoders and friction
 
 }  // namespace
 
@@ -107,7 +107,7 @@ void JointRow::setLimits(double min_deg, double max_deg) {
 }
 
 void JointRow::present(double angle_deg) {
-  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // to show a value is not to ask for it
+  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // showing a value does not command it
   if (!slider_->isSliderDown()) {
     slider_->setValue(static_cast<int>(std::lround(angle_deg * kStepsPerDegree)));
     shown_ = slider_->value();

@@ -23,29 +23,29 @@ class LimitSlider : public FocusWheel<QSlider> {
   double min_deg_ = 0.0, max_deg_ = 0.0;
 };
 
-/// A number whose steps are told apart from what is typed.
+/// A number box that distinguishes steps from typed values.
 class AngleBox : public FocusWheel<NumberBox> {
   Q_OBJECT
  public:
   using FocusWheel::FocusWheel;
   void stepBy(int steps) override { emit stepped(steps * singleStep()); }
-  QString textFromValue(double value) const override;  // with the minus sign of all other numbers
+  QString textFromValue(double value) const override;  // with the same minus sign as all other numbers
  signals:
   void stepped(double by_deg);
 };
 
-/// One joint: its name, a slider between marks at its limits, the angle, and a word where it is at a limit or beyond.
+/// One joint: its name, a slider with marks at its limits, the angle, and a word when it is at a limit or outside.
 class JointRow : public QWidget {
   Q_OBJECT
  public:
   JointRow(int joint, const QString& name, const QString& tip, QWidget* parent = nullptr);
   void setLimits(double min_deg, double max_deg);
-  /// The hand on the slider, and a number half typed, win over what is shown.
+  /// A slider that is held, and a number that is being typed, keep their values.
   void present(double angle_deg);
 
  signals:
   void asked(double angle_deg);  // dragged or typed
-  void stepped(double by_deg);   // by key or wheel: from where the joint is wished, not from where friction left it
+  void stepped(double by_deg);   // by key or wheel: from the commanded angle, not from where friction left the joint
 
  private:
   void showState(double angle_deg);

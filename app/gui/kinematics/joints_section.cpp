@@ -11,20 +11,20 @@
 namespace underact::gui {
 
 JointsSection::JointsSection(QWidget* parent)
-    : Section("joints", tr("Joints"), tr("The joint angles q of the DH table, as the arm's encoders say."), parent),
+    : Section("joints", tr("Joints"), tr("The joint angles q of the DH table, as measured by the encoders."), parent),
       note_(quietLabel("panel.kinematics.joints.note", {}, this)) {
   const std::array<QString, 6> names{tr("turret"),   tr("thigh"),    tr("shin"),
                                      tr("gimbal 1"), tr("gimbal 2"), tr("gimbal 3")};
   for (int joint = 0; joint < 6; ++joint) {
     const auto index = static_cast<std::size_t>(joint);
-    const QString tip = joint < 3 ? tr("Angle q%1 of table 3.1; measured and driven.").arg(joint + 1)
-                                  : tr("Angle q%1 of table 3.1; measured, not driven.").arg(joint + 1);
+    const QString tip = joint < 3 ? tr("Angle q%1 of thesis table 3.1: measured and driven.").arg(joint + 1)
+                                  : tr("Angle q%1 of thesis table 3.1: measured, not driven.").arg(joint + 1);
     rows_[index] = new JointRow(joint, names[index], tip, this);
     connect(rows_[index], &JointRow::asked, this, [this, joint](double angle_deg) { emit asked(joint, angle_deg); });
     connect(rows_[index], &JointRow::stepped, this, [this, joint](double by_deg) { emit stepped(joint, by_deg); });
     column().addWidget(rows_[index]);
   }
-  note_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // either sentence fits: nothing moves when it changes
+  note_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // room for each sentence: nothing moves when it changes
   note_->setAlignment(Qt::AlignTop);
   column().addWidget(note_);
 }
@@ -36,7 +36,7 @@ void JointsSection::setLimits(const arm::JointLimits& limits) {
 }
 
 void JointsSection::setMovable(const QString& why_not) {
-  const QString text = why_not.isEmpty() ? tr("A slider moves the hand, and the hand takes the arm there.") : why_not;
+  const QString text = why_not.isEmpty() ? tr("Each slider moves the simulated hand, which moves the arm.") : why_not;
   if (note_->text() == text) return;
   note_->setText(text);
   for (JointRow* row : rows_) row->setEnabled(why_not.isEmpty());
@@ -48,25 +48,27 @@ void JointsSection::present(const KinematicsNow& now) {
 
 SingularitiesSection::SingularitiesSection(QWidget* parent)
     : Section("singularities", tr("Distance to singularities"),
-              tr("Where the arm loses a direction. Amber and \"near\" under the mark of each bar."), parent) {
+              tr("At a singularity the arm loses a degree of freedom. Below its mark, a bar turns amber and says "
+                 "\"near\"."),
+              parent) {
   const auto add = [this](const char* key, const QString& name, const QString& tip, const DistanceBar::Scale& scale) {
     auto* bar = new DistanceBar(QString("panel.kinematics.singularity.%1").arg(key), name, tip, scale, this);
     column().addWidget(bar);
     return bar;
   };
   shoulder_ = add("shoulder", tr("Shoulder"),
-                  tr("Distance of the wrist centre from axis 1: |L1 cos q2 + L2 sin(q2 + q3)|. At 0 joint 1 no longer "
-                     "moves the tip. Near: under %1 mm.")
+                  tr("Distance of the wrist centre from axis 1: |L1 cos q2 + L2 sin(q2 + q3)|. At 0, joint 1 no longer "
+                     "moves the tip. Near: below %1 mm.")
                       .arg(kNearShoulder_m * kMillimetrePerMetre),
                   {kNearShoulder_m * kMillimetrePerMetre, 200.0, 1, tr(" mm")});
   elbow_ = add("elbow", tr("Elbow"),
                tr("Distance of q3 from ±90°, where the arm is stretched or folded: det J_p = L1 L2 cos q3 (L1 cos q2 + "
-                  "L2 sin(q2 + q3)). Near: under %1°.")
+                  "L2 sin(q2 + q3)). Near: below %1°.")
                    .arg(kNearElbow_deg),
                {kNearElbow_deg, 90.0, 1, "°"});
   wrist_ = add("wrist", tr("Wrist"),
-               tr("Distance of q5 from 0° or 180°, where axes 4 and 6 lie in line and only q4 + q6 (or q6 − q4) is "
-                  "defined. Near: under %1°.")
+               tr("Distance of q5 from 0° or 180°, where axes 4 and 6 coincide and only q4 + q6 (or q6 − q4) is "
+                  "defined. Near: below %1°.")
                    .arg(kNearWrist_deg),
                {kNearWrist_deg, 90.0, 1, "°"});
 }

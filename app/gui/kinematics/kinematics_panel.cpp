@@ -55,9 +55,9 @@ KinematicsPanel::KinematicsPanel(const Parts& parts, QWidget* parent) : Panel(pa
 
 void KinematicsPanel::addActions() {
   parts_.actions.add(
-      {"view.kinematics", tr("&Kinematics, all of it"), QKeySequence("Alt+0"),
-       tr("Opens the kinematics panel and shows link frames, inverse solutions and both ellipsoids; "
-          "once more: hides them.")},
+      {"view.kinematics", tr("&Kinematics with all layers"), QKeySequence("Alt+0"),
+       tr("Opens the Kinematics panel and shows link frames, inverse solutions and both ellipsoids. Choose it again to "
+          "hide them.")},
       [this](const QVariantList&) {
         const Layers& on = parts_.view.layers();
         return showAll(!(isVisible() && on.link_frames && on.ghosts && on.motion_ellipsoid && on.force_ellipsoid));
@@ -90,7 +90,8 @@ void KinematicsPanel::buildSwitches(QVBoxLayout* column) {
   }
   column->addLayout(grid);
   column->addWidget(quietLabel("panel.kinematics.scale",
-                               tr("v: the tip's way for 0.25 rad of joint turn. f: the force of 0.05 N m."), this));
+                               tr("v: displacement of the tip for 0.25 rad of joint rotation. f: force for 0.05 N m."),
+                               this));
 }
 
 void KinematicsPanel::sceneOpened() {
@@ -130,12 +131,11 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   q_rad_ = q_rad;
   if (!isSeen() || !isDue(snapshot)) return;
   const KinematicsNow now = kinematicsNow(geometry_, limits_, q_rad);
-  joints_->setMovable(parts_.player.isOpen() ? tr("A recording moves the arm: close the session, then the sliders do.")
-                      : parts_.arms.simulated() == nullptr
-                          ? tr("A real arm is moved by hand: these only show where it is.")
-                      : mode_ == servo::Mode::Idle ? QString()
-                                                   : tr("The servo is running. Press Stop (Esc), then the sliders "
-                                                        "move the arm."));
+  joints_->setMovable(
+      parts_.player.isOpen()               ? tr("The replay moves the arm. Close the session to use the sliders.")
+      : parts_.arms.simulated() == nullptr ? tr("A real arm is moved by hand: the sliders only show its joint angles.")
+      : mode_ == servo::Mode::Idle         ? QString()
+                                   : tr("The servo is running. Press Stop (Esc) to move the arm with the sliders."));
   joints_->present(now);
   singularities_->present(now);
   solutions_->present(now);
@@ -169,8 +169,8 @@ bool KinematicsPanel::showSolution(int number) {
 
 void KinematicsPanel::hideEvent(QHideEvent* event) {
   Panel::hideEvent(event);
-  if (event->spontaneous()) return;  // the whole window was put away
-  solutions_->choose(0);             // its ghost goes with the panel that said what it is
+  if (event->spontaneous()) return;  // the whole window was hidden
+  solutions_->choose(0);             // its ghost is meaningless without the panel
   shown_ns_ = -1;
 }
 

@@ -20,8 +20,8 @@ class SingularitiesSection;
 class SolutionsSection;
 
 /// Kinematics for teaching: joints that can be moved while the servo is stopped, distance to singularities, inverse
-/// solutions, DH table, angle conventions, Jacobian; and what of it the view shows. A function of the snapshot; core
-/// computes. Its numbers change ten times a second of the servo's time, and only while somebody sees them.
+/// solutions, DH table, angle conventions, Jacobian; and the layers of the view that show them. A function of the
+/// snapshot; core computes. The numbers change ten times a second of servo time, and only while they are visible.
 class KinematicsPanel : public Panel {
   Q_OBJECT
  public:
@@ -64,8 +64,8 @@ class KinematicsPanel : public Panel {
   std::int64_t shown_ns_ = -1;  // of the tick whose numbers are shown; -1: none
   servo::Mode shown_mode_ = servo::Mode::Running;
 
-  // Joints that were wished last, for as long as nobody else moves the hand: friction leaves the arm a little short of
-  // them, and steps from where it stands would never add up.
+  // The joint angles commanded last, as long as nothing else moves the hand: friction stops the arm a little short of
+  // them, so steps from the actual angles would never add up.
   arm::JointAngles wished_rad_{};
   std::optional<sim::HandWish> wish_;
 };

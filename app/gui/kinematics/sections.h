@@ -18,7 +18,7 @@ class DistanceBar;
 class JointRow;
 class NumberTable;
 
-/// The six joints: where they are, and sliders that move the simulated arm.
+/// The six joint angles, with sliders that move the simulated arm.
 class JointsSection : public Section {
   Q_OBJECT
  public:
@@ -36,7 +36,7 @@ class JointsSection : public Section {
   QLabel* note_;
 };
 
-/// How far each singularity is.
+/// The distance to each singularity.
 class SingularitiesSection : public Section {
   Q_OBJECT
  public:
@@ -49,7 +49,7 @@ class SingularitiesSection : public Section {
   DistanceBar *shoulder_, *elbow_, *wrist_;
 };
 
-/// All ways the arm can reach the stylus; one can be chosen.
+/// The inverse solutions for the pose of the stylus; one can be selected.
 class SolutionsSection : public Section {
   Q_OBJECT
  public:
@@ -59,7 +59,7 @@ class SolutionsSection : public Section {
   void choose(int number);
   int chosen() const;
  signals:
-  void wanted(int number);  // also the same once more; 0: none
+  void wanted(int number);  // also the same one again; 0: none
 
  private:
   void buildTable();
@@ -72,7 +72,7 @@ class SolutionsSection : public Section {
   arm::JointAngles q_rad_{};
 };
 
-/// The DH table with the angles of now, and the same posture in the device's own angles.
+/// The DH table with the current angles, and the same configuration in the device's own angles.
 class DhSection : public Section {
   Q_OBJECT
  public:
@@ -92,7 +92,7 @@ class AnglesSection : public Section {
   NumberTable* table_;
 };
 
-/// The Jacobian in numbers, and what it says of the posture.
+/// The Jacobian and the measures derived from it.
 class JacobianSection : public Section {
   Q_OBJECT
  public:

@@ -27,7 +27,7 @@ QString signText(std::int8_t sign) {
 }
 
 QString familyText(arm::Family family) {
-  return QObject::tr("one of many: only %1 is set").arg(QString(arm::name(family)).replace('-', QChar(0x2212)));
+  return QObject::tr("one of many: only %1 is defined").arg(QString(arm::name(family)).replace('-', QChar(0x2212)));
 }
 
 QString limitsText(const arm::Solution& solution, bool is_arm) {
@@ -61,8 +61,8 @@ QString statusText(const arm::Solutions& solutions) {
 
 SolutionsSection::SolutionsSection(QWidget* parent)
     : Section("solutions", tr("Inverse solutions"),
-              tr("All joint angles that put the stylus where it is: eq. 3.11 to 3.20 and figure 3.4 of the thesis, "
-                 "with their errata."),
+              tr("All sets of joint angles that give the current pose of the stylus: thesis eq. 3.11 to 3.20 and "
+                 "figure 3.4, with their errata."),
               parent),
       status_(quietLabel("panel.kinematics.solutions.status", {}, this)),
       angles_(quietLabel("panel.kinematics.solutions.angles", {}, this)),
@@ -74,10 +74,10 @@ SolutionsSection::SolutionsSection(QWidget* parent)
   angles_->setFixedHeight(2 * fontMetrics().lineSpacing());
   angles_->setAlignment(Qt::AlignTop);
   buildTable();
-  nameWidget(again_, "panel.kinematics.solutions.again", tr("Let the ghost go to the chosen solution"),
-             tr("A ghost of the arm turns evenly from the joints of now to those of the chosen solution."));
-  nameWidget(none_, "panel.kinematics.solutions.none", tr("Show no chosen solution"),
-             tr("Takes the ghost of the chosen solution away."));
+  nameWidget(again_, "panel.kinematics.solutions.again", tr("Move the ghost to the selected solution"),
+             tr("Moves a ghost of the arm at constant speed from the current joint angles to the selected solution."));
+  nameWidget(none_, "panel.kinematics.solutions.none", tr("Show none of the solutions"),
+             tr("Removes the ghost of the selected solution."));
   column().addWidget(status_);
   column().addWidget(table_);
   column().addWidget(angles_);
@@ -97,7 +97,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
     showChosen();
     emit wanted(chosen());
   });
-  // Enter, or a double click, on the row that is chosen already: once more.
+  // Enter, or a double click, on the selected row: play it again.
   connect(table_, &QTableWidget::itemActivated, this, [this] { emit wanted(chosen()); });
 }
 
@@ -105,11 +105,11 @@ void SolutionsSection::buildTable() {
   nameWidget(table_, "panel.kinematics.solutions", tr("Inverse solutions"));
   table_->setHorizontalHeaderLabels({tr("no."), tr("shoulder"), tr("elbow"), tr("wrist"), tr("limits")});
   const std::array<QString, 5> tips{
-      tr("The number that the ghosts in the view have."),
-      tr("+: the turret faces the wrist centre; −: it faces away. In the view the short line at the shoulder."),
-      tr("+: cos q3 ≥ 0, as a real arm's; −: the other elbow."),
-      tr("+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view the short line at the tip, axis 5."),
-      tr("Whether each joint lies inside its limits. Now: the joints of the arm as it stands.")};
+      tr("The number of the solution, as in the view."),
+      tr("+: the turret faces the wrist centre; −: it faces away. In the view: the short line at the shoulder."),
+      tr("+: cos q3 ≥ 0, as for a real arm; −: the other elbow."),
+      tr("+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view: the short line at the tip, axis 5."),
+      tr("Whether all joints are within their limits. Now: the current configuration of the arm.")};
   for (int column = 0; column < 5; ++column) {
     table_->horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
   }
@@ -152,7 +152,7 @@ void SolutionsSection::present(const KinematicsNow& now) {
   const QString status = statusText(solutions_);
   if (status_->text() != status) status_->setText(status);
   std::array<QString, kSolutions> texts;
-  texts.fill(QString(QChar(0x2013)));  // no solution of its own: one with another, at a singularity
+  texts.fill(QString(QChar(0x2013)));  // no separate solution: it coincides with another one at a singularity
   for (const arm::Solution& one : solutions_) {
     texts[static_cast<std::size_t>(numberOf(one.branch) - 1)] = limitsText(one, isSame(one.q_rad, q_rad_));
   }
@@ -171,7 +171,7 @@ void SolutionsSection::showChosen() {
       return numberOf(one.branch) == number;
     });
     if (found == solutions_.end()) {
-      text = tr("Solution %1 does not exist here: at a singularity two become one.").arg(number);
+      text = tr("Solution %1 does not exist here: at a singularity, two solutions coincide.").arg(number);
     } else {
       QStringList angles;
       for (const double angle_rad : found->q_rad) angles << numberText(angle_rad / kRadPerDegree, 1) + "°";

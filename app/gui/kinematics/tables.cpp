@@ -1,4 +1,4 @@
-// The sections that are numbers: DH table, angle conventions, Jacobian.
+// The sections with numbers: DH table, angle conventions, Jacobian.
 #include <QCheckBox>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -33,11 +33,10 @@ void setAll(NumberTable& table, const Matrix& J) {
 }  // namespace
 
 DhSection::DhSection(QWidget* parent)
-    : Section(
-          "dh", tr("DH table"),
-          tr("Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d), with the angle of now in "
-             "θ. Thesis table 3.1; Craig, eq. 3.6."),
-          parent),
+    : Section("dh", tr("DH table"),
+              tr("Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d); θ includes the current "
+                 "joint angle. Thesis table 3.1; Craig, eq. 3.6."),
+              parent),
       table_(new NumberTable("panel.kinematics.dh",
                              {{tr("α [°]"), kWideAngle},
                               {tr("a [mm]"), kWideLength},
@@ -65,8 +64,9 @@ void DhSection::present(const KinematicsNow& now, const arm::Model& model) {
 
 AnglesSection::AnglesSection(QWidget* parent)
     : Section("angles", tr("Angle conventions"),
-              tr("The same posture as the DH table counts it and as the device does. The device measures the shin from "
-                 "the base, not from the thigh. Thesis figure 3.5; the signs were never verified on hardware."),
+              tr("The same configuration in the joint angles of the DH table and in those of the device. The device "
+                 "measures the shin from the base, not from the thigh. Thesis figure 3.5; the signs have not been "
+                 "verified on hardware."),
               parent),
       table_(new NumberTable("panel.kinematics.angles",
                              {{tr("DH [°]"), kWideAngle},
@@ -97,42 +97,42 @@ void AnglesSection::present(const KinematicsNow& now) {
 }
 
 JacobianSection::JacobianSection(QWidget* parent)
-    : Section(
-          "jacobian", tr("Jacobian"),
-          tr("How fast the tip moves (v, m/rad) and turns (ω, rad/rad) for each joint's rate, in the workspace frame: "
-             "(v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Eq. 3.5 derived."),
-          parent),
+    : Section("jacobian", tr("Jacobian"),
+              tr("Velocity v of the tip (m/rad) and angular velocity ω of the stylus (rad/rad) per joint rate, in the "
+                 "workspace frame: (v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Derived from eq. 3.5."),
+              parent),
       tables_(new QStackedWidget(this)) {
   std::vector<NumberTable::Column> columns;
   for (int joint = 1; joint <= 6; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
   whole_ = new NumberTable("panel.kinematics.jacobian.whole", columns, this);
   position_ = new NumberTable("panel.kinematics.jacobian.position", {columns.begin(), columns.begin() + 3}, this);
   for (const char axis : {'x', 'y', 'z'}) {
-    const QString tip = tr("Speed of the tip along %1 of W for each joint's rate, m/rad.").arg(QChar(axis));
+    const QString tip = tr("Velocity of the tip along %1 of W per joint rate, m/rad.").arg(QChar(axis));
     whole_->addRow(QString("v%1").arg(QChar(axis)), tip);
     position_->addRow(QString("v%1").arg(QChar(axis)), tip);
   }
   for (const char axis : {'x', 'y', 'z'}) {
     whole_->addRow(QString("ω%1").arg(QChar(axis)),
-                   tr("Turning of the stylus about %1 of W for each joint's rate, rad/rad.").arg(QChar(axis)));
+                   tr("Angular velocity of the stylus about %1 of W per joint rate, rad/rad.").arg(QChar(axis)));
   }
   tables_->addWidget(whole_);
-  auto* upper = new QWidget(this);  // the small one stands at the top, where the large one begins
+  auto* upper = new QWidget(this);  // the small table is at the top, aligned with the large one
   auto* upper_column = tight<QVBoxLayout>(upper);
   upper_column->addWidget(position_);
   upper_column->addStretch(1);
   tables_->addWidget(upper);
   auto* only_position = new QCheckBox(tr("&Position only, J_p (3 × 3)"), this);
   nameWidget(only_position, "panel.kinematics.jacobian.position_only", tr("Only the position part of the Jacobian"),
-             tr("Joints 4 to 6 turn the stylus about its tip and do not move it: v = J_p (q1, q2, q3)'."));
+             tr("Joints 4 to 6 rotate the stylus about its tip without moving it: v = J_p (q1, q2, q3)'."));
   connect(only_position, &QCheckBox::toggled, this, [this](bool on) { tables_->setCurrentIndex(on ? 1 : 0); });
   figures_ = new NumberTable("panel.kinematics.figures", {{{}, "0.000, 0.000, 0.000 m/rad", true}}, this);
   figures_->addRow(tr("det J_p"), tr("L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)), per rad³; 0 at a singularity."));
-  figures_->addRow(tr("Manipulability"), tr("Yoshikawa's measure of J_p, |det J_p|."));
-  figures_->addRow(tr("Condition"), tr("Largest over smallest singular value of J_p: 1 is alike in all directions."));
+  figures_->addRow(tr("Manipulability"), tr("Yoshikawa's measure of manipulability, |det J_p|."));
+  figures_->addRow(tr("Condition number"),
+                   tr("Ratio of the largest to the smallest singular value of J_p; 1: the same in all directions."));
   figures_->addRow(tr("Singular values"),
-                   tr("Of J_p: how far the tip goes along the motion ellipsoid's axes, for each rad of joint turn. A "
-                      "force along the same axis is one over it for each N m of joint torque."));
+                   tr("Of J_p: displacement of the tip along each axis of the motion ellipsoid per radian of joint "
+                      "rotation. The force along the same axis per N m of joint torque is the reciprocal."));
   column().addWidget(only_position);
   column().addWidget(tables_);
   column().addWidget(figures_);

@@ -29,20 +29,19 @@ QString widestOf(JointField field) {
 }  // namespace
 
 ChainSection::ChainSection(QWidget* parent)
-    : Section(
-          "joints", tr("Joints"),
-          tr("From the base to the tip, all at home, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Type into a cell; each "
-             "is one step back."),
-          parent, "robot"),
+    : Section("joints", tr("Joints"),
+              tr("From the base to the end effector, in the home pose, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Each "
+                 "edited cell is one undo step."),
+              parent, "robot"),
       table_(new EditTable("panel.robot.joints", tr("Joints of the robot"), this)),
       add_(narrowButton("panel.robot.joint.add", tr("Add"), tr("Add a joint after the selected one"),
-                        tr("A joint after the selected one, 8 at most."), this)),
+                        tr("Adds a joint after the selected one; 8 at most."), this)),
       remove_(narrowButton("panel.robot.joint.remove", tr("Remove"), tr("Remove the selected joint"),
-                           tr("Takes the selected joint away; one stays."), this)),
+                           tr("Removes the selected joint; a robot has at least one."), this)),
       up_(narrowButton("panel.robot.joint.up", tr("Up"), tr("Move the selected joint towards the base"),
-                       tr("Towards the base."), this)),
-      down_(narrowButton("panel.robot.joint.down", tr("Down"), tr("Move the selected joint towards the tip"),
-                         tr("Towards the tip."), this)) {
+                       tr("Moves the selected joint towards the base."), this)),
+      down_(narrowButton("panel.robot.joint.down", tr("Down"), tr("Move the selected joint towards the end effector"),
+                         tr("Moves the selected joint towards the end effector."), this)) {
   table_->setColumnCount(kJointFields);
   for (int column = 0; column < kJointFields; ++column) {
     const auto field = static_cast<JointField>(column);

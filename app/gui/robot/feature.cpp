@@ -7,15 +7,13 @@
 namespace underact::gui {
 
 FeatureRow robotFeature() {
-  return {
-      .panels = {{"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
-                  QT_TRANSLATE_NOOP(
-                      "panel", "The robot that exists only in software: joints, springs, turning stiffness, solver."),
-                  [](const FeatureParts& all, QWidget* parent) -> Panel* {
-                    return new RobotPanel({all.servo, all.document, all.actions}, parent);
-                  },
-                  "scenes"}},
-      .pages = {{"panel.robot", "robots"}}};
+  return {.panels = {{"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
+                      QT_TRANSLATE_NOOP("panel", "The virtual robot: joints, springs, rotational stiffness, solver."),
+                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
+                        return new RobotPanel({all.servo, all.document, all.actions}, parent);
+                      },
+                      "scenes"}},
+          .pages = {{"panel.robot", "robots"}}};
 }
 
 }  // namespace underact::gui

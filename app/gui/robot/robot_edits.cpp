@@ -66,7 +66,7 @@ bool RobotEdits::choose(int number) {
   const std::vector<std::size_t> robots = robotsOf(document_.scene());
   if (number < 0 || static_cast<std::size_t>(number) >= robots.size()) return false;
   name_ = document_.scene().constraints[robots[static_cast<std::size_t>(number)]].name;
-  gesture_ = document_.newGesture();  // keys in a row on another robot are another step back
+  gesture_ = document_.newGesture();  // keys in a row on another robot are a new undo step
   emit chosen();
   return true;
 }
@@ -96,7 +96,8 @@ bool RobotEdits::set(const std::string& path, const scene::SettingValue& value, 
   Result<scene::Description> edited = scene::withValue(document_.scene(), here + path, value);
   if (!edited) return refuse(edited.problems());
   auto& robot = std::get<scene::VirtualManipulator>(edited.value().constraints[index_].shape);
-  // Where nothing of the turn is followed a stiffness for it is refused; and back again it should be felt.
+  // If no part of the orientation is followed, a rotational stiffness is refused; when one is followed again, it should
+  // be felt.
   if (path == "/orientation" && robot.orientation == manipulator::Orientation::None) {
     robot.ko_N_mm_per_rad = 0.0;
   } else if (path == "/orientation" && before->orientation == manipulator::Orientation::None) {
@@ -147,7 +148,7 @@ bool RobotEdits::moveJoint(int joint, int by) {
 }
 
 bool RobotEdits::setHome(int row, int axis, const QString& text) {
-  return change(row == 0 ? tr("tip at home") : tr("turn of the tip"), [&](scene::VirtualManipulator& robot) {
+  return change(row == 0 ? tr("home position") : tr("home orientation"), [&](scene::VirtualManipulator& robot) {
     const Result<double> typed = typedNumber(text);
     if (!typed) return typed.problems();
     if (row == 0) {
@@ -168,7 +169,7 @@ bool RobotEdits::addRobot() {
   constraint.name = tr("robot").toStdString();
   constraint.shape = newRobot();
   const scene::Description edited = scene::withAdded(scene, constraint);
-  const std::string before = std::exchange(name_, edited.constraints.back().name);  // shown as soon as it is there
+  const std::string before = std::exchange(name_, edited.constraints.back().name);  // shown as soon as it exists
   const bool added = send(edited, tr("new robot"), true);
   if (!added) name_ = before;
   return added;

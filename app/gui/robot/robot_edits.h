@@ -11,41 +11,43 @@ namespace underact::gui {
 class Actions;
 class Document;
 
-/// Which virtual manipulator of the scene is at hand, and what can be asked of it, by hand or by the name of a command.
-/// Every change goes through the document, so that each is a step back, and is refused as a whole where it cannot be.
+/// The virtual robot of the scene that is edited, and its edits, from the panel or by command. Every change goes
+/// through the document, so that each is one undo step and is refused as a whole if it is invalid.
 class RobotEdits : public QObject {
   Q_OBJECT
  public:
   explicit RobotEdits(Document& document, QObject* parent);
   void addCommands(Actions& actions);
 
-  /// Another scene: the first of its robots.
+  /// A new scene: selects the first of its robots.
   void forget() { name_.clear(); }
-  /// After an edit: the one of the same name, or the first. Gives the robots' places among the constraints.
+  /// After an edit: selects the robot of the same name, or the first. Returns the indices of the robots among the
+  /// constraints.
   std::vector<std::size_t> look();
   const scene::VirtualManipulator* robot() const;  // null: the scene has none
   std::size_t index() const { return index_; }     // of its constraint
-  /// The turn of its tip at home, three angles: as they were typed, since at ry = 90 degrees others make the same turn.
+  /// The orientation of its end effector in the home pose, three angles as typed, since at ry = 90 degrees others give
+  /// the same rotation.
   const Vec3& angles_deg();
 
   // false: refused.
   bool choose(int number);  // from 0, among the robots
-  /// A setting of it, by its path from there on, "/solver/method", and what has to go with it. fresh: a step of its
-  /// own.
+  /// Sets one of its settings by the path below it, "/solver/method", and what depends on it. fresh: a separate undo
+  /// step.
   bool set(const std::string& path, const scene::SettingValue& value, bool fresh);
   bool setJoint(int joint, int field, const QString& text);
   bool addJoint(int after);
   bool removeJoint(int joint);
   bool moveJoint(int joint, int by);
-  bool setHome(int row, int axis, const QString& text);  // row 0: place, 1: turn
+  bool setHome(int row, int axis, const QString& text);  // row 0: position, 1: orientation
   bool addRobot();
   bool removeRobot();
 
  signals:
-  /// Something was asked for, and is in effect where there are no problems.
+  /// An edit was requested; it is in effect if there are no problems.
   void asked(const underact::Problems& problems);
   void chosen();
-  void jointMoved(int joint);  // or came: there it is now
+  void jointMoved(int joint);  // or added: its new index
 
  private:
   using Change = std::function<Problems(scene::VirtualManipulator& robot)>;

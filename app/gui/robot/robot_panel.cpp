@@ -42,36 +42,34 @@ void RobotPanel::build() {
   auto* inner = new QVBoxLayout(content);
   inner->setContentsMargins(8, 8, 8, 8);
   inner->setSpacing(4);
-  none_ =
-      new QLabel(tr("This scene has no virtual robot. A new one is added beside what there is: one joint, whose tip "
-                    "the stylus is drawn to."),
-                 content);
+  none_ = new QLabel(tr("This scene has no virtual robot. “New robot” adds one with a single joint; the stylus is "
+                        "pulled towards its end effector."),
+                     content);
   none_->setObjectName("panel.robot.none");
   none_->setProperty("role", "quiet");
   none_->setWordWrap(true);
   inner->addWidget(none_);
   inner->addWidget(editor_ = makeEditor(content));
   inner->addStretch(1);
-  // The read-out fills in its rows with the first robot: what they need is known before.
+  // The read-out gets its rows with the first robot: reserve their width now.
   content->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Moment, not sent") + tr("iteration, 100 of 100 steps")) +
                            48);
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(std::max(content->minimumWidth(), content->minimumSizeHint().width()) + 16);
   auto* outer = tight<QVBoxLayout>(this, 0);
   outer->addWidget(scroll, 1);
-  // Below what scrolls: a sentence is always seen, and its coming moves nothing from under the pointer.
+  // Below the scroll area: the message is always visible, and moves nothing under the pointer when it appears.
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(8, 8, 8, 8);
   foot->setSpacing(8);
   refusal_ = toldLabel("panel.robot.refusal", tr("Why the change was refused"), "alarm", this);
   refusal_->hide();
   foot->addWidget(refusal_);
-  new_ =
-      pushButton("panel.robot.add", tr("New robot"), tr("Adds a robot of one joint to the scene, beside what it has."),
-                 this, tr("Add a robot to the scene"));
+  new_ = pushButton("panel.robot.add", tr("New robot"), tr("Adds a robot with one joint to the scene."), this,
+                    tr("Add a robot to the scene"));
   remove_ = pushButton("panel.robot.remove", tr("Remove robot"),
-                       tr("Takes the robot that is shown out of the scene; something must stay to be held to."), this,
-                       tr("Remove the robot that is shown from the scene"));
+                       tr("Removes the robot shown from the scene; a scene needs at least one constraint."), this,
+                       tr("Remove the robot shown from the scene"));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(4);
   for (QPushButton* button : {new_, remove_}) buttons->addWidget(button);
@@ -84,7 +82,7 @@ QWidget* RobotPanel::makeEditor(QWidget* parent) {
   auto* column = tight<QVBoxLayout>(made, 4);
   choices_ = panelForm();
   chooser_ =
-      chooser("panel.robot.constraint", tr("Robot that is shown"), tr("Which robot of the scene is shown."), this);
+      chooser("panel.robot.constraint", tr("Robot shown"), tr("The robot of the scene that this panel shows."), this);
   choices_->addRow(tr("Robot"), chooser_);
   column->addLayout(choices_);
   column->addWidget(makePull(made));
@@ -95,36 +93,37 @@ QWidget* RobotPanel::makeEditor(QWidget* parent) {
   return made;
 }
 
-/// What the tip pulls with: the turning stiffness, what of the stylus's turn it follows, the force law.
+/// The force: rotational stiffness, the part of the stylus's orientation that is followed, force law.
 QWidget* RobotPanel::makePull(QWidget* parent) {
-  auto* const made = new Section(
-      "pull", tr("What it pulls with"),
-      tr("The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e."),
-      parent, "robot");
+  auto* const made = new Section("pull", tr("Force"),
+                                 tr("The joints move to the minimum of the energy V = e·K e / 2, and the stylus is "
+                                    "pulled towards the end effector: F = K e."),
+                                 parent, "robot");
   const QString ko = tr("Kθ");
-  ko_ = rows_->addNumber({"/ko_N_mm_per_rad", "panel.robot.ko", ko, tr("Turning stiffness"), ko, 1, 500, 1, 1e6},
+  ko_ = rows_->addNumber({"/ko_N_mm_per_rad", "panel.robot.ko", ko, tr("Rotational stiffness"), ko, 1, 500, 1, 1e6},
                          &made->column(), made);
   QFormLayout* const form = panelForm();
   made->column().addLayout(form);
-  rows_->addChoice(
-      {"/orientation", "panel.robot.orientation", tr("Follows"), tr("What of the stylus's turn the tip follows")}, form,
-      made);
+  rows_->addChoice({"/orientation", "panel.robot.orientation", tr("Follows"),
+                    tr("The part of the stylus's orientation that the end effector follows")},
+                   form, made);
   rows_->addChoice({"/force_law", "panel.robot.law", tr("Force law"), tr("Force law")}, form, made);
   return made;
 }
 
 QWidget* RobotPanel::makeSolver(QWidget* parent) {
-  auto* const made =
-      new Section("solver", tr("Solver"),
-                  tr("How the joints of least energy are found, every tick. Nothing felt changes with the method."),
-                  parent, "robot");
+  auto* const made = new Section(
+      "solver", tr("Solver"),
+      tr("How the joint angles of minimum energy are found in every tick. The method does not change what you feel."),
+      parent, "robot");
   QFormLayout* const form = panelForm();
   made->column().addLayout(form);
   rows_->addChoice({"/solver/method", "panel.robot.method", tr("Method"), tr("Method of the solver")}, form, made);
-  rows_->addWhole({"/solver/max_steps", "panel.robot.max_steps", tr("Most steps"), tr("Most steps a tick")}, form,
-                  made);
+  rows_->addWhole(
+      {"/solver/max_steps", "panel.robot.max_steps", tr("Max. steps"), tr("Maximum number of steps per tick")}, form,
+      made);
   rows_->addText(
-      {"/solver/tolerance", "panel.robot.tolerance", tr("Tolerance"), tr("Tolerance, rad and shares of the reach")},
+      {"/solver/tolerance", "panel.robot.tolerance", tr("Tolerance"), tr("Tolerance, rad and fractions of the reach")},
       form, made);
   return made;
 }
@@ -173,7 +172,7 @@ void RobotPanel::refresh() {
   new_->setEnabled(!parts_.document.scene().constraints.empty());
   if (shown == nullptr) return;
   rows_->present(parts_.document, edits_->index());
-  ko_->setEnabled(shown->orientation != manipulator::Orientation::None);  // nothing would use it
+  ko_->setEnabled(shown->orientation != manipulator::Orientation::None);  // it would have no effect
   chain_->present(*shown);
   home_->present(shown->X_WV_home, edits_->angles_deg());
   const Result<tick::TickProgram> program = scene::compile(parts_.document.scene());
@@ -192,7 +191,7 @@ void RobotPanel::present(const servo::Snapshot& snapshot) {
 }
 
 void RobotPanel::tell(const Problems& problems) {
-  refresh();  // refused? what holds is back
+  refresh();  // if it was refused, shows the values in effect again
   tellIn(refusal_, sentencesOf(problems));
 }
 

@@ -16,7 +16,7 @@ class RobotNowSection;
 class SettingRows;
 class ValueRow;
 
-/// The virtual manipulators of the scene: what they pull with, their joints, the solver, and what it does now.
+/// The virtual robots of the scene: their force, joints, home pose and solver, and its current result.
 class RobotPanel : public Panel {
   Q_OBJECT
  public:
@@ -45,7 +45,7 @@ class RobotPanel : public Panel {
   std::int64_t shown_ns_ = -1;  // of the tick whose numbers are shown
   QFormLayout* choices_ = nullptr;
   QComboBox* chooser_ = nullptr;
-  QWidget* editor_ = nullptr;  // everything that is about a robot
+  QWidget* editor_ = nullptr;  // everything about a robot
   QLabel* none_ = nullptr;
   QLabel* refusal_ = nullptr;
   QPushButton *new_ = nullptr, *remove_ = nullptr;

@@ -12,9 +12,9 @@ namespace underact::gui {
 class EditTable;
 class Readout;
 
-// The sections of the Robot panel. Each shows a robot and says what is asked of it; the panel edits the scene.
+// The sections of the Robot panel. Each shows a robot and signals requested edits; the panel edits the scene.
 
-/// What the solver does in the tick that is shown.
+/// The result of the solver in the tick shown.
 class RobotNowSection : public Section {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class RobotNowSection : public Section {
   int found_ = 0, left_ = 0, energy_ = 0, moment_ = 0, target_ = 0, better_ = 0;
 };
 
-/// The joints, all of them typed, with buttons to add, take away and move one.
+/// The table of joints, with buttons to add, remove and move one.
 class ChainSection : public Section {
   Q_OBJECT
  public:
@@ -49,15 +49,15 @@ class ChainSection : public Section {
   QPushButton *add_, *remove_, *up_, *down_;
 };
 
-/// Where the tip V is while all joints are at 0, and how it is turned there.
+/// The home pose of the end effector V, with all joints at 0.
 class HomeSection : public Section {
   Q_OBJECT
  public:
   explicit HomeSection(QWidget* parent = nullptr);
-  /// angles_deg: of the turn, about x, then y, then z.
+  /// angles_deg: of the orientation, about x, then y, then z.
   void present(const Eigen::Matrix4d& X_WV_home, const Vec3& angles_deg);
  signals:
-  void typed(int row, int axis, const QString& text);  // row 0: place, 1: turn
+  void typed(int row, int axis, const QString& text);  // row 0: position, 1: orientation
 
  private:
   EditTable* table_;

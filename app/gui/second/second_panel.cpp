@@ -52,14 +52,14 @@ SecondPanel::SecondPanel(const Parts& parts, QWidget* parent)
   nameWidget(on_, "panel.second.on", tr("A second arm"), parts_.actions.find("second.on")->toolTip());
   connect(on_, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("second.on", on); });
   column->addWidget(on_);
-  column->addWidget(told_ = toldLabel("panel.second.told", tr("What happened to the second arm"), "alarm", content));
+  column->addWidget(told_ = toldLabel("panel.second.told", tr("Message from the second arm"), "alarm", content));
   told_->hide();
   column->addWidget(choices_ = buildChoices());
   readout_ = new Readout("panel.second.value", content);
-  device_ = readout_->addRow(tr("Arm"), tr("Which arm it is."));
-  mode_ = readout_->addRow(tr("Servo"), tr("What its servo does. Start and Stop are those of the first arm."));
+  device_ = readout_->addRow(tr("Arm"), tr("The arm in use."));
+  mode_ = readout_->addRow(tr("Servo"), tr("State of its servo. Start and Stop apply to both arms."));
   force_ = readout_->addRow(tr("Force"), tr("The force sent to the second arm."));
-  tip_ = readout_->addRow(tr("Tip"), tr("Where its tip is, in its own frame W."));
+  tip_ = readout_->addRow(tr("Tip"), tr("Position of its tip in its own frame W."));
   column->addWidget(readout_);
   column->addStretch(1);
   fillWithScroll(this, content);
@@ -74,7 +74,7 @@ void SecondPanel::addActions() {
       {"second.on",
        tr("A s&econd arm"),
        QKeySequence("Ctrl+Alt+Shift+T"),
-       tr("Another arm with a servo and a scene of its own, beside the first. Start and Stop are for both."),
+       tr("Adds an arm beside the first, with its own servo and scene. Start and Stop apply to both arms."),
        {},
        {},
        true},
@@ -88,7 +88,7 @@ void SecondPanel::addActions() {
     if (!second_.isOn()) return false;
     told_->hide();
     const Problems problems = second_.choose(name.value(0).toString());
-    if (!problems.empty()) tell(tr("The second arm stays. %1").arg(sentencesOf(problems)));
+    if (!problems.empty()) tell(tr("The second arm is unchanged. %1").arg(sentencesOf(problems)));
     presentChoices();
     return problems.empty();
   });
@@ -113,20 +113,22 @@ QWidget* SecondPanel::buildChoices() {
   auto* box = new QWidget(this);
   auto* form = tight<QFormLayout>(box);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  arm_ = chooser("panel.second.arm", tr("Second arm"), tr("Which arm it is; others are in the panel Devices."), box);
-  scene_ = chooser("panel.second.scene", tr("Scene of the second arm"), tr("What it is held to."), box);
-  side_ = chooser("panel.second.side", tr("Side of the second arm"), tr("Where it stands beside the first."), box);
+  arm_ = chooser("panel.second.arm", tr("Second arm"), tr("The arm to use; the Devices panel lists more."), box);
+  scene_ =
+      chooser("panel.second.scene", tr("Scene of the second arm"), tr("What the second arm is constrained to."), box);
+  side_ = chooser("panel.second.side", tr("Side of the second arm"),
+                  tr("The side of the first arm on which it stands."), box);
   side_->addItems({tr("left"), tr("right")});
   for (const SceneEntry& entry : shippedScenes()) scene_->addItem(entry.title, entry.path);
   file_ = pushButton("panel.second.file", tr("Another scene file…"), tr("Opens a scene file for the second arm."), box);
   mirrors_ = new QCheckBox(tr("Mirrors my hand"), box);
   nameWidget(mirrors_, "panel.second.mirror", tr("Mirrors my hand"),
-             tr("A simulated second arm is moved as the first hand is, in a mirror."));
+             tr("Moves a simulated second arm as the mirror image of the first hand."));
   opening_ = toldLabel("panel.second.opening", tr("What is being opened"), "quiet", box);
   form->addRow(tr("Arm"), arm_);
   form->addRow(tr("Scene"), scene_);
   form->addRow(file_);
-  form->addRow(tr("Stands"), side_);
+  form->addRow(tr("Side"), side_);
   form->addRow(mirrors_);
   form->addRow(opening_);
   connect(arm_, &QComboBox::activated, this,
@@ -150,7 +152,7 @@ void SecondPanel::fillArms() {
     if (!entry.name.isEmpty()) arm_->addItem(entry.title, entry.name);
   }
   const QString name = second_.isOn() ? second_.arms().wanted() : QString("simulated");
-  if (arm_->findData(name) < 0) arm_->addItem(name, name);  // by its address, or gone since
+  if (arm_->findData(name) < 0) arm_->addItem(name, name);  // named by its address, or no longer present
   arm_->setCurrentIndex(arm_->findData(name));
 }
 
@@ -167,8 +169,8 @@ void SecondPanel::presentChoices() {
   if (!path.isEmpty()) scene_->setCurrentIndex(scene_->findData(path));
   side_->setCurrentIndex(second_.side() == SecondArm::Side::Left ? 0 : 1);
   side_->setEnabled(!second_.placed());
-  side_->setToolTip(second_.placed() ? tr("Where the registrations of both arms say.")
-                                     : tr("Where it stands beside the first."));
+  side_->setToolTip(second_.placed() ? tr("Set by the registrations of both arms.")
+                                     : tr("The side of the first arm on which it stands."));
   mirrors_->setChecked(second_.mirrors());
   mirrors_->setEnabled(is_on && second_.arms().simulated() != nullptr);
   const QString opening = is_on ? second_.arms().opening() : QString();

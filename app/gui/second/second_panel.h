@@ -12,7 +12,7 @@ namespace underact::gui {
 class Readout;
 class SecondArm;
 
-/// The second arm: whether there is one, which it is, where it stands, its scene, and what it does.
+/// The second arm: on or off, the device, its side, its scene and its state.
 class SecondPanel : public Panel {
   Q_OBJECT
  public:

@@ -13,13 +13,13 @@
 namespace underact::gui {
 namespace {
 
-// What has no end is drawn as far as this: the workspace is 160 x 120 x 70 mm.
+// Unbounded shapes are drawn as far as this: the workspace is 160 x 120 x 70 mm.
 const Vec3 kRegion_mm(110.0, 85.0, 62.0);
 constexpr double kPointRadius_mm = 2.6;
 constexpr double kGrid_mm = 20.0;
-constexpr double kHair_mm = 4.0;  // of a wall, and the room between two of them at least
+constexpr double kHair_mm = 4.0;  // of a wall, and the least distance between two of them
 
-/// The part of a line inside the region grown by margin_mm; false: none.
+/// The part of a line inside the region, enlarged by margin_mm; false: none.
 bool clip(const Vec3& p_mm, const Vec3& direction, double margin_mm, double& from, double& to) {
   from = -kInfinity;
   to = kInfinity;
@@ -36,7 +36,7 @@ bool clip(const Vec3& p_mm, const Vec3& direction, double margin_mm, double& fro
   return from < to;
 }
 
-/// The same, and where the line passes the region by, the part nearest to it, so that it is not lost.
+/// The same; if the line misses the region, the part nearest to it, so that it stays visible.
 void clipOrNear(const Vec3& p_mm, const Vec3& direction, double margin_mm, double& from, double& to) {
   if (clip(p_mm, direction, margin_mm, from, to)) return;
   const double nearest = -p_mm.dot(direction);
@@ -71,7 +71,7 @@ std::vector<Vec3> cutOfPlane(const Vec3& p_mm, const Vec3& normal) {
   return corners;
 }
 
-/// Two directions in the plane: along the axes of W where it has some, so that a grid reads as millimetres.
+/// Two directions in the plane: along the axes of W where possible, so that a grid reads as millimetres.
 Vec3 gridDirection(const Vec3& normal) {
   int best = 0;
   for (int axis = 1; axis < 3; ++axis) {
@@ -158,11 +158,11 @@ void ConstraintPicture::addHairs(const Vec3& center_mm, const Vec3& u, const Vec
 
 void ConstraintPicture::add(const scene::Point& point) {
   vtkActor& ball = addTint(unitSphere(24, 12));
-  ball.GetProperty()->SetOpacity(1.0);  // too small to be seen through
+  ball.GetProperty()->SetOpacity(1.0);  // too small to be translucent
   ball.GetProperty()->BackfaceCullingOn();
   place(ball, at(point.position_mm, kPointRadius_mm));
   balls_.push_back({point.position_mm, kPointRadius_mm});
-  for (int axis = 0; axis < 3; ++axis) {  // a small cross says where it is, seen from anywhere
+  for (int axis = 0; axis < 3; ++axis) {  // a small cross shows where it is, from any direction
     fine_.segment(point.position_mm - 8.0 * Vec3::Unit(axis), point.position_mm + 8.0 * Vec3::Unit(axis),
                   theme_.constraint);
   }
@@ -197,7 +197,7 @@ void ConstraintPicture::add(const scene::Plane& plane) {
   const Vec3 normal = plane.normal.normalized();
   std::vector<Vec3> corners = cutOfPlane(plane.point_mm, normal);
   const Vec3 u = gridDirection(normal), v = normal.cross(u);
-  if (corners.empty()) {  // it passes the region by
+  if (corners.empty()) {  // it misses the region
     const double half = kRegion_mm.x();
     for (const auto& [a, b] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
       corners.push_back(plane.point_mm.dot(normal) * normal + half * (a * u + b * v));
@@ -292,7 +292,7 @@ void ConstraintPicture::add(const scene::Box& box) {
   }
 }
 
-/// As fine as the eye sees it: a million points are drawn by some thousand.
+/// As fine as the eye can see: a million points are drawn with some thousands.
 void ConstraintPicture::add(const scene::Curve& curve) {
   const Result<target::CurvePath> path = scene::makeCurvePath(curve);
   if (!path) return;
@@ -310,7 +310,7 @@ void ConstraintPicture::add(const scene::Curve& curve) {
   }
 }
 
-/// The robot moves, and is drawn elsewhere; here is how much room it takes.
+/// The robot moves and is drawn elsewhere; this is the space it takes up.
 void ConstraintPicture::add(const scene::VirtualManipulator& robot) {
   extent_mm_.push_back(robot.X_WV_home.topRightCorner<3, 1>());
   for (const scene::Joint& joint : robot.joints) {

@@ -10,19 +10,19 @@
 
 namespace underact::gui {
 
-/// What the stylus is held to, as drawn: surfaces filled at 25 %, edges and outlines solid; a wall carries short hairs
-/// on the side where it is solid, as drawings of machines mark the ground. What has no end is cut to a region somewhat
-/// larger than the workspace. mm, in W.
+/// The constraints as drawn: surfaces filled at 25 %, edges and outlines solid; a wall has short hatch lines on its
+/// solid side, as mechanical drawings mark the ground. Unbounded shapes are clipped to a region somewhat larger than
+/// the workspace. mm, in W.
 class ConstraintPicture {
  public:
   ConstraintPicture();
   void setScene(const scene::Description& scene);
   void setTheme(const Theme& theme);
-  /// The outlines as the eye sees them.
+  /// The outlines as seen by the eye.
   void update(const Vec3& eye_mm);
   void setLineWidth(double device_pixels_per_pixel);
 
-  /// Points that a picture of all of it must hold.
+  /// Points that a picture of the whole constraint must contain.
   const std::vector<Vec3>& extent_mm() const { return extent_mm_; }
   std::vector<vtkActor*> lines() const;
   /// New with each scene.
@@ -49,7 +49,7 @@ class ConstraintPicture {
   void add(const scene::Mesh&) {}  // see MeshPicture
   void add(const scene::Curve& curve);
   vtkActor& addTint(vtkPolyData* data);
-  /// At a place of a wall's surface, given its outer normal; nothing where the shape is no wall.
+  /// At a point of a wall's surface, given its outer normal; nothing if the shape is not a wall.
   void addHair(const Vec3& p_mm, const Vec3& outwards);
   void addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm);  // around a ring
 

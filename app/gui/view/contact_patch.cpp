@@ -16,7 +16,7 @@ namespace {
 constexpr int kDiscSides = 20;            // of the disc
 constexpr std::size_t kMostFaces = 1500;  // of one patch: a finer mesh gets a smaller one
 
-/// What of a polygon is within reach of p along the unit direction.
+/// The part of a polygon within reach of p along the unit direction.
 std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& p, const Vec3& direction, double reach) {
   std::vector<Vec3> left;
   for (std::size_t index = 0; index < polygon.size(); ++index) {
@@ -66,7 +66,7 @@ void ContactPatch::add(const target::MeshPlace& place, const Vec3& p_WP) {
   if (hit.face < 0 || normal_M.isZero()) return;
   const double reach = kMetrePerMillimetre * kRadius_mm / std::abs(place.scale_m);
   const std::vector<Vec3> directions = prismAround(normal_M);
-  std::vector<std::int32_t> faces{hit.face};  // that hang together with it, as far as they are within reach
+  std::vector<std::int32_t> faces{hit.face};  // connected to it, as far as they are within reach
   std::set<std::int32_t> seen{hit.face};
   for (std::size_t index = 0; index < faces.size() && index < kMostFaces; ++index) {
     const mesh::Corners corners = mesh::cornersOf(surface, faces[index]);

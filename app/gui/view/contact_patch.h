@@ -22,7 +22,7 @@ class ContactPatch {
   void clear();
   /// The surface around p_WP (m), which lies on it. Cost: bounded, under 1 ms.
   void add(const target::MeshPlace& place, const Vec3& p_WP);
-  void done();  // what was filled in is to be drawn
+  void done();  // after the last add(): draw it
 
  private:
   vtkSmartPointer<vtkPolyData> data_;

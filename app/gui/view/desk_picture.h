@@ -17,7 +17,7 @@ struct Desk {
   std::vector<Vec3> marks_D;
 };
 
-/// The sheet on the desk with the marks that the arm was registered by, each with its number.
+/// The sheet on the desk with the reference points by which the arm was registered, each with its number.
 class DeskPicture {
  public:
   DeskPicture();
@@ -25,9 +25,9 @@ class DeskPicture {
   void setLineWidth(double device_pixels_per_pixel);
   void setDesk(const std::optional<Desk>& desk);
   void show(bool shown);
-  /// The identity where there is no desk.
+  /// The identity if there is no desk.
   Mat3 R_WD() const { return desk_ ? Mat3(desk_->X_WD.linear()) : Mat3(Mat3::Identity()); }
-  std::size_t marks() const { return shown_ && desk_ ? desk_->marks_D.size() : 0; }  // that are drawn
+  std::size_t marks() const { return shown_ && desk_ ? desk_->marks_D.size() : 0; }  // drawn
   std::vector<vtkActor*> lines() const { return {actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
   const std::vector<Vec3>& extent_mm() const { return corners_mm_; }

@@ -19,13 +19,13 @@ struct DrawnFrame {
   Pose X_WF = Pose::Identity();
   QString name;
   double axis_m = 0.024;
-  bool has_letters = true;  // x, y, z at the axes' ends; else its name stands at the end of z
+  bool has_letters = true;  // x, y, z at the axes' ends; otherwise its name is at the end of z
 };
 
 struct DrawnLink {
   Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();
   bool dashed = false;
-  double strength = 1.0;  // of its colour over the ground's, 0 to 1
+  double strength = 1.0;  // opacity of its colour over the background, 0 to 1
 };
 
 struct DrawnJoint {
@@ -34,13 +34,13 @@ struct DrawnJoint {
   Vec3 axis_W = Vec3::UnitZ();
 };
 
-/// A stylus that nobody holds: a hollow one, of the size of the one that is held.
+/// A stylus that nobody holds: drawn hollow, at the size of the real one.
 struct DrawnStylus {
   Vec3 p_W = Vec3::Zero();      // its tip
   Vec3 axis_W = Vec3::UnitZ();  // from there to the hand, of length 1
 };
 
-/// Words in large type, a line below their place.
+/// Text in large type, one line below its position.
 struct DrawnWords {
   QString text;
   Vec3 p_W = Vec3::Zero();
@@ -57,14 +57,14 @@ struct Drawing {
   }
 };
 
-/// Frames with their letters, links as lines, joints as the rings and squares of drawings of machines, a ghost's
-/// stylus; in the colour of what exists only in software.
+/// Frames with their letters, links as lines, joints as the rings and squares of mechanical drawings, a ghost's stylus;
+/// in the colour of virtual robots.
 class DrawingPicture {
  public:
   DrawingPicture();
   void setTheme(const Theme& theme);
   void setLineWidth(double device_pixels_per_pixel);
-  /// In place of what that owner drew before; empty: nothing more. Numbers that are not finite are left out.
+  /// Replaces what that owner drew before; empty: nothing. Parts with numbers that are not finite are left out.
   void draw(const QString& owner, const Drawing& drawing);
   vtkActor* mark() const { return actor_; }
   const std::vector<Label>& labels() const { return labels_; }

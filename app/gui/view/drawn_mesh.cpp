@@ -17,8 +17,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kSharp_deg = 40.0;  // a surface that turns by more has an edge there
-constexpr int kFinest = 256;         // boxes along the longest side, of which each becomes a corner
+constexpr double kSharp_deg = 40.0;  // a larger angle between faces is an edge
+constexpr int kFinest = 256;         // boxes along the longest side; each becomes a vertex
 constexpr int kCoarsest = 16;
 
 vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
   return data;
 }
 
-/// Corners that are near each other become one, at the place that fits their faces best.
+/// Vertices that are near each other become one, at the point that fits their faces best.
 vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const Watch& watch, std::size_t most) {
   vtkSmartPointer<vtkPolyData> data = fine;
   for (int boxes = kFinest; boxes >= kCoarsest && !watch.isCancelled(); boxes = boxes * 3 / 4) {
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const Watch& watch, std:
     clusters->SetInputData(fine);
     clusters->SetNumberOfDivisions(boxes, boxes, boxes);
     clusters->CopyCellDataOff();
-    // What was closed stays so: a wall that is flat now has both its sides.
+    // What was closed stays closed: a wall that is flat now keeps both its sides.
     clusters->PreventDuplicateCellsOff();
     clusters->Update();
     data = clusters->GetOutput();
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* data) {
   normals->SetInputData(data);
   normals->SetFeatureAngle(kSharp_deg);
   normals->SplittingOn();
-  normals->ConsistencyOff();  // the file's own order was repaired where it was loaded
+  normals->ConsistencyOff();  // the winding was repaired on loading
   normals->Update();
   return normals->GetOutput();
 }
@@ -138,7 +138,7 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
     if (found != kept.end()) return found->second.drawn;
   }
   std::shared_ptr<const DrawnMesh> drawn =
-      make(*surface, watch, most);  // not under the lock: the window may ask for another
+      make(*surface, watch, most);  // not under the lock: the window may request another one
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;

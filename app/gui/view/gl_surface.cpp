@@ -10,7 +10,7 @@
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 
-// What CMake's vtk_module_autoinit() would do for every program that links the room.
+// What vtk_module_autoinit() of CMake would do for every program that links this room.
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace underact::gui {
@@ -19,7 +19,7 @@ QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setOption(QSurfaceFormat::DeprecatedFunctions);  // no forward-compatible context: those refuse wide lines
+  format.setOption(QSurfaceFormat::DeprecatedFunctions);  // no forward-compatible context, which refuses wide lines
   format.setSamples(0);                                   // 4 samples cut the frame rate of software GL to 40 %
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
@@ -29,8 +29,8 @@ QSurfaceFormat surfaceFormat() {
 GlSurface::GlSurface(Before before, Words words, QWidget* parent)
     : QOpenGLWidget(parent), before_(std::move(before)), words_(std::move(words)) {
   setFormat(surfaceFormat());
-  setAttribute(Qt::WA_TransparentForMouseEvents);  // its parent knows what the mouse means
-  renderer_->SetBackgroundAlpha(1.0);              // or the widget blends with the window behind it
+  setAttribute(Qt::WA_TransparentForMouseEvents);  // its parent handles the mouse
+  renderer_->SetBackgroundAlpha(1.0);              // otherwise the widget blends with the window behind it
   renderer_->SetClippingRangeExpansion(0.0);
 }
 
@@ -65,20 +65,20 @@ void GlSurface::initializeGL() {
   context_ends_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlSurface::release);
 }
 
-// The context goes while the picture stays: what VTK keeps on the graphics card is given back, and made anew in the
+// The context goes while the picture stays: VTK's resources on the graphics card are released, and created again in the
 // next context.
 void GlSurface::release() {
   if (window_ == nullptr) return;
   disconnect(context_ends_);
   makeCurrent();
   window_->SetIsCurrent(true);
-  window_->RemoveRenderer(renderer_);  // gives back what its actors hold
+  window_->RemoveRenderer(renderer_);  // releases what its actors hold
   window_->Finalize();
   window_->SetReadyForRendering(false);
   window_ = nullptr;
 }
 
-void GlSurface::resizeGL(int, int) {}  // paintGL asks: a move to another screen changes the scale, not the size
+void GlSurface::resizeGL(int, int) {}  // paintGL asks: a move to another screen may change only the scale
 
 void GlSurface::paintGL() {
   QElapsedTimer clock;
@@ -87,19 +87,19 @@ void GlSurface::paintGL() {
   if (QSize(window_->GetSize()[0], window_->GetSize()[1]) != pixels) window_->SetSize(pixels.width(), pixels.height());
   QOpenGLFunctions* gl = context()->functions();
   window_->SetIsCurrent(true);
-  window_->GetState()->Reset();  // Qt has drawn since
+  window_->GetState()->Reset();  // Qt has drawn meanwhile
   window_->GetState()->Push();
   before_(pixels);
-  // Lines without stairs at a fraction of what samples cost; VTK leaves the switch alone.
+  // Antialiased lines at a fraction of the cost of multisampling; VTK leaves the switch alone.
   if (software_) gl->glEnable(GL_LINE_SMOOTH);
   window_->Render();
   window_->GetState()->Pop();
   if (software_) gl->glDisable(GL_LINE_SMOOTH);
   if (words_) {
     for (const GLenum switched : {GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
-      gl->glDisable(switched);  // QPainter takes them to be off
+      gl->glDisable(switched);  // QPainter assumes that they are off
     }
-    // Not QPainter(this): where a window is grabbed, that one would paint elsewhere.
+    // Not QPainter(this): while a window is grabbed it would paint elsewhere.
     QOpenGLPaintDevice paper(pixels);
     paper.setDevicePixelRatio(devicePixelRatioF());
     QPainter painter(&paper);

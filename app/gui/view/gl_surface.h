@@ -13,18 +13,19 @@ class vtkRenderer;
 
 namespace underact::gui {
 
-/// OpenGL 3.2 core without samples, which VTK and software GL both want. Give it to QSurfaceFormat::setDefaultFormat()
-/// before QApplication is made, so that all of the program's contexts are alike.
+/// OpenGL 3.2 core without multisampling, which both VTK and software GL require. Pass it to
+/// QSurfaceFormat::setDefaultFormat() before QApplication is constructed, so that all contexts of the program are
+/// alike.
 QSurfaceFormat surfaceFormat();
 
-/// A Qt widget that shows one VTK renderer, and words over it that Qt writes (the system's font, crisp at any scale).
-/// Lives on when its context does not: moved to another window, floated, shown again. Draws when update() is called,
-/// and only then.
+/// A Qt widget that shows one VTK renderer, with text drawn over it by Qt (the system's font, crisp at any scale).
+/// Survives the loss of its context: when moved to another window, floated or shown again. Draws only when update() is
+/// called.
 class GlSurface : public QOpenGLWidget {
   Q_OBJECT
  public:
-  /// before: what changes the picture, called before each one with the context current; its sizes are device pixels.
-  /// words: paints over the picture, in logical pixels.
+  /// before: called before each frame with the context current, to change the picture; sizes in device pixels. words:
+  /// paints over the picture, in logical pixels.
   using Before = std::function<void(QSize device_pixels)>;
   using Words = std::function<void(QPainter&)>;
   GlSurface(Before before, Words words, QWidget* parent);
@@ -32,11 +33,11 @@ class GlSurface : public QOpenGLWidget {
 
   vtkRenderer& renderer() { return *renderer_; }
   void setBackground(const QColor& colour);
-  /// Whether the processor draws; known after the first picture.
+  /// The name of the GL renderer; known after the first frame.
   QString rendererName() const { return renderer_name_; }
   QImage picture();
   qint64 framesDrawn() const { return frames_; }
-  /// GL errors since the widget was made: none, or something is wrong.
+  /// GL errors since construction; should be 0.
   int errors() const { return errors_; }
 
  signals:

@@ -10,7 +10,7 @@ Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObjec
   if (arm_ == nullptr) return;
   connect(view_, &SceneView::handGrabbed, this, [this] {
     moving_ = true;
-    view_->setHandWish(arm_->wished());  // from where the hand is, not from where contact has left the tip
+    view_->setHandWish(arm_->wished());  // starts at the hand, not at the tip, which contact holds back
   });
   connect(view_, &SceneView::handMoved, this, [this](const sim::HandWish& wish) {
     moving_ = true;  // the keys move it without grabbing
@@ -49,7 +49,7 @@ void Hand::moveTo(const sim::HandWish& wish) {
   if (!isThere()) return;
   moving_ = true;
   arm_->wish(wish);
-  view_->setHandWish(wish);  // a drag goes on from there
+  view_->setHandWish(wish);  // a drag continues from there
 }
 
 void Hand::press(unsigned stylus_buttons) {
@@ -57,8 +57,8 @@ void Hand::press(unsigned stylus_buttons) {
 }
 
 void Hand::showHint() {
-  // One line at a time: what went wrong goes before it.
-  view_->setHint(replaying_ && !faulted_ ? tr("Replaying: forces go to no arm.") : QString());
+  // One line at a time: a fault takes precedence.
+  view_->setHint(replaying_ && !faulted_ ? tr("Replay: no force is sent to the arm.") : QString());
 }
 
 }  // namespace underact::gui

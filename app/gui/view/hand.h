@@ -13,24 +13,24 @@ namespace underact::gui {
 
 class SceneView;
 
-/// Hands what the mouse and the keys do in the view on to the simulated hand.
+/// Passes mouse and key input of the view on to the simulated hand.
 class Hand : public QObject {
   Q_OBJECT
  public:
-  /// arm: null where a real one is there; then nothing can be grabbed.
+  /// arm: null for a real arm; then nothing can be grabbed.
   Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent);
-  ~Hand() override;  // lets go of the stylus' buttons
+  ~Hand() override;  // releases the stylus buttons
   void present(const servo::Snapshot& snapshot);
-  /// While a recording moves the stylus nobody else does.
+  /// While a replay moves the stylus, input is ignored.
   void setReplaying(bool on);
-  /// While another arm is in the simulated one's place.
+  /// While another arm replaces the simulated one.
   void setAbsent(bool on);
-  /// Somebody moves it just now.
+  /// Whether the hand is being moved now.
   bool moves() const { return moving_; }
 
-  /// The arm, while a hand may move it; else null.
+  /// The arm, while a hand may move it; otherwise null.
   const device::SimulatedArm* arm() const { return isThere() ? arm_ : nullptr; }
-  /// A hand that is not the view's wants the stylus there, and holds these of its buttons.
+  /// Another hand than the view's moves the stylus there and presses these buttons.
   void moveTo(const sim::HandWish& wish);
   void rest() { moving_ = false; }
   void press(unsigned stylus_buttons);

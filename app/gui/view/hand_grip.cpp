@@ -79,7 +79,7 @@ void HandGrip::turnStep(const OrbitCamera& camera, const Mat3& R_WT, const Vec3&
 
 void HandGrip::turnAbout(const Vec3& axis_W, double angle_rad) {
   const Mat3 turned = Eigen::AngleAxisd(angle_rad, axis_W) * wish_.R_WT;
-  wish_.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small turns stay a rotation
+  wish_.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small rotations stay orthonormal
   wish_.turns = true;
 }
 

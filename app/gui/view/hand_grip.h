@@ -7,14 +7,14 @@
 
 namespace underact::gui {
 
-/// Where the hand is wished, and how mouse and keys move it. Relative to the last wish, not to the tip: in contact the
-/// tip lags behind, and a hand that followed it would give way.
+/// The commanded position of the hand, and how mouse and keys move it: relative to the last command, not to the tip. In
+/// contact the tip lags behind, and a hand that followed it would yield.
 class HandGrip {
  public:
-  /// The hand is elsewhere: it was moved by a script, or there is another arm.
+  /// The hand is elsewhere: a script moved it, or the arm was changed.
   void set(const sim::HandWish& wish);
   void forget() { known_ = false; }
-  /// Takes hold: of the last wish, else of the stylus where it is.
+  /// Starts a grip: at the last command, otherwise at the current pose of the stylus.
   void take(const Pose& X_WT);
   const sim::HandWish& wish() const { return wish_; }
 
@@ -22,11 +22,11 @@ class HandGrip {
   void drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way);
   /// Away from the eye, m.
   void deepen(const OrbitCamera& camera, double way_m);
-  /// About the screen's own axes; way in pixels, one degree for two. R_WT: of the stylus, where no wish has turned it
+  /// About the axes of the screen; way in pixels, one degree for two. R_WT: of the stylus, if no command has rotated it
   /// yet.
   void turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way);
 
-  /// Steps along the axes of W that are nearest to the screen's: right, up, away, each -1, 0 or 1.
+  /// Steps along the axes of W nearest to those of the screen: right, up, away, each -1, 0 or 1.
   void step(const OrbitCamera& camera, const Vec3& right_up_away, double length_m);
   void turnStep(const OrbitCamera& camera, const Mat3& R_WT, const Vec3& right_up_away, double angle_rad);
 

@@ -16,7 +16,7 @@ constexpr double kTip_mm = HandPicture::kTip_mm, kNeck_mm = HandPicture::kNeck_m
 constexpr double kLink_mm = 1.2, kJoint_mm = 2.6;
 constexpr double kTarget_mm = 4.6;
 constexpr double kShaft_mm = 1.1, kHead_mm = 3.2, kHeadLength_mm = 9.0, kBar_mm = 6.5, kBarThick_mm = 1.1;
-constexpr double kLeastForce_N = 0.005;  // what the gauge rounds to nothing
+constexpr double kLeastForce_N = 0.005;  // what the gauge rounds to zero
 constexpr double kRing_px = 17.0;
 
 vtkSmartPointer<vtkPolyData> stylusSurface() {
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> stylusSurface() {
   return turned(profile, 28);
 }
 
-/// Shaded little: where a colour means something, it must be that colour from every side.
+/// Little shading: a colour with a meaning must look the same from every side.
 void showMeaning(vtkActor& actor) {
   actor.GetProperty()->SetAmbient(0.8);
   actor.GetProperty()->SetDiffuse(0.22);
@@ -185,7 +185,7 @@ void HandPicture::update(const OrbitCamera& camera, const QSizeF& size) {
   mark_.clear();
   const Vec3 eye_mm = camera.eye_mm(), tip_mm = kMillimetrePerMetre * X_WT_.translation();
   if (known_) {
-    // A shaded surface ends in stairs without samples; a smooth line of its own colour along its outline hides them.
+    // Without multisampling the edge of a shaded surface is jagged; a smooth line of its own colour hides that.
     const QColor ink = theme_.dark ? mixed(theme_.ink, theme_.background, 0.2) : theme_.ink;
     const Vec3 z_W = X_WT_.linear().col(2);
     const Vec3 taper_mm = tip_mm + kTaper_mm * z_W, end_mm = tip_mm + (kEnd_mm - kBody_mm) * z_W;
@@ -207,7 +207,7 @@ void HandPicture::update(const OrbitCamera& camera, const QSizeF& size) {
       const double head_radius_mm = kHead_mm * (force_end_mm_ - head_mm_).norm() / kHeadLength_mm;
       outlines_.sides(eye_mm, tip_mm, head_mm_, kShaft_mm, kShaft_mm, colour);
       outlines_.sides(eye_mm, head_mm_, force_end_mm_, head_radius_mm, 0.0, colour);
-      // The bar lies across the arrow and across the line of sight, so that it is a bar from wherever one looks.
+      // The bar is perpendicular to the arrow and to the line of sight, so that it is visible from every direction.
       Vec3 across = (force_end_mm_ - tip_mm).cross(eye_mm - force_end_mm_);
       across = across.norm() > 1e-6 ? Vec3(across.normalized()) : camera.right_W();
       place(*bar_, along(force_end_mm_ - kBar_mm * across, force_end_mm_ + kBar_mm * across, kBarThick_mm));

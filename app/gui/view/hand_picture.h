@@ -26,9 +26,9 @@ class HandPicture {
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool arm, bool target, bool force);
 
-  /// What the arm did this tick. Joint angles that are not finite: the last place stays.
+  /// The state of the arm in this tick. Joint angles that are not finite: the last pose stays.
   void present(const servo::Snapshot& snapshot);
-  /// Outlines and marks as the camera sees them. size: of the picture, logical pixels.
+  /// Outlines and markers as seen by the camera. size: of the picture, logical pixels.
   void update(const OrbitCamera& camera, const QSizeF& size);
 
   bool known() const { return known_; }  // a pose has come

@@ -13,8 +13,8 @@
 namespace underact::gui {
 
 /// Thesis figure 5.8, live: of each influenced constraint the orientation- and the position-nearest point (rings o and
-/// p), the arc from one to the other, stronger as far as the target has gone, and the tangent there. A function of the
-/// tick's report and the theme.
+/// p), the arc from one to the other, stronger up to the target, and the tangent there. A function of the tick's report
+/// and the theme.
 class InfluencePicture {
  public:
   InfluencePicture();
@@ -26,7 +26,7 @@ class InfluencePicture {
   void update(const OrbitCamera& camera, const QSizeF& size);
 
   std::vector<vtkActor*> lines() const { return {thin_actor_, bold_actor_}; }
-  vtkActor* rings() const { return ring_actor_; }  // nothing hides them
+  vtkActor* rings() const { return ring_actor_; }  // drawn over everything
   const std::vector<Label>& labels() const { return labels_; }
   bool isSeen() const { return shown_ && !drawn_.empty(); }
 

@@ -21,8 +21,8 @@ constexpr std::array<double, 6> kAxis_mm{30.0, 24.0, 24.0, 30.0, 24.0, 18.0};
 constexpr double kBeyond_mm = 5.0;   // of a label
 constexpr double kFacing_mm = 18.0;  // a ghost's turret: the way it faces
 constexpr double kBend_mm = 14.0;    // a ghost's wrist: its axis 5
-constexpr double kDash_mm = 5.0;     // and as long a gap
-constexpr double kHollow_mm = 3.6;   // the joints of the ghost that stands out
+constexpr double kDash_mm = 5.0;     // and as long as a gap
+constexpr double kHollow_mm = 3.6;   // the joints of the highlighted ghost
 constexpr double kStylus_mm = 84.0;
 constexpr double kNumber_mm = 16.0;  // of a ghost's number from its elbow
 constexpr double kSamePlace_mm = 0.5;
@@ -130,7 +130,7 @@ void KinematicsPicture::addFrames() {
       const Vec3 direction = frames[index].linear().col(static_cast<Eigen::Index>(axis));
       frame_.segment(origin_mm, origin_mm + kAxis_mm[index] * direction, colours[axis]);
     }
-    const Vec3 z_W = frames[index].linear().col(2);  // the joint turns about it
+    const Vec3 z_W = frames[index].linear().col(2);  // the axis of the joint
     // Frame 6 stands in the stylus, along it: its name at the stylus' end.
     const double name_mm = kBeyond_mm + (index == 5 ? kStylus_mm : kAxis_mm[index]);
     labels_.push_back({QString("{%1}").arg(index + 1), origin_mm + name_mm * z_W, theme_.ink, true});
@@ -138,7 +138,7 @@ void KinematicsPicture::addFrames() {
 }
 
 void KinematicsPicture::addGhosts() {
-  // What lies outside the limits first, so that a line that is both is seen as a whole one.
+  // Solutions outside the limits first, so that a line shared with one inside is drawn solid.
   for (const bool within : {false, true}) {
     for (const arm::Solution& solution : solutions_) {
       if (solution.within_limits == within) addGhost(solution);
@@ -162,7 +162,7 @@ void KinematicsPicture::addGhost(const arm::Solution& solution) {
   }
 }
 
-// The eight have two elbows between them: a turret that faces away reaches the same place with the other elbow.
+// The eight share two elbows: a turret that faces away reaches the same position with the other elbow.
 void KinematicsPicture::addElbowNumbers() {
   std::vector<Vec3> elbows_mm;
   std::vector<QStringList> numbers;

@@ -16,14 +16,14 @@
 
 namespace underact::gui {
 
-/// For teaching: the link frames, the inverse solutions as ghosts of the arm, and the ellipsoids that a ball of joint
-/// turns and one of joint torques become at the tip. A function of the arm, its joints, the chosen solution and the
-/// theme. All in lines: a see-through surface halves the frame rate of software GL.
+/// For teaching: the link frames, the inverse solutions as ghosts of the arm, and the ellipsoids at the tip to which a
+/// ball of joint rotations and one of joint torques map. A function of the arm, its joints, the chosen solution and the
+/// theme. Lines only: a translucent surface halves the frame rate of software GL.
 class KinematicsPicture {
  public:
-  static constexpr double kTurn_rad = 0.25;     // motion ellipsoid: where the tip gets to by so much joint turn
-  static constexpr double kTorque_N_m = 0.05;   // force ellipsoid: the forces of so much torque, drawn as the arrow is
-  static constexpr double kLongest_mm = 160.0;  // at a singularity the force ellipsoid has no end: cut here
+  static constexpr double kTurn_rad = 0.25;    // motion ellipsoid: displacement of the tip for this joint rotation
+  static constexpr double kTorque_N_m = 0.05;  // force ellipsoid: the forces for this torque, at the scale of the arrow
+  static constexpr double kLongest_mm = 160.0;  // at a singularity the force ellipsoid is unbounded: cut here
 
   KinematicsPicture();
   void setTheme(const Theme& theme);
@@ -31,16 +31,16 @@ class KinematicsPicture {
   void setForceLimit(double continuous_N) { force_limit_N_ = continuous_N; }
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool link_frames, bool ghosts, bool motion_ellipsoid, bool force_ellipsoid);
-  /// The solution that stands out, and how far its ghost has come from where the arm is: share 0 to 1.
+  /// The highlighted solution, and the progress of its ghost from the current configuration: share 0 to 1.
   void choose(const std::optional<arm::Branch>& branch) { chosen_ = branch; }
   void setShare(double share) { share_ = share; }
   /// Angles that are not finite: the last ones stay.
   void present(const arm::JointAngles& q_rad);
-  /// As the camera sees it; builds lines and labels.
+  /// As seen by the camera; builds lines and labels.
   void update(const OrbitCamera& camera);
 
   std::vector<vtkActor*> lines() const { return {thin_actor_}; }
-  // Link frames, whose axes lie in the links and in the stylus, and the ghost that stands out: nothing hides them.
+  // Link frames, whose axes lie in the links and in the stylus, and the highlighted ghost: drawn over everything.
   std::vector<vtkActor*> marks() const { return {frame_actor_, mark_actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
   std::vector<Vec3> extent_mm() const;

@@ -12,8 +12,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kBody = 0.62;  // opacity: a body, and yet the stylus is seen in it
-constexpr double kFace = 0.35;  // of the constraint's colour in the cut's face: apart from the body, and flat
+constexpr double kBody = 0.62;  // opacity: solid, and yet the stylus inside is visible
+constexpr double kFace = 0.35;  // of the constraint's colour in the section: flat, and distinct from the body
 constexpr double kInner = 0.6;  // brightness of the side that only a hole or a cut shows
 
 /// What scene::compile() makes of it.

@@ -16,10 +16,10 @@
 
 namespace underact::gui {
 
-/// The meshes of a scene: bodies that one can just see through, so that a stylus inside is seen, with their sharp
-/// edges; on demand the edges of all triangles, and a cut across an axis, whose side nearer to the eye is hidden, and
-/// whose face is filled where a mesh is closed; and where the stylus touches, a patch on the surface. mm, in W. A mesh
-/// that moves is only placed anew.
+/// The meshes of a scene: slightly translucent bodies, so that a stylus inside is visible, with their sharp edges; on
+/// demand the edges of all triangles, and a cut across an axis, which hides the side nearer to the eye and fills the
+/// section of a closed mesh; and a patch on the surface at each contact. mm, in W. A mesh that moves only gets a new
+/// placement.
 class MeshPicture {
  public:
   MeshPicture();
@@ -27,7 +27,7 @@ class MeshPicture {
   void setTheme(const Theme& theme);
   void show(const Layers& layers);
   void present(const tick::TickReport& report);
-  /// The cut as the eye sees it. Each frame: what has not moved is not cut again.
+  /// The cut as seen by the eye. Each frame: what has not moved is not cut again.
   void update(const Vec3& eye_mm);
   void setLineWidth(double device_pixels_per_pixel);
 
@@ -71,7 +71,7 @@ class MeshPicture {
   vtkSmartPointer<vtkPlane> section_;
   SectionCap cap_;
   vtkSmartPointer<vtkActor> face_actor_, outline_actor_;
-  bool cut_is_old_ = true;  // other meshes, or elsewhere
+  bool cut_is_old_ = true;  // the meshes or the plane have changed
   int cut_axis_ = 2;        // of the last one
   double cut_at_mm_ = 0.0;
   std::size_t cuts_ = 0;

@@ -71,7 +71,7 @@ OrbitCamera zoomed(OrbitCamera camera, const QSizeF& size, const QPointF& pointe
 OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3> points_mm, const QMarginsF& room) {
   if (points_mm.empty() || size.isEmpty()) return camera;
   const Vec3 right_W = camera.right_W(), up_W = camera.up_W(), back_W = camera.back_W();
-  // The slopes of the four planes through the eye that bound the picture; a narrow one gives its margins up first.
+  // The slopes of the four planes through the eye that bound the picture; a narrow picture gives up its margins first.
   const double aspect = size.width() / size.height();
   const auto side = [](double margin, double length) { return slope(std::max(1.0 - 2.0 * margin / length, 0.3)); };
   const double to_right = aspect * side(room.right(), size.width()), to_left = aspect * side(room.left(), size.width());

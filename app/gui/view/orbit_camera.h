@@ -8,8 +8,8 @@
 
 namespace underact::gui {
 
-/// A camera that goes around a point with y of W up, or that of a desk D on which the arm stands turned: no roll, so
-/// that "up" on the screen never surprises. Lengths in mm, as drawn.
+/// A camera that orbits a point with y of W up, or y of the desk D if the arm stands rotated on it: no roll, so that
+/// "up" on the screen is always up. Lengths in mm, as drawn.
 struct OrbitCamera {
   Vec3 focus_mm = Vec3::Zero();
   double distance_mm = 700.0;
@@ -17,7 +17,7 @@ struct OrbitCamera {
   double elevation_rad = 0.0;    // positive: from above
   Mat3 R_WD = Mat3::Identity();  // the frame that front, right and up are of
 
-  static constexpr double kViewAngle_rad = 0.42;  // of the height: modest, so that little is distorted
+  static constexpr double kViewAngle_rad = 0.42;  // of the height: small, for little distortion
 
   bool operator==(const OrbitCamera&) const = default;
   Vec3 right_W() const;
@@ -37,15 +37,15 @@ OnScreen project(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_mm
 /// How long one pixel is at a depth, mm.
 double pixelLength_mm(const QSizeF& size, double depth_mm);
 
-/// dx, dy in pixels, as the mouse went. Turns half around over the height.
+/// dx, dy in pixels, as the mouse moved. The full height is half a turn.
 OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& way);
-/// What lies in the focus' plane follows the pointer.
+/// Points in the focal plane follow the pointer.
 OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& way);
-/// factor < 1: nearer. What lies under the pointer in the focus' plane stays there.
+/// factor < 1: nearer. The point under the pointer in the focal plane stays there.
 OrbitCamera zoomed(OrbitCamera camera, const QSizeF& size, const QPointF& pointer, double factor);
-/// All points inside the picture, with room (pixels) left for words at its sides; the direction stays.
+/// Shows all points, with margins (pixels) for text; the direction stays.
 OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3> points_mm, const QMarginsF& room);
-/// The way from a to b, at share 0 to 1; the azimuth takes the shorter way round.
+/// Interpolates from a to b, share 0 to 1; the azimuth takes the shorter way round.
 OrbitCamera between(const OrbitCamera& a, const OrbitCamera& b, double share);
 
 }  // namespace underact::gui

@@ -10,8 +10,8 @@
 
 namespace underact::gui {
 
-/// Where the tip of a recording went: a line from quiet, where nothing pushed, over the colour of forces to that of a
-/// limit, at the arm's continuous force.
+/// The path of the tip in a recording: a line whose colour goes from grey, without force, over that of forces to that
+/// of a limit, at the arm's continuous force.
 class PathPicture {
  public:
   PathPicture();
@@ -21,7 +21,7 @@ class PathPicture {
   void show(bool shown);
   /// Points that are not finite break the line.
   void setPath(std::vector<PathPoint> path);
-  std::size_t parts() const { return shown_ ? parts_ : 0; }  // of the line that is drawn
+  std::size_t parts() const { return shown_ ? parts_ : 0; }  // of the line, as drawn
   std::vector<vtkActor*> lines() const { return {actor_}; }
 
  private:

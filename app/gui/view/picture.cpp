@@ -14,7 +14,7 @@ namespace underact::gui {
 namespace {
 
 constexpr QSize kSize(1280, 960);
-constexpr int kFiner = 4;           // a small picture is drawn so much larger first: smooth edges on any machine
+constexpr int kFiner = 4;           // a small picture is first drawn this much larger: smooth edges on any machine
 constexpr int kPictureMargin = 16;  // around what is drawn, then
 
 Result<QImage> pictureOf(const std::string& scene_file, QSize size, const Theme& theme, bool with_words) {
@@ -36,7 +36,7 @@ Result<QImage> pictureOf(const std::string& scene_file, QSize size, const Theme&
   return view.picture();
 }
 
-/// The part where something is drawn, with the sides of the small picture.
+/// The part that is not empty, in the proportions of the small picture.
 QImage cropped(const QImage& image) {
   const QRgb ground = image.pixel(0, 0);
   QRect drawn;

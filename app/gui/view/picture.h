@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-/// How large the pictures in the list of scenes are.
+/// The size of the pictures in the list of scenes.
 inline constexpr QSize kSmallPicture(160, 120);
 
 /// A scene as the list shows it: the shape and the stylus, without words. Problems: of the file.

@@ -51,8 +51,8 @@ class SeeThroughMapper : public vtkOpenGLPolyDataMapper {
 };
 vtkStandardNewMacro(SeeThroughMapper);
 
-/// First the depth alone, then the colour of what is nearest: so no layer is seen through another. A little further
-/// away than it is, so that lines on it are in front of it.
+/// First the depth alone, then the colour of what is nearest, so that no layer shows through another. Offset slightly
+/// away from the eye, so that lines on the surface stay in front.
 class BodyMapper : public vtkOpenGLPolyDataMapper {
  public:
   static BodyMapper* New();
@@ -66,7 +66,7 @@ class BodyMapper : public vtkOpenGLPolyDataMapper {
     gl->glPolygonOffset(1.0F, 2.0F);
     GLint compare = GL_LEQUAL;
     gl->glGetIntegerv(GL_DEPTH_FUNC, &compare);
-    gl->glDepthFunc(GL_LEQUAL);  // Qt may have left it where equal depths do not pass
+    gl->glDepthFunc(GL_LEQUAL);  // Qt may have left it at a function that rejects equal depths
     state->vtkglColorMask(kNo, kNo, kNo, kNo);
     vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
     state->vtkglColorMask(kYes, kYes, kYes, kYes);
@@ -115,8 +115,8 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
   }
   mapper->SetInputData(data);
   actor->SetMapper(mapper);
-  // Drawn with the opaque things, in the order they were added: VTK's own way with translucent ones takes a second
-  // picture of floats, and halves the frame rate of software GL.
+  // Drawn with the opaque actors, in the order of addition: VTK's own handling of translucency uses a second
+  // floating-point buffer and halves the frame rate of software GL.
   actor->ForceOpaqueOn();
   vtkProperty& look = *actor->GetProperty();
   look.SetInterpolationToGouraud();
@@ -223,7 +223,7 @@ void Lines::circle(const Vec3& center_mm, const Vec3& u, const Vec3& v, double r
 void Lines::outline(const Vec3& eye_mm, const Vec3& center_mm, double radius_mm, const QColor& colour) {
   const Vec3 way_mm = eye_mm - center_mm;
   const double share = radius_mm / std::max(way_mm.norm(), 1e-9);
-  if (share >= 1.0) return;  // from within there is none
+  if (share >= 1.0) return;  // none from inside
   const Vec3 axis = way_mm.normalized(), u = anyAcross(axis);
   circle(center_mm + radius_mm * share * axis, u, axis.cross(u), radius_mm * std::sqrt(1.0 - share * share), colour);
 }
@@ -255,7 +255,7 @@ vtkSmartPointer<vtkPolyData> turned(std::span<const Ring> profile, int sectors) 
   const vtkNew<vtkCellArray> cells;
   for (std::size_t strip = 0; strip + 1 < profile.size(); ++strip) {
     const Ring lower = profile[strip], upper = profile[strip + 1];
-    // A rounded part is meant where the slope changes little: there both strips share the mean normal.
+    // A small change of slope means a rounded part: there both strips share the mean normal.
     const auto slopeOf = [&](std::size_t index) {
       const Eigen::Vector2d way(profile[index + 1].radius - profile[index].radius,
                                 profile[index + 1].z - profile[index].z);

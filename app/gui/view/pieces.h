@@ -15,15 +15,15 @@ class vtkUnsignedCharArray;
 
 namespace underact::gui {
 
-// What pictures are made of: solids, tints and lines; each an actor, a few of them in all, since each one costs.
+// The elements of pictures: solids, tints and lines. Each is an actor; only a few in all, since each one costs time.
 
 /// How an actor is drawn. Solid: hides what is behind it. Tint: colours what is behind it, its near side only. Body:
-/// colours what is behind it, too, and hides what is drawn after it; of a surface of any form only what is nearest to
-/// the eye, from outside and from inside. Line: smooth, and writes no depth, so that lines that meet leave no gaps.
-/// Mark: a line that nothing hides.
+/// tints, too, but hides what is drawn after it; of a surface of any form only the part nearest to the eye is drawn,
+/// from outside and from inside. Line: antialiased, and writes no depth, so that lines that meet leave no gaps. Mark: a
+/// line that nothing hides.
 enum class Kind { Solid, Tint, Body, Line, Mark };
 
-/// An actor that draws data. Add solids first, then lines, then tints: see-through things come over what is behind
+/// An actor that draws data. Add solids first, then lines, then tints: translucent things are drawn over what is behind
 /// them.
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind);
 void setColour(vtkActor& actor, const QColor& colour);
@@ -32,7 +32,7 @@ void place(vtkActor& actor, const Eigen::Matrix4d& X);
 Eigen::Matrix4d along(const Vec3& a_mm, const Vec3& b_mm, double radius_mm);
 Eigen::Matrix4d at(const Vec3& p_mm, double scale);
 
-/// Lines, each point with its own colour: filled in anew as often as need be.
+/// Lines, each point with its own colour; can be rebuilt at any time.
 class Lines {
  public:
   Lines();
@@ -42,12 +42,12 @@ class Lines {
   void chain(std::span<const Vec3> points_mm, const QColor& colour, bool closed);
   /// center + radius (cos u + sin v).
   void circle(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm, const QColor& colour);
-  /// The outline that a sphere shows to an eye outside it, and the two sides that a round rod from a to b shows (a
-  /// cylinder; a slender cone nearly so).
+  /// The outline of a sphere seen from outside, and the two sides of a round rod from a to b (exact for a cylinder,
+  /// close for a slender cone).
   void outline(const Vec3& eye_mm, const Vec3& center_mm, double radius_mm, const QColor& colour);
   void sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double a_radius_mm, double b_radius_mm,
              const QColor& colour);
-  void done();  // what was filled in is to be drawn
+  void done();  // after the last line: draw them
 
  private:
   vtkSmartPointer<vtkPolyData> data_;
@@ -56,7 +56,7 @@ class Lines {
   vtkSmartPointer<vtkUnsignedCharArray> colours_;
 };
 
-/// A surface turned around z: (radius, z) from bottom to top.
+/// A surface of revolution about z: (radius, z) from bottom to top.
 struct Ring {
   double radius = 0.0;
   double z = 0.0;
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> unitTube(int sectors, bool closed);
 vtkSmartPointer<vtkPolyData> unitCube();  // edges of length 1 about 0
 vtkSmartPointer<vtkPolyData> polygon(std::span<const Vec3> points_mm, const Vec3& normal);
 
-/// The 12 edges of a box that X places.
+/// The 12 edges of a box placed by X.
 void addBoxEdges(Lines& lines, const Vec3& half_mm, const Vec3& center_mm, const Mat3& R, const QColor& colour);
 
 }  // namespace underact::gui

@@ -14,11 +14,11 @@ using chain::JointType;
 
 constexpr double kSamePlace_m = 1e-4;
 
-/// Where each joint stands at home.
+/// The point of each joint in the home pose.
 std::vector<Vec3> placesAtHome(const chain::Chain& chain) {
   std::vector<Vec3> places(chain.joints.size());
   Vec3 next_W = chain.X_WT_home.translation();
-  std::vector<Vec3> after(chain.joints.size());  // the next point that the chain itself gives
+  std::vector<Vec3> after(chain.joints.size());  // the next point that the chain defines
   for (std::size_t back = chain.joints.size(); back-- > 0;) {
     after[back] = next_W;
     if (chain.joints[back].type == JointType::Revolute) next_W = chain.joints[back].p_WJ;

@@ -14,9 +14,9 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRobotJoint_mm = 4.2, kLeastJoint_mm = 2.6;  // its radius: that of a small robot is smaller
+constexpr double kRobotJoint_mm = 4.2, kLeastJoint_mm = 2.6;  // its radius; smaller for a small robot
 constexpr double kOfReach = 0.07;
-constexpr double kCrossing = 0.72;  // a joint that crosses another is so much smaller
+constexpr double kCrossing = 0.72;  // a joint that intersects another is this much smaller
 constexpr double kZ_mm = 16.0, kFrame_mm = 14.0, kAxisHead_mm = 3.0;
 constexpr double kMomentRadius_mm = 17.0;
 constexpr double kLeastMoment_N_mm = 2.0;
@@ -26,7 +26,7 @@ Vec3 millimetresOf(const Vec3& p_W) {
   return kMillimetrePerMetre * p_W;
 }
 
-/// A direction across `axis`, as much as it can be towards `wish`.
+/// The direction perpendicular to `axis` that is nearest to `wish`.
 Vec3 acrossTowards(const Vec3& axis, const Vec3& wish) {
   const Vec3 across = wish - wish.dot(axis) * axis;
   return across.norm() > 1e-3 ? Vec3(across.normalized()) : axis.unitOrthogonal();
@@ -43,7 +43,7 @@ void addArrow(Lines& lines, const Vec3& from_mm, const Vec3& to_mm, const Vec3& 
 /// From rim to rim: hollow joints are not crossed out.
 void addLink(Lines& lines, const Vec3& a_mm, double a_rim_mm, const Vec3& b_mm, double b_rim_mm, const QColor& colour) {
   const Vec3 way_mm = b_mm - a_mm;
-  if (way_mm.norm() <= a_rim_mm + b_rim_mm) return;  // axes that cross: there is no link to be seen
+  if (way_mm.norm() <= a_rim_mm + b_rim_mm) return;  // intersecting axes: no link is visible
   const Vec3 way = way_mm.normalized();
   lines.segment(a_mm + a_rim_mm * way, b_mm - b_rim_mm * way, colour);
 }
@@ -66,7 +66,7 @@ void RobotPicture::setScene(const scene::Description& scene) {
     const auto* made = std::get_if<manipulator::Manipulator>(&program.value().entries[index].constraint.goal);
     if (made == nullptr) continue;
     Robot robot{index, *made, manipulator::allowed(*made, {}), Vec3::Zero()};
-    for (const Robot& old : before) {  // edited: it goes on from where it is until the servo says more
+    for (const Robot& old : before) {  // edited: it keeps its pose until the servo reports a new one
       const bool alike = old.manipulator.chain.joints.size() == made->chain.joints.size();
       if (old.index == index && alike) robot.theta = manipulator::allowed(*made, old.theta);
     }
@@ -170,7 +170,7 @@ void RobotPicture::addSpring(const JointFigure& joint, double size_mm) {
   thin_.chain(points, theme_.virtual_robot, false);
 }
 
-/// The ground, as drawings of machines mark it: a bar under the first joint, with hairs, across the view.
+/// The ground, as mechanical drawings mark it: a bar under the first joint, hatched, across the view.
 void RobotPicture::addBase(const Vec3& p_mm, double size_mm, const Vec3& right_W) {
   constexpr int kHairs = 5;
   const Vec3 foot_mm = p_mm - 2.6 * size_mm * Vec3::UnitY();
@@ -204,7 +204,7 @@ void RobotPicture::addTip(const Robot& robot, const Pose& X_WV, const OrbitCamer
 void RobotPicture::addWays(const Robot& robot, const Vec3& tip_mm, const OrbitCamera& camera) {
   const QColor colour = mixed(theme_.virtual_robot, theme_.ink, 0.25);
   const Freedom freedom = freedomOf(robot.manipulator, robot.theta);
-  if (freedom.rank == 3) {  // every way: a ball
+  if (freedom.rank == 3) {  // all directions: a ball
     thin_.circle(tip_mm, camera.right_W(), camera.up_W(), 0.5 * kWay_mm, colour);
     return;
   }
@@ -218,7 +218,7 @@ void RobotPicture::addWays(const Robot& robot, const Vec3& tip_mm, const OrbitCa
   }
 }
 
-/// Dashed, in the force's colour: it belongs to the force, and the arm has no motor for it.
+/// Dashed, in the force's colour: it belongs to the force, but the arm has no motor for it.
 void RobotPicture::addMoment(const Vec3& moment_W, const OrbitCamera& camera) {
   const double size_N_mm = kMillimetrePerMetre * moment_W.norm();
   if (!(size_N_mm >= kLeastMoment_N_mm)) return;

@@ -14,12 +14,12 @@
 
 namespace underact::gui {
 
-/// The virtual manipulators of a scene at the joints of the tick that is shown: hollow joints, links, base and tip V,
-/// the ways the tip can go, and the moment that is never sent. Before the first tick, and until the servo has taken up
-/// an edited chain, a robot stands at home. All in lines.
+/// The virtual robots of a scene in the tick shown: hollow joints, links, base and end effector V, the directions in
+/// which V can move, and the moment that is never sent. Before the first tick, and until the servo has taken up an
+/// edited chain, a robot is in its home pose. Lines only.
 class RobotPicture {
  public:
-  static constexpr double kWay_mm = 15.0;              // the ways the tip can go: half their length
+  static constexpr double kWay_mm = 15.0;              // the directions in which V can move: half their length
   static constexpr double kArc_rad_per_N_mm = 0.0175;  // the moment's arc: a degree for each N mm,
   static constexpr double kLongestArc_rad = 5.24;      // at most 300 of them
 
@@ -29,12 +29,12 @@ class RobotPicture {
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool robots) { show_ = robots; }
   void present(const servo::Snapshot& snapshot);
-  /// As the camera sees it; builds lines and labels.
+  /// As seen by the camera; builds lines and labels.
   void update(const OrbitCamera& camera);
 
   std::vector<vtkActor*> lines() const { return {thin_actor_, thick_actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
-  /// Tips and joints as they stand.
+  /// End effectors and joints in their current pose.
   std::vector<Vec3> extent_mm() const;
   std::size_t robotsDrawn() const { return show_ ? robots_.size() : 0; }
 
@@ -56,7 +56,7 @@ class RobotPicture {
   Theme theme_ = Theme::light();
   bool show_ = true;
   std::vector<Robot> robots_;
-  bool known_ = false;  // a tick has come
+  bool known_ = false;  // a tick has arrived
   Vec3 p_WT_ = Vec3::Zero();
   Lines thin_, thick_;
   vtkSmartPointer<vtkActor> thin_actor_, thick_actor_;

@@ -15,7 +15,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<
   speakAs(this, QAccessible::Canvas);
   setObjectName(QStringLiteral("view.scene"));
   setAccessibleName(tr("3D view"));
-  setAccessibleDescription(tr("What the stylus is held to, the stylus and the force on it. Arrow keys move the hand."));
+  setAccessibleDescription(tr("The constraint, the stylus and the force on it. The arrow keys move the hand."));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(160, 120);
@@ -54,7 +54,7 @@ void SceneView::followEdit(const scene::Description& scene) {
   const scene::Change change = scene::changeBetween(impl_->scene, scene);
   if (change == scene::Change::Gains) return;
   const bool is_mine = std::exchange(impl_->camera_is_mine, impl_->camera_is_mine && change == scene::Change::Scene);
-  setScene(scene);  // what only moves a little does not move the camera
+  setScene(scene);  // small changes do not move the camera
   impl_->camera_is_mine = is_mine;
 }
 
@@ -105,7 +105,7 @@ bool SceneView::showsSecond() const {
 void SceneView::setDesk(const std::optional<Desk>& desk) {
   impl_->desk.setDesk(desk);
   impl_->turnToDesk();
-  if (impl_->camera_is_mine) impl_->moveTo(impl_->fitted(impl_->wanted()));  // the marks are to be seen
+  if (impl_->camera_is_mine) impl_->moveTo(impl_->fitted(impl_->wanted()));  // so that the reference points are visible
   impl_->surface->update();
 }
 
@@ -145,7 +145,7 @@ void SceneView::setLayers(const Layers& layers) {
   if (impl_->second) impl_->second->setLayers(layers);
   impl_->layers.section_mm = impl_->meshes.section_mm();
   impl_->turnToDesk();
-  if (more && impl_->camera_is_mine) look(Camera::Fit);  // ghosts reach further than the arm
+  if (more && impl_->camera_is_mine) look(Camera::Fit);  // the ghosts reach farther than the arm
   impl_->surface->update();
 }
 
@@ -211,7 +211,7 @@ void SceneView::look(Camera camera) {
       from(45, 35.264);
       break;
   }
-  impl_->camera_is_mine = true;  // it shows everything, and goes on doing so when the window changes
+  impl_->camera_is_mine = true;  // it shows everything, and continues to when the window is resized
   impl_->moveTo(impl_->fitted(wanted));
 }
 
@@ -319,7 +319,7 @@ void SceneView::setHandWish(const sim::HandWish& wish) {
 }
 
 QImage SceneView::picture() {
-  if (impl_->surface->size() != size()) {  // never shown: no layout has been at work
+  if (impl_->surface->size() != size()) {  // never shown: not laid out yet
     impl_->surface->setGeometry(rect());
     if (impl_->camera_is_mine) impl_->fit();
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGrab_px = 14.0, kGrabBody_px = 9.0;
 constexpr double kStep_m = 0.002, kBigStep_m = 0.010, kWheelDepth_m = 0.005, kTurn_rad = 5.0 * kRadPerDegree;
-constexpr double kOrbit_px = 24.0;  // of a drag that one arrow key stands for
+constexpr double kOrbit_px = 24.0;  // of a drag, equivalent to one arrow key
 
 /// right, up, away of an arrow or page key; zero: another key.
 Vec3 wayOf(int key) {

@@ -15,9 +15,10 @@ namespace underact::gui {
 namespace {
 
 constexpr int kLook_ms = 200, kGhost_ms = 800;
-const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // the hint stands at the top
+const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // the hint is at the top
 
-/// From the front, a little from the right and above: the sphere, the stylus and the arm behind it stand apart.
+/// From the front, a little from the right and above: so that the sphere, the stylus and the arm behind it do not
+/// overlap.
 OrbitCamera firstLook() {
   OrbitCamera camera;
   camera.azimuth_rad = 32.0 * kRadPerDegree;
@@ -176,7 +177,7 @@ OrbitCamera SceneView::Impl::wanted() const {
   return movement.state() == QAbstractAnimation::Running ? to : camera;
 }
 
-/// The picture turns where the desk, or whether it counts, has changed.
+/// The picture rotates when the desk, or whether it is followed, has changed.
 void SceneView::Impl::turnToDesk() {
   OrbitCamera turned = wanted();
   const Mat3 R_WD = layers.from_desk ? desk.R_WD() : Mat3(Mat3::Identity());

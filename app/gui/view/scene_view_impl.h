@@ -23,26 +23,25 @@ namespace underact::gui {
 /// What a pressed button does.
 enum class Drag { None, Hand, Orbit, Pan, Zoom };
 
-/// scene_view.cpp: what is asked of the view; scene_view_impl.cpp: what is drawn; scene_view_events.cpp: what mouse and
-/// keys mean.
+/// scene_view.cpp: the interface; scene_view_impl.cpp: drawing; scene_view_events.cpp: mouse and keys.
 struct SceneView::Impl {
-  static constexpr double kBody_m = 0.084;  // of the stylus, that is drawn
+  static constexpr double kBody_m = 0.084;  // of the stylus, as drawn
 
   explicit Impl(SceneView* owner);
 
   QSizeF size() const { return view->size(); }
 
-  /// Just before a picture, with the context current: the only place where actors come and go.
+  /// Before each frame, with the context current: the only place where actors are added and removed.
   void before(QSize pixels);
-  void showArm();  // as the snapshot that is shown says
+  void showArm();  // according to the snapshot shown
   void paintWords(QPainter& painter);
   std::vector<Vec3> extent() const;
   void fit();
-  OrbitCamera wanted() const;  // where the camera is, or is on its way to
+  OrbitCamera wanted() const;  // where the camera is, or is moving to
   void turnToDesk();
-  OrbitCamera fitted(const OrbitCamera& looking) const;  // that sees everything from there
+  OrbitCamera fitted(const OrbitCamera& looking) const;  // shows everything from there
   void moveTo(const OrbitCamera& wanted);
-  void cameraByHand(const OrbitCamera& wanted);  // from now on it stays where it was put
+  void cameraByHand(const OrbitCamera& wanted);  // from now on it stays where the user put it
   bool overStylus(const QPointF& pointer) const;
   void showPointer(const QPointF& pointer);
   void take();
@@ -61,7 +60,7 @@ struct SceneView::Impl {
   DrawingPicture drawings;
   MeshPicture meshes;
   std::optional<SecondWorld> second;
-  scene::Description scene;  // that is drawn
+  scene::Description scene;  // as drawn
   ViewWords words;
   Theme theme = Theme::light();
   Layers layers;
@@ -72,7 +71,7 @@ struct SceneView::Impl {
   std::optional<servo::Snapshot> shown;
 
   OrbitCamera camera, from, to;
-  bool camera_is_mine = true;  // nobody has moved it: it keeps everything in the picture
+  bool camera_is_mine = true;  // not moved by the user: it keeps everything in the picture
   QVariantAnimation movement;
   QVariantAnimation ghost_way;  // of the chosen solution's ghost
 

@@ -39,7 +39,7 @@ void SecondWorld::setScene(const scene::Description& scene) {
   assemble();
 }
 
-/// Parts of an assembly are placed as they are themselves, then moved with it.
+/// Parts of an assembly have their own placement and are moved with it.
 void SecondWorld::assemble() {
   assembly_ = vtkSmartPointer<vtkAssembly>::New();
   for (vtkActor* actor : hand_.solids()) assembly_->AddPart(actor);

@@ -13,8 +13,8 @@
 
 namespace underact::gui {
 
-/// The world of a second arm, beside that of the first in the same picture: what it is held to, the arm, stylus,
-/// targets, force and robots. Its own frame W stands elsewhere: S, seen from the first one's.
+/// The picture of a second arm beside the first: its constraints, the arm, stylus, targets, force and robots. Its own
+/// workspace frame is S as seen from the first arm's W.
 class SecondWorld {
  public:
   SecondWorld();
@@ -25,9 +25,9 @@ class SecondWorld {
   void setLineWidth(double device_pixels_per_pixel);
   /// false: it would look the same.
   bool present(const servo::Snapshot& snapshot);
-  /// As the camera sees it. size: of the picture, logical pixels.
+  /// As seen by the camera. size: of the picture, logical pixels.
   void update(OrbitCamera camera, const QSizeF& size);
-  /// All of it, as one thing to draw; another one after a scene or a theme was set.
+  /// Everything as one actor; a new one after a scene or a theme was set.
   vtkProp3D* prop() const { return assembly_; }
   std::vector<Label> labels() const;
   std::vector<Vec3> extent_mm() const;
@@ -46,7 +46,7 @@ class SecondWorld {
   vtkSmartPointer<vtkAssembly> assembly_;
 };
 
-/// Nothing that can be seen is another.
+/// Whether both look the same.
 bool looksAlike(const servo::Snapshot& one, const servo::Snapshot& other);
 
 }  // namespace underact::gui

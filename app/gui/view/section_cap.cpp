@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-// Neighbouring rows share no corners, so each goes a little below its own: no pixel between them is left out.
+// Neighbouring rows share no corners, so each extends slightly below: no pixel between them is left out.
 constexpr double kOver = 0.5;  // of a row
 
 Vec3 inSpace(double u_mm, double v_mm, int axis, double at_mm) {
@@ -22,7 +22,7 @@ Vec3 inSpace(double u_mm, double v_mm, int axis, double at_mm) {
   return p_mm;
 }
 
-/// A side of the face, upwards; turns: what is to the right of it is gone round once more, or once less.
+/// A side of the face, upwards; turns: the change of the winding number to its right, +1 or -1.
 struct Side {
   int low = 0, high = 0;  // rows
   double low_u = 0.0, high_u = 0.0;

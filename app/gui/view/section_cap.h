@@ -13,10 +13,10 @@ class vtkPoints;
 
 namespace underact::gui {
 
-/// Where a plane across an axis of W cuts meshes: the outline, and, of a mesh that parts the space, its face, filled.
-/// mm, in W. The face is all that the mesh goes round, whichever way: bodies that overlap are one, and a hollow whose
-/// triangles look inwards stays open. Linear in the triangles; of the outline each part once more for each row that it
-/// goes through.
+/// The section of meshes by a plane across an axis of W: the outline, and for a closed mesh the filled face. mm, in W.
+/// The face is everything that the mesh winds around, in either direction: bodies that overlap are one, and a cavity
+/// whose triangles face inwards stays open. Linear in the triangles; each part of the outline counts once for each row
+/// that it crosses.
 class SectionCap {
  public:
   /// The face is exact to this share of its height, so that the finest outline asks for no more rows than a screen has.
@@ -26,13 +26,13 @@ class SectionCap {
   void clear();
   /// X: from the mesh's frame and unit to W in mm. axis: 0 x, 1 y, 2 z. is_filled: the triangles are closed.
   void add(const mesh::Triangles& triangles, const Eigen::Matrix4d& X, int axis, double at_mm, bool is_filled);
-  void done();  // what was filled in is to be drawn
+  void done();  // after the last add(): draw it
 
   vtkPolyData* face() const { return face_; }
   vtkPolyData* outline() const { return outline_; }
 
  private:
-  struct Segment {  // with the body on one side of it all around; in the plane, mm
+  struct Segment {  // with the body always on the same side; in the plane, mm
     Eigen::Vector2d from, to;
   };
   static std::vector<Segment> segmentsOf(const mesh::Triangles& triangles, const Eigen::Matrix4d& X, int axis,

@@ -27,7 +27,7 @@ bool StylusKey::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   if (key->key() != Qt::Key_Space) return false;
-  // A key that goes up is let go wherever that is seen: a menu may have come in between.
+  // A key release counts wherever it arrives: a menu may have opened in between.
   if (event->type() == QEvent::KeyRelease && !key->isAutoRepeat()) hold(false);
   const bool here = (watched == view_ || watched == window_) && isOurs(QApplication::focusWidget());
   if (!here) return false;

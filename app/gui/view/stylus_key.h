@@ -9,8 +9,8 @@ class SimulatedArm;
 
 namespace underact::gui {
 
-/// The Space key as the simulated arm's stylus button, while the view has the focus, or nothing in the window has. It
-/// is let go as soon as the focus goes elsewhere.
+/// The Space key as the stylus button of the simulated arm, while the view, or nothing in the window, has the focus. It
+/// is released as soon as the focus goes elsewhere.
 class StylusKey : public QObject {
   Q_OBJECT
  public:

@@ -18,15 +18,15 @@ void addCameras(Actions& actions, SceneView& view) {
     Camera camera;
   };
   const Row rows[] = {
-      {"view.fit", QT_TR_NOOP("&Fit"), "Ctrl+0", QT_TR_NOOP("Shows all of the scene, from the same direction."), "fit",
+      {"view.fit", QT_TR_NOOP("&Fit"), "Ctrl+0", QT_TR_NOOP("Shows the whole scene from the current direction."), "fit",
        QT_TR_NOOP("Fit"), Camera::Fit},
-      {"view.front", QT_TR_NOOP("F&ront"), "Ctrl+1", QT_TR_NOOP("Looks from where the hand is, along −z."), "front",
-       QT_TR_NOOP("Front"), Camera::Front},
+      {"view.front", QT_TR_NOOP("F&ront"), "Ctrl+1", QT_TR_NOOP("Looks from the front, where the hand is, along −z."),
+       "front", QT_TR_NOOP("Front"), Camera::Front},
       {"view.top", QT_TR_NOOP("&Top"), "Ctrl+2", QT_TR_NOOP("Looks down, along −y."), "top", QT_TR_NOOP("Top"),
        Camera::Top},
       {"view.side", QT_TR_NOOP("&Side"), "Ctrl+3", QT_TR_NOOP("Looks from the right, along −x."), "side",
        QT_TR_NOOP("Side"), Camera::Right},
-      {"view.isometric", QT_TR_NOOP("&Isometric"), "Ctrl+4", QT_TR_NOOP("Looks from above, in front and the right."),
+      {"view.isometric", QT_TR_NOOP("&Isometric"), "Ctrl+4", QT_TR_NOOP("Looks from the front right and above."),
        "isometric", QT_TR_NOOP("Isometric"), Camera::Isometric},
       {"view.left", QT_TR_NOOP("&Left"), "Ctrl+5", QT_TR_NOOP("Looks from the left, along x."), "", "", Camera::Left},
       {"view.back", QT_TR_NOOP("&Back"), "Ctrl+6", QT_TR_NOOP("Looks from behind the arm, along z."), "", "",
@@ -40,7 +40,7 @@ void addCameras(Actions& actions, SceneView& view) {
                 });
   }
   actions.add({"view.focus", tr("&Move the hand with the keys"), QKeySequence("F2"),
-               tr("Puts the focus into the view: the arrow keys then move the hand.")},
+               tr("Gives the view the keyboard focus, so that the arrow keys move the hand.")},
               [&view](const QVariantList&) {
                 view.setFocus(Qt::ShortcutFocusReason);
                 return true;
@@ -67,17 +67,17 @@ void addLayers(Actions& actions, SceneView& view) {
   }
 }
 
-/// Which axis the cut through meshes is across.
+/// The axis perpendicular to the cut through meshes.
 void addSectionAxes(Actions& actions, SceneView& view) {
   struct Row {
     const char *name, *text, *shortcut, *tip, *button;
   };
   const Row rows[] = {{"section.x", QT_TR_NOOP("Cut across x"), "Alt+X",
-                       QT_TR_NOOP("The cut stands across x: it is seen from the side."), "x"},
+                       QT_TR_NOOP("Cuts meshes at right angles to x; best seen from the side."), "x"},
                       {"section.y", QT_TR_NOOP("Cut across y"), "Alt+Y",
-                       QT_TR_NOOP("The cut stands across y: it is seen from the top."), "y"},
+                       QT_TR_NOOP("Cuts meshes at right angles to y; best seen from the top."), "y"},
                       {"section.z", QT_TR_NOOP("Cut across z"), "Alt+Z",
-                       QT_TR_NOOP("The cut stands across z: it is seen from the front."), "z"}};
+                       QT_TR_NOOP("Cuts meshes at right angles to z; best seen from the front."), "z"}};
   auto* group = new QActionGroup(&actions);
   for (int axis = 0; axis < 3; ++axis) {
     const Row& row = rows[axis];
@@ -100,8 +100,8 @@ void addThemes(Actions& actions, ThemeWatcher& theme) {
     ThemeChoice choice;
   };
   const Row rows[] = {
-      {"view.theme.system", QT_TR_NOOP("As the &system"), "Ctrl+Alt+S",
-       QT_TR_NOOP("Light or dark as the desktop is, also while running."), ThemeChoice::System},
+      {"view.theme.system", QT_TR_NOOP("Follow the &system"), "Ctrl+Alt+S",
+       QT_TR_NOOP("Follows the light or dark theme of the desktop, also while the program runs."), ThemeChoice::System},
       {"view.theme.light", QT_TR_NOOP("&Light"), "Ctrl+Alt+L", QT_TR_NOOP("Always light."), ThemeChoice::Light},
       {"view.theme.dark", QT_TR_NOOP("&Dark"), "Ctrl+Alt+D", QT_TR_NOOP("Always dark."), ThemeChoice::Dark}};
   auto* group = new QActionGroup(&actions);

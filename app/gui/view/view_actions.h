@@ -6,7 +6,7 @@ class Actions;
 class SceneView;
 class ThemeWatcher;
 
-/// The actions about how the scene is looked at: cameras, layers, theme.
+/// The actions of the view: cameras, layers, theme.
 void addViewActions(Actions& actions, SceneView& view, ThemeWatcher& theme);
 
 }  // namespace underact::gui

@@ -170,7 +170,7 @@ void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
   const QImage& image = triad_.image(key, {kTriad, kTriad}, state.scale, [&](QPainter& p, const QSizeF& area) {
     const QPointF middle(0.5 * area.width(), 0.5 * area.height());
     const std::array<QColor, 3> colours{state.theme.x_axis, state.theme.y_axis, state.theme.z_axis};
-    std::array<int, 3> order{0, 1, 2};  // what points away from the eye first
+    std::array<int, 3> order{0, 1, 2};  // axes that point away from the eye first
     std::sort(order.begin(), order.end(), [&](int a, int b) { return back_W[a] < back_W[b]; });
     QFont font = larger(state.font, 0.85);
     font.setBold(true);

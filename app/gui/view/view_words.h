@@ -13,7 +13,7 @@ class QPainter;
 
 namespace underact::gui {
 
-/// A small picture painted once and kept until its key changes: smooth at any scale, and cheap to put over the view.
+/// A small picture painted once and kept until its key changes: sharp at any scale, and cheap to draw over the view.
 class Stamp {
  public:
   using Paint = std::function<void(QPainter&, const QSizeF&)>;
@@ -24,7 +24,7 @@ class Stamp {
   QImage image_;
 };
 
-/// What the words over the view say.
+/// The contents of the text over the view.
 struct WordsState {
   Theme theme;
   QFont font;
@@ -35,10 +35,10 @@ struct WordsState {
   QString fault;  // a sentence; takes the hint's place
   double force_N = 0.0;
   double force_limit_N = 0.0;
-  double gauge_scale = 1.0;  // of its type, to the font
+  double gauge_scale = 1.0;  // size of its text relative to the font
   bool limited = false;
   bool focus = false;
-  bool has_influence = false;  // the letters o and p are there
+  bool has_influence = false;  // the letters o and p are shown
 };
 
 /// Labels, force gauge, hint, small triad and focus frame, by the system's font.

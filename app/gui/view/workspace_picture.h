@@ -11,16 +11,16 @@
 
 namespace underact::gui {
 
-/// Words that stand at a place of W, for the painter.
+/// A text at a point of W, for the painter.
 struct Label {
   QString text;
   Vec3 p_mm = Vec3::Zero();
   QColor colour;
   bool strong = false;
-  bool large = false;  // half as large again, a line below its place, on the view's ground
+  bool large = false;  // larger by half, one line below its point, on the background of the view
 };
 
-/// Half the workspace that the maker states, mm: 160 x 120 x 70 about W.
+/// Half of the workspace stated by the manufacturer, mm: 160 x 120 x 70 about W.
 const Vec3& workspaceHalf_mm();
 
 /// The workspace as a thin box with ticks every 20 mm, and the triads of W and B.
@@ -31,7 +31,7 @@ class WorkspacePicture {
   void setBase(const Vec3& p_WB_mm);
   void show(bool workspace, bool triads);
   void setLineWidth(double device_pixels_per_pixel);
-  /// Ticks stand where the camera sees them best.
+  /// Ticks are placed where the camera sees them best.
   void update(const OrbitCamera& camera);
 
   std::vector<vtkActor*> lines() const { return {box_actor_, triad_actor_}; }
@@ -45,7 +45,7 @@ class WorkspacePicture {
   Theme theme_ = Theme::light();
   Vec3 p_WB_mm_ = Vec3::Zero();
   bool workspace_ = true, triads_ = true;
-  // Of the last update(): on which side the eye is, which axes of W point at it, and where the upright ticks stand.
+  // Of the last update(): on which side the eye is, which axes of W point at it, and where the vertical ticks are.
   Vec3 sign_ = Vec3::Ones();
   Vec3 end_on_ = Vec3::Zero();
   Vec3 upright_mm_ = Vec3::Zero();
