@@ -62,11 +62,11 @@ FeelPanel::FeelPanel(const Parts& parts, QWidget* parent)
 void FeelPanel::buildChoices(QVBoxLayout* column) {
   choices_ = panelForm();
   constraint_ = chooser("panel.feel.constraint", tr("Constraint whose gains are shown"),
-                        tr("Which constraint of the scene the gains below belong to."), this);
+                        tr("Selects the constraint whose gains are shown below."), this);
   choices_->addRow(tr("&Constraint"), constraint_);
   rows_->addChoice({"/control/law", "panel.feel.law", tr("&Law"), tr("Control law")}, choices_, this);
-  rows_->addChoice({"/control/space", "panel.feel.space", tr("&Works on"), tr("Where the control works")}, choices_,
-                   this);
+  rows_->addChoice({"/control/space", "panel.feel.space", tr("&Works on"), tr("What the control law works on")},
+                   choices_, this);
   rows_->addChoice(
       {"/control/anisotropy", "panel.feel.anisotropy", tr("&Nearest"), tr("Nearest point with unequal gains")},
       choices_, this);
@@ -87,7 +87,7 @@ void FeelPanel::buildSections(QVBoxLayout* column) {
   connect(backwards_, &QCheckBox::toggled, this, [this] {
     const scene::SettingValue speed = parts_.document.value(index_, kGuideSpeed);
     if (scene::isNone(speed)) return;
-    setAll(tr("way of the guide"), {{kGuideSpeed, -std::get<double>(speed)}}, true);
+    setAll(tr("direction of the guide"), {{kGuideSpeed, -std::get<double>(speed)}}, true);
   });
 }
 
@@ -96,9 +96,10 @@ bool FeelPanel::hasScene() const {
 }
 
 void FeelPanel::addActions() {
-  parts_.actions.add({"gains.reset", tr("Reset to &scene"), QKeySequence("Ctrl+R"),
-                      tr("Puts gains, influence and friction back to those of the scene's file."), "reset"},
-                     [this](const QVariantList&) { return resetToScene(); });
+  parts_.actions.add(
+      {"gains.reset", tr("Reset to &scene"), QKeySequence("Ctrl+R"),
+       tr("Restores control law, gains, influence, friction and guide to the values in the scene file."), "reset"},
+      [this](const QVariantList&) { return resetToScene(); });
   parts_.actions.addCommand("gains.set", [this](const QVariantList& values) {
     if (values.size() != 3) return false;
     const auto gain = static_cast<int>(QStringList{"kp", "kd", "ki"}.indexOf(values[0].toString()));

@@ -35,7 +35,7 @@ GainSection::GainSection(QWidget* parent) : QWidget(parent), link_(new QCheckBox
   auto* column = tight<QVBoxLayout>(this, 8);
   link_->setObjectName("panel.feel.link");
   link_->setAccessibleName(tr("Link x, y and z"));
-  link_->setToolTip(tr("A change of one axis changes all three."));
+  link_->setToolTip(tr("Changing one axis changes all three."));
   column->addWidget(link_);
   for (int gain = 0; gain < kGainKinds; ++gain) {
     auto* part = new QWidget(this);
