@@ -24,7 +24,7 @@ QString heldText(const tick::Held& held) {
     case target::Status::Unique:
       return QObject::tr("%1 away").arg(millimetres(held.distance_m * kMillimetrePerMetre));
     case target::Status::Degenerate:
-      return QObject::tr("equally far all around");
+      return QObject::tr("equidistant");
     case target::Status::Free:
       return QObject::tr("free");
   }
@@ -39,10 +39,10 @@ ShapePanel::ShapePanel(const Parts& parts, QWidget* parent)
   auto* content = new QWidget;
   auto* inner = tight<QVBoxLayout>(content);
   inner->addWidget(readout_);
-  edit_ = addButton("panel.shape.edit_robot", tr("Edit its joints"),
-                    tr("Opens the Robot panel: joints, springs, turning stiffness and solver."));
+  edit_ = addButton("panel.shape.edit_robot", tr("Edit joints"),
+                    tr("Opens the Robot panel: joints, springs, rotational stiffness and solver."));
   report_ = addButton("panel.shape.report", tr("Report…"),
-                      tr("What was found in the file of the mesh, what was repaired, and how it can be felt."));
+                      tr("What the mesh file contains, what was repaired, and how the mesh can be felt."));
   report_->setPopupMode(QToolButton::InstantPopup);
   reports_ = new QMenu(report_);
   connect(report_, &QToolButton::clicked, this, [this] {
@@ -116,8 +116,8 @@ void ShapePanel::sceneOpened() {
 
 void ShapePanel::addDistance() {
   distance_rows_.push_back(
-      readout_->addRow(tr("Stylus"), tr("The distance e between the tip and the nearest point of the shape, or a "
-                                        "robot's tip; free: a wall that is not touched.")));
+      readout_->addRow(tr("Stylus"), tr("Distance e from the tip to the nearest point of the shape, or to the end "
+                                        "effector of a robot. Free: the tip does not touch the wall.")));
 }
 
 void ShapePanel::showOneShapeWhole() {
