@@ -61,14 +61,14 @@ void makeMesh(const FeatureParts& parts, Followers& followers) {
   files->addAction(
       parts.actions,
       {"mesh.add", tr("Add &mesh…"), QKeySequence("Ctrl+M"),
-       tr("Loads an STL, OBJ, PLY or OFF file, and adds it to the scene or makes a new one of it."), "open"});
-  parts.actions.add({"mesh.report", tr("Mesh &report"), QKeySequence("Ctrl+Shift+M"),
-                     tr("What was found in the file of the scene's mesh, what was repaired, and how it can be felt.")},
-                    [files, &document = parts.document](const QVariantList& index) {
-                      return showReport(
-                          *files, document.scene(),
+       tr("Loads an STL, OBJ, PLY or OFF file and adds it to the scene, or makes a new scene of it."), "open"});
+  parts.actions.add(
+      {"mesh.report", tr("Mesh &report"), QKeySequence("Ctrl+Shift+M"),
+       tr("What the file of the scene's mesh contains, what was repaired, and how the mesh can be felt.")},
+      [files, &document = parts.document](const QVariantList& index) {
+        return showReport(*files, document.scene(),
                           index.isEmpty() ? std::nullopt : std::optional(index.first().value<std::size_t>()));
-                    });
+      });
   auto* section = new SectionStrip(parts.view, parts.actions, parts.middle.parentWidget());
   parts.middle.addWidget(section);
   followers.push_back(section);

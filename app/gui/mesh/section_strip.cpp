@@ -48,14 +48,14 @@ void SectionStrip::build() {
   button("section.y", tr("Cut across y"));
   button("section.z", tr("Cut across z"));
   slider_->setObjectName("section.slider");
-  slider_->setAccessibleName(tr("Where the cut is"));
-  slider_->setToolTip(tr("Where along its axis the cut is. A double click lets it follow the stylus again."));
+  slider_->setAccessibleName(tr("Position of the cut"));
+  slider_->setToolTip(tr("Position of the cut along its axis. Double-click to let it follow the stylus again."));
   slider_->setMark(-1e9);  // a cut has no place of its own
   slider_->setMinimumWidth(16 * fontMetrics().averageCharWidth());
   slider_->setSingleStep(kStepsPerMillimetre);
   slider_->setPageStep(10 * kStepsPerMillimetre);
   number_->setObjectName("section.number");
-  number_->setAccessibleName(tr("Where the cut is"));
+  number_->setAccessibleName(tr("Position of the cut"));
   number_->setSuffix(tr(" mm"));
   number_->setDecimals(1);
   number_->setKeyboardTracking(false);  // half a number is no place
@@ -69,7 +69,8 @@ void SectionStrip::build() {
 
 void SectionStrip::addActions() {
   actions_.add({"section.move", tr("Move the cut with the ke&ys"), QKeySequence("Alt+M"),
-                tr("Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.")},
+                tr("Moves the focus to the slider of the cut: the arrow keys then move the cut by 1 mm, Page Up and "
+                   "Page Down by 10 mm.")},
                [this](const QVariantList&) {
                  actions_.perform("layer.section", true);
                  follow();
