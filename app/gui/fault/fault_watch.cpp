@@ -20,11 +20,10 @@ namespace {
 constexpr const char* kWindowKind = "window";
 
 record::FaultWords wordsOfException(const std::string& message) {
-  return {kWindowKind, said(QT_TRANSLATE_NOOP("problem", "The window met an error of its own: %1."), {message}),
-          said(QT_TRANSLATE_NOOP(
-              "problem",
-              "Save the scene under another name, then press Start. If it comes again, end the program and "
-              "send the file to its makers."))};
+  return {kWindowKind, said(QT_TRANSLATE_NOOP("problem", "An internal error occurred in the window: %1."), {message}),
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "Save the scene under another name, then press Start. If the error occurs again, quit "
+                                 "the program and send the fault file to its developers."))};
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ FaultWatch::FaultWatch(const FeatureParts& parts)
   });
   actions_
       .add({"servo.fault", tr("Show the last &fault"), QKeySequence("Ctrl+Alt+F"),
-            tr("What stopped the servo last, and where its file is.")},
+            tr("Shows what last stopped the servo, and where the fault file is.")},
            [this](const QVariantList&) { return showLast(); })
       ->setEnabled(false);
   Application::onException([this](const std::string& message) { tellException(message); });
