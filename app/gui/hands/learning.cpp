@@ -25,13 +25,13 @@ std::optional<Learning> Learning::of(const QString& id, const QString& field, co
 QString Learning::asked() const {
   for (std::size_t press = 0; press < hands::kPresses; ++press) {
     const auto which = static_cast<hands::Press>(press);
-    if (field_ == hands::pressName(which)) return tr("Press the button that is to be “%1”.").arg(pressTitle(which));
+    if (field_ == hands::pressName(which)) return tr("Press the button for “%1”.").arg(pressTitle(which));
   }
-  if (first_ >= 0) return tr("Now press the button for the other way.");
+  if (first_ >= 0) return tr("Now press the button for the opposite direction.");
   for (std::size_t way = 0; way < hands::kWays; ++way) {
     const auto which = static_cast<hands::Way>(way);
     if (field_ == hands::wayName(which))
-      return tr("Push the stick all the way, or press the button, that %1.").arg(wayGoal(which));
+      return tr("Push the stick fully, or press the button, that %1.").arg(wayGoal(which));
   }
   return {};
 }

@@ -56,7 +56,8 @@ const HandEntry* MovingHands::find(const QString& id) const {
 }
 
 QString MovingHands::whyAtRest() const {
-  if (hand_.arm() == nullptr) return tr("The hands rest: they move the simulated arm, and it is not in place now.");
+  if (hand_.arm() == nullptr)
+    return tr("The input devices have no effect now: they move the simulated arm, which is not in use.");
   return {};
 }
 
@@ -153,7 +154,7 @@ void MovingHands::readMap(HandEntry& entry) {
   if (!kept) {
     const Problem& problem = kept.problems()[0];
     const QString where = QString::fromStdString(describe({{}, problem.place}));
-    problems_[id] = tr("The mapping of %1 cannot be read, and it moves as usual. %2")
+    problems_[id] = tr("The mapping of %1 cannot be read; the default mapping is used. %2")
                         .arg(sentenceText(entry.seen.name), where + sentenceText(problem.sentence));
   } else if (kept.value()) {
     entry.map = *kept.value();
