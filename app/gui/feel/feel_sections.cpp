@@ -61,7 +61,7 @@ OptionalSection* makeSurface(SettingRows& rows, QWidget* parent) {
                                    "slides against the dynamic coefficient times the normal force (Coulomb)."),
        .turned_on = FeelPanel::tr("friction on"),
        .turned_off = FeelPanel::tr("friction off"),
-       .easy = {{"/friction/static", 0.4}, {"/friction/dynamic", 0.3}}},  // on wood, about
+       .easy = {{"/friction/static", 0.4}, {"/friction/dynamic", 0.3}}},  // about wood on wood
       parent);
   const QString widest = FeelPanel::tr("Dynamic");
   rows.addNumber({"/friction/static", "panel.surface.static", FeelPanel::tr("Static"), FeelPanel::tr("Static friction"),
@@ -84,15 +84,15 @@ OptionalSection* makeSurface(SettingRows& rows, QWidget* parent) {
 OptionalSection* makeGuide(SettingRows& rows, QCheckBox*& backwards, QWidget* parent) {
   auto* const made = new OptionalSection(
       {.name = "panel.guide",
-       .title = FeelPanel::tr("Along the curve"),
+       .title = FeelPanel::tr("Guidance"),
        .title_tip = {},
        .switch_name = "panel.guide.on",
        .switch_text = FeelPanel::tr("&Guide the hand"),
        .switch_spoken = FeelPanel::tr("Guide the hand along the curve"),
-       .switch_tip = FeelPanel::tr("Off: the target is the nearest point of the curve. On: the target runs ahead of "
+       .switch_tip = FeelPanel::tr("Off: the target is the nearest point of the curve. On: a guide point runs ahead of "
                                    "the hand along the curve, pulls it along and waits for it."),
-       .turned_on = FeelPanel::tr("guide on"),
-       .turned_off = FeelPanel::tr("guide off"),
+       .turned_on = FeelPanel::tr("guidance on"),
+       .turned_off = FeelPanel::tr("guidance off"),
        .easy = {{"/guide/speed_mm_per_s", 30.0}, {"/guide/t", 0.0}, {"/guide/lead_mm", 8.0}}},
       parent);
   const QString widest = FeelPanel::tr("Speed");
