@@ -18,10 +18,10 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm a unit; a scene's file may have more
+constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm per unit; a scene file may have more
 constexpr int kScaleDecimals = 6;
 
-/// "25.4 mm", without the noughts that many decimals bring.
+/// "25.4 mm", without trailing zeros.
 class ScaleField : public NumberBox {
  public:
   using NumberBox::NumberBox;
@@ -78,7 +78,7 @@ void CurveDialog::buildChoices() {
   connect(closed_, &QCheckBox::toggled, this, &CurveDialog::refresh);
 }
 
-// A file says nothing of its unit: where millimetres make no size for a hand, the likeliest other one is set.
+// A file does not state its unit: if millimetres give an implausible size, the most likely other unit is set.
 void CurveDialog::proposeUnit() {
   const double largest = (high_ - low_).maxCoeff();
   const auto proposal = mesh_file::implausible(largest);

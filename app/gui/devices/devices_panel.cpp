@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForArms_ms = 2000;  // while somebody looks
+constexpr int kLookForArms_ms = 2000;  // while the panel is visible
 constexpr int kEntry = Qt::UserRole;
 
 QString stateOf(const ArmEntry& entry, bool is_in_use) {
@@ -60,7 +60,7 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
   connect(&parts_.arms, &ArmChoice::changed, this, &DevicesPanel::presentArm);
   connect(&parts_.arms, &ArmChoice::failed, this, [this](const QString& name, const Problems& problems) {
     tell(tr("“%1” could not be opened. %2").arg(name, sentencesOf(problems)));
-    search_->look();  // it may be gone
+    search_->look();  // it may be unplugged
   });
   presentArm();
 }
@@ -145,7 +145,7 @@ QWidget* DevicesPanel::buildRegistration() {
   column->addWidget(sectionTitle(tr("Registration"), box));
   registered_ = toldLabel("panel.devices.registration", tr("Pose of the arm on the desk"), "quiet", box);
   const QAction* const action = parts_.actions.find("registration.open");
-  box->setHidden(action == nullptr);  // a window that registers none
+  box->setHidden(action == nullptr);  // a window without registration
   QPushButton* open = pushButton("panel.devices.register", tr("Register the arm…"),
                                  action == nullptr ? QString() : action->toolTip(), box);
   connect(open, &QPushButton::clicked, this, [this] { parts_.actions.perform("registration.open"); });
@@ -161,7 +161,7 @@ QWidget* DevicesPanel::buildOpening() {
   opening_ = toldLabel("panel.devices.opening", tr("Arm being opened"), "quiet", this);
   bar_ = new QProgressBar(this);
   nameWidget(bar_, "panel.devices.bar", tr("Opening"));
-  bar_->setRange(0, 0);  // nobody knows how long an arm takes
+  bar_->setRange(0, 0);  // how long an arm takes is unknown
   bar_->setTextVisible(false);
   cancel_ = pushButton("panel.devices.cancel", tr("Cancel"),
                        tr("Stops opening this arm. The simulated arm stays in use."), this);

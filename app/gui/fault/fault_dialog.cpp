@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kMostTold = record::kFaultFilesKept;  // what is older has lost its file, too
+constexpr std::size_t kMostTold = record::kFaultFilesKept;  // files of older faults are deleted, too
 
 }  // namespace
 
@@ -140,7 +140,7 @@ void FaultDialog::setStartable(bool can_start) {
 
 void FaultDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
-  if (!event->spontaneous()) faults_.clear();  // read and closed; the files stay
+  if (!event->spontaneous()) faults_.clear();  // read and closed; the files remain
 }
 
 }  // namespace underact::gui

@@ -34,7 +34,7 @@ FaultWatch::FaultWatch(const FeatureParts& parts)
       control_(parts.control),
       actions_(parts.actions),
       window_(parts.window),
-      recent_(static_cast<std::size_t>(parts.servo.rateHz())) {  // a second
+      recent_(static_cast<std::size_t>(parts.servo.rateHz())) {  // one second
   connect(&parts.rate, &ServoRate::changed, this,
           [this](int, int rate_hz) { recent_ = servo::History(static_cast<std::size_t>(rate_hz)); });
   connect(&parts.actions, &Actions::locked, this, [this] {
@@ -69,7 +69,7 @@ void FaultWatch::tellException(const std::string& message) {
 void FaultWatch::tellOfWindow(const std::string& message) {
   ToldFault told;
   told.words = wordsOfException(message);
-  // What throws in every frame is told once, and counted.
+  // An error that recurs in every frame is shown once and counted.
   const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
   if (before != nullptr && before->words.kind == kWindowKind && before->words.what == told.words.what) {
     dialog_->tellAgain();
@@ -104,7 +104,7 @@ void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
 void FaultWatch::tell(const ToldFault& told) {
   last_ = std::make_unique<ToldFault>(told);
   actions_.find("servo.fault")->setEnabled(true);
-  if (!actions_.isLocked()) dialog().tell(told);  // visitors are told by the card
+  if (!actions_.isLocked()) dialog().tell(told);  // for visitors the card says it
 }
 
 bool FaultWatch::showLast() {

@@ -86,7 +86,7 @@ void HandsPanel::addActions() {
     const auto map = withField(entry->map, args.value(0).toString(), args.value(1));
     const bool fresh = args.size() < 3 || args[2].toBool();
     const bool done = map && hands_.change(current(), *map, args[0].toString(), fresh);
-    if (!done) editor_->rebuild();  // what was typed is taken back
+    if (!done) editor_->rebuild();  // undoes what was typed
     return done;
   });
   actions.addCommand("hands.learn",
@@ -110,7 +110,7 @@ QString HandsPanel::current() const {
   return item == nullptr ? QString() : item->data(kId).toString();
 }
 
-/// The first device that comes is shown, so that its bars move when it is moved.
+/// Selects the first device that is plugged in, so that its bars show its motion.
 void HandsPanel::rebuild() {
   const QString before = current();
   {

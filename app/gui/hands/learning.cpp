@@ -39,7 +39,7 @@ QString Learning::asked() const {
 std::optional<Learning::Step> Learning::take(const hands::Map& map, const hands::Readings& now) {
   const bool is_press = isPress(field_);
   const std::optional<int> button = hands::learnButton(before_, now);
-  before_.pressed &= now.pressed;  // one that was let go may be pressed again
+  before_.pressed &= now.pressed;  // a released button may be pressed again
   if (is_press || first_ >= 0) {
     if (!button || *button == first_) return {};
     if (is_press) return Step{withField(map, field_, *button)};

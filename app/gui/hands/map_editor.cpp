@@ -168,7 +168,7 @@ void MapEditor::set(const QString& field, const QVariant& value, bool fresh) {
   actions_.perform("hands.set", field, value, fresh);
 }
 
-/// Pressed once more it ends.
+/// Starts learning a field; ends it if pressed again.
 void MapEditor::learn(const QString& field) {
   if (hands_.learning() == field)
     hands_.endLearning();

@@ -14,7 +14,7 @@ QString MapStore::pathOf(const std::string& id) const {
   QString name;
   for (const QChar letter : QString::fromStdString(id)) {
     const bool is_plain = letter.unicode() < 0x80 && (letter.isLetterOrNumber() || letter == '-');
-    name += is_plain ? QString(letter) : QString("_%1").arg(letter.unicode(), 0, 16);  // no two become one
+    name += is_plain ? QString(letter) : QString("_%1").arg(letter.unicode(), 0, 16);  // names stay different
   }
   return folder_ + "/" + name.left(150) + ".json";
 }

@@ -20,7 +20,7 @@ namespace hands = device::hands;
 
 namespace {
 
-constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // as often as a 3D mouse speaks; nothing is there
+constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // the report interval of a 3D mouse; without any device
 constexpr int kSave_ms = 300, kGiveUp_ms = 15'000;
 constexpr const char* kUnused = "hands/unused";
 
@@ -86,7 +86,7 @@ void MovingHands::look() {
     entry.moves = is_free && entry.used && !motion.isAtRest();
     if (is_free && entry.used) all = hands::together(all, motion);
   }
-  // On the way down alone: Start while it is held would be taken back at once.
+  // Only when pressed: Start while the button is held would otherwise be undone at once.
   if (stops && !std::exchange(stops_, stops)) actions_.perform("session.stop");
   stops_ = stops;
   hand_.press(is_free ? all.stylus_buttons : 0U);
@@ -109,7 +109,7 @@ void MovingHands::move(const hands::Motion& motion, double dt_s) {
   moved_ = moves;
 }
 
-/// Whether something else is there than before.
+/// Reads the devices. Whether anything other than their readings changed.
 bool MovingHands::takeSeen() {
   std::vector<HandEntry> now;
   bool is_new = false;

@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kUsualStatic = 0.4, kUsualDynamic = 0.3;  // wood on wood, about
+constexpr double kUsualStatic = 0.4, kUsualDynamic = 0.3;  // about wood on wood
 constexpr double kMostFriction = 1.5;
 
 QString formatText(mesh_file::Format format) {
@@ -91,7 +91,7 @@ void MeshDialog::buildUnits(const mesh_file::Proposal& proposal) {
     button(tr("In %1: %2 long").arg(QCoreApplication::translate("problem", unit.name), millimetres(unit.size_mm)),
            unit.mm_per_unit);
   button(tr("In millimetres, unchanged"), 1.0);
-  unit_->button(0)->setChecked(true);  // the likeliest
+  unit_->button(0)->setChecked(true);  // the most likely unit
   connect(unit_, &QButtonGroup::idToggled, this, &MeshDialog::refresh);
 }
 
@@ -126,7 +126,7 @@ void MeshDialog::buildChoices() {
     field->setEnabled(false);
     connect(friction_, &QCheckBox::toggled, field, &QWidget::setEnabled);
   }
-  // The dynamic share is never above the static one.
+  // Dynamic friction never exceeds static friction.
   connect(static_, &QDoubleSpinBox::valueChanged, dynamic_, [this](double most) { dynamic_->setMaximum(most); });
   dynamic_->setMaximum(static_->value());
 }

@@ -50,7 +50,7 @@ void SectionStrip::build() {
   slider_->setObjectName("section.slider");
   slider_->setAccessibleName(tr("Position of the cut"));
   slider_->setToolTip(tr("Position of the cut along its axis. Double-click to let it follow the stylus again."));
-  slider_->setMark(-1e9);  // a cut has no place of its own
+  slider_->setMark(-1e9);  // no mark: a cut has no default position
   slider_->setMinimumWidth(16 * fontMetrics().averageCharWidth());
   slider_->setSingleStep(kStepsPerMillimetre);
   slider_->setPageStep(10 * kStepsPerMillimetre);
@@ -58,7 +58,7 @@ void SectionStrip::build() {
   number_->setAccessibleName(tr("Position of the cut"));
   number_->setSuffix(tr(" mm"));
   number_->setDecimals(1);
-  number_->setKeyboardTracking(false);  // half a number is no place
+  number_->setKeyboardTracking(false);  // only complete numbers move the cut
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   button("layer.section_follows", tr("The cut follows the stylus"));
@@ -102,7 +102,7 @@ void SectionStrip::follow() {
   const Layers& layers = view_.layers();
   const auto [least_mm, most_mm] = view_.sectionRange_mm(layers.section_axis);
   const double at_mm = std::clamp(layers.section_mm[layers.section_axis], least_mm, most_mm);
-  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // to show a value is not to ask for it
+  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // showing a value must not set it
   slider_->setRange(static_cast<int>(std::ceil(kStepsPerMillimetre * least_mm)),
                     static_cast<int>(std::floor(kStepsPerMillimetre * most_mm)));
   number_->setRange(slider_->minimum() / double(kStepsPerMillimetre), slider_->maximum() / double(kStepsPerMillimetre));

@@ -21,7 +21,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kLookEvery_ms = 200;
-constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // times the bare loop's
+constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // relative to the bare loop
 constexpr int kLeastSeconds = 2, kSeconds = 60, kMostSeconds = 3600;
 
 QStringList cellsOf(const servo::Percentiles& values) {

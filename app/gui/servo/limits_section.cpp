@@ -63,8 +63,8 @@ LimitsSection::LimitsSection(QWidget* parent)
 }
 
 void LimitsSection::add(const servo::TickRecord& record) {
-  if (!(record.level > 0.0) || record.limits == 0) return;  // nothing was sent that could be cut
-  const bool alone = std::popcount(record.limits) == 1;     // then the whole cut is its own
+  if (!(record.level > 0.0) || record.limits == 0) return;  // there was no force to reduce
+  const bool alone = std::popcount(record.limits) == 1;     // then the whole reduction is due to this limit
   for (std::size_t index = 0; index < limits_.size(); ++index) {
     if ((record.limits & limitNames()[index].bit) == 0U) continue;
     limits_[index].last_tick = record.tick;

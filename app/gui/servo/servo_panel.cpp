@@ -21,7 +21,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kTimesASecond = 4;  // that numbers change: more cannot be read
+constexpr int kTimesASecond = 4;  // updates of the numbers: more cannot be read
 
 }  // namespace
 
@@ -131,7 +131,7 @@ void ServoPanel::tell(const QString& sentence, bool alarm) {
   told_->setProperty("role", alarm ? "alarm" : "quiet");
   told_->style()->polish(told_);
   told_->show();
-  if (alarm) bringForward();  // where it stands, whoever asked
+  if (alarm) bringForward();  // so that the message is seen, wherever the command came from
 }
 
 void ServoPanel::measureRate(const servo::Snapshot& snapshot) {

@@ -45,7 +45,7 @@ void ShareBar::present(double share, const QString& value, bool acts) {
   if (acts != acts_) {
     acts_ = acts;
     value_->setProperty("role", acts ? "limited-text" : "");
-    value_->style()->polish(value_);  // has the style look at the property again
+    value_->style()->polish(value_);  // makes the style apply the property
   }
   update();
 }

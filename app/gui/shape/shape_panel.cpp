@@ -82,7 +82,7 @@ void ShapePanel::offerReports() {
     connect(reports_->addAction(QString::fromStdString(constraints[index].name)), &QAction::triggered, this, ask);
   }
   const auto count = reports_->actions().size();
-  report_->setMenu(count > 1 ? reports_ : nullptr);  // of one mesh there is nothing to choose
+  report_->setMenu(count > 1 ? reports_ : nullptr);  // with one mesh there is nothing to choose
   report_->setVisible(count > 0);
 }
 
@@ -103,7 +103,7 @@ void ShapePanel::sceneOpened() {
                                 std::holds_alternative<scene::Curve>(constraint.shape);
     for (std::size_t index = 0; index < lines.size(); ++index) {
       readout_->set(readout_->addRow(lines[index].label), lines[index].value);
-      if (has_many_lines && index == 0) addDistance();  // nobody should scroll for the distance
+      if (has_many_lines && index == 0) addDistance();  // visible without scrolling
     }
     if (!has_many_lines) addDistance();
   }
@@ -121,7 +121,7 @@ void ShapePanel::addDistance() {
 }
 
 void ShapePanel::showOneShapeWhole() {
-  constexpr int kRows = 5;  // a circle's: with them nobody has to scroll for the distance
+  constexpr int kRows = 5;  // as many as a circle has, so that the distance is visible without scrolling
   const int row = fontMetrics().lineSpacing() + 4;
   scroll_->setMinimumHeight(std::min(readout_->sizeHint().height(), kRows * row + 16));
 }

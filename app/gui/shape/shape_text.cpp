@@ -15,7 +15,7 @@ namespace {
 
 using ShapeLines = std::vector<ShapeLine>;
 
-/// The names of the types, for translators alone.
+/// The names of the types, marked for translation only.
 [[maybe_unused]] constexpr const char* kShapeNames[] = {
     QT_TRANSLATE_NOOP("shape", "Point"), QT_TRANSLATE_NOOP("shape", "Sphere"), QT_TRANSLATE_NOOP("shape", "Line"),
     QT_TRANSLATE_NOOP("shape", "Plane"), QT_TRANSLATE_NOOP("shape", "Circle"), QT_TRANSLATE_NOOP("shape", "Cylinder"),
@@ -50,13 +50,13 @@ ShapeLines linesOf(const scene::Box& box) {
   return lines;
 }
 
-/// "R R P": its joints in order.
+/// "R R P": the joints in order.
 QString jointLetters(const scene::VirtualManipulator& robot) {
   QStringList letters;
   for (const scene::Joint& joint : robot.joints) letters << (joint.type == chain::JointType::Revolute ? "R" : "P");
   return letters.join(' ');
 }
-/// "q1, q3": the joints that have it.
+/// "q1, q3": the joints with a property.
 QString jointsWith(const scene::VirtualManipulator& robot, bool (*has)(const scene::Joint&)) {
   QStringList numbers;
   for (std::size_t index = 0; index < robot.joints.size(); ++index) {
