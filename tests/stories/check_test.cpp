@@ -30,7 +30,7 @@ TEST(CheckStory, TheButtonMeasuresFillsTheTableAndSaysWhatItMeans) {
       EXPECT_FALSE(table->item(row, column)->text().isEmpty());
     }
   }
-  EXPECT_TRUE(dialog->message().contains("a loop that does nothing")) << dialog->message().toStdString();
+  EXPECT_TRUE(dialog->message().contains("that of a bare loop at p99")) << dialog->message().toStdString();
   EXPECT_TRUE(dialog->findChild<QCheckBox*>()->isEnabled());
   story.settle();  // the words have another length than before
   EXPECT_TRUE(dialog->grab().toImage().save(QString(UNDERACT_BINARY) + "/pictures/dialog_check.png"));

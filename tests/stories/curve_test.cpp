@@ -50,11 +50,11 @@ TEST(CurveStory, ADroppedFileOfPointsIsAskedAboutAddedFeltAndTakenBack) {
   ASSERT_TRUE(waitForMeshes(story));
   const auto* counts = story.find<QLabel>("dialog.curve.counts");
   ASSERT_NE(counts, nullptr);
-  EXPECT_EQ(counts->text(), "4 points, 40.0 × 40.0 × 0.0 mm; 120.0 mm from point to point.");
+  EXPECT_EQ(counts->text(), "4 points, 40.0 × 40.0 × 0.0 mm, length 120.0 mm.");
   EXPECT_FALSE(story.find("dialog.curve")->isModal());
   story.find<QComboBox>("dialog.curve.kind")->setCurrentIndex(1);
   story.find<QCheckBox>("dialog.curve.closed")->setChecked(true);
-  EXPECT_TRUE(counts->text().contains("160.0 mm from point to point")) << counts->text().toStdString();
+  EXPECT_TRUE(counts->text().contains("length 160.0 mm")) << counts->text().toStdString();
   keepPicture(story, "dialog.curve", "curve_dialog");
   story.find<QPushButton>("dialog.curve.add")->click();
   ASSERT_TRUE(waitForMeshes(story));
@@ -81,7 +81,7 @@ TEST(CurveStory, AFileInMetresBecomesANewSceneThatIsSavedAndOpenedAgain) {
   drop(story, temporaryFile("helix.txt", helix(400, 0.03, Vec3(1.0, 0.0, 0.0))));
   ASSERT_TRUE(waitForMeshes(story));
   const QString question = story.find<QLabel>("dialog.curve.question")->text();
-  EXPECT_EQ(question, "As millimetres it would be 0.1 mm long. It is taken to be in metres.");
+  EXPECT_EQ(question, "In millimetres the curve would be 0.1 mm long. It is assumed to be in metres.");
   EXPECT_EQ(story.find<QDoubleSpinBox>("dialog.curve.scale")->value(), 1000.0);
   EXPECT_TRUE(story.find<QLabel>("dialog.curve.counts")->text().contains("60.0 × 60.0 × 30.0 mm"));
   EXPECT_FALSE(story.find("dialog.curve.add")->isEnabled());  // there is no scene to add it to

@@ -161,7 +161,7 @@ TEST(DevicesStory, AnArmThatIsNotThereLeavesTheSimulatedOneAndSaysWhy) {
   other->setText("openhaptics");
   desk.story.click(desk.story.find("panel.devices.open"));
   ASSERT_TRUE(desk.comes([&] { return desk.story.find("panel.devices.told")->isVisible(); }));
-  EXPECT_TRUE(desk.label("panel.devices.told").startsWith(QString::fromUtf8("“openhaptics” was not opened. ")));
+  EXPECT_TRUE(desk.label("panel.devices.told").startsWith(QString::fromUtf8("“openhaptics” could not be opened. ")));
   EXPECT_EQ(desk.label("panel.devices.in_use"), "In use: Simulated arm.");
   EXPECT_TRUE(desk.story.perform("devices.use", QString("toaster")));
   EXPECT_TRUE(desk.comes([&] { return desk.label("panel.devices.told").contains("There is no arm of the kind"); }));

@@ -218,7 +218,7 @@ TEST(FaultStory, ARestartThatFailsSaysWhyAndOneThatWorksClosesTheDialog) {
   rig.plugged_in = false;
   rig.press("dialog.fault.restart");
   EXPECT_TRUE(rig.dialog()->isVisible());
-  EXPECT_EQ(rig.label("panel.servo.told"), "The arm did not open again. No arm answers on the cable.");
+  EXPECT_EQ(rig.label("panel.servo.told"), "The arm could not be reopened. No arm answers on the cable.");
   rig.plugged_in = true;
   rig.press("dialog.fault.restart");
   EXPECT_FALSE(rig.dialog()->isVisible());

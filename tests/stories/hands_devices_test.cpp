@@ -104,7 +104,8 @@ TEST(HandDevicesStory, WhileAnotherArmIsInPlaceNothingMoves) {
   pad.push(0, 1.0);
   story.run(500);
   EXPECT_EQ(story.arm().wished().p_WT, before);
-  EXPECT_TRUE(comes([&] { return story.find<QLabel>("panel.hands.state")->text().startsWith("The hands rest"); }));
+  EXPECT_TRUE(comes(
+      [&] { return story.find<QLabel>("panel.hands.state")->text().startsWith("The input devices have no effect"); }));
   story.perform("session.start");
   ASSERT_TRUE(comes([&] { return story.snapshot().mode == servo::Mode::Running; }));
   pad.press(0b10);  // Stop is for any arm

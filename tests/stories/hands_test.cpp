@@ -100,7 +100,7 @@ TEST(HandsStory, APairOfButtonsIsLearntOneAfterTheOtherAndAButtonForStop) {
   ASSERT_TRUE(desk.story().perform("hands.learn", QString("right")));
   desk.pad.press(1U << 14U);
   desk.hold(1);
-  EXPECT_TRUE(desk.label("panel.hands.asked").contains("the other way"));
+  EXPECT_TRUE(desk.label("panel.hands.asked").contains("the opposite direction"));
   desk.pad.press(0);
   desk.hold(1);
   desk.pad.press(1U << 12U);

@@ -95,7 +95,7 @@ TEST(RemoteArmStory, AnArmThatNobodySharesIsNotOpenedAndTheSimulatedOneStays) {
   desk.story.find<QLineEdit>("panel.devices.other")->setText("remote:" + QString::fromStdString(desk.listen.text()));
   desk.story.click(desk.story.find("panel.devices.open"));
   ASSERT_TRUE(desk.comes([&] { return desk.story.find("panel.devices.told")->isVisible(); }));
-  EXPECT_TRUE(desk.label("panel.devices.told").contains("was not opened"));
+  EXPECT_TRUE(desk.label("panel.devices.told").contains("could not be opened"));
   EXPECT_EQ(desk.label("panel.devices.in_use"), "In use: Simulated arm.");
 }
 

@@ -42,7 +42,7 @@ TEST(ServoStory, ALimitIsSeenWhileItActsAndRememberedAfterwards) {
   openPanel(story);
   auto* clamp = story.find<ShareBar>("panel.servo.limit.clamp");
   EXPECT_FALSE(clamp->acts());
-  EXPECT_EQ(text(story, "panel.servo.limit.clamp.note"), "has not acted");
+  EXPECT_EQ(text(story, "panel.servo.limit.clamp.note"), "not active yet");
   handTo(story, {0.0, 0.0, 0.030}, 1500);  // 20 mm deep: some 10 N asked, 0.88 N sent
   EXPECT_TRUE(clamp->acts());
   EXPECT_TRUE(text(story, "status.force").endsWith("limited: greatest force"));
@@ -54,7 +54,7 @@ TEST(ServoStory, ALimitIsSeenWhileItActsAndRememberedAfterwards) {
   const QString note = text(story, "panel.servo.limit.clamp.note");
   EXPECT_TRUE(note.contains(" s ago, at most ")) << note.toStdString();
   EXPECT_GT(note.section("at most ", 1).section(' ', 0, 0).toDouble(), 5.0) << note.toStdString();
-  EXPECT_EQ(text(story, "panel.servo.limit.frozen.note"), "has not acted");
+  EXPECT_EQ(text(story, "panel.servo.limit.frozen.note"), "not active yet");
 }
 
 TEST(ServoStory, ALimitThatActedForOneTickBetweenTwoFramesIsNotMissed) {
@@ -75,7 +75,7 @@ TEST(ServoStory, ALimitThatActedForOneTickBetweenTwoFramesIsNotMissed) {
   snapshot.ticks = 7000;
   limits.present(snapshot, 1000);
   EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.slew.note")->text(), "last 3 s ago, at most 0.25 N");
-  EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.clamp.note")->text(), "has not acted");
+  EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.clamp.note")->text(), "not active yet");
 }
 
 TEST(ServoStory, AFrozenSampleIsALimitOnlyWhileTheServoWouldPush) {
@@ -90,7 +90,7 @@ TEST(ServoStory, AFrozenSampleIsALimitOnlyWhileTheServoWouldPush) {
   snapshot.mode = servo::Mode::Running;
   limits.present(snapshot, 1000);
   EXPECT_TRUE(frozen->acts());
-  EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.frozen.value")->text(), "let go");
+  EXPECT_EQ(limits.findChild<QLabel*>("panel.servo.limit.frozen.value")->text(), "released");
 }
 
 TEST(ServoStory, ThePanelTellsOfTimeAndScheduling) {

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -17,10 +18,10 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm a unit; a scene's file may have more
+constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm per unit; a scene file may have more
 constexpr int kScaleDecimals = 6;
 
-/// "25.4 mm", without the noughts that many decimals bring.
+/// "25.4 mm", without trailing zeros.
 class ScaleField : public NumberBox {
  public:
   using NumberBox::NumberBox;
@@ -44,8 +45,7 @@ CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<
   }
   buildChoices();
   proposeUnit();
-  layFoot(can_add, tr("Adds the curve to the scene that is there."),
-          tr("Opens a new scene that holds this curve alone."));
+  layFoot(can_add, tr("Adds the curve to the current scene."), tr("Opens a new scene with only this curve."));
   refresh();
   resize(QSize(64 * fontMetrics().averageCharWidth(), sizeHint().height()));
 }
@@ -53,16 +53,16 @@ CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<
 void CurveDialog::buildChoices() {
   kind_ = new QComboBox(this);
   kind_->setObjectName("dialog.curve.kind");
-  kind_->setAccessibleName(tr("How the points are joined"));
-  kind_->addItem(tr("smoothly (spline)"), static_cast<int>(curve::Kind::Spline));
-  kind_->addItem(tr("by straight lines (polyline)"), static_cast<int>(curve::Kind::Polyline));
+  kind_->setAccessibleName(tr("Interpolation between the points"));
+  kind_->addItem(tr("smooth (spline)"), static_cast<int>(curve::Kind::Spline));
+  kind_->addItem(tr("straight lines (polyline)"), static_cast<int>(curve::Kind::Polyline));
   closed_ = new QCheckBox(tr("C&losed: from the last point back to the first"), this);
   closed_->setObjectName("dialog.curve.closed");
   closed_->setAccessibleName(tr("Closed"));
   scale_ = new ScaleField(this);
   scale_->setObjectName("dialog.curve.scale");
-  scale_->setAccessibleName(tr("Millimetres a unit of the file"));
-  scale_->setToolTip(tr("How long a unit of the file is: 1 for mm, 1000 for m, 25.4 for inches."));
+  scale_->setAccessibleName(tr("Millimetres per file unit"));
+  scale_->setToolTip(tr("Length of one file unit: 1 for mm, 1000 for m, 25.4 for inches."));
   scale_->setDecimals(kScaleDecimals);
   scale_->setRange(kLeastScale, kMostScale);
   scale_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -70,26 +70,27 @@ void CurveDialog::buildChoices() {
   scale_->setSuffix(tr(" mm"));
   auto* rows = new QFormLayout;
   rows->setSpacing(8);
-  rows->addRow(tr("&Joined"), kind_);
+  rows->addRow(tr("&Interpolation"), kind_);
   rows->addRow(tr("Ends"), closed_);
-  rows->addRow(tr("A &unit is"), scale_);
+  rows->addRow(tr("File &unit"), scale_);
   column()->addLayout(rows);
   connect(scale_, &QDoubleSpinBox::valueChanged, this, &CurveDialog::refresh);
   connect(closed_, &QCheckBox::toggled, this, &CurveDialog::refresh);
 }
 
-// A file says nothing of its unit: where millimetres make no size for a hand, the likeliest other one is set.
+// A file does not state its unit: if millimetres give an implausible size, the most likely other unit is set.
 void CurveDialog::proposeUnit() {
   const double largest = (high_ - low_).maxCoeff();
   const auto proposal = mesh_file::implausible(largest);
   if (!proposal || !(largest > 0.0)) return;
   QLabel* told = toldLabel("dialog.curve.question", tr("Which unit"), "amber", this);
-  const QString as_mm = tr("As millimetres it would be %1 long.").arg(millimetres(largest));
+  const QString as_mm = tr("In millimetres the curve would be %1 long.").arg(millimetres(largest));
   told->setText(tr("%1 Which unit is the file in?").arg(as_mm));
   if (!proposal->units.empty()) {
     const mesh_file::Unit& likeliest = proposal->units.front();
     scale_->setValue(likeliest.mm_per_unit);
-    told->setText(tr("%1 It is taken to be in %2.").arg(as_mm, QString::fromLatin1(likeliest.name)));
+    told->setText(
+        tr("%1 It is assumed to be in %2.").arg(as_mm, QCoreApplication::translate("problem", likeliest.name)));
   }
   column()->addWidget(told);
 }
@@ -97,7 +98,7 @@ void CurveDialog::proposeUnit() {
 void CurveDialog::refresh() {
   const double scale = scale_->value();
   const double way = way_ + (closed_->isChecked() ? (points_->front() - points_->back()).norm() : 0.0);
-  counts()->setText(tr("%1 points, %2; %3 from point to point.")
+  counts()->setText(tr("%1 points, %2, length %3.")
                         .arg(points_->size())
                         .arg(placeText(scale * (high_ - low_)).replace(", ", " × "), millimetres(scale * way)));
 }

@@ -11,12 +11,12 @@ class QDoubleSpinBox;
 
 namespace underact::gui {
 
-/// What a file of points holds, and the choice of how they are joined, of their unit, and whether the curve goes into
-/// the scene that is there.
+/// The contents of a file of points, and the choice of the interpolation, of the unit, and whether the curve goes into
+/// the current scene.
 class CurveDialog : public AddDialog {
   Q_OBJECT
  public:
-  /// can_add: there is a scene.
+  /// can_add: a scene is open.
   CurveDialog(const QString& path, std::shared_ptr<const std::vector<Vec3>> points, bool can_add, QWidget* parent);
   scene::Constraint constraint() const override;
 
@@ -27,7 +27,7 @@ class CurveDialog : public AddDialog {
 
   std::shared_ptr<const std::vector<Vec3>> points_;
   Vec3 low_, high_;   // of all points, in the file's unit
-  double way_ = 0.0;  // from point to point
+  double way_ = 0.0;  // the length from point to point
   QComboBox* kind_ = nullptr;
   QCheckBox* closed_ = nullptr;
   QDoubleSpinBox* scale_ = nullptr;

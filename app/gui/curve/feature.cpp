@@ -43,7 +43,7 @@ void makeCurve(const FeatureParts& parts, Followers&) {
   files->addAction(
       parts.actions,
       {"curve.add", tr("Add &curve…"), QKeySequence("Ctrl+Shift+C"),
-       tr("Loads a file of points, and adds their curve to the scene or makes a new one of it."), "curve"});
+       tr("Loads a file of points and adds their curve to the scene, or makes a new scene of it."), "curve"});
 }
 
 }  // namespace

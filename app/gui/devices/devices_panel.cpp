@@ -22,13 +22,13 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForArms_ms = 2000;  // while somebody looks
+constexpr int kLookForArms_ms = 2000;  // while the panel is visible
 constexpr int kEntry = Qt::UserRole;
 
 QString stateOf(const ArmEntry& entry, bool is_in_use) {
   if (is_in_use) return DevicesPanel::tr("in use");
   if (entry.name.isEmpty()) return {};
-  return entry.missing.empty() ? DevicesPanel::tr("ready") : DevicesPanel::tr("something is missing");
+  return entry.missing.empty() ? DevicesPanel::tr("ready") : DevicesPanel::tr("not ready");
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
   column->setSpacing(8);
   in_use_ = toldLabel("panel.devices.in_use", tr("The arm in use"), "", content);
   column->addWidget(in_use_);
-  column->addWidget(told_ = toldLabel("panel.devices.told", tr("What came of the choice"), "alarm", content));
+  column->addWidget(told_ = toldLabel("panel.devices.told", tr("Result of the choice"), "alarm", content));
   told_->hide();
   column->addWidget(buildOpening());
   column->addWidget(buildChosen());
@@ -59,8 +59,8 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
   connect(&parts_.arms, &ArmChoice::began, this, &DevicesPanel::presentArm);
   connect(&parts_.arms, &ArmChoice::changed, this, &DevicesPanel::presentArm);
   connect(&parts_.arms, &ArmChoice::failed, this, [this](const QString& name, const Problems& problems) {
-    tell(tr("“%1” was not opened. %2").arg(name, sentencesOf(problems)));
-    search_->look();  // it may be gone
+    tell(tr("“%1” could not be opened. %2").arg(name, sentencesOf(problems)));
+    search_->look();  // it may be unplugged
   });
   presentArm();
 }
@@ -68,10 +68,10 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
 void DevicesPanel::addActions() {
   parts_.actions.addCommand("devices.use", [this](const QVariantList& name) { return use(name.value(0).toString()); });
   parts_.actions.add({"devices.simulated", tr("Use the si&mulated arm"), QKeySequence("Ctrl+Alt+Z"),
-                      tr("Closes the arm in use: the mouse is the hand again.")},
+                      tr("Closes the arm in use. The mouse moves the simulated arm again.")},
                      [this](const QVariantList&) { return use("simulated"); });
   parts_.actions.add({"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+Shift+L"),
-                      tr("Looks again at what is plugged in.")},
+                      tr("Looks again for arms that are plugged in.")},
                      [this](const QVariantList&) {
                        bringForward();
                        search_->look();
@@ -98,12 +98,12 @@ QWidget* DevicesPanel::buildChosen() {
   column->addWidget(list_);
   column->addWidget(about_ = toldLabel("panel.devices.about", tr("About the selected arm"), "quiet", box));
   use_ = pushButton("panel.devices.use", tr("Use this arm"),
-                    tr("Opens it; the servo is stopped, and Start lets it push."), box);
-  fix_ =
-      pushButton("panel.devices.fix", tr("How to fix it…"), tr("Shows the command that mends what is missing."), box);
-  report_ = pushButton("panel.devices.report", tr("Report how it works…"),
-                       tr("Shows the command that tries the arm and writes a report for the program's makers."), box);
-  QPushButton* again = pushButton("panel.devices.look", tr("Look again"), tr("Looks at what is plugged in."), box);
+                    tr("Opens this arm with the servo stopped. Press Start to turn the force on."), box);
+  fix_ = pushButton("panel.devices.fix", tr("How to fix it…"), tr("Shows the command that fixes the problem."), box);
+  report_ = pushButton("panel.devices.report", tr("Test and report…"),
+                       tr("Shows the command that tests the arm and writes a report for the developers."), box);
+  QPushButton* again =
+      pushButton("panel.devices.look", tr("Look again"), tr("Looks again for arms that are plugged in."), box);
   connect(use_, &QPushButton::clicked, this, [this] {
     if (const ArmEntry* entry = current()) parts_.actions.perform("devices.use", entry->name);
   });
@@ -119,14 +119,14 @@ QWidget* DevicesPanel::buildChosen() {
 QWidget* DevicesPanel::buildOther() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
-  column->addWidget(sectionTitle(tr("Another one"), box));
+  column->addWidget(sectionTitle(tr("Another arm"), box));
   other_ = new QLineEdit(box);
-  nameWidget(other_, "panel.devices.other", tr("An arm by its name"));
+  nameWidget(other_, "panel.devices.other", tr("Name of the arm"));
   other_->setPlaceholderText(tr("KIND:ADDRESS"));
   other_->setToolTip(
-      tr("As “underact-cli devices” lists it, with a serial number, a path or an address after the "
-         "colon: wooden:/dev/hidraw3."));
-  QPushButton* open = pushButton("panel.devices.open", tr("Open"), tr("Opens the arm of that name."), box);
+      tr("The name as listed by “underact-cli devices”, with a serial number, a path or an address after the colon: "
+         "wooden:/dev/hidraw3."));
+  QPushButton* open = pushButton("panel.devices.open", tr("Open"), tr("Opens the arm with this name."), box);
   const auto use = [this] {
     if (!other_->text().trimmed().isEmpty()) parts_.actions.perform("devices.use", other_->text().trimmed());
   };
@@ -142,10 +142,10 @@ QWidget* DevicesPanel::buildOther() {
 QWidget* DevicesPanel::buildRegistration() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
-  column->addWidget(sectionTitle(tr("Where it stands"), box));
-  registered_ = toldLabel("panel.devices.registration", tr("Where the arm stands on the desk"), "quiet", box);
+  column->addWidget(sectionTitle(tr("Registration"), box));
+  registered_ = toldLabel("panel.devices.registration", tr("Pose of the arm on the desk"), "quiet", box);
   const QAction* const action = parts_.actions.find("registration.open");
-  box->setHidden(action == nullptr);  // a window that registers none
+  box->setHidden(action == nullptr);  // a window without registration
   QPushButton* open = pushButton("panel.devices.register", tr("Register the arm…"),
                                  action == nullptr ? QString() : action->toolTip(), box);
   connect(open, &QPushButton::clicked, this, [this] { parts_.actions.perform("registration.open"); });
@@ -158,12 +158,13 @@ QWidget* DevicesPanel::buildRegistration() {
 }
 
 QWidget* DevicesPanel::buildOpening() {
-  opening_ = toldLabel("panel.devices.opening", tr("What is being opened"), "quiet", this);
+  opening_ = toldLabel("panel.devices.opening", tr("Arm being opened"), "quiet", this);
   bar_ = new QProgressBar(this);
   nameWidget(bar_, "panel.devices.bar", tr("Opening"));
-  bar_->setRange(0, 0);  // nobody knows how long an arm takes
+  bar_->setRange(0, 0);  // how long an arm takes is unknown
   bar_->setTextVisible(false);
-  cancel_ = pushButton("panel.devices.cancel", tr("Cancel"), tr("The simulated arm stays."), this);
+  cancel_ = pushButton("panel.devices.cancel", tr("Cancel"),
+                       tr("Stops opening this arm. The simulated arm stays in use."), this);
   connect(cancel_, &QPushButton::clicked, this, [this] { parts_.actions.perform("devices.cancel"); });
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
@@ -181,7 +182,7 @@ const ArmEntry* DevicesPanel::current() const {
 bool DevicesPanel::use(const QString& name) {
   told_->hide();
   const Problems problems = parts_.arms.choose(name);
-  if (!problems.empty()) tell(tr("The arm stays. %1").arg(sentencesOf(problems)));
+  if (!problems.empty()) tell(tr("The arm was not changed. %1").arg(sentencesOf(problems)));
   return problems.empty();
 }
 
@@ -197,8 +198,8 @@ bool DevicesPanel::report() {
   if (entry == nullptr || !entry->isUsable()) return false;
   const QString command = QString("underact-cli devices --report \"%1\" --out report.txt").arg(entry->name);
   const std::vector<device::Missing> words{
-      {tr("The arm must be free: use the simulated arm first. The command reads from it for two seconds, pushes with "
-          "nothing, and writes down what it said; add what you felt, and send the file to the program's makers.")
+      {tr("The arm must not be in use: switch to the simulated arm first. The command reads from the arm for two "
+          "seconds, without any force, and writes a report. Add what you felt, and send the file to the developers.")
            .toStdString(),
        command.toStdString()}};
   (new FixDialog(entry->title, words, this))->show();
@@ -238,9 +239,10 @@ void DevicesPanel::describe() {
 void DevicesPanel::presentArm() {
   const servo::DeviceInfo info = parts_.servo.device();
   const QString title = sentenceText(info.title);
-  in_use_->setText(info.untested
-                       ? tr("In use: %1. Untested on hardware: begin with a soft scene, and a hand on Stop.").arg(title)
-                       : tr("In use: %1.").arg(title));
+  in_use_->setText(
+      info.untested
+          ? tr("In use: %1. Untested on hardware: start with a soft scene and keep a hand on Stop.").arg(title)
+          : tr("In use: %1.").arg(title));
   const QString opening = parts_.arms.opening();
   opening_->parentWidget()->setVisible(!opening.isEmpty());
   opening_->setText(tr("Opening %1…").arg(opening));

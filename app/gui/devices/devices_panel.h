@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace underact::gui {
 
-/// Which arms are plugged in, what keeps one from being used, and which one the servo drives.
+/// The arms that are plugged in, what keeps one from being used, and which one is in use.
 class DevicesPanel : public Panel {
   Q_OBJECT
  public:

@@ -8,8 +8,7 @@ namespace underact::gui {
 
 FeatureRow devicesFeature() {
   return {.panels = {{"devices", QT_TRANSLATE_NOOP("panel", "Devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+D",
-                      QT_TRANSLATE_NOOP(
-                          "panel", "Which arms are plugged in, what is missing to use one, and which one is in use."),
+                      QT_TRANSLATE_NOOP("panel", "Which arms are plugged in, what each lacks, and which is in use."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new DevicesPanel({all.servo, all.actions, all.arms, all.where_it_stands}, parent);
                       },

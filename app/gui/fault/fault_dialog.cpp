@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kMostTold = record::kFaultFilesKept;  // what is older has lost its file, too
+constexpr std::size_t kMostTold = record::kFaultFilesKept;  // files of older faults are deleted, too
 
 }  // namespace
 
@@ -32,7 +32,7 @@ FaultDialog::FaultDialog(QWidget* parent)
       what_(toldLabel("dialog.fault.what", tr("What happened"), "", this)),
       meaning_(toldLabel("dialog.fault.meaning", tr("What it means"), "", this)),
       to_do_(toldLabel("dialog.fault.to_do", tr("What to do"), "", this)),
-      file_(toldLabel("dialog.fault.file", tr("Where the fault is kept"), "", this)),
+      file_(toldLabel("dialog.fault.file", tr("Fault file"), "", this)),
       plot_(new FaultPlot(this)) {
   setObjectName("dialog.fault");
   setModal(false);
@@ -67,14 +67,14 @@ QWidget* FaultDialog::buildButtons() {
     row->addWidget(made);
     return made;
   };
-  start_ = button("start", tr("&Start again"), tr("Lets the servo push again, with its soft start."));
-  QPushButton* restart = button("restart", tr("&Restart the servo"),
-                                tr("Opens the arm again and begins the servo anew; then press Start."));
+  start_ = button("start", tr("&Start again"), tr("Turns the force on again, with a soft start."));
+  QPushButton* restart =
+      button("restart", tr("&Restart the servo"), tr("Reopens the arm and restarts the servo. Then press Start."));
   row->addStretch(1);
   folder_ = button("folder", tr("Show &folder"), tr("Opens the folder that holds the file."));
   copy_ = button("copy", tr("Copy &path"), tr("Copies the path of the file."));
   QPushButton* close =
-      button("close", tr("&Close"), tr("Closes this. The servo stays stopped until Start is pressed."));
+      button("close", tr("&Close"), tr("Closes this message. The servo stays stopped until you press Start."));
   connect(start_, &QPushButton::clicked, this, &FaultDialog::startAsked);
   connect(restart, &QPushButton::clicked, this, &FaultDialog::restartAsked);
   connect(folder_, &QPushButton::clicked, this, [this] {
@@ -119,10 +119,10 @@ void FaultDialog::showFault(int index) {
   const ToldFault& fault = faults_[static_cast<std::size_t>(index)];
   const QString what = sentenceText(fault.words.what);
   what_->setText(fault.times > 1 ? tr("%1 (%2 times)").arg(what).arg(fault.times) : what);
-  meaning_->setText(tr("Force is off, and stays off until Start is pressed."));
+  meaning_->setText(tr("Force is off and stays off until you press Start."));
   to_do_->setText(sentenceText(fault.words.what_to_do));
   const bool kept = !fault.path.isEmpty();
-  file_->setText(kept ? tr("The second before it is kept in %1").arg(fault.path) : fault.not_kept);
+  file_->setText(kept ? tr("The last second before the fault is saved in %1").arg(fault.path) : fault.not_kept);
   file_->setProperty("role", kept ? "quiet" : "alarm");
   file_->style()->polish(file_);
   folder_->setEnabled(kept);
@@ -140,7 +140,7 @@ void FaultDialog::setStartable(bool can_start) {
 
 void FaultDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
-  if (!event->spontaneous()) faults_.clear();  // read and closed; the files stay
+  if (!event->spontaneous()) faults_.clear();  // read and closed; the files remain
 }
 
 }  // namespace underact::gui

@@ -13,28 +13,29 @@ namespace underact::gui {
 
 class FaultPlot;
 
-/// A fault as it is told.
+/// A fault as the dialog shows it.
 struct ToldFault {
   record::FaultWords words;
   QString when;      // "19:56:47"
-  QString path;      // of its file; empty: there is none
-  QString not_kept;  // why not
+  QString path;      // of its file; empty: not saved
+  QString not_kept;  // why it was not saved
   std::vector<servo::TickRecord> last_second;
   int rate_hz = 1000;
-  int times = 1;  // the same came so often
+  int times = 1;  // how often it occurred
 };
 
-/// What went wrong: what happened, what it means, what to do, where the file is. One dialog; a fault that comes while
-/// it is open joins the list. It comes without taking the keyboard, so that arrow keys and Esc still go to the window.
+/// What happened, what it means, what to do and where the fault file is. There is one dialog; a fault that occurs while
+/// it is open is added to its list. It does not take the keyboard focus, so that arrow keys and Esc still go to the
+/// window.
 class FaultDialog : public QDialog {
   Q_OBJECT
  public:
   explicit FaultDialog(QWidget* parent);
-  /// Shows a fault, the others that are still told above it.
+  /// Shows a fault, below those already listed.
   void tell(const ToldFault& fault);
-  /// The last one has come again.
+  /// The last fault occurred again.
   void tellAgain();
-  /// Of the faults told since the dialog was opened, the last; null: none.
+  /// The last fault since the dialog was opened; null: none.
   const ToldFault* last() const { return faults_.empty() ? nullptr : &faults_.back(); }
   void setTheme(const Theme& theme);
   void setStartable(bool can_start);

@@ -20,11 +20,10 @@ namespace {
 constexpr const char* kWindowKind = "window";
 
 record::FaultWords wordsOfException(const std::string& message) {
-  return {kWindowKind, said(QT_TRANSLATE_NOOP("problem", "The window met an error of its own: %1."), {message}),
-          said(QT_TRANSLATE_NOOP(
-              "problem",
-              "Save the scene under another name, then press Start. If it comes again, end the program and "
-              "send the file to its makers."))};
+  return {kWindowKind, said(QT_TRANSLATE_NOOP("problem", "An internal error occurred in the window: %1."), {message}),
+          said(QT_TRANSLATE_NOOP("problem",
+                                 "Save the scene under another name, then press Start. If the error occurs again, quit "
+                                 "the program and send the fault file to its developers."))};
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ FaultWatch::FaultWatch(const FeatureParts& parts)
       control_(parts.control),
       actions_(parts.actions),
       window_(parts.window),
-      recent_(static_cast<std::size_t>(parts.servo.rateHz())) {  // a second
+      recent_(static_cast<std::size_t>(parts.servo.rateHz())) {  // one second
   connect(&parts.rate, &ServoRate::changed, this,
           [this](int, int rate_hz) { recent_ = servo::History(static_cast<std::size_t>(rate_hz)); });
   connect(&parts.actions, &Actions::locked, this, [this] {
@@ -43,7 +42,7 @@ FaultWatch::FaultWatch(const FeatureParts& parts)
   });
   actions_
       .add({"servo.fault", tr("Show the last &fault"), QKeySequence("Ctrl+Alt+F"),
-            tr("What stopped the servo last, and where its file is.")},
+            tr("Shows what last stopped the servo, and where the fault file is.")},
            [this](const QVariantList&) { return showLast(); })
       ->setEnabled(false);
   Application::onException([this](const std::string& message) { tellException(message); });
@@ -70,7 +69,7 @@ void FaultWatch::tellException(const std::string& message) {
 void FaultWatch::tellOfWindow(const std::string& message) {
   ToldFault told;
   told.words = wordsOfException(message);
-  // What throws in every frame is told once, and counted.
+  // An error that recurs in every frame is shown once and counted.
   const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
   if (before != nullptr && before->words.kind == kWindowKind && before->words.what == told.words.what) {
     dialog_->tellAgain();
@@ -105,7 +104,7 @@ void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
 void FaultWatch::tell(const ToldFault& told) {
   last_ = std::make_unique<ToldFault>(told);
   actions_.find("servo.fault")->setEnabled(true);
-  if (!actions_.isLocked()) dialog().tell(told);  // visitors are told by the card
+  if (!actions_.isLocked()) dialog().tell(told);  // for visitors the card says it
 }
 
 bool FaultWatch::showLast() {

@@ -16,18 +16,18 @@ namespace underact::gui {
 class FaultDialog;
 struct ToldFault;
 
-/// Looks for faults of the servo, and is told of exceptions in the window: each is kept in a file at once, and told in
+/// Looks for faults of the servo and receives exceptions of the window; each is saved in a file at once and shown in
 /// one dialog.
 class FaultWatch : public QObject, public Follower {
   Q_OBJECT
  public:
   explicit FaultWatch(const FeatureParts& parts);
   ~FaultWatch() override;
-  void add(const servo::TickRecord& record) override { recent_.add(record); }  // the last second of a window's fault
+  void add(const servo::TickRecord& record) override { recent_.add(record); }  // for an error in the window
   void look(const servo::Snapshot& snapshot) override;
-  /// The force goes to zero now; the rest is done when what threw has ended.
+  /// Sets the force to zero at once; reports after the event handler that threw has returned.
   void tellException(const std::string& message);
-  /// Brings the dialog with the last fault to the front, with the keyboard. False: there was none.
+  /// Brings the dialog with the last fault to the front and focuses it. False: there was none.
   bool showLast();
   void setTheme(const Theme& theme) override;
 

@@ -18,8 +18,8 @@ FeelFoot::FeelFoot(Actions& actions, QWidget* parent)
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
   warning_->setToolTip(
-      tr("A sampled wall with one tick of delay stays calm for K < (b + B) / (1.5 T); b: the hand's damping, "
-         "B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly."));
+      tr("A sampled wall with one tick of delay is stable for K < (b + B) / (1.5 T); b: damping of the hand, B: kd, T: "
+         "period of the servo. Lower the stiffness or hold the stylus more firmly."));
   for (QLabel* label : {warning_, refusal_}) {
     label->hide();
     column->addWidget(label);

@@ -7,13 +7,13 @@ namespace underact::gui {
 
 class Actions;
 
-/// Below what scrolls in the Feel panel, so that a sentence is always seen and its coming moves no slider from under
-/// the pointer: a warning, why a change was refused, and what can be done with all of it.
+/// The fixed foot of the Feel panel, below the part that scrolls: a warning, why a change was refused, and the buttons.
+/// Here a message is always visible, and its appearance does not move a slider away from under the pointer.
 class FeelFoot : public QWidget {
   Q_OBJECT
  public:
   FeelFoot(Actions& actions, QWidget* parent);
-  // Empty: there is none.
+  // Empty: hides the message.
   void warn(const QString& sentence);
   void refuse(const QString& sentences);
 

@@ -55,18 +55,18 @@ FeelPanel::FeelPanel(const Parts& parts, QWidget* parent)
   connect(gains_, &GainSection::asked, this, &FeelPanel::setGain);
   connect(&parts_.document, &Document::opened, this, &FeelPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &FeelPanel::sceneEdited);
-  connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });  // what may buzz depends on it
+  connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });  // the warnings depend on it
   sceneOpened();
 }
 
 void FeelPanel::buildChoices(QVBoxLayout* column) {
   choices_ = panelForm();
   constraint_ = chooser("panel.feel.constraint", tr("Constraint whose gains are shown"),
-                        tr("Which constraint of the scene the gains below belong to."), this);
+                        tr("Selects the constraint whose gains are shown below."), this);
   choices_->addRow(tr("&Constraint"), constraint_);
   rows_->addChoice({"/control/law", "panel.feel.law", tr("&Law"), tr("Control law")}, choices_, this);
-  rows_->addChoice({"/control/space", "panel.feel.space", tr("&Works on"), tr("Where the control works")}, choices_,
-                   this);
+  rows_->addChoice({"/control/space", "panel.feel.space", tr("&Works on"), tr("What the control law works on")},
+                   choices_, this);
   rows_->addChoice(
       {"/control/anisotropy", "panel.feel.anisotropy", tr("&Nearest"), tr("Nearest point with unequal gains")},
       choices_, this);
@@ -87,7 +87,7 @@ void FeelPanel::buildSections(QVBoxLayout* column) {
   connect(backwards_, &QCheckBox::toggled, this, [this] {
     const scene::SettingValue speed = parts_.document.value(index_, kGuideSpeed);
     if (scene::isNone(speed)) return;
-    setAll(tr("way of the guide"), {{kGuideSpeed, -std::get<double>(speed)}}, true);
+    setAll(tr("direction of the guide"), {{kGuideSpeed, -std::get<double>(speed)}}, true);
   });
 }
 
@@ -96,9 +96,10 @@ bool FeelPanel::hasScene() const {
 }
 
 void FeelPanel::addActions() {
-  parts_.actions.add({"gains.reset", tr("Reset to &scene"), QKeySequence("Ctrl+R"),
-                      tr("Puts gains, influence and friction back to those of the scene's file."), "reset"},
-                     [this](const QVariantList&) { return resetToScene(); });
+  parts_.actions.add(
+      {"gains.reset", tr("Reset to &scene"), QKeySequence("Ctrl+R"),
+       tr("Restores control law, gains, influence, friction and guidance to the values in the scene file."), "reset"},
+      [this](const QVariantList&) { return resetToScene(); });
   parts_.actions.addCommand("gains.set", [this](const QVariantList& values) {
     if (values.size() != 3) return false;
     const auto gain = static_cast<int>(QStringList{"kp", "kd", "ki"}.indexOf(values[0].toString()));
@@ -128,7 +129,7 @@ void FeelPanel::addActions() {
   });
 }
 
-/// Sets what has a value there.
+/// A command that sets the setting at a path, if it has a value.
 void FeelPanel::addCommand(const QString& name, const std::string& path) {
   parts_.actions.addCommand(name, [this, path](const QVariantList& values) {
     if (values.size() != 1 || !hasScene()) return false;
@@ -148,7 +149,7 @@ void FeelPanel::addSwitch(const QString& name, OptionalSection* section) {
 }
 
 void FeelPanel::present(const servo::Snapshot&) {
-  if (stale_ && !gains_->isHeld() && !rows_->isHeld()) refresh();  // the hand wins; then what holds is shown
+  if (stale_ && !gains_->isHeld() && !rows_->isHeld()) refresh();  // not while a slider is dragged
 }
 
 bool FeelPanel::setGain(int gain, int axis, double value, bool fresh) {
@@ -166,7 +167,7 @@ std::vector<SettingWish> FeelPanel::withCompany(const std::string& path, const s
   const double* const number = std::get_if<double>(&value);
   const scene::SettingValue fixed = parts_.document.value(index_, "/friction/static"),
                             slides = parts_.document.value(index_, "/friction/dynamic");
-  // The dynamic share is never above the static one: one takes the other along.
+  // Dynamic friction never exceeds static friction: setting one adjusts the other.
   if (path == "/friction/static" && number != nullptr && !scene::isNone(slides))
     return {{path, value}, {"/friction/dynamic", std::min(*number, std::get<double>(slides))}};
   if (path == "/friction/dynamic" && number != nullptr && !scene::isNone(fixed))
@@ -190,7 +191,7 @@ bool FeelPanel::setAll(const QString& what, const std::vector<SettingWish>& wish
   return sendScene(edited, what, fresh);
 }
 
-/// The scene with what this panel shows as the file has it.
+/// The scene, with the settings of this panel as they are in the file.
 scene::Description FeelPanel::asWritten() const {
   scene::Description edited = scene::withControl(parts_.document.scene(), index_, parts_.document.own(index_));
   const std::string any = "/constraints/*", here = "/constraints/" + std::to_string(index_);
@@ -202,9 +203,9 @@ scene::Description FeelPanel::asWritten() const {
     const std::string path = pathOf(setting).substr(any.size());
     scene::SettingValue own = parts_.document.own(index_, path);
     const Result<scene::SettingValue> usual = scene::usualAt(edited, here + path);
-    if (scene::isNone(own) && object == any && usual) own = usual.value();  // of a constraint that the file has not
+    if (scene::isNone(own) && object == any && usual) own = usual.value();  // a constraint that is not in the file
     const Result<scene::Description> next = scene::withValue(edited, here + path, own);
-    if (next) edited = next.value();  // else there is no such thing, here and there
+    if (next) edited = next.value();  // otherwise neither has the setting
   }
   return edited;
 }
@@ -219,7 +220,7 @@ bool FeelPanel::sendScene(const scene::Description& edited, const QString& what,
 }
 
 bool FeelPanel::refuse(const Problems& problems) {
-  stale_ = true;  // refused? the next snapshot puts it back
+  stale_ = true;  // if refused, the next snapshot restores what is shown
   foot_->refuse(sentencesOf(problems));
   return problems.empty();
 }
@@ -227,7 +228,7 @@ bool FeelPanel::refuse(const Problems& problems) {
 void FeelPanel::choose(int row) {
   if (row < 0) return;
   index_ = static_cast<std::size_t>(row);
-  gesture_ = parts_.document.newGesture();  // keys in a row on another constraint are another step back
+  gesture_ = parts_.document.newGesture();  // changes of another constraint are a separate undo step
   begin();
   refresh();
 }
@@ -257,7 +258,7 @@ void FeelPanel::sceneEdited() {
   if (alike)
     refresh();
   else
-    sceneOpened();  // a constraint came or went
+    sceneOpened();  // a constraint was added or removed
 }
 
 void FeelPanel::begin() {
@@ -265,14 +266,14 @@ void FeelPanel::begin() {
   for (OptionalSection* const section : {influence_, surface_, guide_}) section->begin(parts_.document, index_);
 }
 
-/// Whether it does nothing here, though the file may have it.
+/// Whether the setting has no effect here, even if the file has it.
 bool FeelPanel::isIdle(const std::string& path) const {
   const scene::Constraint& constraint = parts_.document.scene().constraints[index_];
   const scene::Control& control = scene::controlOf(parts_.document.scene(), index_);
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (path == "/control/anisotropy") return control.space == tick::Space::Joint || (kp.array() == kp.x()).all();
   if (path.starts_with("/control/velocity/")) return control.law == scene::LawType::P;
-  if (path == "/search") return constraint.side != target::Side::Both;  // a wall's proxy seeks nothing
+  if (path == "/search") return constraint.side != target::Side::Both;  // the proxy of a wall needs no search
   if (path == "/influence/blend_deg") return std::holds_alternative<scene::Sphere>(constraint.shape);  // no axis
   return false;
 }
@@ -291,9 +292,9 @@ void FeelPanel::refresh() {
   guide_->setVisible(std::holds_alternative<scene::Curve>(constraint.shape));
   for (OptionalSection* const section : {influence_, surface_, guide_}) section->present(parts_.document, index_);
   rows_->present(parts_.document, index_, [this](const std::string& path) { return isIdle(path); });
-  // A speed of 0 has no sign of its own; which way it will go is what was chosen last.
+  // A speed of 0 has no sign: the direction stays as it was chosen last.
   const scene::SettingValue speed = parts_.document.value(index_, kGuideSpeed);
-  const QSignalBlocker silent(backwards_);  // to show a value is not to ask for it
+  const QSignalBlocker silent(backwards_);  // showing a value must not set it
   if (const double* one = std::get_if<double>(&speed); one && *one != 0.0) backwards_->setChecked(*one < 0.0);
   refreshWarnings(control);
 }
@@ -305,7 +306,7 @@ void FeelPanel::refreshWarnings(const scene::Control& control) {
     gains_->setWarning(axis, reason);
     if (!reason.isEmpty()) reasons << reason;
   }
-  foot_->warn(reasons.isEmpty() ? QString() : reasons.first());  // one reason holds for all of them
+  foot_->warn(reasons.isEmpty() ? QString() : reasons.first());  // the same for all axes
 }
 
 }  // namespace underact::gui

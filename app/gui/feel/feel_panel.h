@@ -28,12 +28,13 @@ class FeelPanel : public Panel {
   FeelPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
 
-  /// One gain, as the sliders do it. gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a step of its own for undo.
-  /// false: refused.
+  /// Sets one gain, as a slider does. gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a separate undo step. False:
+  /// refused.
   bool setGain(int gain, int axis, double value, bool fresh);
-  /// A setting of the constraint shown, by its path from there on, "/control/law", and what has to go with it.
+  /// Sets a setting of the shown constraint, by its path relative to the constraint ("/control/law"), and others that
+  /// depend on it.
   bool set(const std::string& path, const scene::SettingValue& value, bool fresh);
-  /// The whole control, the influence, the friction and the guide of the constraint shown, as the file has them.
+  /// Restores control, influence, friction and guidance of the shown constraint to the values in the scene file.
   bool resetToScene();
 
  private:
@@ -52,22 +53,22 @@ class FeelPanel : public Panel {
   bool isIdle(const std::string& path) const;
   std::vector<SettingWish> withCompany(const std::string& path, const scene::SettingValue& value) const;
   scene::Description asWritten() const;
-  /// what: for the undo menu.
+  /// what: the text of the undo menu.
   bool setAll(const QString& what, const std::vector<SettingWish>& wishes, bool fresh);
   bool refuse(const Problems& problems);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
 
   Parts parts_;
-  std::size_t index_ = 0;  // of the constraint whose control is shown
+  std::size_t index_ = 0;  // of the shown constraint
   int gesture_ = 0;
-  bool stale_ = true;  // what is shown may not be what holds
+  bool stale_ = true;  // the panel may differ from the scene
   SettingRows* rows_;
   GainSection* gains_;
   FeelFoot* foot_ = nullptr;
   QFormLayout* choices_ = nullptr;
   QComboBox* constraint_ = nullptr;
   OptionalSection *influence_ = nullptr, *surface_ = nullptr, *guide_ = nullptr;
-  QCheckBox* backwards_ = nullptr;  // the guide runs
+  QCheckBox* backwards_ = nullptr;  // direction of the guide
 };
 
 }  // namespace underact::gui

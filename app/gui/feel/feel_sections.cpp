@@ -21,13 +21,13 @@ OptionalSection* makeInfluence(SettingRows& rows, QWidget* parent) {
       {.name = "panel.influence",
        .title = FeelPanel::tr("Influence t"),
        .title_tip = FeelPanel::tr(
-           "Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the "
-           "point nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3)."),
+           "Where the target lies on the circle, cylinder or sphere, between the point that the stylus points at and "
+           "the point nearest to the tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3)."),
        .switch_name = "panel.influence.on",
-       .switch_text = FeelPanel::tr("&Turn of the stylus counts"),
-       .switch_spoken = FeelPanel::tr("Turn of the stylus counts"),
+       .switch_text = FeelPanel::tr("&Use stylus orientation"),
+       .switch_spoken = FeelPanel::tr("Use stylus orientation"),
        .switch_tip = FeelPanel::tr(
-           "Off, the target is the nearest point: position only. On, turning the stylus moves the target."),
+           "Off: the target is the point nearest to the tip. On: rotating the stylus moves the target, too."),
        .turned_on = FeelPanel::tr("influence on"),
        .turned_off = FeelPanel::tr("influence off"),
        .easy = {{"/influence/t", 0.5}, {"/influence/stylus_axis", "+z"}, {"/influence/blend_deg", 5.0}}},
@@ -39,7 +39,7 @@ OptionalSection* makeInfluence(SettingRows& rows, QWidget* parent) {
   QFormLayout* const form = panelForm();
   made->rows()->addLayout(form);
   rows.addChoice({"/influence/stylus_axis", "panel.influence.axis", FeelPanel::tr("&Stylus axis"),
-                  FeelPanel::tr("Direction of the stylus that counts")},
+                  FeelPanel::tr("Stylus axis that points at the target")},
                  form, made->details())
       ->setMinimumContentsLength(8);
   rows.addNumber(
@@ -54,14 +54,14 @@ OptionalSection* makeSurface(SettingRows& rows, QWidget* parent) {
        .title = FeelPanel::tr("Surface"),
        .title_tip = {},
        .switch_name = "panel.surface.friction",
-       .switch_text = FeelPanel::tr("The surface has f&riction"),
-       .switch_spoken = FeelPanel::tr("The surface has friction"),
-       .switch_tip =
-           FeelPanel::tr("Off, the stylus glides along the surface. On, it sticks up to the static share of the force "
-                         "across the surface, and drags by the dynamic share beyond (Coulomb)."),
+       .switch_text = FeelPanel::tr("F&riction"),
+       .switch_spoken = FeelPanel::tr("Friction"),
+       .switch_tip = FeelPanel::tr("Off: the stylus slides freely along the surface. On: it sticks until the force "
+                                   "along the surface exceeds the static coefficient times the normal force; then it "
+                                   "slides against the dynamic coefficient times the normal force (Coulomb)."),
        .turned_on = FeelPanel::tr("friction on"),
        .turned_off = FeelPanel::tr("friction off"),
-       .easy = {{"/friction/static", 0.4}, {"/friction/dynamic", 0.3}}},  // on wood, about
+       .easy = {{"/friction/static", 0.4}, {"/friction/dynamic", 0.3}}},  // about wood on wood
       parent);
   const QString widest = FeelPanel::tr("Dynamic");
   rows.addNumber({"/friction/static", "panel.surface.static", FeelPanel::tr("Static"), FeelPanel::tr("Static friction"),
@@ -75,8 +75,8 @@ OptionalSection* makeSurface(SettingRows& rows, QWidget* parent) {
       made->column(), made);
   QFormLayout* const form = panelForm();
   made->column()->addLayout(form);
-  rows.addChoice({"/search", "panel.surface.search", FeelPanel::tr("&Held to"),
-                  FeelPanel::tr("How the nearest point of the mesh is sought")},
+  rows.addChoice({"/search", "panel.surface.search", FeelPanel::tr("Se&arch"),
+                  FeelPanel::tr("Search for the nearest point of the mesh")},
                  form, made);
   return made;
 }
@@ -84,27 +84,26 @@ OptionalSection* makeSurface(SettingRows& rows, QWidget* parent) {
 OptionalSection* makeGuide(SettingRows& rows, QCheckBox*& backwards, QWidget* parent) {
   auto* const made = new OptionalSection(
       {.name = "panel.guide",
-       .title = FeelPanel::tr("Along the curve"),
+       .title = FeelPanel::tr("Guidance"),
        .title_tip = {},
        .switch_name = "panel.guide.on",
-       .switch_text = FeelPanel::tr("A &guide leads along it"),
-       .switch_spoken = FeelPanel::tr("A guide leads along the curve"),
-       .switch_tip = FeelPanel::tr(
-           "Off, the stylus is held to the nearest point of the curve. On, a point runs ahead of the hand "
-           "along the curve, draws it on, and waits for it."),
-       .turned_on = FeelPanel::tr("guide on"),
-       .turned_off = FeelPanel::tr("guide off"),
+       .switch_text = FeelPanel::tr("&Guide the hand"),
+       .switch_spoken = FeelPanel::tr("Guide the hand along the curve"),
+       .switch_tip = FeelPanel::tr("Off: the target is the nearest point of the curve. On: a guide point runs ahead of "
+                                   "the hand along the curve, pulls it along and waits for it."),
+       .turned_on = FeelPanel::tr("guidance on"),
+       .turned_off = FeelPanel::tr("guidance off"),
        .easy = {{"/guide/speed_mm_per_s", 30.0}, {"/guide/t", 0.0}, {"/guide/lead_mm", 8.0}}},
       parent);
   const QString widest = FeelPanel::tr("Speed");
   rows.addNumber(
       {"/guide/speed_mm_per_s", "panel.guide.speed", widest, FeelPanel::tr("Speed of the guide"), widest, 1, 200, 0},
       made->rows(), made->details());
-  backwards = new QCheckBox(FeelPanel::tr("bac&kwards"), made->details());
+  backwards = new QCheckBox(FeelPanel::tr("Bac&kwards"), made->details());
   backwards->setObjectName("panel.guide.backwards");
   backwards->setAccessibleName(FeelPanel::tr("The guide runs backwards"));
   made->rows()->addWidget(backwards);
-  rows.addNumber({"/guide/t", "panel.guide.t", "t", FeelPanel::tr("Influence of the hand's own place on the curve"),
+  rows.addNumber({"/guide/t", "panel.guide.t", "t", FeelPanel::tr("Influence of the hand's position on the curve"),
                   widest, 100, 100, 2},
                  made->rows(), made->details())
       ->setEnds(FeelPanel::tr("guide"), FeelPanel::tr("nearest"));
@@ -119,9 +118,8 @@ QWidget* makeRate(SettingRows& rows, QWidget* parent) {
   made->setObjectName("panel.rate");
   auto* const outer = tight<QVBoxLayout>(made);
   auto* const section = new Section(
-      "rate", FeelPanel::tr("Rate and energy"),
-      FeelPanel::tr(
-          "How the rate of the error is found, for damping, and whether the energy of the constraint is watched."),
+      "rate", FeelPanel::tr("Velocity and energy"),
+      FeelPanel::tr("How the velocity for damping is estimated, and whether the energy of the constraint is observed."),
       made, "feel");
   outer->addWidget(section);
   QFormLayout* const form = panelForm();

@@ -8,16 +8,16 @@ namespace underact::gui {
 class OptionalSection;
 class SettingRows;
 
-// The parts of the Feel panel that are rows of settings; each row goes into `rows`.
+// The sections of the Feel panel that consist of rows of settings; each row is added to `rows`.
 
-/// How much of the stylus's turn goes into the target: for a circle, cylinder or sphere.
+/// The influence of the stylus orientation on the target of a circle, cylinder or sphere.
 OptionalSection* makeInfluence(SettingRows& rows, QWidget* parent);
-/// How the surface holds the stylus: its friction, and, of a mesh, how far its force may lean so that bends feel round,
-/// and how its nearest point is sought. For what one can slide along.
+/// Friction of a shape that the tip can slide along; for a mesh, also the smoothing of bends and the search for the
+/// nearest point.
 OptionalSection* makeSurface(SettingRows& rows, QWidget* parent);
-/// How a curve leads the hand along it. backwards: the row has the guide's speed; this, which way it goes.
+/// The guidance along a curve. backwards: the direction of the guide; the row of the speed has its magnitude.
 OptionalSection* makeGuide(SettingRows& rows, QCheckBox*& backwards, QWidget* parent);
-/// How the rate of the error is found, and whether the energy is watched: folded away until it is asked for.
+/// The velocity filter and the passivity observer or controller; folded at first.
 QWidget* makeRate(SettingRows& rows, QWidget* parent);
 
 }  // namespace underact::gui

@@ -24,7 +24,7 @@ bool areEqual(const Gains& gains) {
   return std::all_of(std::begin(kGains), std::end(kGains), [&](auto gain) { return areEqual(gains.*gain); });
 }
 
-/// "x", or "q1" where the control works on the joints.
+/// "x", or "q1" if the control law works on the joints.
 QString axisName(const scene::Control& control, int axis) {
   return control.space == tick::Space::Joint ? QString("q%1").arg(axis + 1) : QString(QChar('x' + axis));
 }
@@ -35,7 +35,7 @@ GainSection::GainSection(QWidget* parent) : QWidget(parent), link_(new QCheckBox
   auto* column = tight<QVBoxLayout>(this, 8);
   link_->setObjectName("panel.feel.link");
   link_->setAccessibleName(tr("Link x, y and z"));
-  link_->setToolTip(tr("A change of one axis changes all three."));
+  link_->setToolTip(tr("Changing one axis changes all three."));
   column->addWidget(link_);
   for (int gain = 0; gain < kGainKinds; ++gain) {
     auto* part = new QWidget(this);
@@ -68,7 +68,7 @@ void GainSection::present(const scene::Control& now, const scene::Control& own) 
       row->present((now.gains.*kGains[gain])[axis], (own.gains.*kGains[gain])[axis]);
     }
   }
-  if (!areEqual(now.gains)) link_->setChecked(false);  // the next change of one axis must not wipe out the others
+  if (!areEqual(now.gains)) link_->setChecked(false);  // so that changing one axis does not overwrite the others
   const bool in_joints = now.space == tick::Space::Joint;
   link_->setText(in_joints ? tr("L&ink q1, q2 and q3") : tr("L&ink x, y and z"));
   link_->setAccessibleName(link_->text().remove('&'));

@@ -9,20 +9,20 @@ class QCheckBox;
 
 namespace underact::gui {
 
-/// The gains of the law, axis by axis: those it uses, and whether a change of one axis changes all three.
+/// The gains that the control law uses, axis by axis, and whether the axes are linked.
 class GainSection : public QWidget {
   Q_OBJECT
  public:
   explicit GainSection(QWidget* parent = nullptr);
-  /// The axes are linked where their gains are alike.
+  /// Links the axes if their gains are equal.
   void begin(const scene::Control& control);
-  /// own: as the file has it.
+  /// own: the values in the scene file.
   void present(const scene::Control& now, const scene::Control& own);
-  /// Of the stiffness of an axis; empty: calm.
+  /// A warning at the stiffness of an axis; empty: none.
   void setWarning(int axis, const QString& reason);
   bool isHeld() const;
 
-  /// A gain with another value along an axis, or along all that are linked to it, and what is undone by that.
+  /// The axes of a gain after a change of one of them, or of all if linked, and the text of the undo menu.
   struct Wanted {
     Vec3 axes;
     QString what;
@@ -30,7 +30,7 @@ class GainSection : public QWidget {
   Wanted changed(const scene::Control& control, int gain, int axis, double value) const;
 
  signals:
-  /// gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a step of its own for undo.
+  /// gain: 0 kp, 1 kd, 2 ki; axis: 0 x, 1 y, 2 z; fresh: a separate undo step.
   void asked(int gain, int axis, double value, bool fresh);
 
  private:

@@ -41,7 +41,7 @@ bool OptionalSection::isOn(const Document& document, std::size_t index) const {
 
 void OptionalSection::present(const Document& document, std::size_t index) {
   const bool is_on = isOn(document, index);
-  const QSignalBlocker silent(on_);  // to show a value is not to ask for it
+  const QSignalBlocker silent(on_);  // showing a value must not set it
   on_->setChecked(is_on);
   details_->setVisible(is_on);
   if (!is_on) return;

@@ -11,13 +11,13 @@ namespace underact::gui {
 
 class Document;
 
-/// A setting of a constraint, by its path from there on, and what it should be.
+/// A setting of a constraint, by its path relative to the constraint, and its wanted value.
 struct SettingWish {
   std::string path;
   scene::SettingValue value;
 };
 
-/// A part of a constraint that may be missing, as its friction: a switch, and what is there while it is on.
+/// An optional part of a constraint, such as friction: a switch, and the settings while it is on.
 class OptionalSection : public QWidget {
   Q_OBJECT
  public:
@@ -27,23 +27,23 @@ class OptionalSection : public QWidget {
     const char* switch_name;
     QString switch_text, switch_spoken, switch_tip;
     QString turned_on, turned_off;  // for the undo menu
-    /// All of the part's settings, as a switch puts them where the file has none. The first is the one that it cannot
-    /// be without.
+    /// All settings of the part, with the values that the switch sets if the file has none. The first is the required
+    /// one.
     std::vector<SettingWish> easy;
   };
   OptionalSection(Looks looks, QWidget* parent);
 
   QWidget* details() { return details_; }
-  QVBoxLayout* rows() { return rows_; }  // inside details()
-  /// Below the switch, whether it is on or not.
+  QVBoxLayout* rows() { return rows_; }  // in details()
+  /// The whole section: for rows that are visible whether the switch is on or off.
   QVBoxLayout* column() { return column_; }
 
-  /// Another constraint: what was there last is forgotten.
+  /// Shows another constraint; forgets the last values.
   void begin(const Document& document, std::size_t index);
   void present(const Document& document, std::size_t index);
   /// Whether the constraint has the part.
   bool isOn(const Document& document, std::size_t index) const;
-  /// What a switch asks for: off, or what was there last, or the file's own, or an easy one.
+  /// What the switch sets. Off: no value for the required setting; on: the last values, those of the file, or defaults.
   std::vector<SettingWish> switched(bool on) const;
   QString switchedWords(bool on) const { return on ? looks_.turned_on : looks_.turned_off; }
 
@@ -52,7 +52,7 @@ class OptionalSection : public QWidget {
 
  private:
   Looks looks_;
-  std::vector<SettingWish> last_;  // that held
+  std::vector<SettingWish> last_;  // values in effect
   QVBoxLayout* column_;
   QCheckBox* on_;
   QWidget* details_;

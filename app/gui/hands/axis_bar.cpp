@@ -6,8 +6,7 @@
 namespace underact::gui {
 
 AxisBar::AxisBar(const QString& name, const QString& spoken, QWidget* parent)
-    : Painted(name, spoken, tr("The line: how far it is moved. The bar: what comes through. Grey: the dead zone."),
-              parent) {
+    : Painted(name, spoken, tr("Line: deflection. Bar: output. Grey: dead zone."), parent) {
   setMinimumWidth(72);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }

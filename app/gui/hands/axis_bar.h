@@ -3,7 +3,7 @@
 
 namespace underact::gui {
 
-/// How far a stick is moved (a line), how much of that comes through (the bar), and the dead zone between.
+/// The deflection of a stick (line), the resulting share of the speed (bar) and the dead zone.
 class AxisBar : public Painted {
   Q_OBJECT
  public:

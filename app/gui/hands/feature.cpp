@@ -7,9 +7,10 @@
 namespace underact::gui {
 
 FeatureRow handsFeature() {
-  return {.panels = {{"hands", QT_TRANSLATE_NOOP("panel", "Hands"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
-                      QT_TRANSLATE_NOOP("panel",
-                                        "Mouse, game controllers and 3D mice: which are there, and what moves what."),
+  return {.panels = {{"hands", QT_TRANSLATE_NOOP("panel", "Input devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
+                      QT_TRANSLATE_NOOP(
+                          "panel",
+                          "Mouse, game controllers and 3D mice: which are plugged in, and how they move the stylus."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new HandsPanel({all.window, all.servo, all.actions, all.hand, all.hands}, parent);
                       },

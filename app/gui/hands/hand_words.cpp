@@ -37,9 +37,9 @@ bool setPart(hands::AxisMap& map, const QString& part, const QVariant& value, bo
 }  // namespace
 
 QString wayTitle(hands::Way way) {
-  static const char* const kTitles[hands::kWays] = {QT_TR_NOOP("Right, left"),  QT_TR_NOOP("Up, down"),
-                                                    QT_TR_NOOP("To you, away"), QT_TR_NOOP("Tilt"),
-                                                    QT_TR_NOOP("Swing"),        QT_TR_NOOP("Roll")};
+  static const char* const kTitles[hands::kWays] = {
+      QT_TR_NOOP("Right, left"), QT_TR_NOOP("Up, down"), QT_TR_NOOP("Nearer, farther"),
+      QT_TR_NOOP("Pitch"),       QT_TR_NOOP("Yaw"),      QT_TR_NOOP("Roll")};
   return tr(kTitles[static_cast<std::size_t>(way)]);
 }
 
@@ -47,9 +47,9 @@ QString wayGoal(hands::Way way) {
   static const char* const kGoals[hands::kWays] = {QT_TR_NOOP("moves the stylus to the right"),
                                                    QT_TR_NOOP("moves the stylus up"),
                                                    QT_TR_NOOP("moves the stylus towards you"),
-                                                   QT_TR_NOOP("tilts the stylus: its top towards you"),
-                                                   QT_TR_NOOP("swings the stylus: its front to the right"),
-                                                   QT_TR_NOOP("rolls the stylus: its top to the left")};
+                                                   QT_TR_NOOP("tilts the top of the stylus towards you"),
+                                                   QT_TR_NOOP("turns the front of the stylus to the right"),
+                                                   QT_TR_NOOP("tilts the top of the stylus to the left")};
   return tr(kGoals[static_cast<std::size_t>(way)]);
 }
 

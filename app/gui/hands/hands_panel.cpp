@@ -23,7 +23,7 @@ namespace {
 constexpr int kId = Qt::UserRole;
 
 QString stateOf(const HandEntry& entry) {
-  if (!entry.seen.missing.empty()) return HandsPanel::tr("something is missing");
+  if (!entry.seen.missing.empty()) return HandsPanel::tr("not ready");
   if (!entry.used) return HandsPanel::tr("switched off");
   return entry.moves ? HandsPanel::tr("moves the stylus") : HandsPanel::tr("ready");
 }
@@ -43,21 +43,20 @@ HandsPanel::HandsPanel(const Parts& parts, QWidget* parent)
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
-  column->addWidget(state_ = toldLabel("panel.hands.state", tr("What the hands do"), "", content));
+  column->addWidget(state_ = toldLabel("panel.hands.state", tr("State of the input devices"), "", content));
   column->addWidget(trouble_ = toldLabel("panel.hands.trouble", tr("What is wrong"), "amber", content));
   list_ = new QListWidget(content);
   list_->setObjectName("panel.hands.list");
-  list_->setAccessibleName(tr("Hands"));
-  list_->setToolTip(tr("What is there; one without its tick moves nothing."));
+  list_->setAccessibleName(tr("Input devices"));
+  list_->setToolTip(tr("The input devices that are plugged in. An unticked device is ignored."));
   list_->setProperty("role", "ticks");  // their boxes are painted in its own ground, which is black where it is none
   list_->setFrameShape(QFrame::NoFrame);
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setFixedHeight(6 * fontMetrics().lineSpacing());
   column->addWidget(list_);
-  column->addWidget(about_ = toldLabel("panel.hands.about", tr("About the selected hand"), "quiet", content));
-  fix_ =
-      pushButton("panel.hands.fix", tr("How to fix it…"), tr("Shows the command that mends what is missing."), content);
+  column->addWidget(about_ = toldLabel("panel.hands.about", tr("About the selected device"), "quiet", content));
+  fix_ = pushButton("panel.hands.fix", tr("How to fix it…"), tr("Shows the command that fixes the problem."), content);
   column->addWidget(fix_, 0, Qt::AlignLeft);
   column->addWidget(editor_ = new MapEditor(hands_, parts_.actions, content));
   column->addStretch(1);
@@ -87,7 +86,7 @@ void HandsPanel::addActions() {
     const auto map = withField(entry->map, args.value(0).toString(), args.value(1));
     const bool fresh = args.size() < 3 || args[2].toBool();
     const bool done = map && hands_.change(current(), *map, args[0].toString(), fresh);
-    if (!done) editor_->rebuild();  // what was typed is taken back
+    if (!done) editor_->rebuild();  // undoes what was typed
     return done;
   });
   actions.addCommand("hands.learn",
@@ -111,13 +110,13 @@ QString HandsPanel::current() const {
   return item == nullptr ? QString() : item->data(kId).toString();
 }
 
-/// The first device that comes is shown, so that its bars move when it is moved.
+/// Selects the first device that is plugged in, so that its bars show its motion.
 void HandsPanel::rebuild() {
   const QString before = current();
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    list_->addItem(tr("Mouse and keyboard – always"));
+    list_->addItem(tr("Mouse and keyboard – always on"));
     list_->item(0)->setData(kId, QString());
     for (const HandEntry& entry : hands_.entries()) {
       auto* item = new QListWidgetItem(titleOf(entry), list_);
@@ -141,11 +140,10 @@ void HandsPanel::describe() {
   if (lacks)
     tellIn(about_, sentenceText(entry->seen.missing.front().sentence));
   else if (entry == nullptr)
-    tellIn(about_,
-           tr("Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A "
-              "controller or 3D mouse that is plugged in comes into this list."));
+    tellIn(about_, tr("Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists all "
+                      "keys. A game controller or 3D mouse appears in this list when you plug it in."));
   else
-    tellIn(about_, tr("A %1, untested. Its mapping is kept.").arg(kindText(entry->seen.kind)));
+    tellIn(about_, tr("A %1, untested. Its mapping is saved.").arg(kindText(entry->seen.kind)));
   editor_->setDevice(entry == nullptr ? QString() : entry->id());
   editor_->rebuild();
 }
@@ -157,7 +155,7 @@ void HandsPanel::before() {
 void HandsPanel::present(const servo::Snapshot&) {
   if (!isSeen()) return;
   const QString rest = hands_.whyAtRest();
-  tellIn(state_, rest.isEmpty() ? tr("Whatever is moved moves the simulated hand.") : rest);
+  tellIn(state_, rest.isEmpty() ? tr("Every device in use moves the simulated hand.") : rest);
   tellIn(trouble_, hands_.trouble());
   const QSignalBlocker quiet(list_);
   for (int row = 1; row < list_->count(); ++row) {

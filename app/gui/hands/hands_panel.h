@@ -10,7 +10,7 @@ namespace underact::gui {
 class MapEditor;
 class MovingHands;
 
-/// Which hands are there, which of them move the stylus, and what each part of a controller or 3D mouse does.
+/// The input devices, which of them move the stylus, and the mapping of a controller or 3D mouse.
 class HandsPanel : public Panel {
   Q_OBJECT
  public:

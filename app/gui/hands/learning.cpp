@@ -25,13 +25,13 @@ std::optional<Learning> Learning::of(const QString& id, const QString& field, co
 QString Learning::asked() const {
   for (std::size_t press = 0; press < hands::kPresses; ++press) {
     const auto which = static_cast<hands::Press>(press);
-    if (field_ == hands::pressName(which)) return tr("Press the button that is to be “%1”.").arg(pressTitle(which));
+    if (field_ == hands::pressName(which)) return tr("Press the button for “%1”.").arg(pressTitle(which));
   }
-  if (first_ >= 0) return tr("Now press the button for the other way.");
+  if (first_ >= 0) return tr("Now press the button for the opposite direction.");
   for (std::size_t way = 0; way < hands::kWays; ++way) {
     const auto which = static_cast<hands::Way>(way);
     if (field_ == hands::wayName(which))
-      return tr("Push the stick all the way, or press the button, that %1.").arg(wayGoal(which));
+      return tr("Push the stick fully, or press the button, that %1.").arg(wayGoal(which));
   }
   return {};
 }
@@ -39,7 +39,7 @@ QString Learning::asked() const {
 std::optional<Learning::Step> Learning::take(const hands::Map& map, const hands::Readings& now) {
   const bool is_press = isPress(field_);
   const std::optional<int> button = hands::learnButton(before_, now);
-  before_.pressed &= now.pressed;  // one that was let go may be pressed again
+  before_.pressed &= now.pressed;  // a released button may be pressed again
   if (is_press || first_ >= 0) {
     if (!button || *button == first_) return {};
     if (is_press) return Step{withField(map, field_, *button)};

@@ -6,23 +6,23 @@
 
 namespace underact::gui {
 
-/// One way or button of a device's map, learnt from what a person does with the device: "right", "stop".
+/// Learns one way or button of a map ("right", "stop") from what the user does with the device.
 class Learning {
  public:
-  /// before: how the device is as it begins. None: there is no such field.
+  /// before: the readings at the start. None: no such field.
   static std::optional<Learning> of(const QString& id, const QString& field, const device::hands::Readings& before);
   const QString& id() const { return id_; }
   const QString& field() const { return field_; }
-  /// What the person is asked for.
+  /// The instruction for the user.
   QString asked() const;
 
-  /// Something was learnt.
+  /// What was learnt.
   struct Step {
-    std::optional<device::hands::Map> map;  // none: it is no value for that field
-    bool fresh = true;                      // false: it goes with the last one
-    bool is_last = true;                    // false: a button for the other way is waited for
+    std::optional<device::hands::Map> map;  // none: not a value of that field
+    bool fresh = true;                      // false: one undo step with the last change
+    bool is_last = true;                    // false: the button for the opposite direction is still to come
   };
-  /// map: so far. None: nothing yet.
+  /// map: the present one. None: nothing learnt yet.
   std::optional<Step> take(const device::hands::Map& map, const device::hands::Readings& now);
 
  private:
@@ -30,7 +30,7 @@ class Learning {
       : id_(id), field_(field), before_(before) {}
   QString id_, field_;
   device::hands::Readings before_;
-  int first_ = -1;  // the button for one way; the other one is waited for
+  int first_ = -1;  // the button for one direction, while waiting for the other
 };
 
 }  // namespace underact::gui

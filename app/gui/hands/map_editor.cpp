@@ -32,7 +32,7 @@ namespace hands = device::hands;
 namespace {
 
 QString markText() {
-  return MapEditor::tr("The mark is the usual value; a double click goes back to it.");
+  return MapEditor::tr("The mark shows the default value. Double-click to restore it.");
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ QString markText() {
 MapEditor::MapEditor(MovingHands& hands, Actions& actions, QWidget* parent)
     : QWidget(parent), hands_(hands), actions_(actions), title_(sectionTitle({}, this)) {
   setObjectName("panel.hands.editor");
-  setAccessibleName(tr("What moves what"));
+  setAccessibleName(tr("Mapping"));
   auto* column = tight<QVBoxLayout>(this, 8);
   title_->setWordWrap(true);
   column->addWidget(title_);
@@ -66,7 +66,7 @@ void MapEditor::buildWays(QGridLayout* grid) {
     button->setObjectName("panel.hands.way." + name);
     button->setText(title);
     button->setAccessibleName(title);
-    button->setToolTip(tr("Shows what moves it: what %1.").arg(wayGoal(static_cast<hands::Way>(way))));
+    button->setToolTip(tr("Shows what %1.").arg(wayGoal(static_cast<hands::Way>(way))));
     button->setCheckable(true);
     button->setProperty("role", "choice");
     button->setFocusPolicy(Qt::StrongFocus);
@@ -86,11 +86,11 @@ QWidget* MapEditor::buildOne() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box, 4);
   column->addWidget(way_title_ = sectionTitle({}, box));
-  source_ = chooser("panel.hands.source", tr("Moved by"), tr("The stick, buttons or triggers that move it."), box);
-  learn_ = pushButton("panel.hands.learn", tr("Learn…"), tr("Takes the stick that you push next."), box);
-  inverted_ = new QCheckBox(tr("The other way round"), box);
+  source_ = chooser("panel.hands.source", tr("Moved by"), tr("The stick, buttons or triggers for this motion."), box);
+  learn_ = pushButton("panel.hands.learn", tr("Learn…"), tr("Assigns the stick or button that you use next."), box);
+  inverted_ = new QCheckBox(tr("Inverted"), box);
   inverted_->setObjectName("panel.hands.inverted");
-  inverted_->setAccessibleName(tr("The other way round"));
+  inverted_->setAccessibleName(tr("Inverted"));
   inverted_->setToolTip(tr("Right becomes left, up becomes down."));
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
@@ -106,16 +106,18 @@ QWidget* MapEditor::buildOne() {
     column->addWidget(made);
     return made;
   };
-  zone_ = row("dead_zone", tr("Dead zone"), {tr("So much of the stick's way does nothing."), "%", 1, 50, 0, 90.0});
+  zone_ =
+      row("dead_zone", tr("Dead zone"), {tr("Share of the stick's travel that has no effect."), "%", 1, 50, 0, 90.0});
   fine_ = row("fine", tr("Fine"),
-              {tr("How fine it is near the middle: the speed grows with the way to the power 1 + this. 0: evenly."), "",
-               10, 30, 1, hands::kFinest - 1.0});
+              {tr("How fine the motion is near the centre: the speed grows with the deflection to the power of 1 + "
+                  "this value. 0: linear."),
+               "", 10, 30, 1, hands::kFinest - 1.0});
   speed_ = row("speed", tr("Speed"),
-               {tr("Of the tip, with the stick at its end."), tr("mm/s"), 1, 300, 0,
+               {tr("Speed of the tip at full deflection."), tr("mm/s"), 1, 300, 0,
                 hands::kFastest_m_per_s * kMillimetrePerMetre});
   turn_speed_ = row(
       "turn_speed", tr("Speed"),
-      {tr("Of the turn, with the stick at its end."), tr("°/s"), 1, 180, 0, hands::kFastest_rad_per_s / kRadPerDegree});
+      {tr("Rotational speed at full deflection."), tr("°/s"), 1, 180, 0, hands::kFastest_rad_per_s / kRadPerDegree});
   connect(source_, &QComboBox::activated, this, [this] { set(field("source"), source_->currentData()); });
   connect(learn_, &QPushButton::clicked, this, [this] { learn(hands::wayName(static_cast<hands::Way>(way_))); });
   connect(inverted_, &QCheckBox::clicked, this, [this](bool on) { set(field("inverted"), on); });
@@ -137,9 +139,9 @@ QWidget* MapEditor::buildFoot() {
     line->addWidget(made);
     return made;
   };
-  undo_ = button("undo", tr("Undo"), tr("Takes the last change of a mapping back."));
-  redo_ = button("redo", tr("Redo"), tr("Makes the change again."));
-  reset_ = button("reset", tr("As usual"), tr("Puts all of this device back to the usual mapping."));
+  undo_ = button("undo", tr("Undo"), tr("Undoes the last change to a mapping."));
+  redo_ = button("redo", tr("Redo"), tr("Redoes the change that was undone."));
+  reset_ = button("reset", tr("Defaults"), tr("Resets this device to its default mapping."));
   line->addStretch(1);
   return box;
 }
@@ -166,7 +168,7 @@ void MapEditor::set(const QString& field, const QVariant& value, bool fresh) {
   actions_.perform("hands.set", field, value, fresh);
 }
 
-/// Pressed once more it ends.
+/// Starts learning a field; ends it if pressed again.
 void MapEditor::learn(const QString& field) {
   if (hands_.learning() == field)
     hands_.endLearning();
@@ -184,7 +186,7 @@ void MapEditor::rebuild() {
   const HandEntry* const now = entry();
   setVisible(now != nullptr && now->seen.missing.empty());
   if (now == nullptr) return;
-  title_->setText(tr("What moves what: %1").arg(sentenceText(now->seen.name)));
+  title_->setText(tr("Mapping of %1").arg(sentenceText(now->seen.name)));
   ways_[way_]->setChecked(true);
   way_title_->setText(wayTitle(static_cast<hands::Way>(way_)));
   fillSources(*now);

@@ -21,16 +21,16 @@ class PressRows;
 class ValueRow;
 struct HandEntry;
 
-/// What each stick and button of one device does, and how far it is moved at this moment.
+/// The mapping of one device: what each stick and button does, and its present deflection.
 class MapEditor : public QWidget {
   Q_OBJECT
  public:
   MapEditor(MovingHands& hands, Actions& actions, QWidget* parent);
   void setDevice(const QString& id);
   void setTheme(const Theme& theme);
-  /// The map, anew.
+  /// Shows the map.
   void rebuild();
-  /// The bars, each frame.
+  /// Updates the bars, each frame.
   void present();
 
  private:

@@ -14,7 +14,7 @@ QString MapStore::pathOf(const std::string& id) const {
   QString name;
   for (const QChar letter : QString::fromStdString(id)) {
     const bool is_plain = letter.unicode() < 0x80 && (letter.isLetterOrNumber() || letter == '-');
-    name += is_plain ? QString(letter) : QString("_%1").arg(letter.unicode(), 0, 16);  // no two become one
+    name += is_plain ? QString(letter) : QString("_%1").arg(letter.unicode(), 0, 16);  // names stay different
   }
   return folder_ + "/" + name.left(150) + ".json";
 }
@@ -33,9 +33,10 @@ Problems MapStore::save(const device::hands::MapFile& file) const {
   QSaveFile out(path);
   const QByteArray text = QByteArray::fromStdString(device::hands::mapText(file));
   if (out.open(QIODevice::WriteOnly) && out.write(text) == text.size() && out.commit()) return {};
-  return Problems{{said(
-      QT_TRANSLATE_NOOP("problem", "The mapping could not be kept in %1: %2. It holds until the window is closed."),
-      {path.toStdString(), out.errorString().toStdString()})}};
+  return Problems{
+      {said(QT_TRANSLATE_NOOP(
+                "problem", "The mapping could not be saved in %1: %2. It stays in effect until you close the window."),
+            {path.toStdString(), out.errorString().toStdString()})}};
 }
 
 void MapStore::forget(const std::string& id) const {

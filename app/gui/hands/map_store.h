@@ -6,16 +6,16 @@
 
 namespace underact::gui {
 
-/// The maps of hands' devices, a file each, in the user's settings.
+/// The maps of the input devices, one file each, in the user's settings.
 class MapStore {
  public:
   MapStore();
   QString pathOf(const std::string& id) const;
-  /// That was kept of a device; none: nothing was. Problems: of its file.
+  /// The saved map of a device; none: there is none. Problems: those of its file.
   Result<std::optional<device::hands::Map>> load(const std::string& id) const;
-  /// Problems: why it could not be written.
+  /// Problems: why the map could not be saved.
   Problems save(const device::hands::MapFile& file) const;
-  /// It is as usual again.
+  /// Deletes the saved map: the device uses its defaults again.
   void forget(const std::string& id) const;
 
  private:

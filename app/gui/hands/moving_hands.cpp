@@ -20,7 +20,7 @@ namespace hands = device::hands;
 
 namespace {
 
-constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // as often as a 3D mouse speaks; nothing is there
+constexpr int kLook_ms = 8, kLookForNew_ms = 500;  // the report interval of a 3D mouse; without any device
 constexpr int kSave_ms = 300, kGiveUp_ms = 15'000;
 constexpr const char* kUnused = "hands/unused";
 
@@ -56,7 +56,8 @@ const HandEntry* MovingHands::find(const QString& id) const {
 }
 
 QString MovingHands::whyAtRest() const {
-  if (hand_.arm() == nullptr) return tr("The hands rest: they move the simulated arm, and it is not in place now.");
+  if (hand_.arm() == nullptr)
+    return tr("The input devices have no effect now: they move the simulated arm, which is not in use.");
   return {};
 }
 
@@ -85,7 +86,7 @@ void MovingHands::look() {
     entry.moves = is_free && entry.used && !motion.isAtRest();
     if (is_free && entry.used) all = hands::together(all, motion);
   }
-  // On the way down alone: Start while it is held would be taken back at once.
+  // Only when pressed: Start while the button is held would otherwise be undone at once.
   if (stops && !std::exchange(stops_, stops)) actions_.perform("session.stop");
   stops_ = stops;
   hand_.press(is_free ? all.stylus_buttons : 0U);
@@ -108,7 +109,7 @@ void MovingHands::move(const hands::Motion& motion, double dt_s) {
   moved_ = moves;
 }
 
-/// Whether something else is there than before.
+/// Reads the devices. Whether anything other than their readings changed.
 bool MovingHands::takeSeen() {
   std::vector<HandEntry> now;
   bool is_new = false;
@@ -153,7 +154,7 @@ void MovingHands::readMap(HandEntry& entry) {
   if (!kept) {
     const Problem& problem = kept.problems()[0];
     const QString where = QString::fromStdString(describe({{}, problem.place}));
-    problems_[id] = tr("The mapping of %1 cannot be read, and it moves as usual. %2")
+    problems_[id] = tr("The mapping of %1 cannot be read; the default mapping is used. %2")
                         .arg(sentenceText(entry.seen.name), where + sentenceText(problem.sentence));
   } else if (kept.value()) {
     entry.map = *kept.value();

@@ -19,51 +19,51 @@ namespace underact::gui {
 class Actions;
 class Hand;
 
-/// A hand's device as the window knows it.
+/// An input device as the window knows it.
 struct HandEntry {
   device::hands::Seen seen;
   device::hands::Map map;
   device::hands::Awake awake;
-  bool used = true;    // its switch
-  bool moves = false;  // it asks for something at this moment
+  bool used = true;    // ticked in the panel
+  bool moves = false;  // deflected at this moment
   QString id() const { return QString::fromStdString(seen.id); }
 };
 
-/// The controllers and 3D mice that are there, what each part of them does, and the simulated hand moved by them: any
-/// that moves moves it. Only while the simulated arm is in place, no recording is replayed and the window is the active
-/// one; Stop works always. Time is the arm's, so that a story's hand moves as far on any machine.
+/// The controllers and 3D mice that are plugged in, their mappings, and the motion of the simulated hand by them. They
+/// move it only while the simulated arm is in use, no recording is replayed and the window is active; Stop always
+/// works. Motions are integrated over the arm's time, so that tests move the hand equally far on any machine.
 class MovingHands : public QObject {
   Q_OBJECT
  public:
-  /// ports: none where the window has mouse and keyboard alone. They outlive it.
+  /// ports: none if the window has only mouse and keyboard. They outlive this object.
   MovingHands(ServoFacts servo, Hand& hand, std::vector<device::hands::Port*> ports, Actions& actions, QWidget* window);
   ~MovingHands() override;
 
-  /// Each frame, and between two.
+  /// Reads the devices and moves the hand: each frame, and between frames.
   void look();
   const std::vector<HandEntry>& entries() const { return entries_; }
-  /// Null: it is not plugged in.
+  /// Null: not plugged in.
   const HandEntry* find(const QString& id) const;
-  /// Why the hands rest, in a sentence; empty: they do not.
+  /// Why the devices have no effect, in a sentence; empty: they have.
   QString whyAtRest() const;
-  /// Of GLFW, of files of maps.
+  /// Problems of GLFW and of the map files.
   QString trouble() const;
 
   void use(const QString& id, bool on);
-  /// Undoable. fresh false: goes with the last change of the same field. false: it is not plugged in.
+  /// Undoable. fresh false: one undo step with the last change of the same field. False: not plugged in.
   bool change(const QString& id, const device::hands::Map& map, const QString& field, bool fresh = true);
   bool reset(const QString& id);
   QUndoStack& undoStack() { return undo_; }
 
-  /// The next stick that is pushed far, or button that is pressed, is the one for that way or button ("right", "stop").
+  /// Assigns the next stick that is pushed far, or button that is pressed, to a way or button ("right", "stop").
   bool learn(const QString& id, const QString& field);
   void endLearning();
-  /// The field that is being learnt, and what the person is asked for; empty: none.
+  /// The field that is being learnt, and the instruction for the user; empty: none.
   QString learning() const { return learning_ ? learning_->field() : QString(); }
   QString asked() const { return learning_ ? learning_->asked() : QString(); }
 
  signals:
-  void changed();  // which there are, a switch, a map, what is learnt
+  void changed();  // devices, switches, maps or learning
 
  private:
   void setMap(const QString& id, const device::hands::Map& map);
@@ -82,11 +82,11 @@ class MovingHands : public QObject {
   MapStore store_;
   std::vector<HandEntry> entries_;
   std::set<QString> unused_, unsaved_;
-  std::map<QString, device::hands::MapFile> maps_;  // of all that were there; their names, too
+  std::map<QString, device::hands::MapFile> maps_;  // of all devices seen so far, with their names
   std::map<QString, device::hands::Map> usual_;
   std::map<QString, QString> problems_;  // by device
   QUndoStack undo_;
-  QString gestured_;  // the field that was changed last, and of which device
+  QString gestured_;  // device and field of the last change
   int gesture_ = 0;
   std::optional<Learning> learning_;
   QTimer looks_, saves_, gives_up_;

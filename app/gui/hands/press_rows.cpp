@@ -28,9 +28,9 @@ PressRows::PressRows(QWidget* parent) : QWidget(parent) {
     const QString title = pressTitle(static_cast<hands::Press>(press)),
                   name = hands::pressName(static_cast<hands::Press>(press));
     const QByteArray object = ("panel.hands.press." + name).toLatin1();
-    presses_[press] = chooser(object.constData(), title, tr("The button that is this one."), this);
-    learns_[press] = pushButton("panel.hands.learn." + name, tr("Learn…"), tr("Takes the button that you press next."),
-                                this, tr("Learn %1").arg(title));
+    presses_[press] = chooser(object.constData(), title, tr("The button of the device with this function."), this);
+    learns_[press] = pushButton("panel.hands.learn." + name, tr("Learn…"),
+                                tr("Assigns the button that you press next."), this, tr("Learn %1").arg(title));
     auto* label = new QLabel(title, this);
     label->setBuddy(presses_[press]);
     const int row = static_cast<int>(press) + 1;

@@ -11,7 +11,7 @@ namespace underact::gui {
 
 struct HandEntry;
 
-/// Which button of a device is which: a row for each, with a choice and a button to learn it.
+/// The buttons of a mapping: a row for each, with a choice and a button to learn it.
 class PressRows : public QWidget {
   Q_OBJECT
  public:

@@ -29,7 +29,8 @@ QString handTable() {
          row(QObject::tr("Page Up, Page Down"), QObject::tr("move the hand in depth")) +
          row(QObject::tr("Ctrl and arrow keys"), QObject::tr("turn the stylus")) +
          row(QObject::tr("Game controller, 3D mouse"),
-             QObject::tr("move and turn the simulated hand; the panel Hands says and edits what moves what")) +
+             QObject::tr(
+                 "move and rotate the simulated hand; the panel Input devices shows and edits their mappings")) +
          row(QObject::tr("Space"),
              QObject::tr("is the stylus button, for as long as it is held (press F2 first, or click the view)")) +
          row(QObject::tr("Rings o and p"),

@@ -19,7 +19,7 @@ namespace {
 
 const QStringList kMeshSuffixes{"stl", "obj", "ply", "off"};
 
-/// mm_per_unit: of a mesh of a scene, whose report is asked for; none: it is to be added.
+/// mm_per_unit: of a mesh of the scene, for its report; none: the mesh is to be added.
 ConstraintFileKind::Read readMesh(std::optional<double> mm_per_unit) {
   return [mm_per_unit](const QString& path, const Watch& watch) -> Result<ConstraintFileKind::Ask> {
     Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path.toStdString(), watch);
@@ -35,7 +35,7 @@ ConstraintFileKind::Read readMesh(std::optional<double> mm_per_unit) {
   };
 }
 
-/// Of the scene's mesh at index, or its first one. false: there is none.
+/// The report of the mesh at index, or of the first mesh. False: there is none.
 bool showReport(ConstraintFiles& files, const scene::Description& scene, std::optional<std::size_t> index) {
   for (std::size_t one = index.value_or(0); one < scene.constraints.size(); ++one) {
     const auto* const mesh = std::get_if<scene::Mesh>(&scene.constraints[one].shape);
@@ -61,14 +61,14 @@ void makeMesh(const FeatureParts& parts, Followers& followers) {
   files->addAction(
       parts.actions,
       {"mesh.add", tr("Add &mesh…"), QKeySequence("Ctrl+M"),
-       tr("Loads an STL, OBJ, PLY or OFF file, and adds it to the scene or makes a new one of it."), "open"});
-  parts.actions.add({"mesh.report", tr("Mesh &report"), QKeySequence("Ctrl+Shift+M"),
-                     tr("What was found in the file of the scene's mesh, what was repaired, and how it can be felt.")},
-                    [files, &document = parts.document](const QVariantList& index) {
-                      return showReport(
-                          *files, document.scene(),
+       tr("Loads an STL, OBJ, PLY or OFF file and adds it to the scene, or makes a new scene of it."), "open"});
+  parts.actions.add(
+      {"mesh.report", tr("Mesh &report"), QKeySequence("Ctrl+Shift+M"),
+       tr("What the file of the scene's mesh contains, what was repaired, and how the mesh can be felt.")},
+      [files, &document = parts.document](const QVariantList& index) {
+        return showReport(*files, document.scene(),
                           index.isEmpty() ? std::nullopt : std::optional(index.first().value<std::size_t>()));
-                    });
+      });
   auto* section = new SectionStrip(parts.view, parts.actions, parts.middle.parentWidget());
   parts.middle.addWidget(section);
   followers.push_back(section);

@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kUsualStatic = 0.4, kUsualDynamic = 0.3;  // wood on wood, about
+constexpr double kUsualStatic = 0.4, kUsualDynamic = 0.3;  // about wood on wood
 constexpr double kMostFriction = 1.5;
 
 QString formatText(mesh_file::Format format) {
@@ -65,7 +65,7 @@ MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std
   if (is_to_add) {
     if (const auto proposal = mesh_file::implausible(mesh_file::largestExtent(loaded.facts))) buildUnits(*proposal);
   }
-  column()->addWidget(sectionTitle(tr("What was found"), this));
+  column()->addWidget(sectionTitle(tr("Report"), this));
   report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column()->addWidget(panelScroll(report_, this), 1);
   if (is_to_add) buildChoices();
@@ -90,8 +90,8 @@ void MeshDialog::buildUnits(const mesh_file::Proposal& proposal) {
   for (const mesh_file::Unit& unit : proposal.units)
     button(tr("In %1: %2 long").arg(QCoreApplication::translate("problem", unit.name), millimetres(unit.size_mm)),
            unit.mm_per_unit);
-  button(tr("In millimetres, as it is"), 1.0);
-  unit_->button(0)->setChecked(true);  // the likeliest
+  button(tr("In millimetres, unchanged"), 1.0);
+  unit_->button(0)->setChecked(true);  // the most likely unit
   connect(unit_, &QButtonGroup::idToggled, this, &MeshDialog::refresh);
 }
 
@@ -100,13 +100,13 @@ void MeshDialog::buildChoices() {
   rows->setHorizontalSpacing(12);
   side_ = new QComboBox(this);
   side_->setObjectName("dialog.mesh.side");
-  side_->setAccessibleName(tr("How it is felt"));
+  side_->setAccessibleName(tr("How the mesh is felt"));
   if (mesh_file::allowsWalls(loaded_.facts)) {
-    side_->addItem(tr("from outside, as a wall"), static_cast<int>(target::Side::Outside));
-    side_->addItem(tr("from inside, as a wall"), static_cast<int>(target::Side::Inside));
+    side_->addItem(tr("wall, from outside"), static_cast<int>(target::Side::Outside));
+    side_->addItem(tr("wall, from inside"), static_cast<int>(target::Side::Inside));
   }
-  side_->addItem(tr("held to its surface, on both sides"), static_cast<int>(target::Side::Both));
-  rows->addRow(tr("&Felt"), side_);
+  side_->addItem(tr("surface that holds the tip"), static_cast<int>(target::Side::Both));
+  rows->addRow(tr("&Felt as"), side_);
   friction_ = new QCheckBox(tr("F&riction"), this);
   friction_->setObjectName("dialog.mesh.friction");
   friction_->setAccessibleName(tr("Friction"));
@@ -126,7 +126,7 @@ void MeshDialog::buildChoices() {
     field->setEnabled(false);
     connect(friction_, &QCheckBox::toggled, field, &QWidget::setEnabled);
   }
-  // The dynamic share is never above the static one.
+  // Dynamic friction never exceeds static friction.
   connect(static_, &QDoubleSpinBox::valueChanged, dynamic_, [this](double most) { dynamic_->setMaximum(most); });
   dynamic_->setMaximum(static_->value());
 }
@@ -134,8 +134,8 @@ void MeshDialog::buildChoices() {
 void MeshDialog::buildFoot(bool is_to_add, bool can_add) {
   QPushButton* copy = footButton("copy", tr("C&opy"), tr("Copies the report."));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
-  layFoot(can_add, is_to_add ? tr("Adds the mesh to the scene that is there.") : QString(),
-          tr("Opens a new scene that holds this mesh alone."));
+  layFoot(can_add, is_to_add ? tr("Adds the mesh to the current scene.") : QString(),
+          tr("Opens a new scene with only this mesh."));
 }
 
 double MeshDialog::mmPerUnit() const {

@@ -13,12 +13,13 @@ class QDoubleSpinBox;
 
 namespace underact::gui {
 
-/// What a mesh file holds, what was repaired and how it can be felt. To add: with the choice of its unit where its size
-/// is implausible, of side and friction, and whether it goes into the scene that is there. To read: the report alone.
+/// What a mesh file contains, what was repaired and how the mesh can be felt. To add a mesh: also the unit if the size
+/// is implausible, side and friction, and whether it goes into the current scene. For a mesh of the scene: only the
+/// report.
 class MeshDialog : public AddDialog {
   Q_OBJECT
  public:
-  /// mm_per_unit: of a mesh of a scene, whose report is only read; none: it is to be added. can_add: there is a scene.
+  /// mm_per_unit: of a mesh of the scene, for its report; none: the mesh is to be added. can_add: a scene is open.
   MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std::optional<double> mm_per_unit, bool can_add,
              QWidget* parent);
   scene::Constraint constraint() const override;
@@ -34,7 +35,7 @@ class MeshDialog : public AddDialog {
   mesh_file::Loaded loaded_;
   QString name_;
   double mm_per_unit_ = 1.0;
-  std::vector<double> units_;  // mm a unit, of each button
+  std::vector<double> units_;  // mm per unit, of each button
   QButtonGroup* unit_ = nullptr;
   QLabel* report_;
   QComboBox* side_ = nullptr;

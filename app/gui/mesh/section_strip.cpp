@@ -48,17 +48,17 @@ void SectionStrip::build() {
   button("section.y", tr("Cut across y"));
   button("section.z", tr("Cut across z"));
   slider_->setObjectName("section.slider");
-  slider_->setAccessibleName(tr("Where the cut is"));
-  slider_->setToolTip(tr("Where along its axis the cut is. A double click lets it follow the stylus again."));
-  slider_->setMark(-1e9);  // a cut has no place of its own
+  slider_->setAccessibleName(tr("Position of the cut"));
+  slider_->setToolTip(tr("Position of the cut along its axis. Double-click to let it follow the stylus again."));
+  slider_->setMark(-1e9);  // no mark: a cut has no default position
   slider_->setMinimumWidth(16 * fontMetrics().averageCharWidth());
   slider_->setSingleStep(kStepsPerMillimetre);
   slider_->setPageStep(10 * kStepsPerMillimetre);
   number_->setObjectName("section.number");
-  number_->setAccessibleName(tr("Where the cut is"));
+  number_->setAccessibleName(tr("Position of the cut"));
   number_->setSuffix(tr(" mm"));
   number_->setDecimals(1);
-  number_->setKeyboardTracking(false);  // half a number is no place
+  number_->setKeyboardTracking(false);  // only complete numbers move the cut
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   button("layer.section_follows", tr("The cut follows the stylus"));
@@ -69,7 +69,8 @@ void SectionStrip::build() {
 
 void SectionStrip::addActions() {
   actions_.add({"section.move", tr("Move the cut with the ke&ys"), QKeySequence("Alt+M"),
-                tr("Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.")},
+                tr("Moves the focus to the slider of the cut: the arrow keys then move the cut by 1 mm, Page Up and "
+                   "Page Down by 10 mm.")},
                [this](const QVariantList&) {
                  actions_.perform("layer.section", true);
                  follow();
@@ -101,7 +102,7 @@ void SectionStrip::follow() {
   const Layers& layers = view_.layers();
   const auto [least_mm, most_mm] = view_.sectionRange_mm(layers.section_axis);
   const double at_mm = std::clamp(layers.section_mm[layers.section_axis], least_mm, most_mm);
-  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // to show a value is not to ask for it
+  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // showing a value must not set it
   slider_->setRange(static_cast<int>(std::ceil(kStepsPerMillimetre * least_mm)),
                     static_cast<int>(std::floor(kStepsPerMillimetre * most_mm)));
   number_->setRange(slider_->minimum() / double(kStepsPerMillimetre), slider_->maximum() / double(kStepsPerMillimetre));

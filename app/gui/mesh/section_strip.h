@@ -11,14 +11,14 @@ class Actions;
 class MarkedSlider;
 class SceneView;
 
-/// Below the view while meshes are cut open: across which axis, where along it, and whether the cut follows the stylus.
-/// A hand on the slider ends the following; a double click begins it again.
+/// Below the view while meshes are cut: the axis and the position of the cut, and whether it follows the stylus. Moving
+/// the slider ends the following; a double click restarts it.
 class SectionStrip : public QWidget, public Follower {
   Q_OBJECT
  public:
-  /// Adds "section.move" (to the slider, by a key) and "section.place" (mm along the axis).
+  /// Adds the commands "section.move" (focuses the slider) and "section.place" (mm along the axis).
   SectionStrip(SceneView& view, Actions& actions, QWidget* parent);
-  /// Each frame: there while there is something to cut; shows where the cut is.
+  /// Each frame: shows the position of the cut; visible only while there is a mesh to cut.
   void present(const servo::Snapshot&) override { follow(); }
 
  private:

@@ -21,7 +21,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kLookEvery_ms = 200;
-constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // times the bare loop's
+constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // relative to the bare loop
 constexpr int kLeastSeconds = 2, kSeconds = 60, kMostSeconds = 3600;
 
 QStringList cellsOf(const servo::Percentiles& values) {
@@ -37,11 +37,11 @@ QString verdictOf(const servo::CheckResult& result) {
   if (result.ticks == 0) return QObject::tr("Nothing was measured.");
   const double p99 = result.servo.p99_us / std::max(result.floor.p99_us, 1.0);
   const double p999 = result.servo.p999_us / std::max(result.floor.p999_us, 1.0);
-  const QString times = QObject::tr("p99 is %1 times and p99.9 %2 times that of a loop that does nothing.")
+  const QString times = QObject::tr("Its latency is %1 times that of a bare loop at p99, and %2 times at p99.9.")
                             .arg(numberText(p99, 2), numberText(p999, 2));
   const bool good = p99 <= kGoodP99 && p999 <= kGoodP999;
-  return (good ? QObject::tr("The servo is as punctual as this machine allows: ")
-               : QObject::tr("The servo is later than this machine would allow: ")) +
+  return (good ? QObject::tr("The servo is as punctual as this machine allows. ")
+               : QObject::tr("The servo is less punctual than this machine allows. ")) +
          times;
 }
 
@@ -51,7 +51,7 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QW
       wanted_(wanted),
       message_(new QLabel(this)),
       seconds_(new QSpinBox(this)),
-      load_(new QCheckBox(tr("&Keep every core busy meanwhile"), this)),
+      load_(new QCheckBox(tr("&Keep all cores busy"), this)),
       progress_(new QProgressBar(this)),
       table_(new QTableWidget(3, 4, this)),
       looks_(new QTimer(this)) {
@@ -63,8 +63,8 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QW
   nameWidget(message_, "dialog.check.message", tr("Result"));
   message_->setWordWrap(true);
   message_->setText(
-      tr("Measures how late the servo's ticks start at %1 Hz, and in turn how late a loop starts that does "
-         "nothing else. It runs on a simulated arm of its own; yours and the window go on.")
+      tr("Measures the latency of the servo at %1 Hz and, in turn, that of a bare loop, which is the best this machine "
+         "can do. The check uses a simulated arm of its own; your arm and the window keep running.")
           .arg(rate_hz));
   nameWidget(seconds_, "dialog.check.seconds", tr("Duration in seconds"));
   seconds_->setRange(kLeastSeconds, kMostSeconds);
@@ -73,9 +73,10 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QW
   load_->setObjectName("dialog.check.load");
   nameWidget(progress_, "dialog.check.progress", tr("Progress"));
   progress_->setRange(0, 1000);
-  nameWidget(table_, "dialog.check.table", tr("Lateness and tick time"));
-  table_->setHorizontalHeaderLabels({tr("median"), tr("p99"), tr("p99.9"), tr("most")});
-  table_->setVerticalHeaderLabels({tr("bare loop, late [µs]"), tr("servo, late [µs]"), tr("servo's tick takes [µs]")});
+  nameWidget(table_, "dialog.check.table", tr("Latency and tick time"));
+  table_->setHorizontalHeaderLabels({tr("median"), tr("p99"), tr("p99.9"), tr("max")});
+  table_->setVerticalHeaderLabels(
+      {tr("bare loop, latency [µs]"), tr("servo, latency [µs]"), tr("servo, tick time [µs]")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setTabKeyNavigation(false);
@@ -117,7 +118,7 @@ void CheckDialog::begin() {
   options.scheduling = wanted_;
   table_->clearContents();
   progress_->setValue(0);
-  message_->setText(tr("Measuring, the servo and a bare loop in turn, a second each."));
+  message_->setText(tr("Measuring the servo and a bare loop in turn, one second each."));
   seconds_->setEnabled(false);
   load_->setEnabled(false);
   begin_->setText(tr("E&nd now"));
@@ -154,7 +155,7 @@ void CheckDialog::present(const servo::CheckResult& result) {
     ++row;
   }
   message_->setText(verdictOf(result) + QLatin1Char(' ') +
-                    tr("%1 ticks in %2 s at %3 Hz, real time: %4; %5 of them a whole period late.")
+                    tr("%1 ticks in %2 s at %3 Hz, real time: %4. Late by a period or more: %5.")
                         .arg(result.ticks)
                         .arg(numberText(result.seconds, 0))
                         .arg(rate_hz_)

@@ -14,7 +14,7 @@ class QTimer;
 
 namespace underact::gui {
 
-/// "How late are the ticks here, and how late would they be in any program?" The button's counterpart of `underact-cli
+/// Compares the latency of the servo on this machine with that of a bare loop; the counterpart of `underact-cli
 /// servo-check`. Not modal; closing it ends the check.
 class CheckDialog : public QDialog {
   Q_OBJECT
@@ -22,7 +22,7 @@ class CheckDialog : public QDialog {
   CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QWidget* parent);
   ~CheckDialog() override;
   bool isRunning() const { return run_ != nullptr; }
-  /// The verdict, or how far it is: what a screen reader says.
+  /// The verdict, or the progress, as a screen reader says it.
   QString message() const;
 
  private:
@@ -43,8 +43,8 @@ class CheckDialog : public QDialog {
   QTimer* looks_;
 };
 
-/// What the figures mean, in a sentence: p99 within 1.3 times and p99.9 within twice those of the bare loop are as good
-/// as this machine allows.
+/// The verdict in a sentence: a p99 within 1.3 times and a p99.9 within twice that of the bare loop are as good as this
+/// machine allows.
 QString verdictOf(const servo::CheckResult& result);
 
 }  // namespace underact::gui

@@ -8,7 +8,7 @@
 namespace underact::gui {
 namespace {
 
-/// The first start's sphere: the tip rests on it, and the tick is an ordinary one.
+/// The sphere of the first start: the tip rests on it, and a tick does typical work.
 tick::TickProgram program() {
   scene::Description scene;
   scene.title = "Check";

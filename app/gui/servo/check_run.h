@@ -7,14 +7,15 @@
 
 namespace underact::gui {
 
-/// A check of the servo in a thread of its own, on a simulated arm of its own, so that window and arm go on.
+/// A check of the servo in its own thread, on its own simulated arm, so that the window and the arm in use keep
+/// running.
 class CheckRun {
  public:
   explicit CheckRun(const servo::CheckOptions& options);
   ~CheckRun();  // ends it early
   void cancel() { cancelled_ = true; }
   double share() const { return share_; }
-  /// What was measured, once; empty while it goes on, and ever after.
+  /// The result, once; empty while the check runs and after the result was taken.
   std::optional<servo::CheckResult> takeResult();
 
  private:

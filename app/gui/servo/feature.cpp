@@ -10,7 +10,9 @@ FeatureRow servoFeature() {
   return {
       .panels =
           {{"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
-            QT_TRANSLATE_NOOP("panel", "How evenly the servo ticks, which limits cut the force, how it is scheduled."),
+            QT_TRANSLATE_NOOP(
+                "panel",
+                "How evenly the servo loop runs, which limits reduce the force, and which scheduling is in effect."),
             [](const FeatureParts& all, QWidget* parent) -> Panel* {
               return new ServoPanel({all.servo, all.control, all.actions, all.rate, all.arms, all.settings}, parent);
             },

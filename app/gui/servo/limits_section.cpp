@@ -25,7 +25,8 @@ QString agoText(double ago_s) {
 }  // namespace
 
 LimitsSection::LimitsSection(QWidget* parent)
-    : Section("limits", tr("Limits"), tr("What the gate takes off the force on its way to the arm."), parent, "servo") {
+    : Section("limits", tr("Limits"), tr("How much each limit of the safety gate reduces the force."), parent,
+              "servo") {
   ShareBar::Words words;
   words.widest_value = tr("−0.00 N");
   for (const LimitName& name : limitNames()) {
@@ -45,13 +46,13 @@ LimitsSection::LimitsSection(QWidget* parent)
                            QCoreApplication::translate("limit", name.tip), true)});
   }
   ramp_ = add("limit.ramp", tr("Ramp"),
-              tr("After Start the force comes in within 0.3 s, after Stop it goes within 0.05 s; the bar is the share "
-                 "that is held back."),
+              tr("After Start the force ramps up within 0.3 s, after Stop it ramps down within 0.05 s. The bar shows "
+                 "the share that is held back."),
               false);
   const QString tip =
-      tr("How warm motor %1 would be, of what it bears for good. Assumed, not measured: torque squared "
-         "warms it, with a time constant of 60 s.");
-  auto* heading = new QLabel(tr("Heat of the motors (assumed)"), this);
+      tr("Estimated heat of motor %1, relative to that at its continuous force. Computed, not measured: heating is "
+         "proportional to the torque squared, with a time constant of 60 s.");
+  auto* heading = new QLabel(tr("Motor heat (estimated)"), this);
   heading->setProperty("role", "quiet");
   heading->setToolTip(tip.arg(tr("1, 2 or 3")));
   column().addWidget(heading);
@@ -62,8 +63,8 @@ LimitsSection::LimitsSection(QWidget* parent)
 }
 
 void LimitsSection::add(const servo::TickRecord& record) {
-  if (!(record.level > 0.0) || record.limits == 0) return;  // nothing was sent that could be cut
-  const bool alone = std::popcount(record.limits) == 1;     // then the whole cut is its own
+  if (!(record.level > 0.0) || record.limits == 0) return;  // there was no force to reduce
+  const bool alone = std::popcount(record.limits) == 1;     // then the whole reduction is due to this limit
   for (std::size_t index = 0; index < limits_.size(); ++index) {
     if ((record.limits & limitNames()[index].bit) == 0U) continue;
     limits_[index].last_tick = record.tick;
@@ -89,9 +90,9 @@ void LimitsSection::present(const servo::Snapshot& snapshot, int rate_hz) {
     limit.most_N = std::max(limit.most_N, cut_N);
     if (acts) limit.last_tick = snapshot.ticks;
     const double share = whole ? (acts ? 1.0 : 0.0) : cut_N > 0.0 ? cut_N / (cut_N + sent_N) : 0.0;
-    limit.bar->present(share, whole ? (acts ? tr("let go") : QString()) : acts ? forceText(-cut_N) : QString(), acts);
+    limit.bar->present(share, whole ? (acts ? tr("released") : QString()) : acts ? forceText(-cut_N) : QString(), acts);
     const double ago_s = static_cast<double>(snapshot.ticks - limit.last_tick) / rate_hz;
-    limit.bar->setNote(limit.last_tick == 0 ? tr("has not acted")
+    limit.bar->setNote(limit.last_tick == 0 ? tr("not active yet")
                        : whole              ? agoText(ago_s)
                                             : tr("%1, at most %2").arg(agoText(ago_s), forceText(limit.most_N)));
   }

@@ -13,9 +13,9 @@ namespace underact::gui {
 
 RateChooser::RateChooser(QWidget* parent)
     : QWidget(parent),
-      box_(chooser("panel.servo.rate_choice", tr("Rate of the servo"),
-                   tr("Ticks a second. A change lets the force go for a moment; where the servo ran it starts again, "
-                      "softly."),
+      box_(chooser("panel.servo.rate_choice", tr("Servo rate"),
+                   tr("Ticks per second. Changing the rate releases the force for a moment; a running servo restarts "
+                      "with its soft start."),
                    this)) {
   auto* row = tight<QHBoxLayout>(this, 8);
   auto* label = new QLabel(tr("Rate"), this);

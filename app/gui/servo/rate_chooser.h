@@ -5,7 +5,7 @@ class QComboBox;
 
 namespace underact::gui {
 
-/// The usual rates of the servo, and the present one where it is none of them.
+/// A choice of the common servo rates, and of the present one if it is not among them.
 class RateChooser : public QWidget {
   Q_OBJECT
  public:

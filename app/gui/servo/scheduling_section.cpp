@@ -9,14 +9,15 @@
 namespace underact::gui {
 
 SchedulingSection::SchedulingSection(QWidget* parent)
-    : Section("scheduling", tr("Scheduling"), tr("What the system granted the servo thread."), parent, "servo"),
+    : Section("scheduling", tr("Scheduling"), tr("The scheduling that the system granted to the servo thread."), parent,
+              "servo"),
       name_(quietLabel("panel.servo.scheduling.name", {}, this)),
       also_(quietLabel("panel.servo.scheduling.also", {}, this)),
       hint_(quietLabel("panel.servo.scheduling.hint", {}, this)) {
   name_->setProperty("role", "");
   name_->setAccessibleName(tr("Scheduling in effect"));
-  also_->setAccessibleName(tr("What else was granted"));
-  hint_->setAccessibleName(tr("How to get better"));
+  also_->setAccessibleName(tr("Also granted"));
+  hint_->setAccessibleName(tr("How to improve it"));
   for (QLabel* label : {name_, also_, hint_}) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column().addWidget(label);
@@ -28,7 +29,7 @@ void SchedulingSection::present(const system::Scheduling& scheduling) {
   if (name_->text() != name) name_->setText(name);
   const QString also = phrasesOf(scheduling.also);
   tellIn(also_, also);
-  const QString hint = scheduling.hint.empty() ? tr("It is as good as it gets.") : sentenceText(scheduling.hint);
+  const QString hint = scheduling.hint.empty() ? tr("There is nothing to improve.") : sentenceText(scheduling.hint);
   if (hint_->text() != hint) hint_->setText(hint);
 }
 

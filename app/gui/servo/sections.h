@@ -16,12 +16,12 @@ class NumberTable;
 class Readout;
 class ShareBar;
 
-/// How fast, how late, how long: what the servo's time is like.
+/// Rate, latency and tick time of the servo.
 class TimeSection : public Section {
   Q_OBJECT
  public:
   explicit TimeSection(QWidget* parent = nullptr);
-  /// measured_hz: ticks a second by the clock on the wall; 0: it is ticked by hand.
+  /// measured_hz: ticks per second of real time; 0: the servo is ticked by hand.
   void present(const servo::Snapshot& snapshot, const servo::Timing& timing, int rate_hz, double measured_hz);
   void setTheme(const Theme& theme);
 
@@ -31,7 +31,7 @@ class TimeSection : public Section {
   LatenessChart* chart_;
 };
 
-/// What scheduling is in effect, and how to get better.
+/// The scheduling in effect, and how to improve it.
 class SchedulingSection : public Section {
   Q_OBJECT
  public:
@@ -42,21 +42,22 @@ class SchedulingSection : public Section {
   QLabel *name_, *also_, *hint_;
 };
 
-/// Each limit of the gate: what it cuts now, when it did last and how much, and how warm the motors are.
+/// Each limit of the safety gate: how much it reduces the force now, when it last did and by how much; and the motor
+/// heat.
 class LimitsSection : public Section {
   Q_OBJECT
  public:
   explicit LimitsSection(QWidget* parent = nullptr);
   void add(const servo::TickRecord& record);
   void present(const servo::Snapshot& snapshot, int rate_hz);
-  /// From the tick `ticks` on they come at another rate: when a limit acted is kept in ticks.
+  /// The rate changes at the tick `ticks`; converts the ticks at which limits last acted.
   void setRate(std::int64_t ticks, int was_hz, int is_hz);
   void setTheme(const Theme& theme);
 
  private:
   struct Limit {
     ShareBar* bar = nullptr;
-    std::int64_t last_tick = 0;  // in which it acted; 0: it never did
+    std::int64_t last_tick = 0;  // at which it last acted; 0: never
     double most_N = 0.0;
   };
   std::vector<Limit> limits_;

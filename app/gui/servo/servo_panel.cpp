@@ -21,7 +21,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kTimesASecond = 4;  // that numbers change: more cannot be read
+constexpr int kTimesASecond = 4;  // updates of the numbers: more cannot be read
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void ServoPanel::addActions() {
   parts_.actions.add({"session.hold_to_run",
                       tr("&Hold to run"),
                       QKeySequence("Ctrl+Alt+H"),
-                      tr("The servo pushes only while the stylus button is held."),
+                      tr("There is force only while the stylus button is held."),
                       {},
                       {},
                       true},
@@ -53,12 +53,12 @@ void ServoPanel::addActions() {
                        return true;
                      });
   parts_.actions.add({"servo.restart", tr("&Restart the servo"), QKeySequence("Shift+F5"),
-                      tr("Ends the servo thread, opens the arm again and begins anew; the scene stays.")},
+                      tr("Ends the servo thread, reopens the arm and starts from the beginning with the same scene.")},
                      [this](const QVariantList&) { return restart(); });
   parts_.actions.addCommand("servo.rate",
                             [this](const QVariantList& rate_hz) { return setRate(rate_hz.value(0).toInt()); });
   parts_.actions.add({"servo.check", tr("&Check the servo…"), QKeySequence("Ctrl+Alt+K"),
-                      tr("Measures how late the servo's ticks are, beside the least that this machine allows.")},
+                      tr("Measures the latency of the servo and compares it with the best this machine can do.")},
                      [this](const QVariantList&) {
                        if (check_ == nullptr) {
                          check_ = new CheckDialog(parts_.servo.rateHz(), parts_.servo.schedulingWanted(), window());
@@ -83,12 +83,12 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
   nameWidget(box, "panel.servo.hold_to_run", tr("Hold to run"),
              parts_.arms.simulated() == nullptr
                  ? hold->toolTip()
-                 : tr("The servo pushes only while the stylus button is held: here the Space key, with the focus "
-                      "in the view (F2)."));
+                 : tr("There is force only while the stylus button is held. On the simulated arm, that button is the "
+                      "Space key while the view has the focus (F2)."));
   connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
   connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
   parts_.actions.perform("session.hold_to_run", parts_.settings.hold_to_run);
-  told_ = toldLabel("panel.servo.told", tr("What came of the restart, or of another rate"), "", this);
+  told_ = toldLabel("panel.servo.told", tr("Result of the restart or the rate change"), "", this);
   told_->hide();
   rate_ = new RateChooser(this);
   rate_->present(parts_.rate.hz());
@@ -103,8 +103,8 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
 bool ServoPanel::restart() {
   const Problems problems = parts_.control.restart();
   const bool done = problems.empty();
-  tell(done ? tr("The servo was begun anew. Start lets it push.")
-            : tr("The arm did not open again. %1").arg(sentencesOf(problems)),
+  tell(done ? tr("The servo was restarted. Press Start to turn the force on.")
+            : tr("The arm could not be reopened. %1").arg(sentencesOf(problems)),
        !done);
   shown_ticks_ = -1;
   return done;
@@ -112,7 +112,7 @@ bool ServoPanel::restart() {
 
 bool ServoPanel::setRate(int rate_hz) {
   const Problems problems = parts_.rate.choose(rate_hz);
-  if (!problems.empty()) tell(tr("The rate stays. %1").arg(sentencesOf(problems)), true);
+  if (!problems.empty()) tell(tr("The rate was not changed. %1").arg(sentencesOf(problems)), true);
   rate_->present(parts_.rate.hz());
   return problems.empty();
 }
@@ -131,7 +131,7 @@ void ServoPanel::tell(const QString& sentence, bool alarm) {
   told_->setProperty("role", alarm ? "alarm" : "quiet");
   told_->style()->polish(told_);
   told_->show();
-  if (alarm) bringForward();  // where it stands, whoever asked
+  if (alarm) bringForward();  // so that the message is seen, wherever the command came from
 }
 
 void ServoPanel::measureRate(const servo::Snapshot& snapshot) {

@@ -17,7 +17,7 @@ class RateChooser;
 class SchedulingSection;
 class TimeSection;
 
-/// What the servo does with its time and with the force: time, scheduling, limits; and hold to run.
+/// Limits, time and scheduling of the servo, its rate, and hold to run.
 class ServoPanel : public Panel {
   Q_OBJECT
  public:
@@ -50,12 +50,12 @@ class ServoPanel : public Panel {
   SchedulingSection* scheduling_;
   LimitsSection* limits_;
   RateChooser* rate_ = nullptr;
-  QLabel* told_ = nullptr;  // what came of a restart, or of another rate
+  QLabel* told_ = nullptr;  // the result of a restart or of a rate change
   QPointer<CheckDialog> check_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
   std::int64_t shown_ticks_ = -1;
-  double measured_hz_ = kNotANumber;  // not yet
+  double measured_hz_ = kNotANumber;  // not measured yet
 };
 
 }  // namespace underact::gui

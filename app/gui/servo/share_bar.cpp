@@ -32,7 +32,7 @@ ShareBar::ShareBar(const QString& object_name, const Words& words, bool with_not
   grid->setColumnStretch(1, 1);
   if (!with_note) return;
   note_ = new QLabel(this);
-  nameWidget(note_, object_name + ".note", tr("%1, when it acted last").arg(words.name));
+  nameWidget(note_, object_name + ".note", tr("%1, last active").arg(words.name));
   note_->setProperty("role", "quiet");
   note_->setMinimumHeight(fontMetrics().lineSpacing());
   grid->addWidget(note_, 1, 0, 1, 3);
@@ -45,7 +45,7 @@ void ShareBar::present(double share, const QString& value, bool acts) {
   if (acts != acts_) {
     acts_ = acts;
     value_->setProperty("role", acts ? "limited-text" : "");
-    value_->style()->polish(value_);  // has the style look at the property again
+    value_->style()->polish(value_);  // makes the style apply the property
   }
   update();
 }

@@ -5,16 +5,16 @@ class QLabel;
 
 namespace underact::gui {
 
-/// A share from 0 to 1 as a bar with its name and its value in words; quiet until it acts, then vermillion, with the
-/// word, and a line below for what it did before.
+/// A share from 0 to 1 as a bar with a name and a value in words: grey until it acts, then vermillion; optionally with
+/// a note below about the last time it acted.
 class ShareBar : public Painted {
   Q_OBJECT
  public:
-  /// What it is called, and room for the longest name and value of those that stand in line.
+  /// The name and the tip, and the longest name and value of all bars in the column, for their widths.
   struct Words {
     QString name, tip, widest_name, widest_value;
   };
-  /// with_note: there is a line below.
+  /// with_note: with a line below for a note.
   ShareBar(const QString& object_name, const Words& words, bool with_note, QWidget* parent = nullptr);
   void present(double share, const QString& value, bool acts);
   void setNote(const QString& note);

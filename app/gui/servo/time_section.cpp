@@ -20,16 +20,16 @@ struct CauseWords {
 };
 
 constexpr CauseWords kCauses[] = {
-    {servo::LateCause::Overrun, QT_TRANSLATE_NOOP("cause", "the tick before was long"),
-     QT_TRANSLATE_NOOP("cause", "The tick before took longer than a period.")},
-    {servo::LateCause::Device, QT_TRANSLATE_NOOP("cause", "waited for the arm"),
-     QT_TRANSLATE_NOOP("cause", "Most of that time went into waiting for the arm.")},
-    {servo::LateCause::PageFault, QT_TRANSLATE_NOOP("cause", "memory was not there"),
-     QT_TRANSLATE_NOOP("cause", "The servo thread touched memory that the system first had to fetch.")},
-    {servo::LateCause::Preempted, QT_TRANSLATE_NOOP("cause", "core was taken"),
+    {servo::LateCause::Overrun, QT_TRANSLATE_NOOP("cause", "previous tick too long"),
+     QT_TRANSLATE_NOOP("cause", "The previous tick took longer than a period.")},
+    {servo::LateCause::Device, QT_TRANSLATE_NOOP("cause", "waiting for the arm"),
+     QT_TRANSLATE_NOOP("cause", "Most of the delay was spent waiting for the arm.")},
+    {servo::LateCause::PageFault, QT_TRANSLATE_NOOP("cause", "page fault"),
+     QT_TRANSLATE_NOOP("cause", "The servo thread accessed memory that the system had to load first.")},
+    {servo::LateCause::Preempted, QT_TRANSLATE_NOOP("cause", "preempted"),
      QT_TRANSLATE_NOOP("cause", "Another thread ran on the servo's core.")},
     {servo::LateCause::Woken, QT_TRANSLATE_NOOP("cause", "woken late"),
-     QT_TRANSLATE_NOOP("cause", "None of these: the system, or the machine a virtual one runs on, woke it late.")}};
+     QT_TRANSLATE_NOOP("cause", "None of these: the system, or the host of a virtual machine, woke the thread late.")}};
 
 Readout* withoutMargins(Readout* readout) {
   readout->layout()->setContentsMargins(0, 0, 0, 0);
@@ -39,28 +39,28 @@ Readout* withoutMargins(Readout* readout) {
 }  // namespace
 
 TimeSection::TimeSection(QWidget* parent)
-    : Section("time", tr("Time"), tr("How evenly the servo ticks."), parent, "servo"),
+    : Section("time", tr("Time"), tr("How evenly the servo loop runs."), parent, "servo"),
       rate_(withoutMargins(new Readout("panel.servo.rate", this))),
       late_(withoutMargins(new Readout("panel.servo.late", this))),
       percentiles_(new NumberTable(
           "panel.servo.times", {{"p50", "99999"}, {"p99", "99999"}, {"p99.9", "99999"}, {tr("max"), "999999"}}, this)),
       chart_(new LatenessChart(this)) {
-  rate_->addRow(tr("Rate asked"), tr("Ticks a second, as chosen above or told to the program (--rate)."));
-  rate_->addRow(tr("measured"), tr("Ticks a second by the clock on the wall."));
-  percentiles_->addRow(tr("late"),
-                       tr("How late ticks started since the servo was begun at this rate, µs. p99: 99 of 100 no later "
-                          "than this."));
-  percentiles_->addRow(tr("last 10 s"), tr("How late the ticks of the last 10 s started, µs."));
-  percentiles_->addRow(tr("tick"), tr("How long ticks took, from the sample to the force, µs."));
-  late_->addRow(tr("Late ticks"), tr("Ticks that started a whole period late or more. They are not caught up."));
+  rate_->addRow(tr("Nominal rate"), tr("Ticks per second, as set above or on the command line (--rate)."));
+  rate_->addRow(tr("measured"), tr("Ticks per second, measured by the computer's clock."));
+  percentiles_->addRow(tr("latency"), tr("Latency of the ticks since the servo was started at this rate, in µs. p99: "
+                                         "99 of 100 ticks start no later than this."));
+  percentiles_->addRow(tr("last 10 s"), tr("Latency of the ticks of the last 10 s, in µs."));
+  percentiles_->addRow(tr("tick time"), tr("How long a tick takes from the sample to the force, in µs."));
+  late_->addRow(tr("Late ticks"), tr("Ticks that started late by a period or more. The lost time is not made up for."));
   for (const CauseWords& cause : kCauses) {
     late_->addRow(QString(QChar(0x2013)) + " " + QCoreApplication::translate("cause", cause.label),
                   QCoreApplication::translate("cause", cause.tip));
   }
-  late_->addRow(tr("Left out"), tr("Deadlines that had passed when a late tick came: they are left out, not made up "
-                                   "for in a burst."));
-  late_->addRow(tr("Lost rows"), tr("Ticks that plots and recordings did not get, because the window was busy. The "
-                                    "servo was not."));
+  late_->addRow(
+      tr("Skipped"),
+      tr("Deadlines that had passed when a late tick started. They are skipped, not made up for in a burst."));
+  late_->addRow(tr("Lost rows"),
+                tr("Ticks missing from plots and recordings because the window was busy. The servo was not affected."));
   column().addWidget(rate_);
   column().addWidget(quietLabel("panel.servo.unit", tr("Microseconds:"), this));
   column().addWidget(percentiles_);

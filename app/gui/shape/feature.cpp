@@ -8,7 +8,7 @@ namespace underact::gui {
 
 FeatureRow shapeFeature() {
   return {.panels = {{"shape", QT_TRANSLATE_NOOP("panel", "Shape"), Qt::RightDockWidgetArea, "Ctrl+Alt+3",
-                      QT_TRANSLATE_NOOP("panel", "What the stylus is held to, in numbers."),
+                      QT_TRANSLATE_NOOP("panel", "The geometry of the constraint in numbers, and the distance to it."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new ShapePanel({all.document, all.actions}, parent);
                       }}},

@@ -24,7 +24,7 @@ QString heldText(const tick::Held& held) {
     case target::Status::Unique:
       return QObject::tr("%1 away").arg(millimetres(held.distance_m * kMillimetrePerMetre));
     case target::Status::Degenerate:
-      return QObject::tr("equally far all around");
+      return QObject::tr("equidistant");
     case target::Status::Free:
       return QObject::tr("free");
   }
@@ -39,10 +39,10 @@ ShapePanel::ShapePanel(const Parts& parts, QWidget* parent)
   auto* content = new QWidget;
   auto* inner = tight<QVBoxLayout>(content);
   inner->addWidget(readout_);
-  edit_ = addButton("panel.shape.edit_robot", tr("Edit its joints"),
-                    tr("Opens the Robot panel: joints, springs, turning stiffness and solver."));
+  edit_ = addButton("panel.shape.edit_robot", tr("Edit joints"),
+                    tr("Opens the Robot panel: joints, springs, rotational stiffness and solver."));
   report_ = addButton("panel.shape.report", tr("Report…"),
-                      tr("What was found in the file of the mesh, what was repaired, and how it can be felt."));
+                      tr("What the mesh file contains, what was repaired, and how the mesh can be felt."));
   report_->setPopupMode(QToolButton::InstantPopup);
   reports_ = new QMenu(report_);
   connect(report_, &QToolButton::clicked, this, [this] {
@@ -82,7 +82,7 @@ void ShapePanel::offerReports() {
     connect(reports_->addAction(QString::fromStdString(constraints[index].name)), &QAction::triggered, this, ask);
   }
   const auto count = reports_->actions().size();
-  report_->setMenu(count > 1 ? reports_ : nullptr);  // of one mesh there is nothing to choose
+  report_->setMenu(count > 1 ? reports_ : nullptr);  // with one mesh there is nothing to choose
   report_->setVisible(count > 0);
 }
 
@@ -103,7 +103,7 @@ void ShapePanel::sceneOpened() {
                                 std::holds_alternative<scene::Curve>(constraint.shape);
     for (std::size_t index = 0; index < lines.size(); ++index) {
       readout_->set(readout_->addRow(lines[index].label), lines[index].value);
-      if (has_many_lines && index == 0) addDistance();  // nobody should scroll for the distance
+      if (has_many_lines && index == 0) addDistance();  // visible without scrolling
     }
     if (!has_many_lines) addDistance();
   }
@@ -116,12 +116,12 @@ void ShapePanel::sceneOpened() {
 
 void ShapePanel::addDistance() {
   distance_rows_.push_back(
-      readout_->addRow(tr("Stylus"), tr("The distance e between the tip and the nearest point of the shape, or a "
-                                        "robot's tip; free: a wall that is not touched.")));
+      readout_->addRow(tr("Stylus"), tr("Distance e from the tip to the nearest point of the shape, or to the end "
+                                        "effector of a robot. Free: the tip does not touch the wall.")));
 }
 
 void ShapePanel::showOneShapeWhole() {
-  constexpr int kRows = 5;  // a circle's: with them nobody has to scroll for the distance
+  constexpr int kRows = 5;  // as many as a circle has, so that the distance is visible without scrolling
   const int row = fontMetrics().lineSpacing() + 4;
   scroll_->setMinimumHeight(std::min(readout_->sizeHint().height(), kRows * row + 16));
 }

@@ -10,7 +10,7 @@ namespace underact::gui {
 
 class Readout;
 
-/// What the stylus is held to, in numbers, and how far it is from there now.
+/// The geometry of the constraints in numbers, and the present distance of the tip.
 class ShapePanel : public Panel {
   Q_OBJECT
  public:
@@ -32,11 +32,11 @@ class ShapePanel : public Panel {
   Parts parts_;
   Readout* readout_;
   QScrollArea* scroll_ = nullptr;
-  QToolButton* edit_ = nullptr;    // opens the joints of a virtual manipulator
-  QToolButton* report_ = nullptr;  // on the file of a mesh
-  QMenu* reports_ = nullptr;       // where there are several
+  QToolButton* edit_ = nullptr;    // opens the Robot panel
+  QToolButton* report_ = nullptr;  // of a mesh
+  QMenu* reports_ = nullptr;       // if there are several meshes
   scene::Description shown_;
-  std::vector<int> distance_rows_;  // of each constraint
+  std::vector<int> distance_rows_;  // one for each constraint
 };
 
 }  // namespace underact::gui

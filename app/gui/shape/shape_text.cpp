@@ -15,7 +15,7 @@ namespace {
 
 using ShapeLines = std::vector<ShapeLine>;
 
-/// The names of the types, for translators alone.
+/// The names of the types, marked for translation only.
 [[maybe_unused]] constexpr const char* kShapeNames[] = {
     QT_TRANSLATE_NOOP("shape", "Point"), QT_TRANSLATE_NOOP("shape", "Sphere"), QT_TRANSLATE_NOOP("shape", "Line"),
     QT_TRANSLATE_NOOP("shape", "Plane"), QT_TRANSLATE_NOOP("shape", "Circle"), QT_TRANSLATE_NOOP("shape", "Cylinder"),
@@ -46,17 +46,17 @@ ShapeLines linesOf(const scene::Cylinder& cylinder) {
 }
 ShapeLines linesOf(const scene::Box& box) {
   ShapeLines lines{{QObject::tr("Centre"), placeText(box.center_mm)}, {QObject::tr("Size"), placeText(box.size_mm)}};
-  if (!box.R_WB.isIdentity()) lines.push_back({QObject::tr("Its x axis"), directionText(box.R_WB.col(0))});
+  if (!box.R_WB.isIdentity()) lines.push_back({QObject::tr("x axis"), directionText(box.R_WB.col(0))});
   return lines;
 }
 
-/// "R R P": its joints in order.
+/// "R R P": the joints in order.
 QString jointLetters(const scene::VirtualManipulator& robot) {
   QStringList letters;
   for (const scene::Joint& joint : robot.joints) letters << (joint.type == chain::JointType::Revolute ? "R" : "P");
   return letters.join(' ');
 }
-/// "q1, q3": the joints that have it.
+/// "q1, q3": the joints with a property.
 QString jointsWith(const scene::VirtualManipulator& robot, bool (*has)(const scene::Joint&)) {
   QStringList numbers;
   for (std::size_t index = 0; index < robot.joints.size(); ++index) {
@@ -67,20 +67,20 @@ QString jointsWith(const scene::VirtualManipulator& robot, bool (*has)(const sce
 QString orientationText(manipulator::Orientation orientation) {
   switch (orientation) {
     case manipulator::Orientation::None:
-      return QObject::tr("its place alone");
+      return QObject::tr("position only");
     case manipulator::Orientation::Axis:
-      return QObject::tr("its place and direction");
+      return QObject::tr("position and direction");
     case manipulator::Orientation::Angle:
-      return QObject::tr("its place and angle");
+      return QObject::tr("position and angle");
     case manipulator::Orientation::Full:
-      return QObject::tr("its place and whole turn");
+      return QObject::tr("position and orientation");
   }
   return {};
 }
 ShapeLines linesOf(const scene::VirtualManipulator& robot) {
   ShapeLines lines{{QObject::tr("Joints"), jointLetters(robot)},
-                   {QObject::tr("Tip at home"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
-                   {QObject::tr("Drawn to"), orientationText(robot.orientation)}};
+                   {QObject::tr("Home position"), placeText(robot.X_WV_home.topRightCorner<3, 1>())},
+                   {QObject::tr("Follows"), orientationText(robot.orientation)}};
   if (robot.orientation != manipulator::Orientation::None) {
     lines.push_back({QObject::tr("Kθ"), QObject::tr("%1 N mm/rad").arg(numberText(robot.ko_N_mm_per_rad, 1))});
   }
@@ -109,9 +109,9 @@ ShapeLines linesOf(const scene::Mesh& mesh) {
 ShapeLines linesOf(const scene::Curve& curve) {
   ShapeLines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(curve.file)).fileName()}};
   if (curve.points != nullptr) lines.push_back({QObject::tr("Points"), QString::number(curve.points->size())});
-  lines.push_back({QObject::tr("Joined"),
-                   curve.kind == curve::Kind::Spline ? QObject::tr("smoothly") : QObject::tr("by straight lines")});
-  lines.push_back({QObject::tr("Ends"), curve.closed ? QObject::tr("none, it is closed") : QObject::tr("two")});
+  lines.push_back({QObject::tr("Interpolation"),
+                   curve.kind == curve::Kind::Spline ? QObject::tr("smooth") : QObject::tr("straight lines")});
+  lines.push_back({QObject::tr("Ends"), curve.closed ? QObject::tr("none, closed") : QObject::tr("two")});
   lines.push_back({QObject::tr("Placed at"), placeText(curve.X_WM.topRightCorner<3, 1>())});
   return lines;
 }
@@ -143,7 +143,7 @@ std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {
   lines.insert(lines.end(), geometry.begin(), geometry.end());
   if (const auto* mesh = std::get_if<scene::Mesh>(&constraint.shape); mesh && constraint.side == target::Side::Both)
     lines.push_back(
-        {QObject::tr("Held to"), settingChoice("/constraints/*/search", wordOf(scene::kSearchWords, mesh->search))});
+        {QObject::tr("Search"), settingChoice("/constraints/*/search", wordOf(scene::kSearchWords, mesh->search))});
   if (constraint.friction) {
     lines.push_back({QObject::tr("Friction"), QObject::tr("%1 static, %2 dynamic")
                                                   .arg(numberText(constraint.friction->static_share, 2),

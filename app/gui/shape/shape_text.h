@@ -12,7 +12,7 @@ struct ShapeLine {
   QString value;
 };
 
-/// A constraint in numbers: its type and side, then its lengths in mm and its directions, made unit length.
+/// A constraint in numbers: type and side, then lengths in mm and directions as unit vectors.
 std::vector<ShapeLine> shapeText(const scene::Constraint& constraint);
 
 /// "Sphere"

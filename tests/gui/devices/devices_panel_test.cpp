@@ -29,7 +29,7 @@ TEST(DevicesPanel, ANameThatIsNoneIsRefusedInASentenceAndTheArmStays) {
   desk.find<QLineEdit>("panel.devices.other")->setText(" no such arm ");
   desk.find<QPushButton>("panel.devices.open")->click();
   EXPECT_TRUE(QTest::qWaitFor([&desk] { return !desk.find("panel.devices.told")->isHidden(); }));
-  EXPECT_TRUE(desk.label("panel.devices.told").startsWith("“no such arm” was not opened. "));
+  EXPECT_TRUE(desk.label("panel.devices.told").startsWith("“no such arm” could not be opened. "));
   EXPECT_EQ(desk.services().arms->name(), QString("simulated"));
 }
 
@@ -37,7 +37,7 @@ TEST(DevicesPanel, WhileAMeasurementIsAtWorkTheArmStaysAndItIsSaidWhy) {
   Desk desk(devicesFeature());
   ASSERT_TRUE(desk.document().tryOut(desk.scene()).empty());
   EXPECT_FALSE(desk.perform("devices.use", QString("wooden")));
-  EXPECT_TRUE(desk.label("panel.devices.told").startsWith("The arm stays. A measurement is at work"));
+  EXPECT_TRUE(desk.label("panel.devices.told").startsWith("The arm was not changed. A measurement is at work"));
 }
 
 TEST(DevicesPanel, WhereTheArmStandsIsWhatTheRemarkSays) {

@@ -17,8 +17,8 @@ servo::CheckResult measured(double servo_p99_us, double servo_p999_us) {
 
 TEST(CheckVerdict, GoodIsWithinAThirdAtP99AndTwiceAtP999) {
   EXPECT_TRUE(verdictOf(measured(129, 299)).startsWith("The servo is as punctual"));
-  EXPECT_TRUE(verdictOf(measured(131, 299)).startsWith("The servo is later"));
-  EXPECT_TRUE(verdictOf(measured(129, 301)).startsWith("The servo is later"));
+  EXPECT_TRUE(verdictOf(measured(131, 299)).startsWith("The servo is less punctual"));
+  EXPECT_TRUE(verdictOf(measured(129, 301)).startsWith("The servo is less punctual"));
   EXPECT_EQ(verdictOf({}), "Nothing was measured.");
 }
 

@@ -48,7 +48,7 @@ TEST(LimitsSection, ALimitActsWhileItCutsAndSaysAfterwardsWhenAndHowMuch) {
       notes += label->text() + "|";
     return notes;
   };
-  EXPECT_TRUE(note("speed").contains("has not acted"));
+  EXPECT_TRUE(note("speed").contains("not active yet"));
   snapshot.report.cuts.speed_N = 0.25;
   section.present(snapshot, 1000);
   EXPECT_TRUE(section.findChild<ShareBar*>("panel.servo.limit.speed")->acts());
@@ -62,7 +62,7 @@ TEST(LimitsSection, ALimitActsWhileItCutsAndSaysAfterwardsWhenAndHowMuch) {
 TEST(ServoPanel, ARateThatCannotBeIsRefusedInASentenceAndTheChooserShowsWhatHolds) {
   Desk desk(servoFeature());
   EXPECT_FALSE(desk.perform("servo.rate", 50));
-  EXPECT_TRUE(desk.label("panel.servo.told").startsWith("The rate stays. "));
+  EXPECT_TRUE(desk.label("panel.servo.told").startsWith("The rate was not changed. "));
   EXPECT_EQ(desk.host().rateHz(), 1000);
   EXPECT_EQ(desk.find<QComboBox>("panel.servo.rate_choice")->currentText(), QString("1000 Hz"));
   EXPECT_TRUE(desk.perform("servo.rate", 2000));
