@@ -57,14 +57,14 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
 /// Empty: it can begin, or go on.
 Problems IdentifyRun::whyNotNow() const {
   if (!parts_.document.isOpen())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first: it is there again afterwards."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
   if (parts_.player.isOpen() || parts_.player.isLoading())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it first."))}};
   if (parts_.document.isTryingOut() && !hasOwnScene())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
   if (parts_.servo.holdToRun())
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "Hold to run is on, and the hand has to let go. Switch it off first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP(
+        "problem", "Hold to run is on, but this measurement needs your hand off the stylus. Switch it off first."))}};
   return {};
 }
 
@@ -104,7 +104,7 @@ QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
   const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.servo.rateHz();
   if (snapshot.mode == servo::Mode::Running || waits) return {};
   if (snapshot.mode == servo::Mode::Faulted)
-    return tr("%1 Force is off. When that is mended, press “Repeat this part”.")
+    return tr("%1 Force is off. Fix the cause, then press “Repeat this part”.")
         .arg(sentenceText(whatHappened(snapshot.report.fault)));
   return tr("The servo was stopped.");
 }
@@ -122,7 +122,8 @@ void IdentifyRun::goOn() {
 /// Samples of two rates make no one measurement.
 QString IdentifyRun::whyNotAtThisRate() const {
   if (parts_.servo.rateHz() == rate_hz_) return {};
-  return tr("The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.").arg(rate_hz_);
+  return tr("The servo rate was changed during the measurement. Set it back to %1 Hz, or go back and begin again.")
+      .arg(rate_hz_);
 }
 
 /// What begin() asked, once more. false: it is stopped, or has ended.
@@ -195,7 +196,7 @@ void IdentifyRun::look(const servo::Snapshot& snapshot) {
   if (person_) person_->act(*measurement_, q_rad_);
   if (state_ != State::Runs && state_ != State::Asks) return;
   if (state_ == State::Runs && parts_.servo.revision() != revision_)
-    return stopped(tr("The scene was changed meanwhile."));
+    return stopped(tr("The scene was changed during the measurement."));
   if (is_begun_) {
     if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
     if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
@@ -241,7 +242,8 @@ QString IdentifyRun::stage() const {
 
 QString IdentifyRun::prompt() const {
   if (!measurement_) return {};
-  if (person_) return tr("A simulated hand does it: %1").arg(sentenceText(promptOf(measurement_->stage().hand)));
+  if (person_)
+    return tr("A simulated hand does this for you: %1").arg(sentenceText(promptOf(measurement_->stage().hand)));
   return sentenceText(promptOf(measurement_->stage().hand));
 }
 

@@ -19,14 +19,15 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
       window_(parts.window),
       run_(parts_, this) {
   connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // it was to measure the arm before
-  actions_.add({"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
-                tr("Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.")},
-               [this](const QVariantList&) {
-                 open();
-                 return true;
-               });
+  actions_.add(
+      {"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
+       tr("Measures mass, friction, damping, encoder resolution and rendered stiffness of this arm, step by step.")},
+      [this](const QVariantList&) {
+        open();
+        return true;
+      });
   actions_.add({"arm.open", tr("&Open a measured arm…"), QKeySequence("Ctrl+Alt+X"),
-                tr("The simulated arm becomes one that was measured, from its file.")},
+                tr("Gives the simulated arm the values of a measured arm, from its file.")},
                [this](const QVariantList& path) {
                  if (!path.isEmpty()) return openArm(path.first().toString());
                  const QString chosen =
@@ -34,7 +35,7 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
                  return !chosen.isEmpty() && openArm(chosen);
                });
   QAction* const vendors = actions_.add({"arm.vendor", tr("&Vendor's arm"), QKeySequence("Ctrl+Alt+V"),
-                                         tr("The simulated arm is made of the vendor's figures again.")},
+                                         tr("Gives the simulated arm the vendor's values again.")},
                                         [this](const QVariantList&) {
                                           parts_.in_use.useVendors();
                                           return true;
@@ -75,7 +76,8 @@ bool IdentifyTool::openArm(const QString& path) {
   const Problems problems = parts_.in_use.open(path);
   if (problems.empty()) return true;
   showProblemsBox("dialog.arm_problems", tr("Measured arm"),
-                  tr("This file is no arm that can be simulated. The arm stays as it is."), problems, window_);
+                  tr("This file does not describe an arm that can be simulated. The arm is unchanged."), problems,
+                  window_);
   return false;
 }
 

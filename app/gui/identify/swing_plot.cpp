@@ -52,10 +52,11 @@ struct SwingPlot::Impl {
     chart.setRange(from_s, to_s, least_mm - room_mm, most_mm + room_mm);
   }
 
-  Chart chart{
-      SwingPlot::tr("Tip along x [mm]"),
-      SwingPlot::tr("time [s]"),
-      {{SwingPlot::tr("target"), 1.0F}, {SwingPlot::tr("measured"), 2.5F}, {SwingPlot::tr("fitted body"), 1.5F, true}}};
+  Chart chart{SwingPlot::tr("Tip along x [mm]"),
+              SwingPlot::tr("time [s]"),
+              {{SwingPlot::tr("target"), 1.0F},
+               {SwingPlot::tr("measured"), 2.5F},
+               {SwingPlot::tr("fitted model"), 1.5F, true}}};
 };
 
 SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
@@ -63,8 +64,8 @@ SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
   setObjectName(object_name);
   setAccessibleName(tr("Swings of the tip"));
   setToolTip(
-      tr("The tip is drawn to the target, and swings. The dashed line is how a mass with friction and damping "
-         "moves under the force that was sent."));
+      tr("The tip is pulled towards the target and swings. The dashed line is the fitted model: a mass with friction "
+         "and damping under the force that was sent."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   impl_->chart.reserve(kPoints);
   impl_->draw({});
