@@ -26,7 +26,7 @@ CalibrationSession::CalibrationSession(Document& document, ServoFacts servo, QOb
 Problems CalibrationSession::begin(const CalibrationSetup& setup) {
   cancel();
   if (document_.isTryingOut())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
   auto beams = calibration::beamsOf(document_.scene());
   if (!beams) return beams.problems();
   beams_ = beams.value();
