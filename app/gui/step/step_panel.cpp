@@ -36,11 +36,12 @@ using lab::Behaviour;
 QString sentenceOn(const lab::TransferFunction& transfer) {
   switch (lab::behaviourOf(transfer)) {
     case Behaviour::Grows:
-      return StepPanel::tr("It grows without end: a pole lies right of the imaginary axis, or twice on it.");
+      return StepPanel::tr(
+          "The response grows without bound: a pole lies to the right of the imaginary axis, or a double pole on it.");
     case Behaviour::Drifts:
-      return StepPanel::tr("It goes on for ever: a pole lies at 0.");
+      return StepPanel::tr("The response drifts for ever: a pole lies at 0.");
     case Behaviour::Swings:
-      return StepPanel::tr("It swings for ever: nothing damps it.");
+      return StepPanel::tr("The response oscillates for ever: there is no damping.");
     case Behaviour::Settles:
       break;
   }
@@ -80,9 +81,9 @@ void StepPanel::build() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
-  figure_choice_ = chooser("panel.step.figure", tr("What is shown"),
-                           tr("The arm under a law, or one of the figures of the thesis's appendix B."), this);
-  figure_choice_->addItem(tr("The arm under a law"));
+  figure_choice_ = chooser("panel.step.figure", tr("Response shown"),
+                           tr("The arm under a control law, or one of the figures in appendix B of the thesis."), this);
+  figure_choice_->addItem(tr("The arm under a control law"));
   for (const lab::ThesisStep& step : lab::thesisSteps())
     figure_choice_->addItem(tr("%1  %2").arg(QString(step.key), QCoreApplication::translate("step", step.title)));
   column->addWidget(figure_choice_);
@@ -98,7 +99,7 @@ void StepPanel::build() {
   foot->setContentsMargins(8, 4, 8, 8);
   foot->setSpacing(4);
   note_ = quietLabel("panel.step.note", {}, this);
-  note_->setAccessibleName(tr("What there is to know of this response"));
+  note_->setAccessibleName(tr("Notes on this response"));
   foot->addWidget(note_);
   foot->addWidget(foot_ = new StepFoot(this));
   outer->addLayout(foot);
@@ -284,16 +285,16 @@ QString StepPanel::noteOnMeasured() const {
   if (!step.fault.empty()) return QString::fromStdString(step.fault);
   const double pull_N = step.model.kp_N_per_m * step.step_m;
   if (!step.fit && pull_N <= step.friction_N)
-    return tr("The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.")
+    return tr("The tip did not move: %1 N does not overcome the arm's friction of %2 N. Make the step larger.")
         .arg(numberText(pull_N, 2))
         .arg(numberText(step.friction_N, 2));
   if (step.limited_ticks > 0)
-    return tr("The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure "
-              "without the limits.")
+    return tr("The safety gate cut the force in %1 ticks, so the response is not linear. Make the step smaller, or "
+              "measure without the limits.")
         .arg(step.limited_ticks);
   const QString arm = QString::fromStdString(parts_.arm_in_use.model().name);
   return tr("Measured along %1%3. The model has no friction; the arm has %2 N.")
-      .arg(step.axis == lab::Axis::Held ? tr("the direction in which it holds") : QString(name(step.axis)))
+      .arg(step.axis == lab::Axis::Held ? tr("the direction in which the constraint pulls") : QString(name(step.axis)))
       .arg(numberText(step.friction_N, 2))
       .arg(parts_.arm_in_use.isMeasured() ? tr(" on “%1”").arg(arm) : QString());
 }

@@ -57,7 +57,7 @@ std::vector<Chart::Curve> timeCurves() {
   for (std::size_t curve = kFirst; curve < kMeasuredCurve; ++curve) curves[curve] = {QString(), 1.5F};
   curves[kFirst].width = 2.0F;
   curves[kMeasuredCurve] = {StepPlot::tr("measured"), 1.5F};
-  curves[kFit] = {StepPlot::tr("its fit"), 1.5F, true};
+  curves[kFit] = {StepPlot::tr("fit"), 1.5F, true};
   return curves;
 }
 
@@ -154,7 +154,7 @@ struct StepPlot::Impl {
     plane.setRange(x_from, x_to, -y_to, y_to);
   }
 
-  Chart time{StepPlot::tr("Response to a step of 1"), StepPlot::tr("time [s]"), timeCurves()};
+  Chart time{StepPlot::tr("Response to a unit step"), StepPlot::tr("time [s]"), timeCurves()};
   Chart plane{StepPlot::tr("Imaginary part [rad/s]"),
               StepPlot::tr("real part [rad/s]"),
               {{QString(), 1.0F}, {StepPlot::tr("× pole"), 2.0F}, {StepPlot::tr("○ zero"), 1.5F}}};
@@ -164,8 +164,8 @@ StepPlot::StepPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_uniqu
   setObjectName("panel.step.plot");
   setAccessibleName(tr("Step response and poles"));
   setToolTip(
-      tr("Above: the response to a step of 1. Below: poles and zeros in the s-plane; what lies left of the upright "
-         "axis dies out, the faster the farther."));
+      tr("Above: the response to a unit step. Below: poles and zeros in the s-plane; poles to the left of the "
+         "imaginary axis decay, the faster the farther away."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   impl_->time.reserve(kPoints);
   impl_->plane.reserve(kPoints);
@@ -183,7 +183,7 @@ void StepPlot::present(const StepPicture& picture) {
   impl_->drawPlane(picture);
   const std::optional<double>& overshoot = picture.metrics.overshoot_fraction;
   setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(numberText(100.0 * *overshoot, 1))
-                                     : tr("Nothing settles"));
+                                     : tr("No final value"));
   placeAnew();  // the legend has other names
 }
 
