@@ -33,12 +33,13 @@ std::optional<Pose> placeOf(const std::optional<Registration>& first, const std:
 
 RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.window), parts_(parts), run_(this) {
   connect(this, &RegistrationTool::changed, this, [this] { parts_.where_it_stands.say(sentence(Which::First)); });
-  parts_.actions.add({"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
-                      tr("Finds where the arm stands on the desk from marks that its tip touches, step by step.")},
-                     [this](const QVariantList&) {
-                       open();
-                       return true;
-                     });
+  parts_.actions.add(
+      {"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
+       tr("Finds the pose of the arm on the desk from reference points that its tip touches, step by step.")},
+      [this](const QVariantList&) {
+        open();
+        return true;
+      });
   parts_.actions.addCommand("registration.forget", [this](const QVariantList& second) {
     return forget(second.value(0).toBool() ? Which::Second : Which::First).empty();
   });
@@ -117,19 +118,19 @@ QString RegistrationTool::trouble(Which which) const {
 }
 
 QString RegistrationTool::whyNot() const {
-  if (parts_.document.showsRecorded()) return tr("A recording is replayed. Close it, then register the arm.");
-  if (parts_.document.isTryingOut()) return tr("A measurement is at work on this arm. End it, then register the arm.");
-  return parts_.document.isOpen() ? QString() : tr("No scene is open. Open one, so that the tip is known.");
+  if (parts_.document.showsRecorded()) return tr("A recording is being replayed. Close it, then register the arm.");
+  if (parts_.document.isTryingOut()) return tr("A measurement is running on this arm. End it, then register the arm.");
+  return parts_.document.isOpen() ? QString()
+                                  : tr("No scene is open. Open one, so that the position of the tip is known.");
 }
 
 QString RegistrationTool::sentence(Which which) const {
   const Known& known = known_[index(which)];
   if (!known.why_not.isEmpty()) return tr("Not registered: %1").arg(known.why_not);
-  if (!known.registration) return tr("Not registered: the view is drawn as the arm stands.");
+  if (!known.registration) return tr("Not registered: the view shows the arm as if it stood straight.");
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(known.registration->touches, known.registration->fit);
-  return tr("Registered on %1 by %2 marks, which the points miss by %3 mm. In the middle of the workspace %4 mm of "
-            "error "
-            "are expected.")
+  return tr("Registered on %1 with %2 reference points, residual %3 mm. Expected error at the centre of the workspace: "
+            "%4 mm.")
       .arg(QString::fromStdString(known.registration->date))
       .arg(known.registration->touches.size())
       .arg(numberText(kMillimetrePerMetre * known.registration->fit.rms_m, 2),
@@ -150,7 +151,7 @@ void RegistrationTool::stopTouching() {
 }
 
 Problems RegistrationTool::accept() {
-  if (!run_.isOn()) return {{said(QT_TRANSLATE_NOOP("problem", "Nothing was touched.")), {}}};
+  if (!run_.isOn()) return {{said(QT_TRANSLATE_NOOP("problem", "No reference point has been touched.")), {}}};
   const Result<registration::Fit> fit = run_.fit();
   if (!fit) return fit.problems();
   Registration made{keyOf(which_), QDate::currentDate().toString(Qt::ISODate).toStdString(),
