@@ -27,10 +27,10 @@ constexpr Name kNames[] = {{"rate", QT_TRANSLATE_NOOP("choice", "Servo rate")},
                            {"simulation", QT_TRANSLATE_NOOP("choice", "Simulated arm")},
                            {"search", QT_TRANSLATE_NOOP("choice", "Search")},
                            {"solver", QT_TRANSLATE_NOOP("choice", "Solver")},
-                           {"steps", QT_TRANSLATE_NOOP("choice", "Solver's steps")},
+                           {"steps", QT_TRANSLATE_NOOP("choice", "Solver steps")},
                            {"velocity", QT_TRANSLATE_NOOP("choice", "Velocity filter")},
-                           {"inverse", QT_TRANSLATE_NOOP("choice", "The arm's joints")},
-                           {"blocks", QT_TRANSLATE_NOOP("choice", "Recording's blocks")}};
+                           {"inverse", QT_TRANSLATE_NOOP("choice", "Inverse kinematics")},
+                           {"blocks", QT_TRANSLATE_NOOP("choice", "Recording blocks")}};
 
 }  // namespace
 
