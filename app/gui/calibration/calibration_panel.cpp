@@ -113,7 +113,7 @@ void CalibrationPanel::showState() {
 }
 
 void CalibrationPanel::finish() {
-  session_->cancel();  // the scene's own stiffness, before anybody else looks
+  session_->cancel();  // restores the scene's own stiffness before others read it
 }
 
 void CalibrationPanel::present(const servo::Snapshot& snapshot) {
@@ -132,7 +132,7 @@ bool CalibrationPanel::save(const QString& path) {
                           ? QStringLiteral("a person")
                           : QStringLiteral("a simulated hand with a Weber fraction of %1").arg(setup.weber);
   const std::string csv = calibration::csvOf(session_->run(), who.toStdString(), setup.seed);
-  QSaveFile file(path);  // whole or not at all; what a person can tell apart is not for others' eyes
+  QSaveFile file(path);  // whole or not at all; a person's threshold is private
   const bool saved = file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
                      file.write(csv.c_str()) >= 0 && file.commit();
   result_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))

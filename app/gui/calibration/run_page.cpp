@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kKeys[] = {"left", "right"};
 
-/// The two beams as the view has them, the one that is meant filled.
+/// The two beams as in the view, with the one of this side filled.
 QIcon beamIcon(std::size_t side, const Theme& theme, const QSize& size, double ratio) {
   QPixmap picture(size * ratio);
   picture.setDevicePixelRatio(ratio);
@@ -65,7 +65,7 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
     grid->addWidget(buttons_[index], 0, side);
     grid->addWidget(pressed_[index], 1, side);
     connect(buttons_[index], &QToolButton::clicked, actions_[index], &QAction::trigger);
-    // Buttons would take the arrows to go from one to the next.
+    // The buttons would use the arrow keys to move the focus.
     auto* arrow = new QShortcut(keys[side], this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
     connect(arrow, &QShortcut::activated, actions_[index], &QAction::trigger);
   }
@@ -112,7 +112,7 @@ void RunPage::present(const CalibrationSession& session, bool say_right) {
                  : session.isServoRunning()
                      ? tr("Press each beam down with the stylus, as often as you like. Release it before you answer.")
                      : tr("The servo is stopped. Press Start to feel the beams."));
-  // Else the focus would fall from a button that is greyed on Cancel, where the next Space would end it all.
+  // Otherwise the focus would move from a disabled button to Cancel, where the next Space would end the measurement.
   if (!session.mayAnswer() && (buttons_[0]->hasFocus() || buttons_[1]->hasFocus())) setFocus();
   for (std::size_t side = 0; side < 2; ++side) {
     const bool pressed = session.isPressed(static_cast<calibration::Beam>(side));

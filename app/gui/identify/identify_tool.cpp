@@ -18,7 +18,7 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
       actions_(parts.actions),
       window_(parts.window),
       run_(parts_, this) {
-  connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // it was to measure the arm before
+  connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // the measurement was of the previous arm
   actions_.add(
       {"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
        tr("Measures mass, friction, damping, encoder resolution and rendered stiffness of this arm, step by step.")},
@@ -40,14 +40,14 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
                                           parts_.in_use.useVendors();
                                           return true;
                                         });
-  const auto follow = [this, vendors] {  // an arm that is being measured is not exchanged
+  const auto follow = [this, vendors] {  // no change of arm during a measurement
     vendors->setEnabled(parts_.in_use.isMeasured() && !run_.isAtWork());
     actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm() && !run_.isAtWork());
   };
   connect(&parts_.in_use, &ArmInUse::changed, this, follow);
   connect(&run_, &IdentifyRun::changed, this, follow);
   follow();
-  // What the last page's buttons do, with a path in place of a file dialog.
+  // The buttons of the last page, with a path instead of a file dialog.
   actions_.addCommand("identify.save", [this](const QVariantList& path) {
     return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveModel(path.value(0).toString());
   });

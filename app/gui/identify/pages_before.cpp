@@ -18,7 +18,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kReach_mm = 200.0;
-constexpr double kAside_mm = 20.0;  // of the two more places, beside and in front of the first
+constexpr double kAside_mm = 20.0;  // of the two more positions, to the left and right of the first
 
 QLabel* words(const char* name, const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);

@@ -14,7 +14,7 @@ constexpr std::size_t kPoints = 2000;
 constexpr std::size_t kTarget = 0, kMeasured = 1, kFit = 2;
 constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
 
-/// Every so manieth point, so that all find room; what is left over is a gap.
+/// Takes every n-th point, so that they fit into the curve, and fills the rest with gaps.
 void fill(std::span<PlotPoint> into, const std::vector<SwingPoint>& from) {
   const std::size_t every = from.size() / into.size() + 1;
   std::size_t used = 0;
@@ -81,7 +81,7 @@ QSize SwingPlot::minimumSizeHint() const {
 void SwingPlot::present(const SwingPicture& picture) {
   impl_->draw(picture);
   setAccessibleDescription(tr("%1 points along %2").arg(picture.measured.size()).arg(QLatin1Char(picture.axis)));
-  placeAnew();  // the legend may have another name in it
+  placeAnew();  // the names in the legend may have changed
 }
 
 void SwingPlot::setTheme(const Theme& theme) {

@@ -24,7 +24,7 @@ QString figuresOf(const trade::Choice& choice, const trade::Summary& now) {
            errorText(now.error, choice.unit), errorText(choice.bound, choice.unit));
 }
 
-/// By words and a sign, and only then by colour.
+/// Marks a choice by words and a sign; the colour only adds to them.
 void mark(const trade::Standing& standing, const trade::Summary* now, ChoiceWords& words) {
   const trade::Choice& choice = *standing.choice;
   words.is_beyond = now != nullptr && now->error > choice.bound;

@@ -9,7 +9,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kLeastCost_us_per_s = 1e-3,
-                 kLeastError_mm = 1e-6;  // what is exact stands there: a logarithm has no zero
+                 kLeastError_mm = 1e-6;  // the place of an exact one: a logarithmic axis has no zero
 constexpr double kFrontDot = 3.0, kFrontSquare = 5.0, kFrontRing = 8.0;
 constexpr double kFrontRoom = 1.25;
 constexpr MarkSheet::Colour kFrontGround{&Theme::ink, 0.0};
@@ -62,7 +62,7 @@ MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optiona
   sheet.y.lines_a_tick = 1.5;
   sheet.way_line = {&Theme::constraint};
   sheet.way_width = 2.0;
-  for (const bool on_front : {false, true}) {  // those that matter lie on top
+  for (const bool on_front : {false, true}) {  // the front is drawn on top
     const MarkSheet::Colour line =
         on_front ? MarkSheet::Colour{&Theme::constraint} : MarkSheet::Colour{&Theme::ink, 0.55};
     for (const trade::Point& point : points) {

@@ -132,7 +132,7 @@ void LabPanel::end(LabResult result) {
   for (std::size_t index = 0; index < result_.points.size(); ++index) {
     const trade::Point& point = result_.points[index];
     if (!point.on_front) continue;
-    // A substep longer than the period is the period: two ways, one and the same run. Of such the scene's own stays.
+    // A substep longer than the period equals the period, so two combinations are the same run: keep the scene's own.
     if (!front_.empty() && result_.points[front_.back()].error_mm == point.error_mm) {
       if (point.is_own) front_.back() = index;
       continue;
@@ -161,7 +161,7 @@ bool LabPanel::isMeasuredScene(const LabOrder& order) const {
   return scene::isSame(withSettings(parts_.document.scene(), own), withSettings(order.scene, own));
 }
 
-/// A rate that was tried here and that nobody chose to stay.
+/// Whether the current rate was only tried here and not chosen in the servo panel.
 bool LabPanel::hasTriedRate() const {
   return !result_.standings.empty() && parts_.rate.hz() != order_.rate_hz && parts_.rate.chosen() != parts_.rate.hz();
 }
@@ -169,7 +169,7 @@ bool LabPanel::hasTriedRate() const {
 void LabPanel::sceneOpened() {
   cancel();
   if (run_ != nullptr) return;
-  // Another scene begins at the rate that was there before; where that is refused, it is told.
+  // Another scene starts at the previous rate; if that is refused, the panel says so.
   const Problems problems = hasTriedRate() ? parts_.rate.tryOut(order_.rate_hz) : Problems{};
   const QString stays = problems.empty() ? QString() : tr(" The rate stays at %1 Hz. ").arg(parts_.rate.hz());
   forget(whatMeasuringDoes() + stays + sentencesOf(problems));
@@ -302,7 +302,7 @@ QString LabPanel::whatMeasuringDoes() const {
          whichArm();
 }
 
-/// Empty where it is the one that everybody would think of.
+/// Empty unless a measured arm is simulated in the window.
 QString LabPanel::whichArm() const {
   if (!parts_.arm_in_use.isMeasured()) return {};
   return tr(" The arm simulated here has the vendor's values, not those of “%1”.")

@@ -9,7 +9,7 @@
 namespace underact::gui {
 namespace {
 
-/// Three digits that count, without an exponent.
+/// Three significant digits, without an exponent.
 QString shortText(double value) {
   if (value == 0.0) return "0";
   const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
@@ -63,7 +63,7 @@ QString choiceName(const trade::Choice& choice) {
   for (const Name& one : kNames) {
     if (QString(one.key) == choice.key) return QCoreApplication::translate("choice", one.name);
   }
-  return choice.key;  // one that has come since
+  return choice.key;  // a choice without a name here
 }
 
 }  // namespace underact::gui

@@ -16,9 +16,9 @@
 namespace underact::gui {
 namespace {
 
-/// The dearest stop that is no dearer than the point.
+/// The most expensive stop that costs no more than the point.
 int stopBefore(const std::vector<std::size_t>& front, std::size_t point) {
-  const auto dearer = std::upper_bound(front.begin(), front.end(), point);  // points are in the order of their cost
+  const auto dearer = std::upper_bound(front.begin(), front.end(), point);  // points are sorted by cost
   return std::max(0, static_cast<int>(dearer - front.begin()) - 1);
 }
 

@@ -51,7 +51,7 @@ void FitPage::initializePage() {
   told_->hide();
   const std::vector<registration::Touch> touches = tool_.run().touching().touches();
   const Result<registration::Fit> fitted = tool_.run().fit();
-  if (!fitted) return;  // the page before does not let it come to this
+  if (!fitted) return;  // the page before does not allow this
   const registration::Fit& fit = fitted.value();
   residual_->setText(
       tr("The touched points lie %1 mm from their reference points (root mean square).").arg(mm(fit.rms_m)));

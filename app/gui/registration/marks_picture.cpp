@@ -12,7 +12,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kRoom_px = 32.0, kRing_px = 7.0;
-constexpr double kEnlarged = 20.0;  // a millimetre beside its mark is seen
+constexpr double kEnlarged = 20.0;  // makes a residual of a millimetre visible
 
 QPointF flat_mm(const Vec3& p_D) {
   return kMillimetrePerMetre * QPointF(registration::rightOf(p_D), -registration::awayOf(p_D));

@@ -150,7 +150,7 @@ void PreparePage::fillMarks() {
   showMarks();
 }
 
-/// What is wrong with the marks, before anybody touches one: as if they had been touched without any error.
+/// Says what is wrong with the reference points before any is touched, as if they had been touched without error.
 void PreparePage::showMarks() {
   const std::vector<Vec3> marks_D = this->marks_D();
   std::vector<registration::Touch> touches;

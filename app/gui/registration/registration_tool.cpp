@@ -23,7 +23,7 @@ namespace {
 
 using registration::Registration;
 
-/// The place of the second arm as the first one sees it: X_WS = X_DW^-1 X_DS.
+/// The pose of the second arm in the frame of the first: X_WS = X_DW^-1 X_DS.
 std::optional<Pose> placeOf(const std::optional<Registration>& first, const std::optional<Registration>& second) {
   if (!first || !second) return {};
   return Pose(first->fit.X_DW.inverse() * second->fit.X_DW);
@@ -51,7 +51,7 @@ RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.wi
     return wizard_ && wizard_->saveSheet(path.value(0).toString());
   });
   connect(&parts_.arms, &ArmChoice::changed, this, &RegistrationTool::recallAll);
-  connect(&parts_.second, &SecondArm::changed, this, [this] {  // it also comes by our own doing
+  connect(&parts_.second, &SecondArm::changed, this, [this] {  // our own changes emit it as well
     if (keyOf(Which::Second) != known_[1].arm) recallAll();
   });
   recallAll();
@@ -72,7 +72,7 @@ bool RegistrationTool::isSimulated(Which which) const {
 std::string RegistrationTool::keyOf(Which which) const {
   if (which == Which::Second) {
     if (!hasSecond()) return {};
-    // Simulated, it is another one than the first.
+    // A simulated second arm must not share the key of the first.
     if (isSimulated(which)) return "simulated:second";
     return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.servo().device());
   }
@@ -82,7 +82,7 @@ std::string RegistrationTool::keyOf(Which which) const {
 }
 
 void RegistrationTool::recallAll() {
-  if (wizard_ && run_.isOn()) wizard_->close();  // it was of another arm
+  if (wizard_ && run_.isOn()) wizard_->close();  // the run was of another arm
   for (const Which which : {Which::First, Which::Second}) {
     Known known{keyOf(which), {}, {}};
     if (!known.arm.empty()) {
@@ -138,7 +138,7 @@ QString RegistrationTool::sentence(Which which) const {
 }
 
 void RegistrationTool::begin(Which which, std::vector<Vec3> marks_D) {
-  parts_.actions.perform("session.stop");  // nothing pulls at the tip while it is to rest
+  parts_.actions.perform("session.stop");  // nothing may pull at the tip while it rests
   which_ = which;
   parts_.second.setListener(which == Which::Second ? [this](const servo::TickRecord& record) { run_.add(record); }
                                                    : std::function<void(const servo::TickRecord&)>());

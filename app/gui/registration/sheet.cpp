@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRim_mm = 12.0;    // that printers leave white, and the rings
+constexpr double kRim_mm = 12.0;    // unprintable margin of printers, and the rings
 constexpr double kWords_mm = 34.0;  // at the top and at the bottom
 constexpr double kFlat_m = 1e-5;
 constexpr int kDotsPerInch = 1200;

@@ -23,7 +23,7 @@ const QString kNone(QChar(0x2013));
 QString figureText(double value) {
   if (!std::isfinite(value)) return kNone;
   const int before = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return numberText(value, std::clamp(3 - before, 0, 4));  // four digits that count, at most four behind the point
+  return numberText(value, std::clamp(3 - before, 0, 4));  // four significant digits, at most four decimals
 }
 
 QString figureText(const std::optional<double>& value, const QString& none = kNone) {
@@ -37,7 +37,7 @@ std::optional<double> percent(const std::optional<double>& share) {
 QString polesText(const lab::TransferFunction& transfer) {
   QStringList words;
   for (const std::complex<double>& pole : lab::poles(transfer)) {
-    if (pole.imag() < 0.0) continue;  // told with its partner
+    if (pole.imag() < 0.0) continue;  // listed with its conjugate
     const QString imaginary = pole.imag() > 0.0 ? StepFigures::tr(" ± %1i").arg(figureText(pole.imag())) : QString();
     words << figureText(pole.real()) + imaginary;
   }

@@ -48,7 +48,7 @@ QString sentenceOn(const lab::TransferFunction& transfer) {
   return {};
 }
 
-/// Of den = a s^2 + b s + c; none of another degree.
+/// For den = a s^2 + b s + c; NaN for any other degree.
 lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
   if (transfer.den.size() != 3) return {kNotANumber, kNotANumber};
   const lab::HeldMass held{transfer.den[0], transfer.den[1], transfer.den[2]};
@@ -76,7 +76,7 @@ StepPanel::StepPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts
 
 void StepPanel::build() {
   auto* outer = tight<QVBoxLayout>(this, 0);
-  outer->addWidget(plot_ = new StepPlot(this), 1);  // stays in sight while what is below it scrolls
+  outer->addWidget(plot_ = new StepPlot(this), 1);  // stays visible while the rest scrolls
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);
@@ -94,7 +94,7 @@ void StepPanel::build() {
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
   outer->addWidget(scroll, 2);
-  // Below what scrolls: a sentence is always seen, and its coming moves no slider from under the pointer.
+  // Below the scroll area: a note is always visible, and does not move a slider from under the pointer when it appears.
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(8, 4, 8, 8);
   foot->setSpacing(4);
@@ -120,7 +120,7 @@ void StepPanel::connectParts() {
   connect(&parts_.document, &Document::opened, this, &StepPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &StepPanel::sceneEdited);
   connect(&parts_.arm_in_use, &ArmInUse::changed, this, &StepPanel::takeArm);
-  connect(&parts_.rate, &ServoRate::changed, this, [this] {  // it was measured at another one
+  connect(&parts_.rate, &ServoRate::changed, this, [this] {  // measured at another rate
     measured_.reset();
     refresh();
   });
@@ -152,7 +152,7 @@ const scene::Control& StepPanel::control() const {
   return scene::controlOf(parts_.document.scene(), index_);
 }
 
-/// The mass that moves and what slows it are the arm's, until a slider says otherwise.
+/// Sets the sliders of mass and damping to the arm's values.
 void StepPanel::takeArm() {
   held_.mass_kg = parts_.arm_in_use.model().mass_kg;
   held_.damping_N_s_per_m = parts_.arm_in_use.model().damping_N_s_per_m;
@@ -232,7 +232,7 @@ bool StepPanel::giveToScene() {
   return problems.empty();
 }
 
-// In the window's thread: 20,000 ticks, the most it asks for, take half a second, so there is nothing to cancel.
+// In the window's thread: 20,000 ticks, the maximum, take half a second, so no cancelling is needed.
 bool StepPanel::measure() {
   const scene::Description& scene = parts_.document.scene();
   if (scene.constraints.empty()) return false;
@@ -241,7 +241,7 @@ bool StepPanel::measure() {
   setup.constraint = scene.constraints[index_].name;
   setup.arm = parts_.arm_in_use.model();
   setup.arm.mass_kg = held_.mass_kg;
-  setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // a hand's, too: at rest it slows as the arm's own does
+  setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // includes a hand's, which acts like the arm's own
   setup.rate_hz = parts_.servo.rateHz();
   setup.limits = foot_->hasLimits();
   Result<lab::ArmStep> step = lab::measureStep(withControl(scene, index_, withGains(control(), law_, held_)), setup);

@@ -28,7 +28,7 @@ float onScreen(double value) {
   return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : kGap;
 }
 
-/// Fills a curve with strokes that a gap ends; what is left over repeats the last gap.
+/// Fills a curve with strokes, each followed by a gap; the rest of the points are gaps.
 class Strokes {
  public:
   explicit Strokes(std::span<PlotPoint> points) : points_(points) {}
@@ -116,7 +116,7 @@ struct StepPlot::Impl {
     if (!shown.responses.empty()) {
       const lab::TransferFunction& first = shown.responses.front().transfer;
       poles = lab::poles(first);
-      if (first.num.size() > 1) zeros = lab::poles({{1.0}, first.num});  // the roots of what stands above
+      if (first.num.size() > 1) zeros = lab::poles({{1.0}, first.num});  // the roots of the numerator
     }
     double left = 0.0, right = 0.0, high = 0.0;
     for (const auto* roots : {&poles, &zeros}) {
@@ -184,7 +184,7 @@ void StepPlot::present(const StepPicture& picture) {
   const std::optional<double>& overshoot = picture.metrics.overshoot_fraction;
   setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(numberText(100.0 * *overshoot, 1))
                                      : tr("No final value"));
-  placeAnew();  // the legend has other names
+  placeAnew();  // the names in the legend have changed
 }
 
 void StepPlot::setTheme(const Theme& theme) {
